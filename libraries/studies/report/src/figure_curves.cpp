@@ -9,6 +9,7 @@
 #include "elsie/picture/axis.h"
 #include "elsie/picture/plot.h"
 
+#include "charts.h"
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
@@ -69,32 +70,60 @@ picture::LineChart chart_of(const std::vector<const Curve*>& curves) {
   return chart;
 }
 
-}  // namespace
+// The curves of the sample by robot, plugin and name.
+using CurvePanels =
+    std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Curve*>>;
 
-std::string curve_figures(const Findings& findings, std::size_t cell,
-                          const std::vector<Curve>& curves, const Inks& inks) {
+CurvePanels panels_of(const Findings& findings, std::size_t cell,
+                      const std::vector<Curve>& curves) {
   std::set<std::int64_t> in_sample;
   for (const std::size_t run : findings.cells[cell].runs) {
     in_sample.insert(findings.results.runs[run].id);
   }
-  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const Curve*>> panels;
+  CurvePanels panels;
   for (const Curve& curve : curves) {
-    if (!in_sample.contains(curve.run) || curve.points.empty()) {
-      continue;
+    if (in_sample.contains(curve.run) && !curve.points.empty()) {
+      panels[{curve.robot, curve.plugin, curve.name}].push_back(&curve);
     }
-    panels[{curve.robot, curve.plugin, curve.name}].push_back(&curve);
   }
+  return panels;
+}
+
+// "weights of r1, error: mean square error"
+std::string subject_of(const std::string& robot, const std::string& plugin,
+                       const std::string& name, const Curve& first) {
+  return plugin + " of " + robot + ", " + name +
+         (first.y_label.empty() || first.y_label == name ? "" : ": " + first.y_label);
+}
+
+}  // namespace
+
+std::vector<Chart> learning_charts(const Findings& findings, std::size_t cell,
+                                   const std::vector<Curve>& curves) {
+  std::vector<Chart> charts;
+  for (const auto& [what, all] : panels_of(findings, cell, curves)) {
+    const auto& [robot, plugin, name] = what;
+    picture::LineChart chart = chart_of(all);
+    chart.y.label = output::shortened(output::one_line(all.front()->y_label), 50);
+    charts.push_back({"learning-" + std::to_string(cell + 1) + "-" +
+                          file_part(robot + "-" + plugin + "-" + name),
+                      "Learning of " + subject_of(robot, plugin, name, *all.front()) + ", " +
+                          counted(all.size(), "run"),
+                      std::move(chart)});
+  }
+  return charts;
+}
+
+std::string curve_figures(const Findings& findings, std::size_t cell,
+                          const std::vector<Curve>& curves, const Inks& inks) {
   std::string text;
-  for (const auto& [what, all] : panels) {
+  for (const auto& [what, all] : panels_of(findings, cell, curves)) {
     const picture::LineChart chart = chart_of(all);
     const auto& [robot, plugin, name] = what;
-    const std::string about = name + (all.front()->y_label.empty() || all.front()->y_label == name
-                                          ? ""
-                                          : ": " + all.front()->y_label);
     text += "<figure class=\"curves " + inks.cell_class(cell) +
             "\"><figcaption><b>Learning</b> "
             "<span>" +
-            escaped(plugin + " of " + robot + ", " + about) + "</span></figcaption>" +
+            escaped(subject_of(robot, plugin, name, *all.front())) + "</span></figcaption>" +
             picture::page_chart(chart, "Learning curves", kSize) + "<small>" +
             counted(all.size(), "run") +
             (chart.series.size() == 1 && all.size() > 1 ? ", all alike" : "") +

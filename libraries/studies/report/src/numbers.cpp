@@ -74,6 +74,8 @@ MeanText mean_text(const Summary& summary, const std::optional<Interval>& interv
   return result;
 }
 
+std::string p_text(double p) { return p < 0.001 ? "< 0.001" : fixed_text(p, 3); }
+
 std::string in_words(const std::string& name, const std::string& unit) {
   std::string words = name;
   const std::string suffix = '_' + unit;

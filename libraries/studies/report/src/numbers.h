@@ -33,6 +33,9 @@ MeanText mean_text(const Summary& summary, const std::optional<Interval>& interv
                    std::optional<int> decimals);
 MeanText mean_text(const Summary& summary, const std::optional<Interval>& interval);
 
+/// A probability of a test: "0.034", "< 0.001".
+std::string p_text(double p);
+
 /// A measure's name in words: "path_length_m" of unit "m" is "path length".
 std::string in_words(const std::string& name, const std::string& unit);
 

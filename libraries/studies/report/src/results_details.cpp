@@ -54,11 +54,11 @@ std::vector<Trajectory> ResultsFile::trajectories(std::int64_t cell) const {
     const std::filesystem::path& file = state_->file;
     sqlite::Statement rows(
         state_->connection,
-        query("robot, period_s, poses, x_m, y_m, heading_rad",
+        query("robot, period_s, poses, x_m, y_m, heading_rad, from_s",
               "trajectories LEFT JOIN run_robots USING (run_id, robot)", "run_id, robot"));
     rows.bind(1, cell);
     while (rows.next()) {
-      Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}};
+      Trajectory way{rows.integer(0), rows.text(1), rows.number(2), {}, rows.number(7)};
       each(rows.text(3), file, "trajectories", [&](const JsonValue& pose) {
         way.poses.push_back({number(pose, 0), number(pose, 1), number(pose, 2)});
       });
@@ -90,6 +90,19 @@ std::vector<Curve> ResultsFile::curves(std::int64_t cell) const {
         curve.points.push_back({number(point, 0), number(point, 1)});
       });
       all.push_back(std::move(curve));
+    }
+    return all;
+  });
+}
+
+std::vector<Event> ResultsFile::events(std::int64_t cell) const {
+  return state_->reading([&] {
+    std::vector<Event> all;
+    sqlite::Statement rows(state_->connection,
+                           query("time_s, name", "run_events", "run_id, place"));
+    rows.bind(1, cell);
+    while (rows.next()) {
+      all.push_back({rows.integer(0), rows.number(1), rows.text(2)});
     }
     return all;
   });

@@ -122,7 +122,11 @@ Ink ink_of(const LineChart& chart, std::size_t index) {
     ink.role = "c";
     return ink;
   }
-  return is_neutral(series) ? kText : series_ink(series.colour.value_or(index));
+  // Shades from dark to light.
+  if (is_neutral(series)) {
+    return kText.with_alpha(std::max(0.35, 1.0 - 0.2 * static_cast<double>(index)));
+  }
+  return series_ink(series.colour.value_or(index));
 }
 
 void draw_swatch(Canvas& canvas, const LineChart& chart, std::size_t index, const Vector2& from) {

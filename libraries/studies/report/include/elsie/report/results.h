@@ -81,6 +81,14 @@ struct Trajectory {
   double period_s = 0.0;
   /// The last is at the end of the run, less than a period after its predecessor.
   std::vector<Pose> poses;
+  double from_s = 0.0;  // the time of the first
+};
+
+/// What a robot's plugins or the simulator said during a run.
+struct Event {
+  std::int64_t run = 0;
+  double time_s = 0.0;
+  std::string name;
 };
 
 /// What a plugin learned before the run.
@@ -133,6 +141,8 @@ class ResultsFile {
   std::vector<Trajectory> trajectories(std::int64_t cell) const;
   std::vector<Curve> curves(std::int64_t cell) const;
   std::vector<Timeline> timelines(std::int64_t cell) const;
+  /// In the order of the runs and of time.
+  std::vector<Event> events(std::int64_t cell) const;
 
  private:
   struct State;

@@ -1,0 +1,72 @@
+// Cells compared with other cells, over everything else that is varied.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elsie/report/comparisons.h"
+#include "elsie/report/factors.h"
+
+namespace elsie::report {
+
+/// Some cells by a name.
+struct Group {
+  std::string name;  // "fuzzy fusion", "coordinator=fuzzy fusion"
+  std::vector<std::size_t> cells;
+};
+
+/// One response in two groups of cells.
+struct Contrast {
+  Response response;
+  std::string first, second;
+  Margin of_first, of_second;
+  bool equal = false;  // all values of both groups are the same, and known
+
+  // All runs of one group against all of the other, as if all were independent.
+  Effect effect;             // the odds ratio of success; Cliff's delta of a measure
+  std::optional<Effect> g;   // Hedges'; none for success, with bounds, and without spread
+  double pooled_p = 1.0;     // of Fisher's test; of the rank test
+  bool pooled_exact = true;
+  double pooled_holm = 1.0;  // corrected for all contrasts of the response
+
+  // Seed by seed: a seed's difference is the mean of those between cells that match.
+  std::size_t seeds = 0;
+  std::optional<double> difference;  // the mean; none with bounds
+  std::optional<Interval> interval;
+  PairTest paired;  // the sign test of success and with bounds, else the signed-rank test
+  bool by_signs = false;
+  double paired_holm = 1.0;
+};
+
+/// Cells match if they have the same levels of all factors but `named` (indices into
+/// Results::factors). None without a value in one of the groups.
+std::optional<Contrast> contrast(const Findings& findings, const Response& response,
+                                 const Group& first, const Group& second,
+                                 const std::vector<std::size_t>& named);
+
+/// Corrects the p-values of contrasts of one response.
+void correct(std::vector<Contrast>& contrasts);
+
+/// All pairs of levels of all factors, corrected. Factors with more than kMostLevels levels are left
+/// out: their pairs are too many to read.
+std::vector<Contrast> level_contrasts(const Findings& findings, const Response& response);
+
+inline constexpr std::size_t kMostLevels = 8;
+
+/// The cells of "coordinator=fusion|arbitration, network=4 4", or those with this label. `named`:
+/// the factors in it are added. Throws std::invalid_argument, with a sentence, for a factor, a level
+/// or a label that is not there.
+Group group_of(const Findings& findings, const std::string& text, std::vector<std::size_t>& named);
+
+/// All responses of two groups by text. Throws std::invalid_argument, with a sentence, for groups
+/// that are not there, have a cell in common, have one seed only, or all equal values.
+std::vector<Contrast> compare(const Findings& findings, const std::string& first,
+                              const std::string& second);
+
+/// For people: groups, effects, tests, as tables of texts with a head.
+std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>& contrasts,
+                                                     bool with_response);
+
+}  // namespace elsie::report

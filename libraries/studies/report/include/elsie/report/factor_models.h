@@ -1,0 +1,40 @@
+// Models of a response by the factors of an experiment.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "elsie/report/factors.h"
+#include "elsie/report/models.h"
+
+namespace elsie::report {
+
+struct FactorModel {
+  Response response;
+  std::string formula;  // "time_s ~ max_speed + coordinator"
+  std::size_t runs = 0;
+  std::vector<std::size_t> cells;              // of each run
+  std::variant<LinearFit, LogisticFit> fit{};  // logistic of success
+  std::vector<std::string> warnings;           // sentences
+};
+
+/// The model of a formula: "MEASURE ~ FACTOR + FACTOR:FACTOR"; "a * b" is "a + b + a:b". A factor
+/// whose levels are numbers is one term, its distance from its mean; any other factor has a term for
+/// each level but the first. Each run counts as an independent observation. Throws
+/// std::invalid_argument, with a sentence, for a formula that names what is not there, more
+/// coefficients than cells, runs of one seed only, equal values, and values that are only bounds.
+FactorModel factor_model(const Findings& findings, const std::string& formula);
+
+/// The formula with all factors and no interactions.
+std::string main_effects(const Findings& findings, const Response& response);
+
+/// The coefficients as texts with a head.
+std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model);
+
+/// "R2 0.83, adjusted 0.82; residuals 1.2 m; F 95.2, p < 0.001": the fit as a whole.
+std::string fit_in_words(const FactorModel& model);
+
+}  // namespace elsie::report

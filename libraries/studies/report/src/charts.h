@@ -1,0 +1,71 @@
+// Charts of the results, for the page and for files of their own.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "elsie/picture/plot.h"
+#include "elsie/report/factor_models.h"
+#include "elsie/report/factors.h"
+
+#include "figures.h"
+
+namespace elsie::report {
+
+struct Chart {
+  std::string name;     // of its file, without a suffix: "effect-time_s-max_speed"
+  std::string caption;  // a sentence
+  picture::Panel panel;
+};
+
+/// More levels make no readable lines.
+inline constexpr std::size_t kMostLines = 6;
+
+/// The main effects of each varied factor on a response, over a common range; "" for none.
+std::vector<Chart> effect_charts(const Findings& findings, const Response& response);
+
+/// Of each pair of varied factors: the response by both, as lines where one has few levels, and as
+/// tiles.
+std::vector<Chart> pair_charts(const Findings& findings, const Response& response,
+                               const Inks& inks);
+
+/// What a linear model does not explain in each cell.
+Chart residual_chart(const Findings& findings, const FactorModel& model);
+
+/// The part of the runs that has not yet reached its goals, in each cell; cells that differ in the
+/// coloured factor only are in one chart.
+struct SurvivalChart {
+  Chart chart;
+  std::vector<std::size_t> cells;
+};
+std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks& inks);
+
+/// What happened over time, by the levels of each varied factor: distance driven, and events.
+/// Reads the file.
+std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& file,
+                                 const Inks& inks);
+
+/// Box plots of a measure, and the rates of success, in the cells `from` to `to`.
+Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
+                std::size_t from, std::size_t to);
+Chart rate_chart(const Findings& findings, const Inks& inks, std::size_t from, std::size_t to);
+
+/// What plugins learned before the runs of a cell.
+std::vector<Chart> learning_charts(const Findings& findings, std::size_t cell,
+                                   const std::vector<Curve>& curves);
+
+/// Who decided when in the runs of a cell; none if nothing was recorded.
+std::vector<Chart> decision_charts(const Findings& findings, std::size_t cell,
+                                   const std::vector<Timeline>& timelines, const Inks& inks);
+
+/// A text as a part of a file's name: letters, digits, and . _ - stay, others become _.
+std::string file_part(const std::string& text);
+
+/// The axis of a response.
+picture::Axis axis_of(const Response& response);
+
+/// The colours of the levels of a factor: those of the page if it is the coloured one, else none.
+std::vector<std::size_t> level_colours(const VariedFactor& factor, const Inks& inks);
+
+}  // namespace elsie::report

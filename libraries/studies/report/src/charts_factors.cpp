@@ -1,0 +1,248 @@
+// Charts by factor: main effects, two factors together, residuals of a model.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "charts.h"
+#include "numbers.h"
+
+namespace elsie::report {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostTiles = 24;          // levels on an axis
+constexpr std::size_t kMostIntervals = 36;      // in a chart of two factors
+constexpr std::size_t kNameLength = 40;
+
+std::string shown(const std::string& text) { return output::shortened(output::one_line(text), kNameLength); }
+
+picture::Axis axis_of(const VariedFactor& factor) {
+  picture::Axis axis;
+  axis.label = shown(factor.name);
+  if (factor.numeric()) {
+    const double low = factor.numbers.front(), high = factor.numbers.back();
+    axis.low = low - 0.06 * (high - low);
+    axis.high = high + 0.06 * (high - low);
+    return axis;
+  }
+  for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+    axis.names.push_back({static_cast<double>(i), shown(factor.levels[i])});
+  }
+  return axis;
+}
+
+double place_of(const VariedFactor& factor, std::size_t level) {
+  return factor.numeric() ? factor.numbers[level] : static_cast<double>(level);
+}
+
+// A margin as a point with a bar; an unknown end of an interval is left out.
+void add_point(picture::Series& series, double x, const Margin& margin) {
+  series.points.push_back({x, margin.centre.value_or(kUnknown)});
+  const double centre = margin.centre.value_or(kUnknown);
+  picture::Interval bar{kUnknown, kUnknown};
+  if (margin.interval && margin.centre) {
+    bar = {margin.interval->low,
+           std::isfinite(margin.interval->high) ? margin.interval->high : centre};
+  }
+  series.spread.push_back(bar);
+}
+
+// With an effect of this size, an axis from 0 would hide nothing.
+void start_at_zero(picture::Axis& axis, const picture::Interval& range) {
+  if (range.low >= 0.0 && range.low < 0.4 * range.high) {
+    axis.low = 0.0;
+  }
+}
+
+std::string number_in_tile(const Margin& margin, const Response& response) {
+  if (!margin.centre) {
+    return margin.cut_off > 0 ? "?" : "";
+  }
+  return response.measure ? brief(*margin.centre, 3)
+                          : fixed_text(100.0 * *margin.centre, 0) + " %";
+}
+
+std::string what_is_shown(const Response& response) {
+  return response.measure ? "mean of the seeds, or the median where a limit cut off values, with "
+                            "its 95 % interval"
+                          : "rate of all runs with its 95 % interval";
+}
+
+}  // namespace
+
+std::string file_part(const std::string& text) {
+  std::string part;
+  for (const char c : text) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                       (c >= 'A' && c <= 'Z') || c == '.' || c == '_' || c == '-';
+    part += plain ? c : '_';
+  }
+  return part.substr(0, 60);
+}
+
+picture::Axis axis_of(const Response& response) {
+  picture::Axis axis;
+  axis.label = shown(response.words);
+  axis.unit = shown(response.unit);
+  if (!response.measure) {
+    axis.low = 0.0;
+    axis.high = 1.0;
+  }
+  return axis;
+}
+
+std::vector<std::size_t> level_colours(const VariedFactor& factor, const Inks& inks) {
+  std::vector<std::size_t> colours;
+  for (const std::string& level : factor.levels) {
+    const auto found = std::find(inks.levels.begin(), inks.levels.end(), level);
+    const bool coloured = inks.factor == factor.factor && found != inks.levels.end();
+    colours.push_back(coloured ? static_cast<std::size_t>(found - inks.levels.begin())
+                               : picture::kNeutral);
+  }
+  return colours;
+}
+
+std::vector<Chart> effect_charts(const Findings& findings, const Response& response) {
+  std::vector<Chart> charts;
+  picture::Interval range;
+  for (const VariedFactor& factor : varied_factors(findings.results)) {
+    picture::LineChart chart;
+    chart.x = axis_of(factor);
+    chart.y = axis_of(response);
+    picture::Series series;
+    series.marked = series.bars = true;
+    series.joining = factor.numeric() ? picture::Joining::lines : picture::Joining::nothing;
+    series.colour = picture::kNeutral;
+    for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+      const Margin margin = margin_of(findings, response, factor.cells_at(i));
+      add_point(series, place_of(factor, i), margin);
+      range.include(series.points.back().y);
+      range.include(series.spread.back().low);
+      range.include(series.spread.back().high);
+    }
+    chart.series.push_back(std::move(series));
+    charts.push_back({"effect-" + file_part(response.name) + "-" + file_part(factor.name),
+                      response.words + " by " + factor.name + ", over all else: " +
+                          what_is_shown(response),
+                      std::move(chart)});
+  }
+  if (range.empty()) {
+    return {};
+  }
+  for (Chart& one : charts) {
+    auto& chart = std::get<picture::LineChart>(one.panel);
+    if (!response.measure) continue;
+    const picture::Interval wide = range.widened();
+    chart.y.low = wide.low - 0.05 * wide.span();
+    chart.y.high = wide.high + 0.05 * wide.span();
+    start_at_zero(chart.y, range);
+  }
+  return charts;
+}
+
+std::vector<Chart> pair_charts(const Findings& findings, const Response& response,
+                               const Inks& inks) {
+  std::vector<Chart> charts;
+  const std::vector<VariedFactor> factors = varied_factors(findings.results);
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    for (std::size_t j = i + 1; j < factors.size(); ++j) {
+      // Lines are the levels of the coloured factor, or of the one with fewer levels.
+      const bool swap = inks.factor == factors[i].factor ||
+                        (inks.factor != factors[j].factor &&
+                         factors[i].levels.size() < factors[j].levels.size());
+      const VariedFactor& along = factors[swap ? j : i];
+      const VariedFactor& lines = factors[swap ? i : j];
+      const std::size_t columns = along.levels.size(), rows = lines.levels.size();
+      if (columns > kMostTiles || rows > kMostTiles) {
+        continue;
+      }
+      picture::LineChart chart;
+      chart.x = axis_of(along);
+      chart.y = axis_of(response);
+      picture::Tiles tiles;
+      tiles.x = {.label = shown(along.name)};
+      tiles.y = {.label = shown(lines.name)};
+      tiles.z = axis_of(response);
+      for (const std::string& level : along.levels) tiles.x.names.push_back({0.0, shown(level)});
+      const std::vector<std::size_t> colours = level_colours(lines, inks);
+      picture::Interval range;
+      for (std::size_t row = 0; row < rows; ++row) {
+        tiles.y.names.push_back({0.0, shown(lines.levels[row])});
+        picture::Series series;
+        series.name = shown(lines.levels[row]);
+        series.marked = true;
+        series.bars = true;
+        series.colour = colours[row];
+        for (std::size_t column = 0; column < columns; ++column) {
+          const Margin margin =
+              margin_of(findings, response, common(along.cells_at(column), lines.cells_at(row)),
+                        columns * rows <= kMostIntervals);
+          // Lines stand a little apart, so that their bars do not hide each other.
+          const double step = along.numeric()
+                                  ? (along.numbers.back() - along.numbers.front()) / 60.0
+                                  : 0.06;
+          const double aside = step * (static_cast<double>(row) - 0.5 * static_cast<double>(rows - 1));
+          add_point(series, place_of(along, column) + aside, margin);
+          range.include(series.points.back().y);
+          tiles.values.push_back(margin.centre.value_or(kUnknown));
+          tiles.texts.push_back(number_in_tile(margin, response));
+        }
+        chart.series.push_back(std::move(series));
+      }
+      if (range.empty()) {
+        continue;
+      }
+      const std::string name =
+          file_part(response.name) + "-" + file_part(along.name) + "-" + file_part(lines.name);
+      const std::string words = response.words + " by " + along.name + " and " + lines.name;
+      if (rows <= kMostLines) {
+        if (response.measure) {
+          start_at_zero(chart.y, range);
+        }
+        charts.push_back({"interaction-" + name, words + ": " + what_is_shown(response),
+                          std::move(chart)});
+      }
+      charts.push_back({"tiles-" + name, words, std::move(tiles)});
+    }
+  }
+  return charts;
+}
+
+Chart residual_chart(const Findings& findings, const FactorModel& model) {
+  const auto& fit = std::get<LinearFit>(model.fit);
+  std::vector<std::vector<double>> by_cell(findings.cells.size());
+  std::vector<double> fitted(findings.cells.size(), kUnknown);
+  for (std::size_t i = 0; i < model.cells.size(); ++i) {
+    by_cell[model.cells[i]].push_back(fit.residuals[i]);
+    fitted[model.cells[i]] = fit.fitted[i];
+  }
+  picture::LineChart chart;
+  picture::Series cells;
+  cells.marked = cells.bars = true;
+  cells.joining = picture::Joining::nothing;
+  cells.colour = picture::kNeutral;
+  picture::Interval range;
+  for (std::size_t i = 0; i < by_cell.size(); ++i) {
+    if (const auto all = summary(by_cell[i])) {
+      cells.points.push_back({fitted[i], all->median});
+      cells.spread.push_back({all->lower_quartile, all->upper_quartile});
+      range.include(fitted[i]);
+    }
+  }
+  const picture::Interval wide = range.widened();
+  picture::Series zero;
+  zero.colour = picture::kNeutral;
+  zero.points = {{wide.low, 0.0}, {wide.high, 0.0}};
+  chart.x = {.label = "fitted " + shown(model.response.words), .unit = shown(model.response.unit)};
+  chart.y = {.label = "residual", .unit = shown(model.response.unit)};
+  chart.series = {std::move(cells), std::move(zero)};
+  chart.series[0].name = "median and quartiles of a cell";
+  chart.series[1].name = "the model";
+  return {"residuals-" + file_part(model.response.name),
+          "Residuals of " + model.formula + ": median and quartiles of each cell, which stand about "
+          "0 if the model fits",
+          std::move(chart)};
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,316 @@
+#include "elsie/report/contrasts.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
+#include "elsie/output/clean_text.h"
+
+#include "numbers.h"
+#include "split.h"
+
+namespace elsie::report {
+
+namespace {
+
+// The observations of one seed in cells that match, of both groups.
+struct Match {
+  std::vector<Observed> first, second;
+};
+
+using Matches = std::map<std::uint64_t, std::map<std::vector<std::string>, Match>>;
+
+Matches match(const Findings& findings, const std::vector<Observation>& first,
+              const std::vector<Observation>& second, const std::vector<std::size_t>& named) {
+  Matches matches;
+  const auto add = [&](const std::vector<Observation>& all, std::vector<Observed> Match::*group) {
+    for (const Observation& one : all) {
+      std::vector<std::string> levels = findings.results.cells[one.cell].levels;
+      for (const std::size_t factor : named) {
+        levels[factor].clear();
+      }
+      (matches[one.seed][levels].*group).push_back(one.of);
+    }
+  };
+  add(first, &Match::first);
+  add(second, &Match::second);
+  return matches;
+}
+
+double mean_value(const std::vector<Observed>& all) {
+  double sum = 0.0;
+  for (const Observed& one : all) {
+    sum += one.value;
+  }
+  return sum / static_cast<double>(all.size());
+}
+
+void pair_up(const Findings& findings, const Matches& matches, bool bounds, Contrast& contrast) {
+  std::vector<double> differences;
+  for (const auto& [seed, by_levels] : matches) {
+    double sum = 0.0, count = 0.0;
+    for (const auto& [levels, one] : by_levels) {
+      if (one.first.empty() || one.second.empty()) {
+        continue;
+      }
+      // Of bounds, only the order is known.
+      sum += bounds ? rank_test(one.first, one.second, kConfidence).delta.value
+                    : mean_value(one.first) - mean_value(one.second);
+      count += 1.0;
+    }
+    if (count > 0.0) {
+      differences.push_back(sum / count);
+    }
+  }
+  contrast.seeds = differences.size();
+  contrast.by_signs = bounds || !contrast.response.measure;
+  contrast.paired = contrast.by_signs ? sign_test(differences) : signed_rank_test(differences);
+  if (!bounds && !differences.empty()) {
+    contrast.difference = summary(differences)->mean;
+    contrast.interval = mean_interval(differences, kConfidence, findings.results.seed(),
+                                      "difference of " + contrast.response.name);
+  }
+}
+
+[[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
+
+// The cells with one of the levels that "FACTOR=LEVEL|LEVEL" names.
+std::set<std::size_t> cells_with(const Results& results, const std::string& part,
+                                 std::vector<std::size_t>& named) {
+  const std::size_t equals = part.find('=');
+  const std::string name = trimmed(part.substr(0, equals));
+  std::vector<std::string> names;
+  for (const Factor& factor : results.factors) {
+    names.push_back(factor.name);
+  }
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    refuse("there is no factor '" + output::one_line(name) + "'" +
+           base::near_or_all(name, names, "there are"));
+  }
+  const auto factor = static_cast<std::size_t>(found - names.begin());
+  if (std::find(named.begin(), named.end(), factor) == named.end()) {
+    named.push_back(factor);
+  }
+  std::vector<std::string> levels;
+  for (const CellInfo& cell : results.cells) {
+    if (std::find(levels.begin(), levels.end(), cell.levels[factor]) == levels.end()) {
+      levels.push_back(cell.levels[factor]);
+    }
+  }
+  std::set<std::size_t> cells;
+  for (const std::string& level : split(part.substr(equals + 1), '|')) {
+    if (std::find(levels.begin(), levels.end(), level) == levels.end()) {
+      refuse("'" + output::one_line(name) + "' has no level '" + output::one_line(level) + "'" +
+             base::near_or_all(level, levels, "there are"));
+    }
+    for (std::size_t i = 0; i < results.cells.size(); ++i) {
+      if (results.cells[i].levels[factor] == level) {
+        cells.insert(i);
+      }
+    }
+  }
+  return cells;
+}
+
+std::string interval_text(const std::optional<Interval>& interval, int digits) {
+  return interval ? brief(interval->low, digits) + " to " + brief(interval->high, digits) : "";
+}
+
+std::string effect_text(const std::optional<Effect>& effect) {
+  return effect ? brief(effect->value, 3) + (effect->interval ? " (" : "") +
+                      interval_text(effect->interval, 3) + (effect->interval ? ")" : "")
+                : "-";
+}
+
+}  // namespace
+
+std::optional<Contrast> contrast(const Findings& findings, const Response& response,
+                                 const Group& first, const Group& second,
+                                 const std::vector<std::size_t>& named) {
+  const std::vector<Observation> of_first = observations(findings, response, first.cells);
+  const std::vector<Observation> of_second = observations(findings, response, second.cells);
+  if (of_first.empty() || of_second.empty()) {
+    return std::nullopt;
+  }
+  Contrast found;
+  found.response = response;
+  found.first = first.name;
+  found.second = second.name;
+  found.of_first = margin_of(findings, response, first.cells);
+  found.of_second = margin_of(findings, response, second.cells);
+  std::vector<Observed> a, b;
+  std::vector<double> values_a, values_b;
+  bool bounds = false;
+  found.equal = true;
+  const auto take = [&](const std::vector<Observation>& from, std::vector<Observed>& to,
+                        std::vector<double>& values) {
+    for (const Observation& one : from) {
+      to.push_back(one.of);
+      values.push_back(one.of.value);
+      bounds |= one.of.bound;
+      found.equal &= one.of.value == of_first.front().of.value;
+    }
+  };
+  take(of_first, a, values_a);
+  take(of_second, b, values_b);
+  found.equal &= !bounds;
+  if (!response.measure) {
+    const auto frequency = [](const std::vector<double>& values) {
+      return Frequency{static_cast<std::size_t>(std::count(values.begin(), values.end(), 1.0)),
+                       values.size()};
+    };
+    found.effect = odds_ratio(frequency(values_a), frequency(values_b), kConfidence);
+    found.pooled_p = fisher_test(frequency(values_a), frequency(values_b));
+  } else {
+    const RankTest test = rank_test(a, b, kConfidence);
+    found.effect = test.delta;
+    found.pooled_p = test.p;
+    found.pooled_exact = test.exact;
+    if (!bounds) {
+      found.g = hedges_g(values_a, values_b, kConfidence);
+    }
+  }
+  pair_up(findings, match(findings, of_first, of_second, named), bounds, found);
+  found.pooled_holm = found.pooled_p;
+  found.paired_holm = found.paired.p;
+  return found;
+}
+
+void correct(std::vector<Contrast>& contrasts) {
+  std::vector<double> pooled, paired;
+  for (const Contrast& one : contrasts) {
+    pooled.push_back(one.pooled_p);
+    paired.push_back(one.paired.p);
+  }
+  pooled = holm(pooled);
+  paired = holm(paired);
+  for (std::size_t i = 0; i < contrasts.size(); ++i) {
+    contrasts[i].pooled_holm = pooled[i];
+    contrasts[i].paired_holm = paired[i];
+  }
+}
+
+std::vector<Contrast> level_contrasts(const Findings& findings, const Response& response) {
+  std::vector<Contrast> all;
+  for (const VariedFactor& factor : varied_factors(findings.results)) {
+    if (factor.levels.size() > kMostLevels) {
+      continue;
+    }
+    for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+      for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
+        const auto group = [&](std::size_t level) {
+          return Group{factor.name + "=" + factor.levels[level], factor.cells_at(level)};
+        };
+        if (auto one = contrast(findings, response, group(j), group(i), {factor.factor})) {
+          all.push_back(std::move(*one));
+        }
+      }
+    }
+  }
+  correct(all);
+  return all;
+}
+
+Group group_of(const Findings& findings, const std::string& text,
+               std::vector<std::size_t>& named) {
+  const Results& results = findings.results;
+  for (std::size_t i = 0; i < results.cells.size(); ++i) {
+    if (results.cells[i].label == text) {
+      for (std::size_t factor = 0; factor < results.factors.size(); ++factor) {
+        named.push_back(factor);
+      }
+      return {text, {i}};
+    }
+  }
+  if (text.find('=') == std::string::npos) {
+    refuse("there is no cell '" + output::one_line(text) +
+           "'; expected the name of a cell, or levels as in 'FACTOR=LEVEL|LEVEL, FACTOR=LEVEL'");
+  }
+  Group group{text, {}};
+  for (std::size_t i = 0; i < results.cells.size(); ++i) {
+    group.cells.push_back(i);
+  }
+  for (const std::string& part : split(text, ',')) {
+    const std::set<std::size_t> with = cells_with(results, part, named);
+    group.cells = common(group.cells, {with.begin(), with.end()});
+  }
+  if (group.cells.empty()) {
+    refuse("no cell has all the levels of '" + output::one_line(text) +
+           "'; name a combination that was run");
+  }
+  return group;
+}
+
+std::vector<Contrast> compare(const Findings& findings, const std::string& first,
+                              const std::string& second) {
+  std::vector<std::size_t> named;
+  const Group a = group_of(findings, first, named), b = group_of(findings, second, named);
+  if (const auto both = common(a.cells, b.cells); !both.empty()) {
+    refuse("'" + output::one_line(first) + "' and '" + output::one_line(second) +
+           "' have the cell '" + output::one_line(findings.results.cells[both.front()].label) +
+           "' in common, and a cell cannot be compared with itself; name groups without a common "
+           "cell");
+  }
+  std::set<std::uint64_t> seeds;
+  for (const Run& run : findings.results.runs) {
+    if (run.ended()) {
+      seeds.insert(run.seed);
+    }
+  }
+  if (seeds.size() < 2) {
+    refuse("there are runs of " + counted(seeds.size(), "seed") +
+           " only, and a comparison needs at least two; run the experiment with more seeds");
+  }
+  std::vector<Contrast> all;
+  bool equal = true;
+  for (const Response& response : responses(findings)) {
+    if (auto one = contrast(findings, response, a, b, named)) {
+      equal &= one->equal;
+      all.push_back(std::move(*one));
+    }
+  }
+  if (all.empty()) {
+    refuse("no measure has a value in both '" + output::one_line(first) + "' and '" +
+           output::one_line(second) + "'; compare cells with runs that ended normally");
+  }
+  if (equal) {
+    refuse("all runs of '" + output::one_line(first) + "' and '" + output::one_line(second) +
+           "' have equal values, so there is nothing to compare");
+  }
+  return all;
+}
+
+std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>& contrasts,
+                                                     bool with_response) {
+  std::vector<std::vector<std::string>> rows{{"first", "second", "difference by seed", "effect",
+                                              "Hedges' g", "p by seed", "p pooled"}};
+  if (with_response) {
+    rows[0].insert(rows[0].begin(), "measure");
+  }
+  for (const Contrast& one : contrasts) {
+    std::vector<std::string> row{output::one_line(one.first), output::one_line(one.second)};
+    if (with_response) {
+      row.insert(row.begin(), output::one_line(one.response.name));
+    }
+    if (one.equal) {
+      row.emplace_back("equal");
+    } else {
+      row.push_back(one.difference ? brief(*one.difference, 3) +
+                                         (one.interval ? " (" + interval_text(one.interval, 3) + ")"
+                                                       : "")
+                                   : "-");
+      row.push_back((one.response.measure ? "delta " : "odds ") + effect_text(one.effect));
+      row.push_back(effect_text(one.g));
+      row.push_back(p_text(one.paired_holm));
+      row.push_back(p_text(one.pooled_holm));
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,289 @@
+#include "elsie/report/factor_models.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
+#include "elsie/output/clean_text.h"
+
+#include "numbers.h"
+#include "split.h"
+
+namespace elsie::report {
+
+namespace {
+
+[[noreturn]] void refuse_model(const std::string& sentence) {
+  throw std::invalid_argument(sentence);
+}
+
+using Product = std::vector<std::size_t>;  // indices of varied factors, ascending
+
+// The products that a formula's right side names, in order, each once.
+std::vector<Product> products_of(const std::string& side,
+                                 const std::vector<VariedFactor>& factors) {
+  std::vector<std::string> names;
+  for (const VariedFactor& factor : factors) {
+    names.push_back(factor.name);
+  }
+  const auto place_of = [&](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+      refuse_model("no factor '" + output::one_line(name) + "' is varied" +
+                   base::near_or_all(name, names, "there are"));
+    }
+    return static_cast<std::size_t>(found - names.begin());
+  };
+  std::vector<Product> products;
+  const auto add = [&](Product product) {
+    std::sort(product.begin(), product.end());
+    product.erase(std::unique(product.begin(), product.end()), product.end());
+    if (std::find(products.begin(), products.end(), product) == products.end()) {
+      products.push_back(std::move(product));
+    }
+  };
+  for (const std::string& part : split(side, '+')) {
+    std::vector<Product> crossed{{}};
+    for (const std::string& one : split(part, '*')) {
+      Product single;
+      for (const std::string& name : split(one, ':')) {
+        single.push_back(place_of(name));
+      }
+      for (std::size_t i = crossed.size(); i-- > 0;) {
+        Product longer = crossed[i];
+        longer.insert(longer.end(), single.begin(), single.end());
+        crossed.push_back(std::move(longer));
+      }
+    }
+    std::stable_sort(crossed.begin(), crossed.end(),
+                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (std::size_t i = 1; i < crossed.size(); ++i) {
+      add(crossed[i]);
+    }
+  }
+  return products;
+}
+
+std::vector<Term> terms_of(const VariedFactor& factor, const std::vector<Observation>& runs) {
+  std::vector<Term> terms;
+  const auto add = [&](const std::string& name, auto value) {
+    Term term{name, {}};
+    for (const Observation& run : runs) {
+      term.values.push_back(value(factor.of_cell[run.cell]));
+    }
+    terms.push_back(std::move(term));
+  };
+  if (factor.numeric()) {
+    add(factor.name, [&](std::size_t level) { return factor.numbers[level]; });
+    std::vector<double>& values = terms.front().values;
+    const double mean = *statistic_of(Statistic::mean, values);
+    for (double& value : values) {
+      value -= mean;
+    }
+    return terms;
+  }
+  for (std::size_t i = 1; i < factor.levels.size(); ++i) {
+    add(factor.name + "=" + factor.levels[i],
+        [&](std::size_t level) { return level == i ? 1.0 : 0.0; });
+  }
+  return terms;
+}
+
+std::vector<Term> product_of(const std::vector<Term>& first, const std::vector<Term>& second) {
+  std::vector<Term> products;
+  for (const Term& a : first) {
+    for (const Term& b : second) {
+      Term& product = products.emplace_back(Term{a.name + " : " + b.name, a.values});
+      for (std::size_t i = 0; i < product.values.size(); ++i) {
+        product.values[i] *= b.values[i];
+      }
+    }
+  }
+  return products;
+}
+
+std::string listed_terms(const std::vector<std::string>& names) {
+  std::vector<std::string> texts;
+  for (const std::string& name : names) {
+    texts.push_back(name.empty() ? "the constant" : "'" + output::one_line(name) + "'");
+  }
+  return base::enumerated(texts);
+}
+
+template <class Fit>
+void warn(const Fit& fit, std::vector<std::string>& warnings) {
+  if (!fit.left_out.empty()) {
+    warnings.push_back(listed_terms(fit.left_out) +
+                       (fit.left_out.size() == 1 ? " is" : " are") +
+                       " left out: the cells do not tell " +
+                       (fit.left_out.size() == 1 ? "it" : "them") +
+                       " apart from the other terms (collinearity)");
+  }
+  std::vector<std::string> inflated;
+  double most = 0.0;
+  for (const Coefficient& one : fit.coefficients) {
+    if (one.inflation.value_or(0.0) > kMuchInflation) {
+      inflated.push_back(one.name);
+      most = std::max(most, *one.inflation);
+    }
+  }
+  if (!inflated.empty()) {
+    warnings.push_back("collinearity enlarges the variance of " + listed_terms(inflated) +
+                       " up to " + brief(most, 2) + " times");
+  }
+}
+
+void require_seeds(const std::vector<Observation>& runs) {
+  std::set<std::uint64_t> seeds;
+  for (const Observation& run : runs) {
+    seeds.insert(run.seed);
+  }
+  if (seeds.size() < 2) {
+    refuse_model("there are runs of " + counted(seeds.size(), "seed") +
+                 " only, and a model needs at least two; run the experiment with more seeds");
+  }
+}
+
+std::vector<Observation> observations_for(const Findings& findings, const Response& response) {
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    cells.push_back(i);
+  }
+  std::vector<Observation> runs = observations(findings, response, cells);
+  const auto bounds =
+      std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.of.bound; });
+  if (bounds > 0) {
+    refuse_model("'" + output::one_line(response.name) + "' of " + std::to_string(bounds) +
+                 " of " + counted(runs.size(), "run") +
+                 " is only a bound, because the time limit stopped them, and least squares cannot "
+                 "use bounds; model 'success', or a measure without bounds");
+  }
+  require_seeds(runs);
+  return runs;
+}
+
+Response response_called(const Findings& findings, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Response& response : responses(findings)) {
+    if (response.name == name) {
+      return response;
+    }
+    names.push_back(response.name);
+  }
+  refuse_model("there is no measure '" + output::one_line(name) + "'" +
+               base::near_or_all(name, names, "there are"));
+}
+
+}  // namespace
+
+FactorModel factor_model(const Findings& findings, const std::string& formula) {
+  const std::size_t tilde = formula.find('~');
+  if (tilde == std::string::npos || trimmed(formula.substr(tilde + 1)).empty()) {
+    refuse_model("'" + output::one_line(formula) +
+                 "' is no formula; expected a measure and factors, as in 'time_s ~ speed + "
+                 "coordinator'");
+  }
+  FactorModel model;
+  model.response = response_called(findings, trimmed(formula.substr(0, tilde)));
+  model.formula = trimmed(formula);
+  const std::vector<VariedFactor> factors = varied_factors(findings.results);
+  const std::vector<Product> products = products_of(formula.substr(tilde + 1), factors);
+  const std::vector<Observation> runs = observations_for(findings, model.response);
+  std::vector<Term> terms;
+  for (const Product& product : products) {
+    std::vector<Term> of_product = terms_of(factors[product.front()], runs);
+    for (std::size_t i = 1; i < product.size(); ++i) {
+      of_product = product_of(of_product, terms_of(factors[product[i]], runs));
+    }
+    terms.insert(terms.end(), of_product.begin(), of_product.end());
+  }
+  std::set<std::size_t> cells;
+  for (const Observation& run : runs) {
+    cells.insert(run.cell);
+    model.cells.push_back(run.cell);
+  }
+  if (terms.size() + 1 > cells.size()) {
+    refuse_model("'" + output::one_line(model.formula) + "' has " +
+                 counted(terms.size() + 1, "coefficient") + ", and there are " +
+                 counted(cells.size(), "cell") +
+                 " with values; a model cannot have more coefficients than cells: name fewer "
+                 "terms");
+  }
+  model.runs = runs.size();
+  if (model.response.measure) {
+    std::vector<double> values;
+    for (const Observation& run : runs) {
+      values.push_back(run.of.value);
+    }
+    LinearFit fit = fit_linear(terms, values, kConfidence);
+    warn(fit, model.warnings);
+    model.fit = std::move(fit);
+  } else {
+    std::vector<bool> values;
+    for (const Observation& run : runs) {
+      values.push_back(run.of.value != 0.0);
+    }
+    LogisticFit fit = fit_logistic(terms, values, kConfidence);
+    warn(fit, model.warnings);
+    if (!fit.separated.empty()) {
+      model.warnings.push_back(listed_terms(fit.separated) +
+                               (fit.separated.size() == 1 ? " has" : " have") +
+                               " no finite coefficient: success is certain or impossible where it "
+                               "says so (separation); the number and its interval mean nothing");
+    }
+    model.fit = std::move(fit);
+  }
+  return model;
+}
+
+std::string main_effects(const Findings& findings, const Response& response) {
+  std::string side;
+  for (const VariedFactor& factor : varied_factors(findings.results)) {
+    side += (side.empty() ? "" : " + ") + factor.name;
+  }
+  return response.name + " ~ " + side;
+}
+
+std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model) {
+  const auto* logistic = std::get_if<LogisticFit>(&model.fit);
+  std::vector<std::vector<std::string>> rows{
+      {"term", logistic ? "log odds" : "estimate", "error", "95 % interval", "p"}};
+  const auto& coefficients =
+      logistic ? logistic->coefficients : std::get<LinearFit>(model.fit).coefficients;
+  for (const Coefficient& one : coefficients) {
+    const bool endless =
+        logistic && std::find(logistic->separated.begin(), logistic->separated.end(), one.name) !=
+                        logistic->separated.end();
+    std::vector<std::string> row{one.name.empty() ? "(constant)" : output::one_line(one.name)};
+    if (endless) {
+      row.insert(row.end(), {one.estimate > 0.0 ? "infinite" : "-infinite", "-", "-", "-"});
+    } else {
+      row.insert(row.end(), {brief(one.estimate), brief(one.error, 3),
+                             brief(one.interval.low) + " to " + brief(one.interval.high),
+                             p_text(one.p)});
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string fit_in_words(const FactorModel& model) {
+  const auto p = [](double value) {
+    return value < 0.001 ? "p " + p_text(value) : "p = " + p_text(value);
+  };
+  const std::string runs = counted(model.runs, "run");
+  if (const auto* fit = std::get_if<LinearFit>(&model.fit)) {
+    return runs + "; R\xc2\xb2 " + fixed_text(fit->r_squared, 3) + ", adjusted " +
+           fixed_text(fit->adjusted_r_squared, 3) + "; standard deviation of the residuals " +
+           brief(fit->deviation, 3) +
+           (model.response.unit.empty() ? "" : " " + output::one_line(model.response.unit)) +
+           (fit->f ? "; F " + brief(*fit->f, 3) + ", " : "; ") + p(fit->p);
+  }
+  const auto& fit = std::get<LogisticFit>(model.fit);
+  return runs + "; deviance " + brief(fit.deviance) + " with " + std::to_string(fit.freedom) +
+         " degrees of freedom, " + brief(fit.null_deviance) + " without the factors; " + p(fit.p);
+}
+
+}  // namespace elsie::report

@@ -1,0 +1,197 @@
+#include "elsie/report/factors.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "numbers.h"
+
+namespace elsie::report {
+
+namespace {
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !is_usable(value)) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<Observed> observed(const Findings& findings, const Response& response,
+                                 const Run& run) {
+  if (!response.measure) {
+    return run.ended() && findings.cells[run.cell].goals
+               ? std::optional(Observed{run.success() ? 1.0 : 0.0, false})
+               : std::nullopt;
+  }
+  const std::size_t place = findings.measures[*response.measure];
+  if (run.state != RunState::done || !run.values[place] || !is_usable(*run.values[place])) {
+    return std::nullopt;
+  }
+  return Observed{*run.values[place], findings.is_censored(run, place)};
+}
+
+}  // namespace
+
+std::vector<std::size_t> VariedFactor::cells_at(std::size_t level) const {
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < of_cell.size(); ++i) {
+    if (of_cell[i] == level) {
+      cells.push_back(i);
+    }
+  }
+  return cells;
+}
+
+std::vector<VariedFactor> varied_factors(const Results& results) {
+  std::vector<VariedFactor> all;
+  for (std::size_t factor = 0; factor < results.factors.size(); ++factor) {
+    std::map<int, std::string> by_place;
+    for (const CellInfo& cell : results.cells) {
+      by_place.emplace(cell.places[factor], cell.levels[factor]);
+    }
+    if (by_place.size() < 2) {
+      continue;
+    }
+    VariedFactor one{factor, results.factors[factor].name, {}, {}, {}};
+    std::vector<int> places;
+    std::map<double, int> by_number;
+    for (const auto& [place, label] : by_place) {
+      places.push_back(place);
+      if (const auto number = number_in(label)) {
+        by_number.emplace(*number, place);
+      }
+    }
+    if (by_number.size() == by_place.size()) {
+      places.clear();
+      for (const auto& [number, place] : by_number) {
+        one.numbers.push_back(number);
+        places.push_back(place);
+      }
+    }
+    for (const int place : places) {
+      one.levels.push_back(by_place.at(place));
+    }
+    for (const CellInfo& cell : results.cells) {
+      const auto found = std::find(places.begin(), places.end(), cell.places[factor]);
+      one.of_cell.push_back(static_cast<std::size_t>(found - places.begin()));
+    }
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+std::vector<Response> responses(const Findings& findings) {
+  std::vector<Response> all;
+  if (findings.any_goals()) {
+    all.push_back({std::nullopt, kSuccess, kSuccess, ""});
+  }
+  for (std::size_t i = 0; i < findings.measures.size(); ++i) {
+    const Measure& measure = findings.results.measures[findings.measures[i]];
+    all.push_back({i, measure.name, in_words(measure.name, measure.unit), measure.unit});
+  }
+  return all;
+}
+
+std::vector<Observation> observations(const Findings& findings, const Response& response,
+                                      const std::vector<std::size_t>& cells) {
+  std::vector<Observation> all;
+  for (const std::size_t cell : cells) {
+    for (const std::size_t place : findings.cells[cell].runs) {
+      const Run& run = findings.results.runs[place];
+      if (const auto of = observed(findings, response, run)) {
+        all.push_back({run.seed, cell, *of});
+      }
+    }
+  }
+  return all;
+}
+
+Margin margin_of(const Findings& findings, const Response& response,
+                 const std::vector<std::size_t>& cells, bool with_interval) {
+  const std::vector<Observation> all = observations(findings, response, cells);
+  Margin margin;
+  margin.runs = all.size();
+  if (all.empty()) {
+    return margin;
+  }
+  std::map<std::uint64_t, std::vector<double>> by_seed;
+  std::vector<Observed> observed;
+  double sum = 0.0;
+  for (const Observation& one : all) {
+    margin.cut_off += one.of.bound ? 1 : 0;
+    by_seed[one.seed].push_back(one.of.value);
+    observed.push_back(one.of);
+    sum += one.of.value;
+  }
+  if (!response.measure) {
+    margin.centre = sum / static_cast<double>(all.size());
+    margin.interval = wilson_interval(static_cast<std::size_t>(sum), all.size(), kConfidence);
+    return margin;
+  }
+  if (margin.cut_off > 0) {
+    const SurvivalCurve curve = survival_of(observed, kConfidence);
+    margin.centre = curve.median;
+    margin.interval = curve.median_interval;
+    return margin;
+  }
+  std::vector<double> means;
+  for (const auto& [seed, values] : by_seed) {
+    means.push_back(*statistic_of(Statistic::mean, values));
+  }
+  margin.centre = summary(means)->mean;
+  if (with_interval) {
+    margin.interval =
+        mean_interval(means, kConfidence, findings.results.seed(), response.name);
+  }
+  return margin;
+}
+
+std::vector<std::size_t> common(const std::vector<std::size_t>& first,
+                                const std::vector<std::size_t>& second) {
+  std::vector<std::size_t> both;
+  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
+                        std::back_inserter(both));
+  return both;
+}
+
+std::vector<Observed> times_to_goals(const Findings& findings, std::size_t cell) {
+  const auto& measures = findings.results.measures;
+  const auto time = std::find_if(measures.begin(), measures.end(),
+                                 [](const Measure& measure) { return measure.name == kTime; });
+  std::vector<Observed> times;
+  if (time == measures.end() || !findings.cells[cell].goals) {
+    return times;
+  }
+  const auto place = static_cast<std::size_t>(time - measures.begin());
+  double longest = 0.0;
+  for (const std::size_t at : findings.cells[cell].runs) {
+    const Run& run = findings.results.runs[at];
+    const auto& value = run.values[place];
+    if (run.state == RunState::done && value && is_usable(*value)) {
+      times.push_back({*value, !run.success()});
+      longest = std::max(longest, *value);
+    }
+  }
+  for (Observed& one : times) {
+    one.value = one.bound ? longest : one.value;
+  }
+  return times;
+}
+
+bool any_cut_off(const Findings& findings) {
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    const std::vector<Observed> times = times_to_goals(findings, i);
+    if (std::any_of(times.begin(), times.end(), [](const Observed& one) { return one.bound; })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace elsie::report
