@@ -72,7 +72,11 @@ bool is_what_its_name_says(const std::string& start, const std::string& suffix) 
   if (suffix == ".json") {
     return start.front() == '{' && has(start, "\"runs\"");
   }
-  return start.rfind("run,cell,seed,", 0) == 0;  // a table, by the first of its columns
+  if (suffix == ".tex") {
+    return has(start, "\\toprule") && has(start, "booktabs");
+  }
+  // A table, by the first of its columns.
+  return start.starts_with("run,cell,seed,") || start.starts_with("cell,runs,successes,");
 }
 
 /// ".csv" alone is the name of a hidden file without a suffix.

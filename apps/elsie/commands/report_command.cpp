@@ -8,12 +8,14 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "elsie/experiment/reader.h"
+#include "elsie/report/figure_files.h"
 #include "elsie/report/report.h"
 
 #include "command.h"
@@ -35,6 +37,12 @@ struct ReportOptions {
   std::optional<std::string> csv;
   std::optional<std::string> junit;
   std::optional<std::string> html;
+  std::optional<std::string> cells_csv;
+  std::optional<std::string> latex;
+  std::optional<std::string> figures;
+  std::vector<std::string> formats = {"svg"};
+  std::vector<std::string> compared;  // groups, two by two
+  report::Asked asked;
   std::string cells;
   bool json = false;
   bool quiet = false;
@@ -45,6 +53,9 @@ Examples:
   elsie report beams.sqlite
   elsie report beams.sqlite --html beams.html
   elsie report beams.sqlite --csv runs.csv --junit results.xml --quiet
+  elsie report beams.sqlite --by coordinator --model 'path_length_m ~ coordinator * beams'
+  elsie report beams.sqlite --compare coordinator=fusion coordinator=arbitration
+  elsie report beams.sqlite --figures figures --format svg,pdf --latex table.tex
 
 Exit codes: 0 everything is as expected; 1 an expectation is not met, a run ended abnormally or
 is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
@@ -134,13 +145,70 @@ void require_cells(const Findings& findings, const std::string& part) {
   }
 }
 
+// Checks that figures can be written into the folder, or that it can be made. Returns whether it is
+// made by this.
+bool require_folder(const std::string& folder) {
+  std::error_code error;
+  const bool is_new = !fs::exists(fs::symlink_status(folder, error));
+  const std::string what = "--figures: cannot write figures into '" + folder + "': ";
+  if (is_new && !fs::create_directory(folder, error)) {
+    throw BadInput(what + (error ? error.message() : "the folder cannot be made") +
+                   "; name a folder in one that exists and takes new files");
+  }
+  if (!fs::is_directory(folder, error)) {
+    throw BadInput(what + "it is no folder; choose another name");
+  }
+  const fs::path probe = fs::path(folder) / ".elsie-part";
+  fs::remove_all(probe, error);
+  if (!fs::create_directory(probe, error)) {
+    throw BadInput(what + error.message() + "; name a folder that takes new files");
+  }
+  fs::remove(probe, error);
+  return is_new;
+}
+
+// A folder for figures; it is removed again if there is nothing to put into it.
+class FigureFolder {
+ public:
+  explicit FigureFolder(const std::optional<std::string>& folder)
+      : folder_(folder.value_or("")), is_new_(folder && require_folder(*folder)) {}
+  ~FigureFolder() {
+    std::error_code ignored;
+    if (is_new_) {
+      fs::remove(folder_, ignored);  // only an empty one
+    }
+  }
+  FigureFolder(const FigureFolder&) = delete;
+  FigureFolder& operator=(const FigureFolder&) = delete;
+
+ private:
+  std::string folder_;
+  bool is_new_;
+};
+
+report::Answers answers_to(const Findings& findings, const ReportOptions& options) {
+  report::Asked asked = options.asked;
+  for (std::size_t i = 0; i + 1 < options.compared.size(); i += 2) {
+    asked.compared.emplace_back(options.compared[i], options.compared[i + 1]);
+  }
+  try {
+    return report::answer(findings, asked);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what());
+  }
+}
+
 int report(const ReportOptions& options) {
   require_output(options.csv, "--csv", ".csv", options.database);
   require_output(options.junit, "--junit", ".xml", options.database);
   require_output(options.html, "--html", ".html", options.database);
+  require_output(options.cells_csv, "--cells-csv", ".csv", options.database);
+  require_output(options.latex, "--latex", ".tex", options.database);
   const ResultsFile file(options.database);
   const Findings findings = found(file);
   require_cells(findings, options.cells);
+  const report::Answers answers = answers_to(findings, options);
+  const FigureFolder folder(options.figures);
   if (options.csv) {
     write(*options.csv, report::csv_report(findings), "--csv");
   }
@@ -148,13 +216,24 @@ int report(const ReportOptions& options) {
     write(*options.junit, report::junit_report(findings, options.database), "--junit");
   }
   if (options.html) {
-    write(*options.html, report::html_report(findings, file, options.database, options.cells),
+    write(*options.html, report::html_report(findings, file, options.database, options.cells, answers),
           "--html");
   }
+  if (options.cells_csv) {
+    write(*options.cells_csv, report::cells_csv(findings), "--cells-csv");
+  }
+  if (options.latex) {
+    write(*options.latex, report::latex_report(findings), "--latex");
+  }
+  if (options.figures) {
+    report::write_figures(findings, file, answers, *options.figures, options.formats,
+                          options.cells);
+  }
   if (options.json) {
-    out() << report::json_report(findings);
+    out() << report::json_report(findings, answers);
   } else if (!options.quiet) {
-    out() << report::terminal_report(findings, options.database, width());
+    out() << report::terminal_report(findings, options.database, width())
+          << report::terminal_answers(findings, answers);
   }
   return findings.good() ? kSuccess : kGoalMissed;
 }
@@ -171,6 +250,32 @@ void add_report_command(CLI::App& program, Job& job) {
   CLI::Option* html =
       command->add_option("--html", options->html, "Write a page with figures; needs no network")
           ->type_name("FILE.html");
+  CLI::Option* figures =
+      command
+          ->add_option("--figures", options->figures,
+                       "Write every figure of the page as a file of its own into this folder")
+          ->type_name("FOLDER");
+  command
+      ->add_option("--format", options->formats, "With --figures: their formats; default: svg")
+      ->delimiter(',')
+      ->check(CLI::IsMember(report::kFigureFormats))
+      ->needs(figures);
+  command
+      ->add_option("--by", options->asked.by,
+                   "Print the results by the levels of these factors, over all others")
+      ->delimiter(',')
+      ->type_name("FACTOR");
+  command
+      ->add_option("--compare", options->compared,
+                   "Compare two groups of cells, as in coordinator=fusion, with effects and tests")
+      ->type_size(2)
+      ->type_name("GROUP");
+  command
+      ->add_option("--model", options->asked.models,
+                   "Fit a model, as in 'time_s ~ speed + coordinator'; a:b is an interaction, a*b "
+                   "all of both")
+      ->allow_extra_args(false)
+      ->type_name("FORMULA");
   command
       ->add_option("--cells", options->cells,
                    "With --html: draw the cells whose names have this text in them; default: all, "
@@ -179,6 +284,10 @@ void add_report_command(CLI::App& program, Job& job) {
       ->needs(html);
   command->add_option("--csv", options->csv, "Write a table with a row for each run")
       ->type_name("FILE.csv");
+  command->add_option("--cells-csv", options->cells_csv, "Write a table with a row for each cell")
+      ->type_name("FILE.csv");
+  command->add_option("--latex", options->latex, "Write a table for LaTeX with booktabs")
+      ->type_name("FILE.tex");
   command->add_option("--junit", options->junit, "Write the expectations as test cases, for CI")
       ->type_name("FILE.xml");
   CLI::Option* json =

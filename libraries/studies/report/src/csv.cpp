@@ -57,7 +57,61 @@ struct FieldCells {
   }
 };
 
+// What is known of a measure in a cell, in the order of kMeasureHeads.
+constexpr const char* kMeasureHeads[] = {"n",        "mean",     "sd",        "low", "high",
+                                         "least",    "lower_quartile", "median", "upper_quartile",
+                                         "largest",  "bounds",   "limit"};
+
+void add_measure(const MeasureFindings& found, std::vector<std::string>& cells) {
+  const auto& all = found.all;
+  const auto& censoring = found.censoring;
+  const auto of_all = [&](double Summary::*part) { return all ? text_of((*all).*part) : ""; };
+  cells.push_back(std::to_string(found.values.size()));
+  cells.push_back(of_all(&Summary::mean));
+  cells.push_back(all ? optional_text(all->standard_deviation) : "");
+  cells.push_back(found.interval ? text_of(found.interval->low) : "");
+  cells.push_back(found.interval ? text_of(found.interval->high) : "");
+  cells.push_back(of_all(&Summary::least));
+  cells.push_back(of_all(&Summary::lower_quartile));
+  cells.push_back(censoring ? optional_text(censoring->median) : of_all(&Summary::median));
+  cells.push_back(of_all(&Summary::upper_quartile));
+  cells.push_back(of_all(&Summary::largest));
+  cells.push_back(std::to_string(censoring ? censoring->count : 0));
+  cells.push_back(censoring ? text_of(censoring->limit) : "");
+}
+
 }  // namespace
+
+std::string cells_csv(const Findings& findings) {
+  const Results& results = findings.results;
+  std::vector<std::string> heads{"cell",    "runs",     "successes",   "success_low",
+                                 "success_high", "broken", "pending"};
+  std::set<std::string> taken(heads.begin(), heads.end());
+  for (const Factor& factor : results.factors) {
+    heads.push_back(taken.insert(factor.name).second ? factor.name : "factor:" + factor.name);
+  }
+  for (const std::size_t place : findings.measures) {
+    for (const char* const head : kMeasureHeads) {
+      heads.push_back(results.measures[place].name + ":" + head);
+    }
+  }
+  std::string text = line(heads);
+  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
+    const CellFindings& cell = findings.cells[i];
+    std::vector<std::string> cells{results.cells[i].label, std::to_string(cell.ended)};
+    cells.push_back(cell.goals ? std::to_string(cell.successes) : "");
+    cells.push_back(cell.goals ? text_of(cell.success.low) : "");
+    cells.push_back(cell.goals ? text_of(cell.success.high) : "");
+    cells.push_back(std::to_string(cell.broken.size()));
+    cells.push_back(std::to_string(cell.pending));
+    cells.insert(cells.end(), results.cells[i].levels.begin(), results.cells[i].levels.end());
+    for (const MeasureFindings& found : cell.measures) {
+      add_measure(found, cells);
+    }
+    text += line(cells);
+  }
+  return text;
+}
 
 std::string csv_report(const Findings& findings) {
   const Results& results = findings.results;

@@ -108,9 +108,117 @@ Json json_of(const Findings& findings, const Verdict& verdict) {
       {"cells", std::move(claims)}};
 }
 
+Json json_of(const std::optional<Effect>& effect) {
+  return effect ? Json{{"value", effect->value}, {"interval", json_of(effect->interval)}}
+                : Json(nullptr);
+}
+
+// An upper end that is not known is null.
+Json json_of(const Margin& margin) {
+  Json interval = json_of(margin.interval);
+  if (margin.interval && !std::isfinite(margin.interval->high)) {
+    interval[1] = nullptr;
+  }
+  return {{"runs", margin.runs},
+          {"censored", margin.cut_off},
+          {"centre", or_null(margin.centre)},
+          {"interval", std::move(interval)}};
+}
+
+Json json_of(const Contrast& one) {
+  return {{"measure", output::clean(one.response.name)},
+          {"first", json_of(one.of_first)},
+          {"second", json_of(one.of_second)},
+          {"seeds", one.seeds},
+          {"difference", or_null(one.difference)},
+          {"difference_interval", json_of(one.interval)},
+          {"seed_test", one.by_signs ? "sign" : "signed_rank"},
+          {"seed_p", one.paired.p},
+          {"seed_p_holm", one.paired_holm},
+          {"pooled_test", one.response.measure ? "rank" : "fisher"},
+          {"pooled_p", one.pooled_p},
+          {"pooled_p_holm", one.pooled_holm},
+          {one.response.measure ? "cliffs_delta" : "odds_ratio", json_of(std::optional(one.effect))},
+          {"hedges_g", json_of(one.g)}};
+}
+
+Json json_of(const FactorModel& model) {
+  const auto coefficients = [](const auto& fit) {
+    Json all = Json::array();
+    for (const Coefficient& one : fit.coefficients) {
+      all.push_back({{"term", output::clean(one.name)},
+                     {"estimate", one.estimate},
+                     {"error", one.error},
+                     {"interval", json_of(std::optional(one.interval))},
+                     {"p", one.p},
+                     {"inflation", or_null(one.inflation)}});
+    }
+    return all;
+  };
+  Json json = {{"formula", output::clean(model.formula)}, {"runs", model.runs}};
+  if (const auto* linear = std::get_if<LinearFit>(&model.fit)) {
+    json["coefficients"] = coefficients(*linear);
+    json["r_squared"] = linear->r_squared;
+    json["adjusted_r_squared"] = linear->adjusted_r_squared;
+    json["residual_deviation"] = linear->deviation;
+    json["f"] = or_null(linear->f);
+    json["p"] = linear->p;
+  } else {
+    const auto& logistic = std::get<LogisticFit>(model.fit);
+    json["coefficients"] = coefficients(logistic);
+    json["deviance"] = logistic.deviance;
+    json["null_deviance"] = logistic.null_deviance;
+    json["p"] = logistic.p;
+    json["separated"] = logistic.separated;
+  }
+  json["warnings"] = model.warnings;
+  return json;
+}
+
+// Members that are there only if they were asked for.
+void add_answers(const Findings& findings, const Answers& answers, Json& all) {
+  if (!answers.by.empty()) {
+    const std::vector<Response> shown = responses(findings);
+    Json rows = Json::array();
+    for (const LevelRow& row : answers.levels) {
+      Json levels = Json::object(), margins = Json::object();
+      for (std::size_t i = 0; i < answers.by.size(); ++i) {
+        levels[output::clean(answers.by[i])] = output::clean(row.levels[i]);
+      }
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        margins[output::clean(shown[i].name)] = json_of(row.margins[i]);
+      }
+      rows.push_back({{"levels", std::move(levels)},
+                      {"cells", row.cells},
+                      {"measures", std::move(margins)}});
+    }
+    all["by"] = std::move(rows);
+  }
+  if (!answers.comparisons.empty()) {
+    Json comparisons = Json::array();
+    for (const std::vector<Contrast>& comparison : answers.comparisons) {
+      Json measures = Json::array();
+      for (const Contrast& one : comparison) {
+        measures.push_back(json_of(one));
+      }
+      comparisons.push_back({{"first", output::clean(comparison.front().first)},
+                             {"second", output::clean(comparison.front().second)},
+                             {"measures", std::move(measures)}});
+    }
+    all["comparisons"] = std::move(comparisons);
+  }
+  if (!answers.models.empty()) {
+    Json models = Json::array();
+    for (const FactorModel& model : answers.models) {
+      models.push_back(json_of(model));
+    }
+    all["models"] = std::move(models);
+  }
+}
+
 }  // namespace
 
-std::string json_report(const Findings& findings) {
+std::string json_report(const Findings& findings, const Answers& answers) {
   const Results& results = findings.results;
   Json measures = Json::array();
   for (const std::size_t place : findings.measures) {
@@ -156,7 +264,7 @@ std::string json_report(const Findings& findings) {
                           {"unsolved_steps", run.solver_unsolved.value_or(0)}});
     }
   }
-  const Json all = {{"experiment", output::clean(results.experiment)},
+  Json all = {{"experiment", output::clean(results.experiment)},
                     {"description", output::clean(results.description)},
                     {"file", output::clean(results.file)},
                     {"fingerprint", output::clean(results.fingerprint)},
@@ -173,6 +281,7 @@ std::string json_report(const Findings& findings) {
                     {"failures", std::move(failures)},
                     {"solver_give_ups", std::move(give_ups)},
                     {"disagreements", std::move(disagreements)}};
+  add_answers(findings, answers, all);
   return all.dump(2) + '\n';
 }
 

@@ -101,11 +101,12 @@ std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::st
 }
 
 std::string html_report(const Findings& findings, const ResultsFile& file,
-                        const std::string& database, const std::string& cells) {
+                        const std::string& database, const std::string& cells,
+                        const Answers& answers) {
   const std::vector<std::size_t> detailed = cells_in_detail(findings, cells);
   Inks inks = choose_inks(findings);
   add_behaviors(file, findings, detailed, inks);
-  const PageContext page{findings, file, database, inks, detailed};
+  const PageContext page{findings, file, database, inks, detailed, answers};
   const std::string title = escaped(findings.results.experiment);
   const std::string script = "\n" + std::string(kPageScript);
   // Under this policy, the browser refuses anything that a label could inject, and all requests.
@@ -120,7 +121,7 @@ std::string html_report(const Findings& findings, const ResultsFile& file,
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
          title + " \xe2\x80\x93 elsie report</title>\n<style>\n" + kPageStyle +
          "</style>\n</head>\n<body>\n<main>\n" + answer_section(page) + comparison_sections(page) +
-         cell_sections(page) + methods_section(page) + "</main>\n<script>" + script +
+         factor_sections(page) + time_sections(page) + cell_sections(page) + methods_section(page) + "</main>\n<script>" + script +
          "</script>\n</body>\n</html>\n";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/report/answers.h"
 #include "elsie/report/findings.h"
 #include "elsie/report/results.h"
 
@@ -19,9 +20,17 @@ struct PageContext {
   const Inks& inks;
   /// The cells that have a section, ascending.
   const std::vector<std::size_t>& detailed;
+  const Answers& answers;
 
   bool is_detailed(std::size_t cell) const;
 };
+
+/// With more cells than these, figures with something for each cell are left out.
+inline constexpr std::size_t kMostRows = 200;
+
+/// A table of texts, the first row as its head; columns of numbers are aligned right.
+std::string html_table(const std::vector<std::vector<std::string>>& rows,
+                       std::size_t text_columns);
 
 /// The cells that get a section: those whose label contains `filter`; of too many, those with
 /// notable runs first, the others evenly.
@@ -35,6 +44,10 @@ extern const char* const kPageScript;
 std::string answer_section(const PageContext& page);
 /// Cells compared: success rates, all measures as a table and as box plots.
 std::string comparison_sections(const PageContext& page);
+/// What was asked for, and the results by factor; "" if nothing is varied.
+std::string factor_sections(const PageContext& page);
+/// Times until the goals where some are cut off, and what happened over time. Reads the file.
+std::string time_sections(const PageContext& page);
 /// A section for each cell. Reads the file.
 std::string cell_sections(const PageContext& page);
 /// How the numbers were computed, and from what.

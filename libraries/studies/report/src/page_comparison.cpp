@@ -37,9 +37,6 @@ constexpr std::size_t kFiguresAtOnce = 6;
 constexpr std::size_t kRowsAtOnce = 40;
 constexpr std::size_t kHeadLength = 40;  // of a column, in characters
 
-// With more rows than these, figures are left out.
-constexpr std::size_t kMostRows = 200;
-
 bool has_figures(const Findings& findings) { return findings.cells.size() <= kMostRows; }
 
 std::string folded(const Findings& findings, const std::string& figures) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "elsie/report/answers.h"
 #include "elsie/report/findings.h"
 #include "elsie/report/results.h"
 
@@ -26,12 +27,21 @@ std::string csv_report(const Findings& findings);
 std::string junit_report(const Findings& findings, const std::string& database);
 
 /// One JSON object; docs/reports.md lists its members.
-std::string json_report(const Findings& findings);
+std::string json_report(const Findings& findings, const Answers& answers = {});
 
 /// One self-contained page of HTML. `file` is where the findings are from: trajectories and
 /// timelines are read from it cell by cell. At most a hundred cells have a section with figures;
 /// `cells` selects those whose labels contain it. Throws as ResultsFile does.
 std::string html_report(const Findings& findings, const ResultsFile& file,
-                        const std::string& database, const std::string& cells = "");
+                        const std::string& database, const std::string& cells = "",
+                        const Answers& answers = {});
+
+/// A row for each cell: its levels, how its runs ended, and of each measure the number of values,
+/// mean, standard deviation, interval, quartiles, bounds. Form and numbers as in csv_report().
+std::string cells_csv(const Findings& findings);
+
+/// A table of cells and measures for LaTeX with the package booktabs, in a longtable from 40 cells
+/// on. Texts of users are escaped.
+std::string latex_report(const Findings& findings);
 
 }  // namespace elsie::report

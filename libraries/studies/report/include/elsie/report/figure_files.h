@@ -1,0 +1,26 @@
+// Every figure of the page as a file of its own.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "elsie/report/answers.h"
+#include "elsie/report/findings.h"
+#include "elsie/report/results.h"
+
+namespace elsie::report {
+
+/// The suffixes of figures, without the dot.
+inline const std::vector<std::string> kFigureFormats = {"svg", "pdf", "png"};
+
+/// Draws the figures of the page into a folder, which must exist, each as a file of each of the
+/// formats. Files of the same names are replaced; an error leaves the folder as it was. Returns the
+/// number of figures. `cells`: as for html_report(). Throws std::runtime_error when a file cannot
+/// be written, and as ResultsFile does.
+std::size_t write_figures(const Findings& findings, const ResultsFile& file,
+                          const Answers& answers, const std::filesystem::path& folder,
+                          const std::vector<std::string>& formats, const std::string& cells = "");
+
+}  // namespace elsie::report
