@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: desktop configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -76,6 +76,11 @@ bench: all
 # Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
 	scripts/world-figures $(BUILD)
+
+# How often the intervals of reports hold the true value: docs/statistics.md.
+coverage: configure
+	cmake --build --preset $(PRESET) --target bench_interval_coverage
+	scripts/coverage $(BUILD)
 
 # The pictures of worlds in docs/.
 pictures: configure-program

@@ -77,3 +77,10 @@ TEST_CASE("An interval grows with what is finite, and a single value gets room")
   CHECK(interval.widened().low == 10.0);
   CHECK(interval.part(12.5) == Approx(0.25));
 }
+
+TEST_CASE("Ticks end where steps are below the resolution of the numbers, and such spans widen") {
+  const double next = std::nextafter(2.5, 3.0);
+  CHECK(nice_ticks(2.5, next, 4).at.empty());
+  CHECK(Interval{2.5, next}.widened().span() == Approx(0.5));
+  CHECK(Interval{2.5, 2.6}.widened().span() == Approx(0.1));
+}

@@ -260,3 +260,64 @@ TEST_CASE(
   CHECK(report.exit_code == 0);
   CHECK_THAT(report.out, Contains("2/2") && !Contains("no goals"));
 }
+
+TEST_CASE("report answers questions by factor, and writes figures and tables") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  const auto run = here.elsie(
+      "report runs.sqlite --by scheme --compare scheme=b scheme=a --model 'path_length_m ~ scheme' "
+      "--figures figures --format svg,pdf --latex t.tex --cells-csv c.csv");
+  CHECK(run.exit_code == 0);
+  CHECK(run.err.empty());
+  CHECK_THAT(run.out, Contains("By factor, over all else"));
+  CHECK_THAT(run.out, Contains("scheme=b"));
+  CHECK_THAT(run.out, Contains("Linear model path_length_m ~ scheme"));
+  CHECK(fs::exists(here.file("figures/effect-path_length_m-scheme.svg")));
+  CHECK(fs::exists(here.file("figures/effect-path_length_m-scheme.pdf")));
+  CHECK_FALSE(fs::exists(here.file("figures/effect-path_length_m-scheme.png")));
+  CHECK_THAT(here.read("t.tex"), Contains("\\toprule"));
+  CHECK_THAT(here.read("c.csv"), Catch::StartsWith("cell,runs,successes,"));
+  // Once more, over what is there.
+  CHECK(here.elsie("report runs.sqlite --quiet --figures figures --latex t.tex --cells-csv c.csv")
+            .exit_code == 0);
+}
+
+TEST_CASE("report refuses questions without an answer before it writes anything") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  here.write("file", "mine");
+  const std::pair<const char*, const char*> wrong[] = {
+      {"--by schema", "no factor 'schema' is varied"},
+      {"--compare scheme=a scheme=a", "cannot be compared with itself"},
+      {"--compare a a", "cannot be compared with itself"},
+      {"--compare scheme=a", "--compare"},
+      {"--compare scheme=c scheme=a", "'scheme' has no level 'c'"},
+      {"--model 'speed ~ scheme'", "there is no measure 'speed'"},
+      {"--model path_length_m", "is no formula"},
+      {"--figures file", "it is no folder"},
+      {"--figures no/such/folder", "--figures: cannot write figures into 'no/such/folder'"},
+      {"--figures /proc", "--figures: cannot write figures into '/proc'"},
+      {"--figures figures --format gif", "gif"},
+      {"--format svg", "--figures"},
+      {"--latex table.txt", "expected a name that ends in .tex"},
+      {"--cells-csv cells.txt", "expected a name that ends in .csv"}};
+  for (const auto& [options, sentence] : wrong) {
+    CAPTURE(options);
+    const auto run = here.elsie("report runs.sqlite --html page.html --figures new " +
+                                std::string(options));
+    const auto alone = here.elsie("report runs.sqlite --html page.html " + std::string(options));
+    CAPTURE(alone.out, alone.err);
+    CHECK(alone.exit_code == 2);
+    CHECK_THAT(alone.err, Contains(sentence));
+    CHECK(alone.out.empty());
+    CHECK((run.exit_code == 2 || std::string(options) == "--format svg"));
+    CHECK_FALSE(fs::exists(here.file("figures")));
+    if (run.exit_code == 2) {
+      CHECK_FALSE(fs::exists(here.file("page.html")));
+      CHECK_FALSE(fs::exists(here.file("new")));
+    }
+    fs::remove(here.file("page.html"));
+    fs::remove_all(here.file("new"));
+  }
+  CHECK(here.read("file") == "mine");
+}

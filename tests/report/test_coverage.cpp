@@ -1,7 +1,9 @@
 // How often intervals hold the true value: 95 of 100 is their promise.
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
 #include <boost/math/distributions/binomial.hpp>
@@ -9,6 +11,9 @@
 
 #include "elsie/base/random.h"
 #include "elsie/report/statistics.h"
+
+#include "coverage.h"
+#include "places.h"
 
 using namespace elsie::report;
 using elsie::Random;
@@ -182,5 +187,32 @@ TEST_CASE("The interval of a difference of rates keeps its promise in the mean o
     CHECK(sum / count > 0.945);
     CHECK(sum / count < 0.985);
     CHECK(least > 0.87);
+  }
+}
+
+TEST_CASE("The table of docs/statistics.md is what the simulation gives") {
+  // Fewer experiments than `make coverage` does: each number within five standard errors of both.
+  constexpr int kFew = 60, kMany = 2000;
+  std::ostringstream page;
+  page << std::ifstream(elsie::test::source_path("docs/statistics.md")).rdbuf();
+  for (const elsie::test::CoverageRow& row : elsie::test::simulate_coverage(kFew)) {
+    const std::string start = "\n| " + row.interval + " | " + row.drawn + " |";
+    const std::size_t at = page.str().find(start);
+    CAPTURE(start);
+    REQUIRE(at != std::string::npos);
+    std::istringstream numbers(page.str().substr(at + start.size(), 60));
+    for (const auto& held : row.held) {
+      std::string text;
+      std::getline(numbers, text, '|');
+      if (text == " - ") {
+        CHECK_FALSE(held);
+        continue;
+      }
+      REQUIRE(held);
+      const double p = std::stod(text) / 100.0;
+      const double error = std::sqrt(std::max(p * (1.0 - p), 0.005) * (1.0 / kFew + 1.0 / kMany));
+      CAPTURE(text, *held);
+      CHECK(std::abs(*held - p) < 5.0 * error);
+    }
   }
 }

@@ -79,7 +79,7 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
     chart.rows.push_back(std::move(row));
   }
   return {"boxes-" + file_part(about.name) + part_of(findings, from, to),
-          "Box plots of " + in_words(about.name, about.unit) + "; dots are runs, crosses those "
+          "Box plots of " + in_words(about.name, about.unit) + ": dots are runs, crosses those "
           "without success, diamonds means with their 95 % intervals",
           std::move(chart)};
 }

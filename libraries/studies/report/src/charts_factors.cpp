@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostTiles = 24;          // levels on an axis
+constexpr std::size_t kMostPoints = 60;         // levels in a chart of one factor
 constexpr std::size_t kMostIntervals = 36;      // in a chart of two factors
 constexpr std::size_t kNameLength = 40;
 
@@ -55,12 +56,15 @@ void start_at_zero(picture::Axis& axis, const picture::Interval& range) {
   }
 }
 
-std::string number_in_tile(const Margin& margin, const Response& response) {
+std::string number_in_tile(const Margin& margin, const Response& response,
+                           std::optional<int> decimals) {
   if (!margin.centre) {
     return margin.cut_off > 0 ? "?" : "";
   }
-  return response.measure ? brief(*margin.centre, 3)
-                          : fixed_text(100.0 * *margin.centre, 0) + " %";
+  if (!response.measure) {
+    return fixed_text(100.0 * *margin.centre, 0) + " %";
+  }
+  return decimals ? fixed_text(*margin.centre, *decimals) : brief(*margin.centre, 3);
 }
 
 std::string what_is_shown(const Response& response) {
@@ -107,6 +111,9 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
   std::vector<Chart> charts;
   picture::Interval range;
   for (const VariedFactor& factor : varied_factors(findings.results)) {
+    if (factor.levels.size() > kMostPoints) {
+      continue;
+    }
     picture::LineChart chart;
     chart.x = axis_of(factor);
     chart.y = axis_of(response);
@@ -132,10 +139,13 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
   }
   for (Chart& one : charts) {
     auto& chart = std::get<picture::LineChart>(one.panel);
-    if (!response.measure) continue;
+    if (!response.measure) {
+      continue;
+    }
     const picture::Interval wide = range.widened();
-    chart.y.low = wide.low - 0.05 * wide.span();
-    chart.y.high = wide.high + 0.05 * wide.span();
+    const double extra = 0.05 * wide.span();
+    chart.y.low = wide.low - extra;
+    chart.y.high = wide.high + extra;
     start_at_zero(chart.y, range);
   }
   return charts;
@@ -165,10 +175,14 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
       tiles.y = {.label = shown(lines.name)};
       tiles.z = axis_of(response);
       for (const std::string& level : along.levels) tiles.x.names.push_back({0.0, shown(level)});
+      for (std::size_t column = 0; column < columns; ++column) {
+        tiles.x.names[column].at = place_of(along, column);
+      }
       const std::vector<std::size_t> colours = level_colours(lines, inks);
-      picture::Interval range;
+      picture::Interval range, values;
+      std::vector<Margin> margins;
       for (std::size_t row = 0; row < rows; ++row) {
-        tiles.y.names.push_back({0.0, shown(lines.levels[row])});
+        tiles.y.names.push_back({place_of(lines, row), shown(lines.levels[row])});
         picture::Series series;
         series.name = shown(lines.levels[row]);
         series.marked = true;
@@ -186,12 +200,18 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
           add_point(series, place_of(along, column) + aside, margin);
           range.include(series.points.back().y);
           tiles.values.push_back(margin.centre.value_or(kUnknown));
-          tiles.texts.push_back(number_in_tile(margin, response));
+          values.include(tiles.values.back());
+          margins.push_back(margin);
         }
         chart.series.push_back(std::move(series));
       }
       if (range.empty()) {
         continue;
+      }
+      // Decimals that tell the tiles apart.
+      const auto decimals = decimals_for(values.high, values.span());
+      for (const Margin& margin : margins) {
+        tiles.texts.push_back(number_in_tile(margin, response, decimals));
       }
       const std::string name =
           file_part(response.name) + "-" + file_part(along.name) + "-" + file_part(lines.name);

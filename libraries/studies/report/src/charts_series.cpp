@@ -158,6 +158,11 @@ std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& fi
                             ": median and quartiles of the runs",
                         std::move(chart)});
     };
+    // Rare events, which most runs have none of, are no curve.
+    const picture::Series whole = band_of(courses, findings, times, all_cells(findings));
+    if (whole.spread.empty() || whole.spread.back().high == 0.0) {
+      continue;
+    }
     for (const VariedFactor& factor : factors) {
       std::vector<picture::Series> all;
       const std::vector<std::size_t> colours = level_colours(factor, inks);
@@ -170,9 +175,7 @@ std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& fi
       add(factor.name, std::move(all));
     }
     if (factors.empty()) {
-      std::vector<std::size_t> cells(findings.cells.size());
-      for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = i;
-      add("", {band_of(courses, findings, times, cells)});
+      add("", {whole});
     }
   }
   return charts;

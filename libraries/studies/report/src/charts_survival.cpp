@@ -85,6 +85,9 @@ std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks&
     picture::LineChart chart;
     chart.title = title_of(findings, inks, cells);
     chart.x = {.label = "time", .unit = "s", .low = 0.0, .high = longest > 0.0 ? longest : 1.0};
+    for (const double tick : ticks.at) {
+      chart.x.names.push_back({tick, ticks.label(tick)});
+    }
     chart.y = {.label = "not there yet", .low = 0.0, .high = 1.0};
     chart.rows_title = "at risk";
     std::string name = "survival";

@@ -203,9 +203,11 @@ std::vector<Contrast> level_contrasts(const Findings& findings, const Response& 
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
       for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
         const auto group = [&](std::size_t level) {
-          return Group{factor.name + "=" + factor.levels[level], factor.cells_at(level)};
+          return Group{factor.levels[level], factor.cells_at(level)};
         };
-        if (auto one = contrast(findings, response, group(j), group(i), {factor.factor})) {
+        Group first = group(j);
+        first.name = factor.name + "=" + first.name;
+        if (auto one = contrast(findings, response, first, group(i), {factor.factor})) {
           all.push_back(std::move(*one));
         }
       }
@@ -230,10 +232,7 @@ Group group_of(const Findings& findings, const std::string& text,
     refuse("there is no cell '" + output::one_line(text) +
            "'; expected the name of a cell, or levels as in 'FACTOR=LEVEL|LEVEL, FACTOR=LEVEL'");
   }
-  Group group{text, {}};
-  for (std::size_t i = 0; i < results.cells.size(); ++i) {
-    group.cells.push_back(i);
-  }
+  Group group{text, all_cells(findings)};
   for (const std::string& part : split(text, ',')) {
     const std::set<std::size_t> with = cells_with(results, part, named);
     group.cells = common(group.cells, {with.begin(), with.end()});
@@ -286,8 +285,14 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
 
 std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>& contrasts,
                                                      bool with_response) {
-  std::vector<std::vector<std::string>> rows{{"first", "second", "difference by seed", "effect",
-                                              "Hedges' g", "p by seed", "p pooled"}};
+  // Success alone has no g.
+  const bool with_g = std::any_of(contrasts.begin(), contrasts.end(),
+                                  [](const Contrast& one) { return one.g.has_value(); });
+  std::vector<std::vector<std::string>> rows{{"first", "second", "difference by seed", "effect"}};
+  if (with_g) {
+    rows[0].emplace_back("Hedges' g");
+  }
+  rows[0].insert(rows[0].end(), {"p by seed", "p pooled"});
   if (with_response) {
     rows[0].insert(rows[0].begin(), "measure");
   }
@@ -304,7 +309,9 @@ std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>
                                                        : "")
                                    : "-");
       row.push_back((one.response.measure ? "delta " : "odds ") + effect_text(one.effect));
-      row.push_back(effect_text(one.g));
+      if (with_g) {
+        row.push_back(effect_text(one.g));
+      }
       row.push_back(p_text(one.paired_holm));
       row.push_back(p_text(one.pooled_holm));
     }

@@ -147,11 +147,7 @@ void require_seeds(const std::vector<Observation>& runs) {
 }
 
 std::vector<Observation> observations_for(const Findings& findings, const Response& response) {
-  std::vector<std::size_t> cells;
-  for (std::size_t i = 0; i < findings.cells.size(); ++i) {
-    cells.push_back(i);
-  }
-  std::vector<Observation> runs = observations(findings, response, cells);
+  std::vector<Observation> runs = observations(findings, response, all_cells(findings));
   const auto bounds =
       std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.of.bound; });
   if (bounds > 0) {
@@ -191,6 +187,19 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
   const std::vector<VariedFactor> factors = varied_factors(findings.results);
   const std::vector<Product> products = products_of(formula.substr(tilde + 1), factors);
   const std::vector<Observation> runs = observations_for(findings, model.response);
+  std::size_t count = 1;
+  for (const Product& product : products) {
+    std::size_t of_product = 1;
+    for (const std::size_t factor : product) {
+      of_product *= factors[factor].numeric() ? 1 : factors[factor].levels.size() - 1;
+    }
+    count += of_product;
+  }
+  if (count > kMostCoefficients) {
+    refuse_model("'" + output::one_line(model.formula) + "' has " +
+                 counted(count, "coefficient") + ", and nobody can read more than " +
+                 std::to_string(kMostCoefficients) + "; name fewer terms");
+  }
   std::vector<Term> terms;
   for (const Product& product : products) {
     std::vector<Term> of_product = terms_of(factors[product.front()], runs);
@@ -258,7 +267,7 @@ std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model
                         logistic->separated.end();
     std::vector<std::string> row{one.name.empty() ? "(constant)" : output::one_line(one.name)};
     if (endless) {
-      row.insert(row.end(), {one.estimate > 0.0 ? "infinite" : "-infinite", "-", "-", "-"});
+      row.insert(row.end(), {one.estimate > 0.0 ? "\xe2\x88\x9e" : "-\xe2\x88\x9e", "-", "-", "-"});
     } else {
       row.insert(row.end(), {brief(one.estimate), brief(one.error, 3),
                              brief(one.interval.low) + " to " + brief(one.interval.high),

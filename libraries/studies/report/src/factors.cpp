@@ -112,6 +112,19 @@ std::vector<Observation> observations(const Findings& findings, const Response& 
   return all;
 }
 
+std::vector<std::size_t> all_cells(const Findings& findings) {
+  std::vector<std::size_t> cells(findings.cells.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  return cells;
+}
+
+bool is_constant(const Findings& findings, const Response& response) {
+  const std::vector<Observation> all = observations(findings, response, all_cells(findings));
+  return std::all_of(all.begin(), all.end(), [&](const Observation& one) {
+    return one.of.value == all.front().of.value && one.of.bound == all.front().of.bound;
+  });
+}
+
 Margin margin_of(const Findings& findings, const Response& response,
                  const std::vector<std::size_t>& cells, bool with_interval) {
   const std::vector<Observation> all = observations(findings, response, cells);

@@ -47,6 +47,13 @@ class Workshop {
   }
 
   void deliver() {
+    for (const std::string& name : names_) {
+      if (fs::is_directory(folder_ / name)) {
+        throw std::runtime_error("'" + (folder_ / name).string() +
+                                 "' is a folder, and a figure has this name; remove it or name "
+                                 "another folder for the figures");
+      }
+    }
     for (const fs::directory_entry& entry : fs::directory_iterator(inner_)) {
       fs::rename(entry.path(), folder_ / entry.path().filename());
     }
@@ -142,8 +149,10 @@ std::size_t write_figures(const Findings& findings, const ResultsFile& file,
       if (findings.any_goals()) {
         artist.draw(rate_chart(findings, inks, from, to));
       }
-      for (std::size_t i = 0; i < findings.measures.size(); ++i) {
-        artist.draw(box_chart(findings, i, inks, from, to));
+      for (const Response& response : responses(findings)) {
+        if (response.measure && !is_constant(findings, response)) {
+          artist.draw(box_chart(findings, *response.measure, inks, from, to));
+        }
       }
     }
     if (any_cut_off(findings)) {
@@ -154,6 +163,9 @@ std::size_t write_figures(const Findings& findings, const ResultsFile& file,
     artist.draw(series_charts(findings, file, inks));
   }
   for (const Response& response : responses(findings)) {
+    if (is_constant(findings, response)) {
+      continue;
+    }
     artist.draw(effect_charts(findings, response));
     artist.draw(pair_charts(findings, response, inks));
     if (!response.measure || varied_factors(findings.results).empty()) {

@@ -69,17 +69,6 @@ std::string main_model(const Findings& findings, const Response& response) {
   }
 }
 
-bool all_equal(const Findings& findings, const Response& response) {
-  std::vector<std::size_t> cells(findings.cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = i;
-  }
-  const std::vector<Observation> all = observations(findings, response, cells);
-  return std::all_of(all.begin(), all.end(), [&](const Observation& one) {
-    return one.of.value == all.front().of.value && one.of.bound == all.front().of.bound;
-  });
-}
-
 std::string response_part(const PageContext& page, const Response& response) {
   const Findings& findings = page.findings;
   const std::string unit =
@@ -138,7 +127,7 @@ std::string factor_sections(const PageContext& page) {
   std::string shown, others, constant;
   std::size_t count = 0;
   for (const Response& response : responses(page.findings)) {
-    if (all_equal(page.findings, response)) {
+    if (is_constant(page.findings, response)) {
       constant += (constant.empty() ? "" : ", ") + escaped(response.words);
       continue;
     }
@@ -146,6 +135,18 @@ std::string factor_sections(const PageContext& page) {
   }
   if (!constant.empty()) {
     constant = "<p class=\"quiet\">The same in every run, or in none: " + constant + ".</p>";
+  }
+  std::string large;
+  for (const VariedFactor& factor : varied_factors(page.findings.results)) {
+    if (factor.levels.size() > kMostLevels) {
+      large += (large.empty() ? "" : ", ") + escaped(output::shortened(factor.name, 40)) + " (" +
+               std::to_string(factor.levels.size()) + ")";
+    }
+  }
+  if (!large.empty()) {
+    constant += "<p class=\"quiet\">Factors with many levels have no comparisons of these, and "
+                "no figures where they are too many: " +
+                large + ".</p>";
   }
   return asked_part(page) + "<section id=\"factors\"><h2>By factor</h2><p class=\"lead\">" +
          kFactorsLead + "</p>" + shown +

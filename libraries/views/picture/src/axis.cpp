@@ -15,7 +15,9 @@ void Interval::include(double value) {
 }
 
 Interval Interval::widened() const {
-  if (low < high) return *this;
+  // Numbers that differ by rounding count as one.
+  constexpr double kRounding = 1e-12;
+  if (span() > kRounding * std::max(std::abs(low), std::abs(high)) && low < high) return *this;
   if (empty() || low == 0.0) return {-1.0, 1.0};
   return {low - 0.1 * std::abs(low), low + 0.1 * std::abs(low)};
 }
@@ -42,7 +44,10 @@ Ticks nice_ticks(double low, double high, int about) {
   const double first = std::ceil(low / ticks.step - kHair);
   const double last = std::floor(high / ticks.step + kHair);
   // If the step is below the resolution of the numbers, counting would not end.
-  if (!(last - first < 1000.0)) return ticks;
+  constexpr double kMostSteps = 1e15;
+  if (!(last - first < 1000.0) || !(std::max(std::abs(first), std::abs(last)) < kMostSteps)) {
+    return ticks;
+  }
   for (double i = first; i <= last; i += 1.0) {
     ticks.at.push_back(std::clamp(i == 0.0 ? 0.0 : i * ticks.step, low, high));
   }

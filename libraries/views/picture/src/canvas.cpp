@@ -116,7 +116,8 @@ Canvas::Canvas(FileType type, int width, int height, double zoom)
   cairo_paint(impl_->cr);
   if (impl_->is_pdf) cairo_scale(impl_->cr, kPointsPerPixel, kPointsPerPixel);
   cairo_scale(impl_->cr, zoom, zoom);
-  if (ruler) cairo_set_tolerance(impl_->cr, 0.03);  // pixels; circles of an SVG are polygons
+  // Pixels; circles of an SVG are polygons, and a page has many.
+  if (ruler) cairo_set_tolerance(impl_->cr, type == FileType::page ? 0.1 : 0.03);
 }
 
 Canvas::~Canvas() = default;

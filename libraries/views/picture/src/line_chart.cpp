@@ -12,7 +12,7 @@ namespace {
 constexpr double kLegendRow = 20.0;
 constexpr double kNameRow = 16.0;
 constexpr double kNumberRow = 16.0;
-constexpr double kMostOfRow = 0.25;  // of the chart's width for the names of rows of numbers
+constexpr double kMostOfRow = 0.3;   // of the chart's width for the names of rows of numbers
 
 Interval data_range(const LineChart& chart, double Vector2::*coordinate, const Axis& axis,
                     bool margin) {
@@ -200,7 +200,9 @@ void draw(Canvas& canvas, const LineChart& values, const Rect& area, double head
   if (!chart.rows.empty()) draw_rows(canvas, chart, around, plot, area.x);
 
   const TextStyle title{.size = kPanelTitle, .bold = true, .down = Down::top};
-  canvas.text(canvas.fitted(chart.title, title, plot.width), {plot.x, area.y}, title);
+  const bool fits = canvas.text_width(chart.title, title) <= plot.width;
+  canvas.text(canvas.fitted(chart.title, title, area.width), {fits ? plot.x : area.x, area.y},
+              title);
   const double names_top = plot.y - names_height(chart, around.names);
   for (const Name& name : around.names) {
     const Ink colour = ink_of(chart, name.series);

@@ -131,7 +131,8 @@ void check_panel(const Panel& panel) {
 
 double natural_aspect(const Panel& panel, double width) {
   if (const auto* chart = std::get_if<LineChart>(&panel)) {
-    return 0.5 + 16.0 * static_cast<double>(chart->rows.size()) / width;
+    return chart->rows.empty() ? 0.5
+                               : 0.6 + 16.0 * static_cast<double>(chart->rows.size() + 1) / width;
   }
   if (const auto* tiles = std::get_if<Tiles>(&panel)) {
     return std::min(0.85, 80.0 / width + 0.1 * static_cast<double>(tiles->y.names.size()));

@@ -13,35 +13,64 @@ Axis fitted_names(const Canvas& canvas, Axis axis, double width) {
   return axis;
 }
 
+// The borders of the tiles along an axis: halfway between names at ascending places; names at equal
+// places are set apart.
+std::vector<double> borders_of(Axis& axis) {
+  auto& names = axis.names;
+  bool apart = true;
+  for (std::size_t i = 1; i < names.size(); ++i) apart = apart && names[i - 1].at < names[i].at;
+  for (std::size_t i = 0; i < names.size() && !apart; ++i) names[i].at = static_cast<double>(i);
+  std::vector<double> borders{0.0};
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    borders.push_back(0.5 * (names[i - 1].at + names[i].at));
+  }
+  const bool single = names.size() == 1;
+  borders[0] = names.front().at - (single ? 0.5 : borders[1] - names.front().at);
+  borders.push_back(names.back().at + (single ? 0.5 : names.back().at - borders.back()));
+  return borders;
+}
+
 }  // namespace
 
 void draw(Canvas& canvas, const Tiles& tiles, const Rect& area, double head) {
   Axis x = tiles.x;
   Axis y = fitted_names(canvas, tiles.y, area.width);
   const std::size_t columns = x.names.size(), rows = y.names.size();
-  for (std::size_t i = 0; i < columns; ++i) x.names[i].at = static_cast<double>(i);
-  for (std::size_t i = 0; i < rows; ++i) y.names[i].at = static_cast<double>(i);
-  const Interval x_range{-0.5, static_cast<double>(columns) - 0.5};
-  const Interval y_range{-0.5, static_cast<double>(rows) - 0.5};
+  const std::vector<double> across = borders_of(x), up = borders_of(y);
+  const Interval x_range{across.front(), across.back()}, y_range{up.front(), up.back()};
   Interval values;
   for (const double value : tiles.values) values.include(value);
   const Interval z_range = interval_of(tiles.z, values.widened());
 
-  constexpr double kBar = 14.0, kBarGap = 12.0;
+  constexpr double kBar = 14.0, kBarGap = 12.0, kLeastHeight = 18.0;
   const double left = y_labels_width(canvas, y, y_range, area.height) + 32;
-  const double right = kBarGap + kBar + 8 + y_labels_width(canvas, tiles.z, z_range, 8 * 45) + 26;
+  // Without room for the texts, a bar says what the colours mean.
+  double widest = 0.0;
+  for (const std::string& text : tiles.texts) {
+    widest = std::max(widest, canvas.text_width(text, {.size = kTick}));
+  }
+  const auto narrowest = [](const std::vector<double>& borders) {
+    double least = borders[1] - borders[0];
+    for (std::size_t i = 2; i < borders.size(); ++i) {
+      least = std::min(least, borders[i] - borders[i - 1]);
+    }
+    return least / (borders.back() - borders.front());
+  };
+  const bool readable = widest + 8 < (area.width - left) * narrowest(across) &&
+                        (area.height - head - 60) * narrowest(up) > kLeastHeight;
+  const double right =
+      readable ? 10.0 : kBarGap + kBar + 8 + y_labels_width(canvas, tiles.z, z_range, 8 * 45) + 26;
   const double width = std::max(10.0, area.width - left - right);
   const double below = 44 + (folds(canvas, x, x_range, width) ? kFold : 0.0);
   const Rect plot{area.x + left, area.y + head, width,
                   std::max(10.0, area.height - head - below)};
-  const double tile_x = plot.width / static_cast<double>(columns);
-  const double tile_y = plot.height / static_cast<double>(rows);
+  const PlaneMap map = map_to(plot, x_range, y_range);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double value = tiles.values[row * columns + column];
-      const Rect tile{plot.x + tile_x * static_cast<double>(column) + 1,
-                      plot.bottom() - tile_y * static_cast<double>(row + 1) + 1, tile_x - 2,
-                      tile_y - 2};
+      const Vector2 from = map.pixel({across[column], up[row + 1]});
+      const Vector2 to = map.pixel({across[column + 1], up[row]});
+      const Rect tile{from.x + 1, from.y + 1, to.x - from.x - 2, to.y - from.y - 2};
       const bool known = std::isfinite(value);
       const double part = known ? z_range.part(value) : 0.0;
       if (known) {
@@ -54,11 +83,11 @@ void draw(Canvas& canvas, const Tiles& tiles, const Rect& area, double head) {
                             .across = Across::centre,
                             .down = Down::middle};
       const std::string& text = tiles.texts[row * columns + column];
-      if (canvas.text_width(text, style) <= tile.width) canvas.text(text, tile.centre(), style);
+      if (readable) canvas.text(text, tile.centre(), style);
     }
   }
   draw_axes(canvas, plot, x, x_range, y, y_range, false);
-  if (!values.empty()) {
+  if (!readable && !values.empty()) {
     draw_colour_bar(canvas, tiles.z, z_range, {plot.right() + kBarGap, plot.y, kBar, plot.height});
   }
   const TextStyle title{.size = kPanelTitle, .bold = true, .down = Down::top};

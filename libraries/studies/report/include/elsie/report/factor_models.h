@@ -21,6 +21,9 @@ struct FactorModel {
   std::vector<std::string> warnings;           // sentences
 };
 
+/// A model with more is refused.
+inline constexpr std::size_t kMostCoefficients = 100;
+
 /// The model of a formula: "MEASURE ~ FACTOR + FACTOR:FACTOR"; "a * b" is "a + b + a:b". A factor
 /// whose levels are numbers is one term, its distance from its mean; any other factor has a term for
 /// each level but the first. Each run counts as an independent observation. Throws

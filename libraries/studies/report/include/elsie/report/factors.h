@@ -52,6 +52,12 @@ struct Observation {
 std::vector<Observation> observations(const Findings& findings, const Response& response,
                                       const std::vector<std::size_t>& cells);
 
+/// Whether all runs have the same value, or none has any.
+bool is_constant(const Findings& findings, const Response& response);
+
+/// All cells of the results.
+std::vector<std::size_t> all_cells(const Findings& findings);
+
 /// Some cells together.
 struct Margin {
   std::size_t runs = 0;     // with a value

@@ -1,0 +1,156 @@
+// Figures and tables as files.
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/report/figure_files.h"
+
+#include "by_factor.h"
+#include "fixture.h"
+#include "hostile.h"
+
+using namespace elsie::report;
+using Catch::Contains;
+using elsie::test::by_factor;
+using elsie::test::Folder;
+using elsie::test::Made;
+using elsie::test::made_study;
+using elsie::test::MadeExperiment;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string bytes(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+std::size_t draw(const Made& made, const fs::path& folder,
+                 const std::vector<std::string>& formats) {
+  const ResultsFile file(made.path);
+  return write_figures(made.findings(), file, {}, folder, formats);
+}
+
+}  // namespace
+
+TEST_CASE("Every figure is a file of each format, with its texts as texts") {
+  const Made made(by_factor());
+  const Folder folder;
+  const std::size_t count = draw(made, folder.path(), kFigureFormats);
+  const auto names = names_in(folder.path());
+  CHECK(names.size() == 3 * count);
+  for (const char* name :
+       {"success", "boxes-path_length_m", "effect-success-speed", "effect-time_s-coordinator",
+        "interaction-path_length_m-speed-coordinator", "tiles-success-speed-coordinator",
+        "residuals-path_length_m", "survival-speed_0.4", "series-distance_driven-speed",
+        "ways-1"}) {
+    CAPTURE(name);
+    CHECK(names.contains(std::string(name) + ".svg"));
+    CHECK(names.contains(std::string(name) + ".pdf"));
+    CHECK(names.contains(std::string(name) + ".png"));
+  }
+  CHECK_FALSE(names.contains("boxes-collisions.svg"));  // the same in every run
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const std::string all = bytes(folder / name);
+    if (name.ends_with(".svg")) CHECK(elsie::test::xmllint(all, "--nonet").empty());
+    if (name.ends_with(".svg")) CHECK(all.find("</text>") != std::string::npos);
+    if (name.ends_with(".pdf")) CHECK(all.starts_with("%PDF-"));
+    if (name.ends_with(".png")) CHECK(all.starts_with("\x89PNG"));
+  }
+}
+
+TEST_CASE("The same database gives the same figures, bit for bit") {
+  const Made made(made_study());
+  const Folder first, second;
+  draw(made, first.path(), {"svg", "pdf"});
+  draw(made, second.path(), {"svg", "pdf"});
+  REQUIRE(names_in(first.path()) == names_in(second.path()));
+  for (const std::string& name : names_in(first.path())) {
+    CAPTURE(name);
+    CHECK(bytes(first / name) == bytes(second / name));
+  }
+  CHECK(names_in(first.path()).contains("decisions-1.svg"));
+  CHECK(fs::exists(first / "learning-1-collector-fusion_neural_network-error.svg"));
+}
+
+TEST_CASE("A figure that cannot be written leaves the folder as it was") {
+  const Made made(by_factor());
+  const Folder folder;
+  std::ofstream(folder / "mine.txt") << "mine";
+  fs::create_directory(folder / "success.svg");  // cannot be replaced by a file
+  std::ofstream(folder / "success.svg" / "inside") << "x";
+  CHECK_THROWS(draw(made, folder.path(), {"svg"}));
+  CHECK_FALSE(fs::exists(folder / ".elsie-part"));
+  CHECK(names_in(folder.path()) == std::set<std::string>{"mine.txt", "success.svg"});
+}
+
+TEST_CASE("Labels of any bytes make figures and names of files that every system takes") {
+  MadeExperiment study = by_factor(2);
+  study.factors = {"world", "../speed/\xff<&>", "coordinator"};
+  const Made made(study);
+  const Folder folder;
+  draw(made, folder.path(), {"svg"});
+  for (const std::string& name : names_in(folder.path())) {
+    CAPTURE(name);
+    CHECK(name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
+          std::string::npos);
+    CHECK(elsie::test::xmllint(bytes(folder / name), "--nonet").empty());
+  }
+}
+
+TEST_CASE("The table for LaTeX has a row for each cell, with rules of booktabs and escaped texts") {
+  MadeExperiment study = by_factor();
+  study.name = "100 % of $x_1$ & #2 {a} ~ ^ \\";
+  const Made made(study);
+  const std::string text = latex_report(made.findings());
+  for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "\\begin{tabular}{llrrrr}",
+                           "speed & coordinator & success & path length (m) & time (s)",
+                           "0.4 & arbitration & 3/6 & $2.35 \\pm 0.19$",
+                           "100 \\% of \\$x\\_1\\$ \\& \\#2 \\{a\\} \\textasciitilde{} "
+                           "\\textasciicircum{} \\textbackslash{}",
+                           "$>$ 100"}) {
+    CAPTURE(part, text);
+    CHECK(text.find(part) != std::string::npos);
+  }
+  CHECK(std::count(text.begin(), text.end(), '{') - std::count(text.begin(), text.end(), '}') == 0);
+}
+
+TEST_CASE("A long table goes over several pages") {
+  MadeExperiment study = by_factor(2);
+  while (study.cells.size() < 40) {
+    study.cells.push_back(study.cells[study.cells.size() % 6]);
+    const std::string speed = std::to_string(study.cells.size());
+    study.cells.back().label = speed;
+    study.cells.back().levels[1] = speed;
+  }
+  CHECK_THAT(latex_report(Made(study).findings()),
+             Contains("\\begin{longtable}") && Contains("\\usepackage{longtable}"));
+}
+
+TEST_CASE("The table of cells has what the page has of each, and nothing where nothing is known") {
+  const Made made(by_factor());
+  std::istringstream lines(cells_csv(made.findings()));
+  std::string head, first, second;
+  std::getline(lines, head);
+  std::getline(lines, first);
+  std::getline(lines, second);
+  CHECK_THAT(head, Catch::StartsWith("cell,runs,successes,success_low,success_high,broken,pending,"
+                                     "world,speed,coordinator,path_length_m:n,path_length_m:mean"));
+  CHECK_THAT(first, Catch::StartsWith("\"0.4, arbitration\",6,3,"));
+  CHECK_THAT(first, Contains(",6,,,,,,,,,,3,100"));  // time_s: three bounds at 100, no median
+  CHECK_THAT(second, Catch::StartsWith("\"0.4, fusion\",6,6,"));
+}
