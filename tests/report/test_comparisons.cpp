@@ -146,6 +146,14 @@ TEST_CASE("The interval of Cliff's delta is that of its definition") {
   CHECK(test.delta.interval->high == Approx((d - d * d * d + reach) / below));
 }
 
+TEST_CASE("Groups without overlap still have an interval: three values prove little") {
+  const RankTest test = rank_test(known({4, 5, 6}), known({1, 2, 3}), 0.95);
+  // Feng and Cliff (2004): (n - z^2) / (n + z^2) for the smaller group.
+  CHECK(test.delta.interval->low == Approx((3 - 3.841459) / (3 + 3.841459)).epsilon(1e-6));
+  CHECK(test.delta.interval->high == 1.0);
+  CHECK(rank_test(known({1, 2, 3}), known({4, 5, 6}), 0.95).delta.interval->low == -1.0);
+}
+
 TEST_CASE("Hedges' g is the difference in pooled deviations, less for few values") {
   const std::vector<double> a{1, 2, 3}, b{3, 4, 5};
   const auto g = hedges_g(a, b, 0.95);

@@ -33,7 +33,8 @@ addEventListener("load", () => {
     const box = text.getBoundingClientRect();
     if (box.width === 0) continue;
     if (box.left < -0.5 || box.right > innerWidth + 0.5) found.cut.push(text.textContent);
-    const scale = text.getScreenCTM().a;
+    const matrix = text.getScreenCTM();
+    const scale = Math.hypot(matrix.a, matrix.b);
     const size = parseFloat(getComputedStyle(text).fontSize) * scale;
     if (size < 8.9) found.small.push(text.textContent + ": " + size.toFixed(1));
   }
@@ -44,6 +45,9 @@ addEventListener("load", () => {
     .map((v) => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
     .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
   const ground = (element) => {
+    // A tile's text comes after its tile.
+    const tile = element.tagName === "text" && element.previousElementSibling?.getAttribute("fill");
+    if (tile?.startsWith("#")) return [1, 3, 5].map((at) => parseInt(tile.slice(at, at + 2), 16));
     for (; element; element = element.parentElement) {
       const colour = parts(getComputedStyle(element).backgroundColor);
       if (colour.length === 3 || (colour.length === 4 && colour[3] > 0)) return colour;

@@ -108,10 +108,12 @@ std::optional<Interval> delta_interval(double delta, std::span<const Observed> f
   const double variance = std::max(
       least, (n * n * rows + m * m * columns - all) / (m * n * (m - 1.0) * (n - 1.0)));
   const double z = normal_quantile(confidence);
-  const double below = 1.0 - delta * delta + z * z * variance;
-  if (below <= kTied) {
-    return Interval{delta, delta};
+  if (std::abs(delta) >= 1.0 - kTied) {
+    const double fewer = std::min(m, n);
+    const double near = (fewer - z * z) / (fewer + z * z);
+    return delta > 0.0 ? Interval{near, 1.0} : Interval{-1.0, -near};
   }
+  const double below = 1.0 - delta * delta + z * z * variance;
   const double reach = z * std::sqrt(variance) *
                        std::sqrt(square(1.0 - delta * delta) + z * z * variance);
   return Interval{std::max(-1.0, (delta - delta * delta * delta - reach) / below),

@@ -16,9 +16,10 @@ void Interval::include(double value) {
 
 Interval Interval::widened() const {
   // Numbers that differ by rounding count as one.
-  constexpr double kRounding = 1e-12;
-  if (span() > kRounding * std::max(std::abs(low), std::abs(high)) && low < high) return *this;
-  if (empty() || low == 0.0) return {-1.0, 1.0};
+  constexpr double kRounding = 1e-12, kTiniest = 1e-290;
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (low < high && span() > std::max(kRounding * size, kTiniest)) return *this;
+  if (empty() || std::abs(low) < kTiniest) return {-1.0, 1.0};
   return {low - 0.1 * std::abs(low), low + 0.1 * std::abs(low)};
 }
 

@@ -13,6 +13,16 @@ Axis fitted_names(const Canvas& canvas, Axis axis, double width) {
   return axis;
 }
 
+// Black or white, whichever has more contrast to the colour (WCAG 2.1): at least 4.5.
+Ink text_on(const Ink& colour) {
+  const auto linear = [](double part) {
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  const double luminance =
+      0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) + 0.0722 * linear(colour.blue);
+  return luminance > 0.179 ? hex(0x000000) : hex(0xffffff);
+}
+
 // The borders of the tiles along an axis: halfway between names at ascending places; names at equal
 // places are set apart.
 std::vector<double> borders_of(Axis& axis) {
@@ -79,7 +89,7 @@ void draw(Canvas& canvas, const Tiles& tiles, const Rect& area, double head) {
         draw_unknown(canvas, tile);
       }
       const TextStyle style{.size = kTick,
-                            .ink = !known ? kText : part < 0.6 ? hex(0xffffff) : hex(0x16191d),
+                            .ink = known ? text_on(viridis(part)) : kText,
                             .across = Across::centre,
                             .down = Down::middle};
       const std::string& text = tiles.texts[row * columns + column];

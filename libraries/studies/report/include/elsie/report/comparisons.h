@@ -21,8 +21,8 @@ struct Effect {
 
 struct RankTest {
   /// Cliff's delta (1993): how much more often a value of the first group is above one of the
-  /// second than below, from -1 to 1. The interval is the asymmetric one of Cliff (1996); none for
-  /// fewer than two values in a group.
+  /// second than below, from -1 to 1. The interval is the asymmetric one of Cliff (1996), of groups
+  /// without any overlap that of Feng and Cliff (2004); none for fewer than two values in a group.
   Effect delta;
   /// Of the test of Mann and Whitney (1947), with bounds that of Gehan: its permutation
   /// distribution, ties and bounds included.
