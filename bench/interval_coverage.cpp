@@ -10,8 +10,7 @@ int main(int count, char** words) {
   int experiments = 2000;
   if (count > 1) {
     const std::string_view word = words[1];
-    const auto [end, error] =
-        std::from_chars(word.data(), word.data() + word.size(), experiments);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), experiments);
     if (error != std::errc() || end != word.data() + word.size() || experiments < 1) {
       std::fprintf(stderr, "interval_coverage: expected a number of experiments from 1, not '%s'\n",
                    words[1]);

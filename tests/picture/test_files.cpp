@@ -163,7 +163,8 @@ TEST_CASE("A file type other than PNG and SVG is refused in a sentence, and noth
   }
   CHECK(folder.files() == 0);
   CHECK(message_of([&] { save_top_view({world}, "map.jpg"); }) ==
-        "The picture 'map.jpg' has the suffix '.jpg', but pictures are written as .png, .svg or .pdf: "
+        "The picture 'map.jpg' has the suffix '.jpg', but pictures are written as .png, .svg or "
+        ".pdf: "
         "end its name with one.");
 }
 

@@ -303,8 +303,8 @@ TEST_CASE("report refuses questions without an answer before it writes anything"
       {"--cells-csv cells.txt", "expected a name that ends in .csv"}};
   for (const auto& [options, sentence] : wrong) {
     CAPTURE(options);
-    const auto run = here.elsie("report runs.sqlite --html page.html --figures new " +
-                                std::string(options));
+    const auto run =
+        here.elsie("report runs.sqlite --html page.html --figures new " + std::string(options));
     const auto alone = here.elsie("report runs.sqlite --html page.html " + std::string(options));
     CAPTURE(alone.out, alone.err);
     CHECK(alone.exit_code == 2);

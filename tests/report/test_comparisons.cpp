@@ -63,7 +63,8 @@ TEST_CASE("Fisher's exact test gives the published probabilities") {
   CHECK(fisher_test({2000, 4000}, {2000, 4000}) == Approx(1.0));
 }
 
-TEST_CASE("The odds ratio has the interval of Woolf, and is finite where one of four numbers is 0") {
+TEST_CASE(
+    "The odds ratio has the interval of Woolf, and is finite where one of four numbers is 0") {
   const Effect odds = odds_ratio({19, 20}, {12, 20}, 0.95);
   CHECK(odds.value == Approx(19.0 * 8.0 / 12.0));
   // By hand: the error of the logarithm is sqrt(1/19 + 1 + 1/12 + 1/8).
@@ -89,7 +90,14 @@ TEST_CASE("The rank test is the permutation test, with ties and with bounds") {
   const std::vector<std::vector<Observed>> samples = {
       known({1, 1, 2, 2, 3, 4, 4, 4, 5, 6}),
       {{3, false}, {5, true}, {2, false}, {5, true}, {4, false}, {1, false}, {5, true}, {3, false}},
-      {{3, true}, {5, false}, {2, true}, {9, true}, {4, false}, {1, false}, {3, false}, {3, false}}};
+      {{3, true},
+       {5, false},
+       {2, true},
+       {9, true},
+       {4, false},
+       {1, false},
+       {3, false},
+       {3, false}}};
   for (const auto& all : samples) {
     const std::size_t size = all.size() / 2 - 1;
     const std::span<const Observed> whole(all);
@@ -136,8 +144,7 @@ TEST_CASE("The interval of Cliff's delta is that of its definition") {
     }
     columns += (mean - d) * (mean - d);
   }
-  const double variance =
-      (n * n * rows + m * m * columns - cells) / (m * n * (m - 1) * (n - 1));
+  const double variance = (n * n * rows + m * m * columns - cells) / (m * n * (m - 1) * (n - 1));
   const double z = 1.959963985;
   const double below = 1 - d * d + z * z * variance;
   const double reach =
@@ -167,7 +174,8 @@ TEST_CASE("Hedges' g is the difference in pooled deviations, less for few values
 }
 
 TEST_CASE("Wilcoxon's test gives the published probability for Darwin's plants") {
-  // Fisher (1935), chapter 3: heights of crossed less self-fertilised plants, in eighths of an inch.
+  // Fisher (1935), chapter 3: heights of crossed less self-fertilised plants, in eighths of an
+  // inch.
   const std::vector<double> darwin{49, -67, 8, 16, 6, 23, 28, 41, 14, 29, 56, 24, 75, 60, -48};
   const PairTest test = signed_rank_test(darwin);
   CHECK(test.exact);

@@ -78,8 +78,7 @@ TEST_CASE("A margin of times that a limit cut off is their median") {
   const Margin fast = margin_of(findings, response_of(findings, "time_s"), {0});
   CHECK(fast.cut_off == 3);
   CHECK_FALSE(fast.centre);  // half of six remain to the end
-  const Margin all =
-      margin_of(findings, response_of(findings, "time_s"), factors[1].cells_at(0));
+  const Margin all = margin_of(findings, response_of(findings, "time_s"), factors[1].cells_at(0));
   // Known: 14.5, 16.5, 18.5, 26 ... 31, 51 ... 56: the ninth and tenth of 18 are 31 and 51.
   CHECK(all.centre == Approx(41.0));
 }
@@ -169,8 +168,8 @@ TEST_CASE("Separation by a level is said") {
   const Made made(by_factor());
   const FactorModel model = factor_model(made.findings(), "success ~ coordinator");
   REQUIRE(model.warnings.size() == 1);
-  CHECK_THAT(model.warnings[0], Contains("'coordinator=fusion' has no finite coefficient") &&
-                                    Contains("separation"));
+  CHECK_THAT(model.warnings[0],
+             Contains("'coordinator=fusion' has no finite coefficient") && Contains("separation"));
   CHECK(coefficient_table(model)[2][1] == "∞");
 }
 
@@ -293,8 +292,10 @@ TEST_CASE("Two thousand cells of three factors have figures by factor in four me
       run.seed = seed;
       const double value = i % 17 + 0.1 * static_cast<double>(seed * (i % 7));
       run.outcome = i % 11 == 0 ? "time_limit" : "success";
-      run.measures = {{"success", i % 11 == 0 ? 0.0 : 1.0}, {"path_length_m", value},
-                      {"time_s", i % 11 == 0 ? 99.0 : value}, {"energy_left", 100.0 - value},
+      run.measures = {{"success", i % 11 == 0 ? 0.0 : 1.0},
+                      {"path_length_m", value},
+                      {"time_s", i % 11 == 0 ? 99.0 : value},
+                      {"energy_left", 100.0 - value},
                       {"collisions", i % 3}};
     }
   }

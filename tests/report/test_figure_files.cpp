@@ -106,7 +106,8 @@ TEST_CASE("Labels of any bytes make figures and names of files that every system
   draw(made, folder.path(), {"svg"});
   for (const std::string& name : names_in(folder.path())) {
     CAPTURE(name);
-    CHECK(name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
+    CHECK(name.find_first_not_of(
+              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
           std::string::npos);
     CHECK(elsie::test::xmllint(bytes(folder / name), "--nonet").empty());
   }

@@ -44,8 +44,8 @@ TEST_CASE("Least squares gives what a second implementation gives") {
 
 TEST_CASE("Logistic regression gives the published fit of the hours of study") {
   // Twenty students; the example of Wikipedia's article on logistic regression.
-  const std::vector<double> hours{0.5, 0.75, 1,   1.25, 1.5,  1.75, 1.75, 2,   2.25, 2.5,
-                                  2.75, 3,   3.25, 3.5, 4,    4.25, 4.5,  4.75, 5,   5.5};
+  const std::vector<double> hours{0.5,  0.75, 1,    1.25, 1.5, 1.75, 1.75, 2,    2.25, 2.5,
+                                  2.75, 3,    3.25, 3.5,  4,   4.25, 4.5,  4.75, 5,    5.5};
   const std::vector<bool> passed{false, false, false, false, false, false, true, false, true, false,
                                  true,  false, true,  false, true,  true,  true, true,  true, true};
   const std::vector<Term> terms{{"hours", hours}};
@@ -72,7 +72,8 @@ TEST_CASE("A term that is a combination of others is left out and named") {
 
 TEST_CASE("Collinearity shows as inflation of the variance") {
   std::vector<double> nearly;
-  for (std::size_t i = 0; i < kLimits.size(); ++i) nearly.push_back(kLimits[i] + static_cast<double>(i % 3) * 0.001);
+  for (std::size_t i = 0; i < kLimits.size(); ++i)
+    nearly.push_back(kLimits[i] + static_cast<double>(i % 3) * 0.001);
   const std::vector<Term> apart{{"limit", kLimits}, {"fusion", kFusion}};
   const std::vector<Term> alike{{"limit", kLimits}, {"nearly", nearly}};
   CHECK(*fit_linear(apart, kTimes, 0.95).coefficients[1].inflation < 1.3);

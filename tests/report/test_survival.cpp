@@ -18,9 +18,9 @@ std::vector<Observed> known(std::initializer_list<double> times) {
 // Remission of leukaemia in weeks under 6-mercaptopurine (Freireich and others 1963, as in Gehan
 // 1965): the standard example of survival analysis.
 std::vector<Observed> remissions() {
-  return {{6, false}, {6, false}, {6, false}, {6, true},  {7, false},  {9, true},  {10, false},
-          {10, true}, {11, true}, {13, false}, {16, false}, {17, true}, {19, true}, {20, true},
-          {22, false}, {23, false}, {25, true}, {32, true}, {32, true}, {34, true}, {35, true}};
+  return {{6, false},  {6, false},  {6, false},  {6, true},   {7, false}, {9, true},  {10, false},
+          {10, true},  {11, true},  {13, false}, {16, false}, {17, true}, {19, true}, {20, true},
+          {22, false}, {23, false}, {25, true},  {32, true},  {32, true}, {34, true}, {35, true}};
 }
 
 }  // namespace

@@ -83,30 +83,27 @@ Interval student(const std::vector<double>& values) {
 
 void add_means(int experiments, std::vector<CoverageRow>& rows) {
   for (const Distribution& of : distributions()) {
-    rows.push_back(simulated("mean: **bootstrap-t**", of.name, experiments,
-                             [&](Random& random, std::size_t size) {
-                               return held(mean_interval(sample(of, random, size), kLevel, kStream,
-                                                         "coverage"),
-                                           of.mean);
-                             }));
-    rows.push_back(simulated("mean: Student's t", of.name, experiments,
-                             [&](Random& random, std::size_t size) {
-                               return held(student(sample(of, random, size)), of.mean);
-                             }));
+    rows.push_back(simulated(
+        "mean: **bootstrap-t**", of.name, experiments, [&](Random& random, std::size_t size) {
+          return held(mean_interval(sample(of, random, size), kLevel, kStream, "coverage"),
+                      of.mean);
+        }));
     rows.push_back(
-        simulated("mean: percentile bootstrap", of.name, experiments,
-                  [&](Random& random, std::size_t size) {
-                    return held(bootstrap_interval(Statistic::mean, sample(of, random, size),
-                                                   kLevel, kStream, "coverage"),
-                                of.mean);
-                  }));
+        simulated("mean: Student's t", of.name, experiments, [&](Random& random, std::size_t size) {
+          return held(student(sample(of, random, size)), of.mean);
+        }));
+    rows.push_back(simulated(
+        "mean: percentile bootstrap", of.name, experiments, [&](Random& random, std::size_t size) {
+          return held(bootstrap_interval(Statistic::mean, sample(of, random, size), kLevel, kStream,
+                                         "coverage"),
+                      of.mean);
+        }));
   }
   for (const Distribution& of : distributions()) {
-    rows.push_back(simulated("median: order statistics", of.name, experiments,
-                             [&](Random& random, std::size_t size) {
-                               return held(median_interval(sample(of, random, size), kLevel),
-                                           of.median);
-                             }));
+    rows.push_back(simulated(
+        "median: order statistics", of.name, experiments, [&](Random& random, std::size_t size) {
+          return held(median_interval(sample(of, random, size), kLevel), of.median);
+        }));
   }
 }
 
@@ -141,48 +138,44 @@ Frequency frequency(Random& random, std::size_t size, double p) {
 
 void add_rates(int experiments, std::vector<CoverageRow>& rows) {
   for (const double p : {0.5, 0.8, 0.95}) {
-    rows.push_back(simulated("rate: **Wilson**", "probability " + base::number_text(p),
-                             experiments, [=](Random& random, std::size_t size) {
-                               return std::optional(
-                                   holds(wilson_interval(frequency(random, size, p).hits, size,
-                                                         kLevel),
-                                         p));
-                             }));
+    rows.push_back(
+        simulated("rate: **Wilson**", "probability " + base::number_text(p), experiments,
+                  [=](Random& random, std::size_t size) {
+                    return std::optional(
+                        holds(wilson_interval(frequency(random, size, p).hits, size, kLevel), p));
+                  }));
   }
   const std::string both = "probabilities 0.8 and 0.5";
-  rows.push_back(simulated("difference of rates: **Newcombe**", both, experiments,
-                           [](Random& random, std::size_t size) {
-                             const Frequency a = frequency(random, size, 0.8);
-                             return held(interval_of_rates(Relation::difference, a,
-                                                           frequency(random, size, 0.5), kLevel),
-                                         0.3);
-                           }));
-  rows.push_back(simulated("odds ratio: **Woolf**", both, experiments,
-                           [](Random& random, std::size_t size) {
-                             const Frequency a = frequency(random, size, 0.8);
-                             return held(odds_ratio(a, frequency(random, size, 0.5), kLevel)
-                                             .interval,
-                                         4.0);
-                           }));
   rows.push_back(simulated(
-      "log odds of a logistic model: **Wald**", both, experiments,
-      [](Random& random, std::size_t size) -> std::optional<bool> {
-        Term second{"second", {}};
-        std::vector<bool> successes;
-        for (std::size_t i = 0; i < 2 * size; ++i) {
-          second.values.push_back(i < size ? 0.0 : 1.0);
-          successes.push_back(random.chance(i < size ? 0.5 : 0.8));
-        }
-        const std::vector<Term> terms{second};
-        try {
-          const LogisticFit fit = fit_logistic(terms, successes, kLevel);
-          return fit.separated.empty()
-                     ? std::optional(holds(fit.coefficients[1].interval, std::log(4.0)))
-                     : std::nullopt;
-        } catch (const std::invalid_argument&) {
-          return std::nullopt;
-        }
+      "difference of rates: **Newcombe**", both, experiments, [](Random& random, std::size_t size) {
+        const Frequency a = frequency(random, size, 0.8);
+        return held(
+            interval_of_rates(Relation::difference, a, frequency(random, size, 0.5), kLevel), 0.3);
       }));
+  rows.push_back(
+      simulated("odds ratio: **Woolf**", both, experiments, [](Random& random, std::size_t size) {
+        const Frequency a = frequency(random, size, 0.8);
+        return held(odds_ratio(a, frequency(random, size, 0.5), kLevel).interval, 4.0);
+      }));
+  rows.push_back(simulated("log odds of a logistic model: **Wald**", both, experiments,
+                           [](Random& random, std::size_t size) -> std::optional<bool> {
+                             Term second{"second", {}};
+                             std::vector<bool> successes;
+                             for (std::size_t i = 0; i < 2 * size; ++i) {
+                               second.values.push_back(i < size ? 0.0 : 1.0);
+                               successes.push_back(random.chance(i < size ? 0.5 : 0.8));
+                             }
+                             const std::vector<Term> terms{second};
+                             try {
+                               const LogisticFit fit = fit_logistic(terms, successes, kLevel);
+                               return fit.separated.empty()
+                                          ? std::optional(
+                                                holds(fit.coefficients[1].interval, std::log(4.0)))
+                                          : std::nullopt;
+                             } catch (const std::invalid_argument&) {
+                               return std::nullopt;
+                             }
+                           }));
 }
 
 void add_survival(int experiments, std::vector<CoverageRow>& rows) {
@@ -207,8 +200,7 @@ void add_survival(int experiments, std::vector<CoverageRow>& rows) {
                              for (const SurvivalStep& step : curve_of(random, size).steps) {
                                if (step.time <= median) at = step.interval;
                              }
-                             return at.low < at.high ? std::optional(holds(at, 0.5))
-                                                     : std::nullopt;
+                             return at.low < at.high ? std::optional(holds(at, 0.5)) : std::nullopt;
                            }));
 }
 
@@ -222,21 +214,20 @@ void add_effects(int experiments, std::vector<CoverageRow>& rows) {
     return both;
   };
   const std::string drawn = "normal, one deviation apart";
-  rows.push_back(simulated("Cliff's delta: **Cliff**", drawn, experiments,
-                           [=](Random& random, std::size_t size) {
-                             const auto [a, b] = groups(random, size);
-                             std::vector<Observed> first, second;
-                             for (const double value : a) first.push_back({value, false});
-                             for (const double value : b) second.push_back({value, false});
-                             // 2 P(a > b) - 1, where a - b has the deviation of two.
-                             return held(rank_test(first, second, kLevel).delta.interval,
-                                         std::erf(0.5));
-                           }));
-  rows.push_back(simulated("Hedges' g: **normal**", drawn, experiments,
-                           [=](Random& random, std::size_t size) {
-                             const auto [a, b] = groups(random, size);
-                             return held(hedges_g(a, b, kLevel)->interval, 1.0);
-                           }));
+  rows.push_back(simulated(
+      "Cliff's delta: **Cliff**", drawn, experiments, [=](Random& random, std::size_t size) {
+        const auto [a, b] = groups(random, size);
+        std::vector<Observed> first, second;
+        for (const double value : a) first.push_back({value, false});
+        for (const double value : b) second.push_back({value, false});
+        // 2 P(a > b) - 1, where a - b has the deviation of two.
+        return held(rank_test(first, second, kLevel).delta.interval, std::erf(0.5));
+      }));
+  rows.push_back(
+      simulated("Hedges' g: **normal**", drawn, experiments, [=](Random& random, std::size_t size) {
+        const auto [a, b] = groups(random, size);
+        return held(hedges_g(a, b, kLevel)->interval, 1.0);
+      }));
   rows.push_back(simulated("slope of a linear model: **Student's t**", "three levels, normal",
                            experiments, [](Random& random, std::size_t size) {
                              Term x{"x", {}};
@@ -246,8 +237,8 @@ void add_effects(int experiments, std::vector<CoverageRow>& rows) {
                                y.push_back(2.0 * x.values.back() + random.normal(0.0, 1.0));
                              }
                              const std::vector<Term> terms{x};
-                             return std::optional(holds(
-                                 fit_linear(terms, y, kLevel).coefficients[1].interval, 2.0));
+                             return std::optional(
+                                 holds(fit_linear(terms, y, kLevel).coefficients[1].interval, 2.0));
                            }));
 }
 

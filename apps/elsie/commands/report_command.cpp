@@ -216,8 +216,8 @@ int report(const ReportOptions& options) {
     write(*options.junit, report::junit_report(findings, options.database), "--junit");
   }
   if (options.html) {
-    write(*options.html, report::html_report(findings, file, options.database, options.cells, answers),
-          "--html");
+    write(*options.html,
+          report::html_report(findings, file, options.database, options.cells, answers), "--html");
   }
   if (options.cells_csv) {
     write(*options.cells_csv, report::cells_csv(findings), "--cells-csv");
@@ -255,8 +255,7 @@ void add_report_command(CLI::App& program, Job& job) {
           ->add_option("--figures", options->figures,
                        "Write every figure of the page as a file of its own into this folder")
           ->type_name("FOLDER");
-  command
-      ->add_option("--format", options->formats, "With --figures: their formats; default: svg")
+  command->add_option("--format", options->formats, "With --figures: their formats; default: svg")
       ->delimiter(',')
       ->check(CLI::IsMember(report::kFigureFormats))
       ->needs(figures);

@@ -46,7 +46,7 @@ addEventListener("load", () => {
     .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
   const ground = (element) => {
     // A tile's text comes after its tile.
-    const tile = element.tagName === "text" && element.previousElementSibling?.getAttribute("fill");
+    const tile = element.tagName === "text" ? element.previousElementSibling?.getAttribute("fill") : null;
     if (tile?.startsWith("#")) return [1, 3, 5].map((at) => parseInt(tile.slice(at, at + 2), 16));
     for (; element; element = element.parentElement) {
       const colour = parts(getComputedStyle(element).backgroundColor);

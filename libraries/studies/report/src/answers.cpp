@@ -86,9 +86,9 @@ std::string margin_text(const Response& response, const Margin& margin) {
                          : "-";
   }
   if (!margin.centre) {
-    return margin.cut_off > 0 ? std::to_string(margin.cut_off) + " of " +
-                                    std::to_string(margin.runs) + " cut off"
-                              : "-";
+    return margin.cut_off > 0
+               ? std::to_string(margin.cut_off) + " of " + std::to_string(margin.runs) + " cut off"
+               : "-";
   }
   std::string text = (margin.cut_off > 0 ? "median " : "") + brief(*margin.centre);
   if (margin.interval) {

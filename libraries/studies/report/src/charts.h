@@ -47,8 +47,8 @@ std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& fi
                                  const Inks& inks);
 
 /// Box plots of a measure, and the rates of success, in the cells `from` to `to`.
-Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
-                std::size_t from, std::size_t to);
+Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks, std::size_t from,
+                std::size_t to);
 Chart rate_chart(const Findings& findings, const Inks& inks, std::size_t from, std::size_t to);
 
 /// What plugins learned before the runs of a cell.

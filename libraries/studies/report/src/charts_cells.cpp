@@ -16,9 +16,9 @@ std::string row_name(const Findings& findings, std::size_t cell) {
 
 // "-3" for the third of several parts of a figure.
 std::string part_of(const Findings& findings, std::size_t from, std::size_t to) {
-  return from == 0 && to == findings.cells.size() ? ""
-                                                  : "-" + std::to_string(from + 1) + "-" +
-                                                        std::to_string(to);
+  return from == 0 && to == findings.cells.size()
+             ? ""
+             : "-" + std::to_string(from + 1) + "-" + std::to_string(to);
 }
 
 // An episode as bars: its decider, or the parts of several one after the other.
@@ -79,8 +79,9 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
     chart.rows.push_back(std::move(row));
   }
   return {"boxes-" + file_part(about.name) + part_of(findings, from, to),
-          "Box plots of " + in_words(about.name, about.unit) + ": dots are runs, crosses those "
-          "without success, diamonds means with their 95 % intervals",
+          "Box plots of " + in_words(about.name, about.unit) +
+              ": dots are runs, crosses those "
+              "without success, diamonds means with their 95 % intervals",
           std::move(chart)};
 }
 

@@ -11,12 +11,14 @@ namespace elsie::report {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostTiles = 24;          // levels on an axis
-constexpr std::size_t kMostPoints = 60;         // levels in a chart of one factor
-constexpr std::size_t kMostIntervals = 36;      // in a chart of two factors
+constexpr std::size_t kMostTiles = 24;      // levels on an axis
+constexpr std::size_t kMostPoints = 60;     // levels in a chart of one factor
+constexpr std::size_t kMostIntervals = 36;  // in a chart of two factors
 constexpr std::size_t kNameLength = 40;
 
-std::string shown(const std::string& text) { return output::shortened(output::one_line(text), kNameLength); }
+std::string shown(const std::string& text) {
+  return output::shortened(output::one_line(text), kNameLength);
+}
 
 picture::Axis axis_of(const VariedFactor& factor) {
   picture::Axis axis;
@@ -78,8 +80,8 @@ std::string what_is_shown(const Response& response) {
 std::string file_part(const std::string& text) {
   std::string part;
   for (const char c : text) {
-    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-                       (c >= 'A' && c <= 'Z') || c == '.' || c == '_' || c == '-';
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       c == '.' || c == '_' || c == '-';
     part += plain ? c : '_';
   }
   return part.substr(0, 60);
@@ -129,10 +131,10 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
       range.include(series.spread.back().high);
     }
     chart.series.push_back(std::move(series));
-    charts.push_back({"effect-" + file_part(response.name) + "-" + file_part(factor.name),
-                      response.words + " by " + factor.name + ", over all else: " +
-                          what_is_shown(response),
-                      std::move(chart)});
+    charts.push_back(
+        {"effect-" + file_part(response.name) + "-" + file_part(factor.name),
+         response.words + " by " + factor.name + ", over all else: " + what_is_shown(response),
+         std::move(chart)});
   }
   if (range.empty()) {
     return {};
@@ -158,9 +160,9 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
   for (std::size_t i = 0; i < factors.size(); ++i) {
     for (std::size_t j = i + 1; j < factors.size(); ++j) {
       // Lines are the levels of the coloured factor, or of the one with fewer levels.
-      const bool swap = inks.factor == factors[i].factor ||
-                        (inks.factor != factors[j].factor &&
-                         factors[i].levels.size() < factors[j].levels.size());
+      const bool swap =
+          inks.factor == factors[i].factor ||
+          (inks.factor != factors[j].factor && factors[i].levels.size() < factors[j].levels.size());
       const VariedFactor& along = factors[swap ? j : i];
       const VariedFactor& lines = factors[swap ? i : j];
       const std::size_t columns = along.levels.size(), rows = lines.levels.size();
@@ -193,10 +195,10 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
               margin_of(findings, response, common(along.cells_at(column), lines.cells_at(row)),
                         columns * rows <= kMostIntervals);
           // Lines stand a little apart, so that their bars do not hide each other.
-          const double step = along.numeric()
-                                  ? (along.numbers.back() - along.numbers.front()) / 60.0
-                                  : 0.06;
-          const double aside = step * (static_cast<double>(row) - 0.5 * static_cast<double>(rows - 1));
+          const double step =
+              along.numeric() ? (along.numbers.back() - along.numbers.front()) / 60.0 : 0.06;
+          const double aside =
+              step * (static_cast<double>(row) - 0.5 * static_cast<double>(rows - 1));
           add_point(series, place_of(along, column) + aside, margin);
           range.include(series.points.back().y);
           tiles.values.push_back(margin.centre.value_or(kUnknown));
@@ -220,8 +222,8 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         if (response.measure) {
           start_at_zero(chart.y, range);
         }
-        charts.push_back({"interaction-" + name, words + ": " + what_is_shown(response),
-                          std::move(chart)});
+        charts.push_back(
+            {"interaction-" + name, words + ": " + what_is_shown(response), std::move(chart)});
       }
       charts.push_back({"tiles-" + name, words, std::move(tiles)});
     }
@@ -260,8 +262,9 @@ Chart residual_chart(const Findings& findings, const FactorModel& model) {
   chart.series[0].name = "median and quartiles of a cell";
   chart.series[1].name = "the model";
   return {"residuals-" + file_part(model.response.name),
-          "Residuals of " + model.formula + ": median and quartiles of each cell, which stand about "
-          "0 if the model fits",
+          "Residuals of " + model.formula +
+              ": median and quartiles of each cell, which stand about "
+              "0 if the model fits",
           std::move(chart)};
 }
 

@@ -10,8 +10,8 @@ namespace elsie::report {
 
 namespace {
 
-constexpr std::size_t kTimes = 41;       // points of a curve
-constexpr std::size_t kMostEvents = 3;   // kinds of events that are drawn, the commonest first
+constexpr std::size_t kTimes = 41;      // points of a curve
+constexpr std::size_t kMostEvents = 3;  // kinds of events that are drawn, the commonest first
 
 // One run: a quantity at equal steps of time; it keeps its last value when the run is over.
 using Course = std::vector<double>;
@@ -94,9 +94,8 @@ std::vector<Courses> read_courses(const Findings& findings, const ResultsFile& f
   for (const auto& [name, count] : counts) {
     names.push_back(name);
   }
-  std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-    return counts.at(a) > counts.at(b);
-  });
+  std::stable_sort(names.begin(), names.end(),
+                   [&](const auto& a, const auto& b) { return counts.at(a) > counts.at(b); });
   names.resize(std::min(names.size(), kMostEvents));
   for (const std::string& name : names) {
     Courses& courses = events.at(name);
@@ -152,11 +151,11 @@ std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& fi
       chart.y = {.label = courses.name, .unit = courses.unit, .low = 0.0};
       std::erase_if(series, [](const auto& one) { return one.points.empty(); });
       chart.series = std::move(series);
-      charts.push_back({"series-" + file_part(courses.name) +
-                            (by.empty() ? "" : "-" + file_part(by)),
-                        courses.name + " over time" + (by.empty() ? "" : ", by " + by) +
-                            ": median and quartiles of the runs",
-                        std::move(chart)});
+      charts.push_back(
+          {"series-" + file_part(courses.name) + (by.empty() ? "" : "-" + file_part(by)),
+           courses.name + " over time" + (by.empty() ? "" : ", by " + by) +
+               ": median and quartiles of the runs",
+           std::move(chart)});
     };
     // Rare events, which most runs have none of, are no curve.
     const picture::Series whole = band_of(courses, findings, times, all_cells(findings));

@@ -107,8 +107,8 @@ std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks&
       chart.rows.push_back(std::move(row));
       chart.series.push_back(std::move(series));
     }
-    name += "-" + (chart.title.empty() ? std::to_string(charts.size() + 1)
-                                       : file_part(chart.title));
+    name +=
+        "-" + (chart.title.empty() ? std::to_string(charts.size() + 1) : file_part(chart.title));
     const std::string caption =
         "The part of the runs that has not reached its goals yet, by Kaplan and Meier, with 95 % "
         "intervals";

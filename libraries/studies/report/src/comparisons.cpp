@@ -105,8 +105,8 @@ std::optional<Interval> delta_interval(double delta, std::span<const Observed> f
   }
   const double all = decided - m * n * delta * delta;  // sum of squares of single comparisons
   const double least = (1.0 - delta * delta) / (m * n - 1.0);
-  const double variance = std::max(
-      least, (n * n * rows + m * m * columns - all) / (m * n * (m - 1.0) * (n - 1.0)));
+  const double variance =
+      std::max(least, (n * n * rows + m * m * columns - all) / (m * n * (m - 1.0) * (n - 1.0)));
   const double z = normal_quantile(confidence);
   if (std::abs(delta) >= 1.0 - kTied) {
     const double fewer = std::min(m, n);
@@ -114,8 +114,8 @@ std::optional<Interval> delta_interval(double delta, std::span<const Observed> f
     return delta > 0.0 ? Interval{near, 1.0} : Interval{-1.0, -near};
   }
   const double below = 1.0 - delta * delta + z * z * variance;
-  const double reach = z * std::sqrt(variance) *
-                       std::sqrt(square(1.0 - delta * delta) + z * z * variance);
+  const double reach =
+      z * std::sqrt(variance) * std::sqrt(square(1.0 - delta * delta) + z * z * variance);
   return Interval{std::max(-1.0, (delta - delta * delta * delta - reach) / below),
                   std::min(1.0, (delta - delta * delta * delta + reach) / below)};
 }
@@ -145,8 +145,7 @@ RankTest rank_test(std::span<const Observed> first, std::span<const Observed> se
   for (const Observed& one : all) {
     scores.push_back(pooled.dominance(one));
   }
-  const long sum =
-      std::accumulate(scores.begin(), scores.begin() + std::ssize(first), 0L);
+  const long sum = std::accumulate(scores.begin(), scores.begin() + std::ssize(first), 0L);
   const auto m = static_cast<double>(first.size()), n = static_cast<double>(second.size());
   RankTest test;
   test.delta.value = static_cast<double>(sum) / (m * n);
@@ -162,8 +161,8 @@ RankTest rank_test(std::span<const Observed> first, std::span<const Observed> se
     test.p = exact_p(scores, first.size(), sum);
   } else {
     const double variance = m * n / ((m + n) * (m + n - 1.0)) * squares;
-    test.p = two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 1.0) /
-                       std::sqrt(variance));
+    test.p =
+        two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 1.0) / std::sqrt(variance));
   }
   return test;
 }
@@ -176,11 +175,11 @@ std::optional<Effect> hedges_g(std::span<const double> first, std::span<const do
   }
   const auto m = static_cast<double>(a->count), n = static_cast<double>(b->count);
   const double freedom = m + n - 2.0;
-  const double pooled = std::sqrt(((m - 1.0) * square(*a->standard_deviation) +
-                                   (n - 1.0) * square(*b->standard_deviation)) /
-                                  freedom);
-  const double size = std::max({std::abs(a->largest), std::abs(a->least), std::abs(b->largest),
-                                std::abs(b->least)});
+  const double pooled = std::sqrt(
+      ((m - 1.0) * square(*a->standard_deviation) + (n - 1.0) * square(*b->standard_deviation)) /
+      freedom);
+  const double size = std::max(
+      {std::abs(a->largest), std::abs(a->least), std::abs(b->largest), std::abs(b->least)});
   if (pooled <= 1e-12 * size) {
     return std::nullopt;
   }
@@ -264,8 +263,8 @@ PairTest signed_rank_test(std::span<const double> differences) {
   }
   if (!test.exact) {
     // A change of one sign changes the sum of double ranks by at least 4 for whole ranks.
-    test.p = two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 2.0) /
-                       std::sqrt(squares));
+    test.p =
+        two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 2.0) / std::sqrt(squares));
     return test;
   }
   // ways[s]: the part of all signs whose sum is s - reach.

@@ -217,8 +217,7 @@ std::vector<Contrast> level_contrasts(const Findings& findings, const Response& 
   return all;
 }
 
-Group group_of(const Findings& findings, const std::string& text,
-               std::vector<std::size_t>& named) {
+Group group_of(const Findings& findings, const std::string& text, std::vector<std::size_t>& named) {
   const Results& results = findings.results;
   for (std::size_t i = 0; i < results.cells.size(); ++i) {
     if (results.cells[i].label == text) {
@@ -304,10 +303,10 @@ std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>
     if (one.equal) {
       row.emplace_back("equal");
     } else {
-      row.push_back(one.difference ? brief(*one.difference, 3) +
-                                         (one.interval ? " (" + interval_text(one.interval, 3) + ")"
-                                                       : "")
-                                   : "-");
+      row.push_back(one.difference
+                        ? brief(*one.difference, 3) +
+                              (one.interval ? " (" + interval_text(one.interval, 3) + ")" : "")
+                        : "-");
       row.push_back((one.response.measure ? "delta " : "odds ") + effect_text(one.effect));
       if (with_g) {
         row.push_back(effect_text(one.g));

@@ -58,9 +58,9 @@ struct FieldCells {
 };
 
 // What is known of a measure in a cell, in the order of kMeasureHeads.
-constexpr const char* kMeasureHeads[] = {"n",        "mean",     "sd",        "low", "high",
-                                         "least",    "lower_quartile", "median", "upper_quartile",
-                                         "largest",  "bounds",   "limit"};
+constexpr const char* kMeasureHeads[] = {
+    "n",      "mean",           "sd",      "low",    "high", "least", "lower_quartile",
+    "median", "upper_quartile", "largest", "bounds", "limit"};
 
 void add_measure(const MeasureFindings& found, std::vector<std::string>& cells) {
   const auto& all = found.all;
@@ -84,7 +84,7 @@ void add_measure(const MeasureFindings& found, std::vector<std::string>& cells) 
 
 std::string cells_csv(const Findings& findings) {
   const Results& results = findings.results;
-  std::vector<std::string> heads{"cell",    "runs",     "successes",   "success_low",
+  std::vector<std::string> heads{"cell",         "runs",   "successes", "success_low",
                                  "success_high", "broken", "pending"};
   std::set<std::string> taken(heads.begin(), heads.end());
   for (const Factor& factor : results.factors) {

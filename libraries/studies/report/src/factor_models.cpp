@@ -115,8 +115,7 @@ std::string listed_terms(const std::vector<std::string>& names) {
 template <class Fit>
 void warn(const Fit& fit, std::vector<std::string>& warnings) {
   if (!fit.left_out.empty()) {
-    warnings.push_back(listed_terms(fit.left_out) +
-                       (fit.left_out.size() == 1 ? " is" : " are") +
+    warnings.push_back(listed_terms(fit.left_out) + (fit.left_out.size() == 1 ? " is" : " are") +
                        " left out: the cells do not tell " +
                        (fit.left_out.size() == 1 ? "it" : "them") +
                        " apart from the other terms (collinearity)");
@@ -151,8 +150,8 @@ std::vector<Observation> observations_for(const Findings& findings, const Respon
   const auto bounds =
       std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.of.bound; });
   if (bounds > 0) {
-    refuse_model("'" + output::one_line(response.name) + "' of " + std::to_string(bounds) +
-                 " of " + counted(runs.size(), "run") +
+    refuse_model("'" + output::one_line(response.name) + "' of " + std::to_string(bounds) + " of " +
+                 counted(runs.size(), "run") +
                  " is only a bound, because the time limit stopped them, and least squares cannot "
                  "use bounds; model 'success', or a measure without bounds");
   }
@@ -196,9 +195,9 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     count += of_product;
   }
   if (count > kMostCoefficients) {
-    refuse_model("'" + output::one_line(model.formula) + "' has " +
-                 counted(count, "coefficient") + ", and nobody can read more than " +
-                 std::to_string(kMostCoefficients) + "; name fewer terms");
+    refuse_model("'" + output::one_line(model.formula) + "' has " + counted(count, "coefficient") +
+                 ", and nobody can read more than " + std::to_string(kMostCoefficients) +
+                 "; name fewer terms");
   }
   std::vector<Term> terms;
   for (const Product& product : products) {
@@ -269,9 +268,9 @@ std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model
     if (endless) {
       row.insert(row.end(), {one.estimate > 0.0 ? "\xe2\x88\x9e" : "-\xe2\x88\x9e", "-", "-", "-"});
     } else {
-      row.insert(row.end(), {brief(one.estimate), brief(one.error, 3),
-                             brief(one.interval.low) + " to " + brief(one.interval.high),
-                             p_text(one.p)});
+      row.insert(row.end(),
+                 {brief(one.estimate), brief(one.error, 3),
+                  brief(one.interval.low) + " to " + brief(one.interval.high), p_text(one.p)});
     }
     rows.push_back(std::move(row));
   }

@@ -159,8 +159,7 @@ Margin margin_of(const Findings& findings, const Response& response,
   }
   margin.centre = summary(means)->mean;
   if (with_interval) {
-    margin.interval =
-        mean_interval(means, kConfidence, findings.results.seed(), response.name);
+    margin.interval = mean_interval(means, kConfidence, findings.results.seed(), response.name);
   }
   return margin;
 }

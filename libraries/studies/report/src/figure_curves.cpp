@@ -90,8 +90,8 @@ CurvePanels panels_of(const Findings& findings, std::size_t cell,
 }
 
 // "weights of r1, error: mean square error"
-std::string subject_of(const std::string& robot, const std::string& plugin,
-                       const std::string& name, const Curve& first) {
+std::string subject_of(const std::string& robot, const std::string& plugin, const std::string& name,
+                       const Curve& first) {
   return plugin + " of " + robot + ", " + name +
          (first.y_label.empty() || first.y_label == name ? "" : ": " + first.y_label);
 }

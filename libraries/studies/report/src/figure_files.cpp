@@ -134,9 +134,9 @@ void draw_map(const Findings& findings, std::size_t cell, const std::vector<Traj
 
 }  // namespace
 
-std::size_t write_figures(const Findings& findings, const ResultsFile& file,
-                          const Answers& answers, const fs::path& folder,
-                          const std::vector<std::string>& formats, const std::string& cells) {
+std::size_t write_figures(const Findings& findings, const ResultsFile& file, const Answers& answers,
+                          const fs::path& folder, const std::vector<std::string>& formats,
+                          const std::string& cells) {
   const std::vector<std::size_t> detailed = cells_in_detail(findings, cells);
   Inks inks = choose_inks(findings);
   add_behaviors(file, findings, detailed, inks);
@@ -172,7 +172,8 @@ std::size_t write_figures(const Findings& findings, const ResultsFile& file,
       continue;
     }
     try {
-      artist.draw(residual_chart(findings, factor_model(findings, main_effects(findings, response))));
+      artist.draw(
+          residual_chart(findings, factor_model(findings, main_effects(findings, response))));
     } catch (const std::invalid_argument&) {
       // The page says why there is no model.
     }

@@ -126,20 +126,21 @@ Json json_of(const Margin& margin) {
 }
 
 Json json_of(const Contrast& one) {
-  return {{"measure", output::clean(one.response.name)},
-          {"first", json_of(one.of_first)},
-          {"second", json_of(one.of_second)},
-          {"seeds", one.seeds},
-          {"difference", or_null(one.difference)},
-          {"difference_interval", json_of(one.interval)},
-          {"seed_test", one.by_signs ? "sign" : "signed_rank"},
-          {"seed_p", one.paired.p},
-          {"seed_p_holm", one.paired_holm},
-          {"pooled_test", one.response.measure ? "rank" : "fisher"},
-          {"pooled_p", one.pooled_p},
-          {"pooled_p_holm", one.pooled_holm},
-          {one.response.measure ? "cliffs_delta" : "odds_ratio", json_of(std::optional(one.effect))},
-          {"hedges_g", json_of(one.g)}};
+  return {
+      {"measure", output::clean(one.response.name)},
+      {"first", json_of(one.of_first)},
+      {"second", json_of(one.of_second)},
+      {"seeds", one.seeds},
+      {"difference", or_null(one.difference)},
+      {"difference_interval", json_of(one.interval)},
+      {"seed_test", one.by_signs ? "sign" : "signed_rank"},
+      {"seed_p", one.paired.p},
+      {"seed_p_holm", one.paired_holm},
+      {"pooled_test", one.response.measure ? "rank" : "fisher"},
+      {"pooled_p", one.pooled_p},
+      {"pooled_p_holm", one.pooled_holm},
+      {one.response.measure ? "cliffs_delta" : "odds_ratio", json_of(std::optional(one.effect))},
+      {"hedges_g", json_of(one.g)}};
 }
 
 Json json_of(const FactorModel& model) {
@@ -188,9 +189,8 @@ void add_answers(const Findings& findings, const Answers& answers, Json& all) {
       for (std::size_t i = 0; i < shown.size(); ++i) {
         margins[output::clean(shown[i].name)] = json_of(row.margins[i]);
       }
-      rows.push_back({{"levels", std::move(levels)},
-                      {"cells", row.cells},
-                      {"measures", std::move(margins)}});
+      rows.push_back(
+          {{"levels", std::move(levels)}, {"cells", row.cells}, {"measures", std::move(margins)}});
     }
     all["by"] = std::move(rows);
   }
@@ -265,22 +265,22 @@ std::string json_report(const Findings& findings, const Answers& answers) {
     }
   }
   Json all = {{"experiment", output::clean(results.experiment)},
-                    {"description", output::clean(results.description)},
-                    {"file", output::clean(results.file)},
-                    {"fingerprint", output::clean(results.fingerprint)},
-                    {"shard", output::clean(results.shard)},
-                    {"good", findings.good()},
-                    {"runs", findings.runs()},
-                    {"broken", findings.broken()},
-                    {"pending", findings.pending()},
-                    {"missing", findings.missing()},
-                    {"confidence", kConfidence},
-                    {"measures", std::move(measures)},
-                    {"cells", std::move(cells)},
-                    {"expectations", std::move(expectations)},
-                    {"failures", std::move(failures)},
-                    {"solver_give_ups", std::move(give_ups)},
-                    {"disagreements", std::move(disagreements)}};
+              {"description", output::clean(results.description)},
+              {"file", output::clean(results.file)},
+              {"fingerprint", output::clean(results.fingerprint)},
+              {"shard", output::clean(results.shard)},
+              {"good", findings.good()},
+              {"runs", findings.runs()},
+              {"broken", findings.broken()},
+              {"pending", findings.pending()},
+              {"missing", findings.missing()},
+              {"confidence", kConfidence},
+              {"measures", std::move(measures)},
+              {"cells", std::move(cells)},
+              {"expectations", std::move(expectations)},
+              {"failures", std::move(failures)},
+              {"solver_give_ups", std::move(give_ups)},
+              {"disagreements", std::move(disagreements)}};
   add_answers(findings, answers, all);
   return all.dump(2) + '\n';
 }

@@ -59,13 +59,12 @@ std::string value(const MeasureFindings& found, std::optional<int> decimals) {
   // An exponent is no number of LaTeX's mathematics.
   const auto plain = [](const std::string& number) {
     const std::size_t e = number.find('e');
-    return e == std::string::npos
-               ? number
-               : number.substr(0, e) + " \\cdot 10^{" +
-                     std::to_string(std::stoi(number.substr(e + 1))) + "}";
+    return e == std::string::npos ? number
+                                  : number.substr(0, e) + " \\cdot 10^{" +
+                                        std::to_string(std::stoi(number.substr(e + 1))) + "}";
   };
-  return "$" + plain(text.mean) +
-         (text.deviation.empty() ? "" : " \\pm " + plain(text.deviation)) + "$";
+  return "$" + plain(text.mean) + (text.deviation.empty() ? "" : " \\pm " + plain(text.deviation)) +
+         "$";
 }
 
 }  // namespace

@@ -63,16 +63,15 @@ void require_observations(const Design& design, std::size_t rows) {
   if (rows <= terms) {
     throw std::invalid_argument("a model with " + base::counted(terms, "coefficient") +
                                 " needs more observations than that, and there are " +
-                                std::to_string(rows) +
-                                "; name fewer terms or do more runs");
+                                std::to_string(rows) + "; name fewer terms or do more runs");
   }
 }
 
 // The inverse of X'X, from the triangle of X = QR.
 MatrixXd inverse_square(const Eigen::HouseholderQR<MatrixXd>& qr, Eigen::Index size) {
   const MatrixXd triangle = qr.matrixQR().topLeftCorner(size, size);
-  const MatrixXd inverse = triangle.triangularView<Eigen::Upper>().solve(
-      MatrixXd::Identity(size, size));
+  const MatrixXd inverse =
+      triangle.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(size, size));
   return inverse * inverse.transpose();
 }
 
@@ -120,8 +119,8 @@ LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values
   if (size > 1 && !perfect) {
     const double explained = static_cast<double>(size - 1);
     fit.f = (all - rest) / explained / (rest / freedom);
-    fit.p = boost::math::cdf(boost::math::complement(
-        boost::math::fisher_f(explained, freedom), std::max(0.0, *fit.f)));
+    fit.p = boost::math::cdf(
+        boost::math::complement(boost::math::fisher_f(explained, freedom), std::max(0.0, *fit.f)));
   } else if (perfect) {
     fit.p = 0.0;
   }
@@ -166,8 +165,8 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     }
     return sum;
   };
-  // Ordinary fits need some ten steps. Of separated successes, each step moves coefficients by about
-  // one more, so after these many a coefficient that still moves has no limit.
+  // Ordinary fits need some ten steps. Of separated successes, each step moves coefficients by
+  // about one more, so after these many a coefficient that still moves has no limit.
   constexpr int kSteps = 25;
   constexpr double kMoves = 0.1;
   VectorXd found = VectorXd::Zero(size), step = VectorXd::Zero(size), p;
@@ -209,8 +208,8 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     one.estimate = found(i);
     one.error = std::sqrt(inverse(i, i));
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
-    one.p = 2.0 * boost::math::cdf(
-                      boost::math::complement(normal, std::abs(one.estimate / one.error)));
+    one.p =
+        2.0 * boost::math::cdf(boost::math::complement(normal, std::abs(one.estimate / one.error)));
     one.inflation = inflation_of(design, unweighted, i);
     if (std::abs(step(i)) * design.columns.col(i).cwiseAbs().maxCoeff() > kMoves) {
       fit.separated.push_back(one.name);

@@ -121,8 +121,8 @@ std::string html_report(const Findings& findings, const ResultsFile& file,
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
          title + " \xe2\x80\x93 elsie report</title>\n<style>\n" + kPageStyle +
          "</style>\n</head>\n<body>\n<main>\n" + answer_section(page) + comparison_sections(page) +
-         factor_sections(page) + time_sections(page) + cell_sections(page) + methods_section(page) + "</main>\n<script>" + script +
-         "</script>\n</body>\n</html>\n";
+         factor_sections(page) + time_sections(page) + cell_sections(page) + methods_section(page) +
+         "</main>\n<script>" + script + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace elsie::report

@@ -29,8 +29,7 @@ struct PageContext {
 inline constexpr std::size_t kMostRows = 200;
 
 /// A table of texts, the first row as its head; columns of numbers are aligned right.
-std::string html_table(const std::vector<std::vector<std::string>>& rows,
-                       std::size_t text_columns);
+std::string html_table(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns);
 
 /// The cells that get a section: those whose label contains `filter`; of too many, those with
 /// notable runs first, the others evenly.

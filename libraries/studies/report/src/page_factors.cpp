@@ -99,8 +99,7 @@ std::string asked_part(const PageContext& page) {
             escaped(model.response.words) + "</h3>" + model_of(page.findings, model);
   }
   return text.empty() ? ""
-                      : "<section id=\"asked\"><h2>What was asked for</h2>" + text +
-                            "</section>\n";
+                      : "<section id=\"asked\"><h2>What was asked for</h2>" + text + "</section>\n";
 }
 
 }  // namespace
@@ -144,9 +143,10 @@ std::string factor_sections(const PageContext& page) {
     }
   }
   if (!large.empty()) {
-    constant += "<p class=\"quiet\">Factors with many levels have no comparisons of these, and "
-                "no figures where they are too many: " +
-                large + ".</p>";
+    constant +=
+        "<p class=\"quiet\">Factors with many levels have no comparisons of these, and "
+        "no figures where they are too many: " +
+        large + ".</p>";
   }
   return asked_part(page) + "<section id=\"factors\"><h2>By factor</h2><p class=\"lead\">" +
          kFactorsLead + "</p>" + shown +

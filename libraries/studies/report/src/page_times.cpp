@@ -88,8 +88,8 @@ std::string time_sections(const PageContext& page) {
       figures.push_back(figure_of(one.chart, kSurvivalSize));
     }
     text += "<section id=\"survival\"><h2>Time until the goals</h2><p class=\"lead\">" +
-            std::string(kSurvivalLead) + "</p>" + folded_charts(figures) +
-            median_table(findings) + "</section>\n";
+            std::string(kSurvivalLead) + "</p>" + folded_charts(figures) + median_table(findings) +
+            "</section>\n";
   }
   std::vector<std::string> series;
   for (const Chart& chart : series_charts(findings, page.file, page.inks)) {

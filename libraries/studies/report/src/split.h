@@ -10,8 +10,7 @@ namespace elsie::report {
 /// Without blanks at both ends.
 inline std::string trimmed(const std::string& text) {
   const std::size_t from = text.find_first_not_of(' ');
-  return from == std::string::npos ? ""
-                                   : text.substr(from, text.find_last_not_of(' ') - from + 1);
+  return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') - from + 1);
 }
 
 /// The trimmed parts between separators; at least one.

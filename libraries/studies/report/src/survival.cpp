@@ -42,8 +42,7 @@ std::optional<double> median_of(const std::vector<SurvivalStep>& steps) {
       // Exactly one half until the next event, or to the end.
       const auto next = std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                                      steps.end(), [](const auto& step) { return step.events > 0; });
-      return next == steps.end() ? std::optional<double>()
-                                 : 0.5 * (steps[i].time + next->time);
+      return next == steps.end() ? std::optional<double>() : 0.5 * (steps[i].time + next->time);
     }
     return steps[i].time;
   }
@@ -88,8 +87,7 @@ SurvivalCurve survival_of(std::span<const Observed> times, double confidence) {
   const auto low = first_half(curve.steps, [](const SurvivalStep& s) { return s.interval.low; });
   const auto high = first_half(curve.steps, [](const SurvivalStep& s) { return s.interval.high; });
   if (low) {
-    curve.median_interval =
-        Interval{*low, high.value_or(std::numeric_limits<double>::infinity())};
+    curve.median_interval = Interval{*low, high.value_or(std::numeric_limits<double>::infinity())};
   }
   return curve;
 }

@@ -96,7 +96,8 @@ void draw_names(Canvas& canvas, const Axis& axis, const PlaneMap& map, double y,
 bool folds(const Canvas& canvas, const Axis& axis, const Interval& range, double width) {
   const double room = room_of_name(axis, range, width);
   return std::any_of(axis.names.begin(), axis.names.end(), [&](const Tick& name) {
-    return canvas.text_width(name.text, {.size = kTick}) > room && !folded(name.text).second.empty();
+    return canvas.text_width(name.text, {.size = kTick}) > room &&
+           !folded(name.text).second.empty();
   });
 }
 

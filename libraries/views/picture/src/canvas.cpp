@@ -49,8 +49,8 @@ double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 struct Canvas::Impl {
   std::optional<SvgPainter> svg;  // none: a PNG or a PDF
   bool is_pdf = false;
-  std::string pdf;  // its bytes so far
-  int width = 0, height = 0;      // pixels
+  std::string pdf;            // its bytes so far
+  int width = 0, height = 0;  // pixels
   cairo_surface_t* surface = nullptr;
   cairo_t* cr = nullptr;
 

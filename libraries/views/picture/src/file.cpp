@@ -29,9 +29,10 @@ FileType file_type(const std::filesystem::path& file) {
   if (suffix == ".png") return FileType::png;
   if (suffix == ".svg") return FileType::svg;
   if (suffix == ".pdf") return FileType::pdf;
-  throw std::invalid_argument("The picture '" + file.string() + "' has " +
-                              (suffix.empty() ? "no suffix" : "the suffix '" + suffix + "'") +
-                              ", but pictures are written as .png, .svg or .pdf: end its name with one.");
+  throw std::invalid_argument(
+      "The picture '" + file.string() + "' has " +
+      (suffix.empty() ? "no suffix" : "the suffix '" + suffix + "'") +
+      ", but pictures are written as .png, .svg or .pdf: end its name with one.");
 }
 
 void check_size(const Size& size) {

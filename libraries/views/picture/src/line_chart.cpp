@@ -12,7 +12,7 @@ namespace {
 constexpr double kLegendRow = 20.0;
 constexpr double kNameRow = 16.0;
 constexpr double kNumberRow = 16.0;
-constexpr double kMostOfRow = 0.3;   // of the chart's width for the names of rows of numbers
+constexpr double kMostOfRow = 0.3;  // of the chart's width for the names of rows of numbers
 
 Interval data_range(const LineChart& chart, double Vector2::*coordinate, const Axis& axis,
                     bool margin) {
@@ -21,7 +21,8 @@ Interval data_range(const LineChart& chart, double Vector2::*coordinate, const A
     for (const Vector2& point : series.points) {
       if (finite(point)) range.include(point.*coordinate);
     }
-    for (std::size_t i = 0; margin && i < std::min(series.spread.size(), series.points.size()); ++i) {
+    for (std::size_t i = 0; margin && i < std::min(series.spread.size(), series.points.size());
+         ++i) {
       range.include(series.spread[i].low);
       range.include(series.spread[i].high);
     }
@@ -114,8 +115,8 @@ int rows_of(const std::vector<Name>& names) {
 struct Surroundings {
   Interval x_range, y_range;
   double left = 0.0, width = 0.0;  // of the plot
-  double below = 0.0;  // of the axis: its labels
-  double rows = 0.0;   // of the rows of numbers below it
+  double below = 0.0;              // of the axis: its labels
+  double rows = 0.0;               // of the rows of numbers below it
   std::vector<Name> names;
 };
 

@@ -100,8 +100,9 @@ void draw_mark(Canvas& canvas, const Vector2& at, std::size_t shape, const Ink& 
       canvas.rectangle({at.x - 0.9 * r, at.y - 0.9 * r, 1.8 * r, 1.8 * r});
       break;
     case 2:
-      canvas.polygon(std::vector<Vector2>{
-          {at.x, at.y - 1.2 * r}, {at.x + 1.15 * r, at.y + 0.9 * r}, {at.x - 1.15 * r, at.y + 0.9 * r}});
+      canvas.polygon(std::vector<Vector2>{{at.x, at.y - 1.2 * r},
+                                          {at.x + 1.15 * r, at.y + 0.9 * r},
+                                          {at.x - 1.15 * r, at.y + 0.9 * r}});
       break;
     default:
       canvas.polygon(std::vector<Vector2>{{at.x, at.y - 1.3 * r},
@@ -132,7 +133,8 @@ Ink ink_of(const LineChart& chart, std::size_t index) {
 void draw_swatch(Canvas& canvas, const LineChart& chart, std::size_t index, const Vector2& from) {
   const Series& series = chart.series[index];
   if (series.joining != Joining::nothing) {
-    canvas.line(from, {from.x + kSwatch, from.y}).stroke(ink_of(chart, index), pen_of(chart, index));
+    canvas.line(from, {from.x + kSwatch, from.y})
+        .stroke(ink_of(chart, index), pen_of(chart, index));
   }
   if (series.marked) {
     draw_mark(canvas, {from.x + kSwatch / 2, from.y}, index, ink_of(chart, index));

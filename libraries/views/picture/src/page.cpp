@@ -77,9 +77,9 @@ void check_tiles(const Tiles& tiles) {
   const std::size_t size = tiles.x.names.size() * tiles.y.names.size();
   if (size > 0 && tiles.values.size() == size && tiles.texts.size() == size) return;
   throw std::invalid_argument("Tiles of " + std::to_string(tiles.x.names.size()) + " columns and " +
-                              std::to_string(tiles.y.names.size()) +
-                              " rows cannot be drawn from " + std::to_string(tiles.values.size()) +
-                              " values and " + std::to_string(tiles.texts.size()) +
+                              std::to_string(tiles.y.names.size()) + " rows cannot be drawn from " +
+                              std::to_string(tiles.values.size()) + " values and " +
+                              std::to_string(tiles.texts.size()) +
                               " texts: expected one of each for each tile.");
 }
 
@@ -201,9 +201,8 @@ std::string page_chart(const Panel& panel, const std::string& label, const Size&
   const Canvas ruler(FileType::page, 1, 1, 1.0);
   const double head =
       std::visit([&](const auto& shown) { return head_height(ruler, shown, width); }, panel);
-  const int height = size.height > 0
-                         ? size.height
-                         : static_cast<int>(head + width * natural_aspect(panel, width));
+  const int height =
+      size.height > 0 ? size.height : static_cast<int>(head + width * natural_aspect(panel, width));
   Canvas canvas(FileType::page, size.width, height, 1.0);
   const Rect area{0.0, 0.0, width, static_cast<double>(height)};
   std::visit([&](const auto& shown) { draw(canvas, shown, area, head); }, panel);

@@ -60,7 +60,9 @@ Interval range_of(const RowChart& chart) {
 }
 
 // The offset of the i-th dot from the middle, in [-1, 1].
-double scattered(std::size_t i) { return std::fmod(0.5 + 0.61803398875 * static_cast<double>(i), 1.0) * 2.0 - 1.0; }
+double scattered(std::size_t i) {
+  return std::fmod(0.5 + 0.61803398875 * static_cast<double>(i), 1.0) * 2.0 - 1.0;
+}
 
 void draw_row(Canvas& canvas, const ChartRow& row, const PlaneMap& map, double middle,
               double height) {

@@ -72,8 +72,7 @@ void draw(Canvas& canvas, const Tiles& tiles, const Rect& area, double head) {
       readable ? 10.0 : kBarGap + kBar + 8 + y_labels_width(canvas, tiles.z, z_range, 8 * 45) + 26;
   const double width = std::max(10.0, area.width - left - right);
   const double below = 44 + (folds(canvas, x, x_range, width) ? kFold : 0.0);
-  const Rect plot{area.x + left, area.y + head, width,
-                  std::max(10.0, area.height - head - below)};
+  const Rect plot{area.x + left, area.y + head, width, std::max(10.0, area.height - head - below)};
   const PlaneMap map = map_to(plot, x_range, y_range);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {

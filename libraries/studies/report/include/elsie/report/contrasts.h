@@ -25,9 +25,9 @@ struct Contrast {
   bool equal = false;  // all values of both groups are the same, and known
 
   // All runs of one group against all of the other, as if all were independent.
-  Effect effect;             // the odds ratio of success; Cliff's delta of a measure
-  std::optional<Effect> g;   // Hedges'; none for success, with bounds, and without spread
-  double pooled_p = 1.0;     // of Fisher's test; of the rank test
+  Effect effect;            // the odds ratio of success; Cliff's delta of a measure
+  std::optional<Effect> g;  // Hedges'; none for success, with bounds, and without spread
+  double pooled_p = 1.0;    // of Fisher's test; of the rank test
   bool pooled_exact = true;
   double pooled_holm = 1.0;  // corrected for all contrasts of the response
 
@@ -49,15 +49,15 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
 /// Corrects the p-values of contrasts of one response.
 void correct(std::vector<Contrast>& contrasts);
 
-/// All pairs of levels of all factors, corrected. Factors with more than kMostLevels levels are left
-/// out: their pairs are too many to read.
+/// All pairs of levels of all factors, corrected. Factors with more than kMostLevels levels are
+/// left out: their pairs are too many to read.
 std::vector<Contrast> level_contrasts(const Findings& findings, const Response& response);
 
 inline constexpr std::size_t kMostLevels = 8;
 
 /// The cells of "coordinator=fusion|arbitration, network=4 4", or those with this label. `named`:
-/// the factors in it are added. Throws std::invalid_argument, with a sentence, for a factor, a level
-/// or a label that is not there.
+/// the factors in it are added. Throws std::invalid_argument, with a sentence, for a factor, a
+/// level or a label that is not there.
 Group group_of(const Findings& findings, const std::string& text, std::vector<std::size_t>& named);
 
 /// All responses of two groups by text. Throws std::invalid_argument, with a sentence, for groups

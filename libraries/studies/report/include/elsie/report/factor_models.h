@@ -25,8 +25,8 @@ struct FactorModel {
 inline constexpr std::size_t kMostCoefficients = 100;
 
 /// The model of a formula: "MEASURE ~ FACTOR + FACTOR:FACTOR"; "a * b" is "a + b + a:b". A factor
-/// whose levels are numbers is one term, its distance from its mean; any other factor has a term for
-/// each level but the first. Each run counts as an independent observation. Throws
+/// whose levels are numbers is one term, its distance from its mean; any other factor has a term
+/// for each level but the first. Each run counts as an independent observation. Throws
 /// std::invalid_argument, with a sentence, for a formula that names what is not there, more
 /// coefficients than cells, runs of one seed only, equal values, and values that are only bounds.
 FactorModel factor_model(const Findings& findings, const std::string& formula);

@@ -14,7 +14,7 @@ namespace elsie::report {
 
 /// A factor with several levels in these results.
 struct VariedFactor {
-  std::size_t factor = 0;            // index into Results::factors
+  std::size_t factor = 0;  // index into Results::factors
   std::string name;
   std::vector<std::string> levels;   // in the order of the experiment, numbers ascending
   std::vector<std::size_t> of_cell;  // the level of each cell
@@ -65,8 +65,8 @@ struct Margin {
   /// Success: the rate of all runs. A measure: the mean, where each seed counts with the mean of
   /// its runs; with bounds, the median of all runs if it is known.
   std::optional<double> centre;
-  /// Success: Wilson's. A measure: mean_interval() of the seeds; with bounds, that of survival_of(),
-  /// whose upper end may be infinite.
+  /// Success: Wilson's. A measure: mean_interval() of the seeds; with bounds, that of
+  /// survival_of(), whose upper end may be infinite.
   std::optional<Interval> interval;
 };
 

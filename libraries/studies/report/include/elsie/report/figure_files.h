@@ -19,8 +19,8 @@ inline const std::vector<std::string> kFigureFormats = {"svg", "pdf", "png"};
 /// formats. Files of the same names are replaced; an error leaves the folder as it was. Returns the
 /// number of figures. `cells`: as for html_report(). Throws std::runtime_error when a file cannot
 /// be written, and as ResultsFile does.
-std::size_t write_figures(const Findings& findings, const ResultsFile& file,
-                          const Answers& answers, const std::filesystem::path& folder,
+std::size_t write_figures(const Findings& findings, const ResultsFile& file, const Answers& answers,
+                          const std::filesystem::path& folder,
                           const std::vector<std::string>& formats, const std::string& cells = "");
 
 }  // namespace elsie::report

@@ -31,7 +31,7 @@ struct Axis {
   // Empty: from the data.
   std::optional<double> low{};
   std::optional<double> high{};
-  bool logarithmic = false;  // of a line chart: values that are not positive are not drawn
+  bool logarithmic = false;   // of a line chart: values that are not positive are not drawn
   std::vector<Tick> names{};  // texts in place of numbers, ascending
 };
 
@@ -162,8 +162,8 @@ struct Page {
 };
 
 /// Draws the page into a file of the type that the suffix names, .png, .svg or .pdf. The same page
-/// gives the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the rows
-/// share the height.
+/// gives the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the
+/// rows share the height.
 ///
 /// Throws std::invalid_argument for another suffix, a size out of range, an axis whose low is not
 /// below its high, or a field with the wrong number of values; std::runtime_error when the file
