@@ -179,7 +179,7 @@ TEST_CASE("report ends with 4 when the disk is full, and leaves existing files")
     const auto full =
         here.sh("ulimit -f 1; elsie report runs.sqlite --quiet --" + option + " " + file);
     CHECK(full.exit_code == 4);
-    CHECK_THAT(full.err, Contains("could not be written as a whole: is the disk full?"));
+    CHECK_THAT(full.err, Contains("could not be written: File too large"));
     CHECK(here.read(file) == before);
     CHECK_FALSE(fs::exists(here.file(file + ".part")));
   }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "elsie/base/write_whole.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/report/report.h"
 
@@ -86,27 +86,10 @@ void require_output(const std::optional<std::string>& file, const char* option, 
   require_room(*file, option);
 }
 
-/// Writes the file in one piece. Devices, links, and files in a folder that takes no new files are
-/// written directly.
 void write(const std::string& file, const std::string& text, const char* option) {
-  std::error_code error;
-  const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
-  const bool regular = access(folder.c_str(), W_OK) == 0 &&
-                       (fs::symlink_status(file, error).type() == fs::file_type::not_found ||
-                        fs::symlink_status(file, error).type() == fs::file_type::regular);
-  const std::string part = regular ? file + ".part" : file;
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  if (out && regular) {
-    fs::rename(part, file, error);
-  }
-  if (!out || error) {
-    if (regular) {
-      fs::remove(part, error);
-    }
-    throw std::runtime_error(std::string(option) + ": '" + file +
-                             "' could not be written as a whole: is the disk full?");
+  if (const int error = base::write_whole(file, text); error != 0) {
+    throw base::Error(std::string(option) + ": '" + file +
+                      "' could not be written: " + std::generic_category().message(error));
   }
 }
 

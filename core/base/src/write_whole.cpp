@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "elsie/base/error.h"
+
 namespace fs = std::filesystem;
 
 namespace elsie::base {
@@ -111,6 +113,13 @@ int write_whole(const fs::path& file, std::string_view content, Durable durable)
     ::unlink(part.c_str());
   }
   return error;
+}
+
+void write_whole_or_throw(const fs::path& file, std::string_view content, Durable durable) {
+  if (const int error = write_whole(file, content, durable); error != 0) {
+    throw Error("'" + file.string() +
+                "' cannot be written: " + std::generic_category().message(error));
+  }
 }
 
 }  // namespace elsie::base

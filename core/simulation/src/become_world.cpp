@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 #include "elsie/world/ahead.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/reader.h"
@@ -70,8 +71,8 @@ std::string problem_of(const std::vector<base::Problem>& problems, const std::st
   const std::size_t more = problems.size() - 1;
   return world::without_lines(problems.front().message, file) +
          (more == 0 ? ""
-                    : "; there " + std::string(more == 1 ? "is " : "are ") + std::to_string(more) +
-                          " more such problem" + (more == 1 ? "" : "s"));
+                    : "; there " + std::string(more == 1 ? "is " : "are ") +
+                          base::counted(more, "more such problem"));
 }
 
 events::Changed event_of(const Change& edit) { return events::Changed::from(edit.text()).value(); }

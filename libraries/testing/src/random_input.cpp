@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "elsie/api/simulator_events.h"
+#include "elsie/base/words.h"
 
 namespace elsie::testing {
 namespace {
@@ -194,12 +195,10 @@ InputMaker::Layout InputMaker::layout(int robot, Random& random) const {
       made.cameras = {{0, 30}};
     }
   }
-  const auto count = [](std::size_t n, const char* what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-  };
-  made.words = "a robot with " + count(made.beams.size(), "range sensor") + ", " +
-               count(made.switches.size(), "proximity sensor") + ", " +
-               count(made.cameras.size(), "camera") + " and " + count(made.mates, "mate");
+  made.words = "a robot with " + base::counted(made.beams.size(), "range sensor") + ", " +
+               base::counted(made.switches.size(), "proximity sensor") + ", " +
+               base::counted(made.cameras.size(), "camera") + " and " +
+               base::counted(made.mates, "mate");
   return made;
 }
 

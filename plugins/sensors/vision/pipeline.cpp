@@ -8,6 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "elsie/base/words.h"
+
 #include "colour_range.h"
 
 namespace vision {
@@ -155,8 +157,8 @@ class Assembler {
     const std::size_t channels = kind_.channels();
     if (step.low.size() != channels || step.high.size() != channels) {
       fail("threshold", "low is '" + numbers(step.low) + "' and high is '" + numbers(step.high) +
-                            "', but " + kind_.text() + " has " + std::to_string(channels) +
-                            (channels == 1 ? " channel" : " channels") +
+                            "', but " + kind_.text() + " has " +
+                            elsie::base::counted(channels, "channel") +
                             "; give as many numbers for each");
     }
     cv::Scalar low, high;

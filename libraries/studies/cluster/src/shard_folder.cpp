@@ -26,13 +26,6 @@ namespace {
 using batch::DatabaseRefused;
 using Json = nlohmann::ordered_json;
 
-void write_file(const fs::path& file, const std::string& text) {
-  if (const int error = base::write_whole(file, text); error != 0) {
-    throw std::runtime_error("'" + file.string() +
-                             "' cannot be written: " + std::generic_category().message(error));
-  }
-}
-
 Json read_json(const fs::path& file) {
   std::ifstream in(file);
   return in ? Json::parse(in, nullptr, false) : Json(Json::value_t::discarded);
@@ -58,7 +51,7 @@ std::string script_text(const ShardFolder& folder, const std::vector<std::string
 }  // namespace
 
 void write_count(const fs::path& file, const Count& count) {
-  write_file(
+  base::write_whole_or_throw(
       file,
       Json{{"runs", count.runs}, {"ended", count.ended}, {"failed", count.failed}}.dump() + "\n");
 }
@@ -87,7 +80,7 @@ ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& pla
                                       "--resume, or choose another --database");
   }
   try {
-    write_file(folder.script(), script_text(folder, command));
+    base::write_whole_or_throw(folder.script(), script_text(folder, command));
     folder.write();
   } catch (...) {
     folder.remove();
@@ -135,8 +128,9 @@ void ShardFolder::set_job(const std::string& job) {
 }
 
 void ShardFolder::write() const {
-  write_file(path_ / "cluster.json",
-             Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
+  base::write_whole_or_throw(
+      path_ / "cluster.json",
+      Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
 }
 
 std::int64_t ShardFolder::runs(std::size_t shard) const {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elsie/base/problems.h"
+#include "elsie/base/words.h"
 #include "elsie/experiment/vocabulary.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
@@ -121,8 +122,7 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* fi
 
 // Checks that the grid is not too large. Only numbers within bounds are multiplied.
 void check_size(const Experiment& experiment, const Location& root, Problems& problems) {
-  std::string product = std::to_string(experiment.worlds.size()) +
-                        (experiment.worlds.size() == 1 ? " world" : " worlds");
+  std::string product = base::counted(experiment.worlds.size(), "world");
   std::uint64_t cell_count = experiment.worlds.size();
   for (const Factor& factor : experiment.factors) {
     product += " x " + std::to_string(factor.levels.size()) + " of '" + factor.name + "'";

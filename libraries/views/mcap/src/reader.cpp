@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "elsie/base/read_whole.h"
+#include "elsie/base/words.h"
 
 #include "bytes.h"
 #include "compression.h"
@@ -156,8 +157,7 @@ class Reader::Impl {
     }
     missing_end_ = "the end is missing: the file breaks off at byte " +
                    std::to_string(in_.at() + in_.left()) + ", after " +
-                   std::to_string(chunk_count_) + " complete chunk" +
-                   (chunk_count_ == 1 ? "" : "s") +
+                   base::counted(chunk_count_, "complete chunk") +
                    "; the program that wrote it was killed, or is still at work";
     return std::nullopt;
   }

@@ -19,6 +19,10 @@ enum class Durable { no, yes };
 int write_whole(const std::filesystem::path& file, std::string_view content,
                 Durable durable = Durable::no);
 
+/// The same; throws Error with file and reason.
+void write_whole_or_throw(const std::filesystem::path& file, std::string_view content,
+                          Durable durable = Durable::no);
+
 /// write(2), to the end: writes all bytes to a descriptor. Returns zero or errno. Signal handlers
 /// may use it.
 int write_all(int descriptor, std::string_view bytes) noexcept;
