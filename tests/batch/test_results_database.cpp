@@ -57,7 +57,7 @@ TEST_CASE("A run is written once, whole") {
   database.write(4, test::some_record());
   CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 5, 6});
   CHECK_THROWS_WITH(database.write(4, test::some_record()),
-                    Contains("run 4 is not to be done in the database"));
+                    Contains("run 4 is not pending in the database"));
   CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not to be done"));
   CHECK(test::rows(file,
                    "SELECT state, outcome, steps, simulated_s, solver_gave_up, solver_unsolved, "
@@ -184,7 +184,7 @@ TEST_CASE("A batch continues only with its own database") {
   other.seeds.push_back(77);
   CHECK_THROWS_WITH(
       ResultsDatabase::resume(file, batch::make_plan(other, test::shipped(), test::plan_options())),
-      Contains("is of another experiment than") &&
+      Contains("belongs to another experiment than") &&
           Contains("changed since it was begun: the number of runs (") && Contains("the seeds ("));
   auto newer = test::plan_options();
   newer.elsie_version = "9.9.9";
@@ -273,7 +273,7 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
     CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
   };
   const std::string text = folder.write("text.sqlite", std::string(5000, 'x'));
-  refused(text, "is no SQLite database");
+  refused(text, "is not an SQLite database");
   CHECK(folder.read("text.sqlite") == std::string(5000, 'x'));
   const std::string other = folder.file("other.sqlite");
   test::rows(other, "CREATE TABLE t (x)");
@@ -285,9 +285,9 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));
-  CHECK_THROWS_WITH(
-      ResultsDatabase::create("/proc/r.sqlite", plan),
-      Contains("no file can be made in the folder '/proc' (") && Contains("choose another folder"));
+  CHECK_THROWS_WITH(ResultsDatabase::create("/proc/r.sqlite", plan),
+                    Contains("no file can be created in the folder '/proc' (") &&
+                        Contains("choose another folder"));
 }
 
 TEST_CASE("A number without a run is reported: it does not exist, or is in another shard") {

@@ -120,7 +120,7 @@ int run(BatchOptions options) {
       throw BadInput("--progress: expected a name that ends in .json, but '" + *options.progress +
                      "' does not");
     }
-    require_replaceable(*options.progress, "--progress", "progress of a batch");
+    require_replaceable(*options.progress, "--progress", "progress file");
   }
   const batch::Shard shard = shard_of(options);
   const fs::path file = database_of(options, shard);

@@ -18,7 +18,7 @@ batch::Shard shard_of(const BatchOptions& options) {
   const auto shard = batch::parse_shard(options.shard);
   if (!shard) {
     throw BadInput("--shard: '" + options.shard +
-                   "' is no part of an experiment; expected K/N with K from 1 to N, such as 2/5");
+                   "' is not a shard; expected K/N with K from 1 to N, such as 2/5");
   }
   return *shard;
 }

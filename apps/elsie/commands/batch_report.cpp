@@ -34,7 +34,7 @@ struct Total {
   std::int64_t done = 0;
   std::int64_t failed = 0;
   std::int64_t successes = 0;
-  std::int64_t with_goals = 0;  // runs of these that ended
+  std::int64_t with_goals = 0;  // runs in worlds with goals that ended
 };
 
 Total total(const std::vector<CellCount>& cells, const std::set<std::string>& without_goals) {
@@ -50,8 +50,8 @@ Total total(const std::vector<CellCount>& cells, const std::set<std::string>& wi
   return sum;
 }
 
-/// The success rate of the runs that ended; a failed run is no success. In a world without goals a
-/// run can neither succeed nor fail.
+/// The success rate of the runs that ended; a failed run is not a success. In a world without goals
+/// a run can neither succeed nor fail.
 std::string rate(const Total& of) {
   if (of.with_goals > 0) {
     return base::fixed_text(
@@ -96,7 +96,7 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const batch::Progress& progress) {
-  // On a cluster there may be no runs left, while tasks have yet to end.
+  // On a cluster, all runs may be done before all tasks have ended.
   const double part = progress.runs > 0
                           ? static_cast<double>(progress.ended) / static_cast<double>(progress.runs)
                           : 1.0;

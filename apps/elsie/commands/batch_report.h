@@ -1,4 +1,4 @@
-// What `elsie batch` prints during its work and at the end.
+// The output of `elsie batch` during its work and at the end.
 #pragma once
 
 #include <set>

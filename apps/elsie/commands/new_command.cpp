@@ -100,7 +100,7 @@ void check_name(const std::string& name) {
       });
   if (!sound) {
     throw BadInput("'" + name +
-                   "' is no name for a plugin; it should be a small letter followed by small "
+                   "' is not a name for a plugin; it should be a small letter followed by small "
                    "letters, digits and underscores, such as 'follow_wall'");
   }
   if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) {
@@ -239,7 +239,7 @@ void add_new_command(CLI::App& program, Job& job) {
                        [&](PluginKind kind) { return options->kind == plugin::kind_name(kind); })) {
         throw BadInput(
             "'" + options->kind +
-            "' is no kind of plugin; there are behavior, coordinator, sensor, measure and drive");
+            "' is not a plugin kind; there are behavior, coordinator, sensor, measure and drive");
       }
       return make_project(*options);
     };

@@ -50,8 +50,8 @@ Exit codes: 0 everything is as expected; 1 an expectation is not met, a run ende
 is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
 )";
 
-/// Checks that the file's folder takes new files, by creating the file before any work is done:
-/// permissions alone do not say so, for example on a read-only medium.
+/// Checks that the file's folder takes new files, by creating the file before any work is done.
+/// Permissions alone do not show that, for example on a read-only medium.
 void require_room(const std::string& file, const char* option) {
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(file, ignored))) {

@@ -19,7 +19,7 @@ fs::path folder() {
   return fs::weakly_canonical(file_of_this_library()).parent_path() / "elsie/engines";
 }
 
-/// A sentence if the file is no library that this program can load.
+/// A sentence if this program cannot load the file as a library.
 std::string fault_of(const fs::path& file) {
   const Inspection found = inspect_file(file);
   return found.kind == FileKind::plugin_library
@@ -50,7 +50,7 @@ void* engine_symbol(const std::string& name, const char* symbol) {
                           why + "; install Elsie anew, or build it again",
                       base::kOtherFailure);
   };
-  // One that is loaded was inspected.
+  // A loaded library was inspected before.
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
   if (!library) {
     if (const std::string fault = fault_of(file); !fault.empty()) refuse(fault);

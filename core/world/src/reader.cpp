@@ -69,8 +69,8 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
     const Concern concern = concern_of(override);
     if (options.is_running && concern == Concern::templates) {
       problems.add({"--set " + override, 0},
-                   "what the template brings is in the robot since the start; replace the robot, "
-                   "or edit what is in it");
+                   "the content of the template is part of the robot since the start; replace the "
+                   "robot, or edit its content");
       return;
     }
     apply_override(root, override, options.is_running, problems);
@@ -78,7 +78,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
       merge_templates(root, host, files, problems);
     }
   };
-  // What runs has no templates any more: its edits are made in the order given.
+  // A running world has no templates any more: its edits are made in the given order.
   std::vector<std::string> overrides = options.overrides;
   const auto later =
       options.is_running

@@ -87,7 +87,7 @@ Image random_picture(int width, int height, Random& random) {
   return picture.image();
 }
 
-/// Every other one is round.
+/// Every second robot is round.
 world::Robot random_robot(int number, const Vector2& at, Random& random) {
   world::Robot robot;
   robot.id = "robot" + std::to_string(number);
@@ -216,8 +216,8 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
     });
     if (maker == sensors.end()) {
       throw std::runtime_error("it needs readings of the kind '" + need.kind +
-                               "', which no sensor makes that was found: nothing of it could be "
-                               "tried; put the sensor's library into the plugin path, or give the "
+                               "', but no sensor that was found makes them, so it could not be "
+                               "tested; put the sensor's library into the plugin path, or give the "
                                "checker add_readings");
     }
     // A sensor for each instant, so that its reading stays in place.

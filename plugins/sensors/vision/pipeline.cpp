@@ -115,7 +115,7 @@ class Assembler {
     }
   }
 
-  /// Converts from the picture's present space.
+  /// Converts from the picture's current space.
   void convert(const Space& to) {
     if (kind_.space == &to) {
       return;
@@ -177,7 +177,7 @@ class Assembler {
     // The default of 255 means no limit.
     for (const double value : {low, high}) {
       if (!(value >= 0.0 && value <= 255.0) || (hue && value > 180.0 && value < 255.0)) {
-        fail("threshold", numbers({value}) + " is no value of channel " +
+        fail("threshold", numbers({value}) + " is not a value of channel " +
                               std::to_string(channel + 1) + ", which counts from 0 to " +
                               (hue ? "180: hue in half degrees" : "255"));
       }

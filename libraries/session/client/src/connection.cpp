@@ -23,7 +23,7 @@ namespace {
 constexpr int kMessages = 150;
 constexpr int kMemory = 151;
 constexpr std::size_t kLongestReport = 65'536;
-constexpr int kPatience_ms = 1000;  // with a process that is to end
+constexpr int kPatience_ms = 1000;  // time for a process to end
 
 /// A descriptor that is closed with its owner.
 class Descriptor {
@@ -50,7 +50,7 @@ class Descriptor {
                     "', cannot be started: " + std::strerror(error));
 }
 
-/// Reads what is there; false at the end.
+/// Reads all available text; false at the end.
 bool read_into(std::string& text, int descriptor) {
   std::array<char, 65'536> some;
   while (true) {
@@ -90,7 +90,7 @@ class Connection::Impl {
   }
 
   ~Impl() {
-    messages_ = Descriptor();  // at whose end it ends by itself
+    messages_ = Descriptor();  // closes the connection, which ends the process
     for (int waited_ms = 0; process_ > 0 && waited_ms < kPatience_ms; waited_ms += 10) {
       reap(WNOHANG);
       if (process_ > 0) {
@@ -191,7 +191,7 @@ class Connection::Impl {
       const ssize_t count =
           ::send(messages_.get(), unsent_.data(), unsent_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (count < 0 && errno != EINTR) {
-        return;  // receive() meets the end, if it is one
+        return;  // receive() finds the end, if there is one
       }
       unsent_.erase(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }

@@ -9,7 +9,7 @@
 namespace elsie::server {
 namespace {
 
-// With a document: what of it stands in templates.
+// With a document, also marks elements of templates.
 Json element_json(const world::Element& element, const editing::Document* document) {
   Json attributes = Json::object(), children = Json::array();
   bool is_named_here = false;
@@ -83,7 +83,7 @@ Json check_json(const std::string& text, const std::string& file, const plugin::
     options.data_directories = data_directories;
     options.check_plugins = true;
     const world::World world = world::parse_world(text, file, host, options);
-    // Plugins are asked whether they fit, but not prepared for a run: networks are not trained.
+    // Checks that plugins fit, but does not prepare them for a run: networks are not trained.
     for (std::size_t i = 0; i < world.robots.size(); ++i) {
       attempt([&] { const simulation::EquippedRobot robot(world, i, host); });
     }

@@ -23,13 +23,13 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
   return changes;
 }
 
-/// Whether plugins may have been made while this text was read: they leave threads behind.
+/// Whether reading this text may have created plugins, which can leave threads behind.
 bool may_make_plugins(const std::string& text) {
   try {
     const world::Element root = world::parse_markup(text, "");
     return root.child("robots") || root.child("measures") || root.child("changes");
   } catch (const world::WorldError&) {
-    return false;  // nothing is made of what cannot be read
+    return false;  // no plugin is created for a text that cannot be read
   }
 }
 
@@ -79,7 +79,7 @@ void Server::Impl::text_for(const Json& message, Json& answer) {
   answer["text"] = document_->text_for(file.parent_path().string());
 }
 
-// The run goes on: nothing that it has read changes.
+// The run continues: the files that it has read do not change.
 void Server::Impl::move(const Json& message, Json& answer) {
   const auto file = message.at("file").get<std::string>();
   const std::string folder = std::filesystem::path(file).parent_path().string();
@@ -88,7 +88,7 @@ void Server::Impl::move(const Json& message, Json& answer) {
   editing::Document moved(document_->text_for(folder), file, host(), reading());
   document_ = std::move(moved);
   repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
-  inverses_.clear();  // they name other files as the old text did
+  inverses_.clear();  // they contain names of files as in the old text
   describe(answer);
 }
 
@@ -123,8 +123,8 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
     if (phase_ != Phase::under_way) {
       restart(seed_);
     } else {
-      // In the document, edits are made one after the other, and what has no id is called by its
-      // place; to the run, they may mean something else.
+      // The document makes edits one after the other, and names elements without ids by position.
+      // In the run, the same edits may have another meaning.
       const bool are_right =
           !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading());
       change_run(are_right ? std::move(edits) : edits_from(*before));
@@ -143,8 +143,7 @@ std::vector<std::string> Server::Impl::edits_from(const world::World& before) co
     return editing::edits_between(before, document_->world(), host(), reading());
   } catch (const world::WorldError&) {
     throw base::BadInput(
-        "no edits lead from the world that runs to this one; reset the run, and it begins with "
-        "this one");
+        "no edits lead from the running world to this one; reset the run to begin with this one");
   }
 }
 

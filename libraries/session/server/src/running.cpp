@@ -18,7 +18,7 @@ constexpr std::chrono::microseconds kBetweenSnapshots{16'000};
 constexpr std::chrono::microseconds kBetweenStates{33'000};
 constexpr std::chrono::microseconds kLongestNap{5'000};
 
-/// Ends a run that is not to go on.
+/// Thrown to end a run early.
 struct Left {};
 
 }  // namespace
@@ -90,7 +90,7 @@ void Server::Impl::pause(const Json&, Json&) { hold(); }
 
 void Server::Impl::step(const Json&, Json&) {
   get_ready();
-  // Orders that have not been carried out yet add up.
+  // Steps that have not been carried out yet add up.
   const auto period = static_cast<std::uint64_t>(simulation_->world().physics.control_steps);
   pause_at_ = pause_at_ ? *pause_at_ + period : simulation_->steps() + 1;
   running_ = answers_later_ = true;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 5;
 
-// Changes in a few words each.
+// The changes, each in a few words.
 using Changes = std::vector<std::string>;
 
 // "1a2b3c4d, now 5e6f7a8b"
@@ -24,7 +24,7 @@ std::string hashes(const std::string& before, const std::string& now) {
 
 std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
-// Rows of a query: first column to second column.
+// Rows of a query, as a map from first to second column.
 std::map<std::string, std::string> pairs(sqlite::Connection& connection, const std::string& query) {
   std::map<std::string, std::string> found;
   sqlite::Statement rows(connection, query);
@@ -97,7 +97,7 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& ch
   }
 }
 
-// Compares the cells' worlds, with templates merged and settings made.
+// Compares the worlds of the cells, with templates merged and settings made.
 void compare_worlds(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
   const auto cells = pairs(connection, "SELECT label, sha256 FROM cells");
   std::map<std::string, std::pair<std::string, std::size_t>>

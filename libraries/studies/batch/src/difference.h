@@ -1,4 +1,4 @@
-// Why a database cannot be resumed.
+// Explains why a database cannot be resumed.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace elsie::batch {
 
 namespace sqlite = results::sqlite;
 
-/// The inputs of a plan that differ from those in the database, by name; files with the beginnings
-/// of both hashes. To be called when the fingerprints differ: if none of the inputs does, the text
+/// Lists the inputs of a plan that differ from those in the database, by name; files with the
+/// beginnings of both hashes. Call it when the fingerprints differ: if no input differs, the text
 /// says that plugins, their versions or seeds differ.
 std::string difference(sqlite::Connection& connection, const Plan& plan);
 

@@ -24,7 +24,7 @@ constexpr const char* kOfExperiment[] = {"about", "factors",     "files",       
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
 
-/// The states of a run; a later one wins over an earlier one.
+/// The states of a run, in ascending order of precedence.
 constexpr const char* kByWeight[] = {"pending", "error", "hang", "crash", "fault", "done"};
 
 /// Copies rows of a table with any columns.
@@ -64,7 +64,7 @@ std::string runs_query() {
          ", ended) FROM runs";
 }
 
-/// Of two databases' states of one run, the greater weight wins.
+/// If two databases have a run, the state with the greater weight wins.
 int weight(const std::string& state) {
   const auto* const begin = std::begin(kByWeight);
   return static_cast<int>(std::find(begin, std::end(kByWeight), state) - begin);
@@ -116,7 +116,7 @@ class Merger {
     if (known_.next()) {
       const int before = weight(known_.text(1)), here = weight(run.text(1));
       const bool same_end = known_.text(2) == run.text(2) && known_.text(3) == run.text(3);
-      // Equal weights: the lesser text wins, so that the order of databases does not matter.
+      // With equal weights the lesser text wins, so that the order of databases does not matter.
       const bool better = here > before || (here == before && run.text(4) < known_.text(4));
       while (known_.next()) {
       }
@@ -130,7 +130,7 @@ class Merger {
       if (!better) {
         return twice;
       }
-      forget_.bind(1, id).run();  // with all its rows in other tables
+      forget_.bind(1, id).run();  // including its rows in other tables
     }
     run_.copy(id);
     for (Copier& table : of_run_) {
@@ -148,7 +148,7 @@ class Merger {
   Statement forget_;
 };
 
-/// Refuses wrong names before anything is locked or created.
+/// Refuses invalid names before anything is locked or created.
 void require_apart(const fs::path& into, const std::vector<fs::path>& databases) {
   std::error_code ignored;
   for (auto file = databases.begin(); file != databases.end(); ++file) {
@@ -177,7 +177,7 @@ Connection opened(const fs::path& file) {
   return results::open_to_read(file);
 }
 
-/// Adds one database. Returns how many of its runs have ended in earlier ones too.
+/// Adds one database. Returns how many of its runs have also ended in earlier ones.
 std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
   Connection from = opened(file);
   if (file == first) {
@@ -186,7 +186,7 @@ std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
     }
   } else if (from.text("SELECT fingerprint FROM about") !=
              to.text("SELECT fingerprint FROM about")) {
-    throw DatabaseRefused("'" + file.string() + "' is of another experiment than '" +
+    throw DatabaseRefused("'" + file.string() + "' belongs to another experiment than '" +
                           first.string() +
                           "': their worlds, settings, seeds, files or plugins differ, or the "
                           "versions of Elsie");

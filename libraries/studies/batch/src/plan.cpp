@@ -28,7 +28,7 @@ std::string absolute(const std::string& file) {
   return error ? std::filesystem::absolute(file).string() : path.string();
 }
 
-/// Absolute without following links: a library is recognized by the suffix of its name.
+/// Makes a path absolute without following links: a library is recognized by its name's suffix.
 std::string absolute_name(const std::filesystem::path& library) {
   return std::filesystem::absolute(library).lexically_normal().string();
 }
@@ -128,7 +128,7 @@ class Planner {
     std::map<std::string, std::string> shared;  // by path: the name, if another file already has it
   };
 
-  /// What a cell adds to the fingerprint.
+  /// The contribution of a cell to the fingerprint.
   struct CellIdentity {
     std::string sha256;                       // of the world's text
     std::map<std::string, std::string> data;  // hashes, by name
@@ -175,7 +175,7 @@ class Planner {
     return world;
   }
 
-  /// What the world's edits bring. Gets the files that they name.
+  /// The worlds after each of the world's edits. Adds the files that the edits name to `found`.
   std::vector<world::World> worlds_ahead(const world::World& world,
                                          std::map<std::string, std::string>& found) const {
     world::ReadOptions options;
@@ -217,7 +217,7 @@ class Planner {
     return known->second;
   }
 
-  /// Makes the world's text name every file, and no two files alike.
+  /// Makes the world's text name every file, with different names for different files.
   static void name_files(const std::vector<ParameterDeclaration>& declared,
                          const std::map<std::string, ParameterValue>& parameters,
                          std::map<std::string, world::FileName>& file_names, Names& names) {

@@ -50,13 +50,13 @@ class ResultsDatabase::Impl {
     return *writer_;
   }
 
-  /// Throws DatabaseError when the file is no longer in its place.
+  /// Throws DatabaseError if the file was moved or removed.
   void require_in_place() {
     const auto now = FileIdentity::of(file_);
     if (now == identity_) {
       return;
     }
-    // The log's content goes into the file, wherever that is, while it is open.
+    // While the file is open, the log's content goes into it, wherever it is now.
     connection_.try_to_run("PRAGMA wal_checkpoint(TRUNCATE)");
     const std::int64_t ended = reading(
         [&] { return connection_.integer("SELECT count(*) FROM runs WHERE state <> 'pending'"); });
@@ -70,7 +70,7 @@ class ResultsDatabase::Impl {
         " while the batch wrote it; " +
         (elsewhere ? results + "in '" + elsewhere->string() +
                          "': put it back where it was before the batch continues"
-                   : results + "lost; the batch has to begin anew"));
+                   : results + "lost; the batch must start again"));
   }
 
   fs::path file_;
@@ -91,7 +91,7 @@ const fs::path& ResultsDatabase::file() const { return impl_->file_; }
 ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
   LockFile lock(file);
   if (!results::is_vacant(file)) {
-    results::open_to_read(file);  // a file that is no database is reported as such
+    results::open_to_read(file);  // reports a file that is not a database
     throw DatabaseRefused("there is a database '" + file.string() +
                           "' already; continue it with --resume, or choose another --database");
   }
@@ -120,9 +120,9 @@ ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) 
   sqlite::Connection connection = results::open_to_write(file);
   return results::guarded(file, "could not be written", [&] {
     if (connection.text("SELECT fingerprint FROM about") != plan.fingerprint) {
-      throw DatabaseRefused("the database '" + file.string() + "' is of another experiment than '" +
-                            plan.file + "' is now: " + difference(connection, plan) +
-                            "; choose another --database to begin anew");
+      throw DatabaseRefused(
+          "the database '" + file.string() + "' belongs to another experiment than '" + plan.file +
+          "' is now: " + difference(connection, plan) + "; choose another --database");
     }
     const std::string shard = connection.text("SELECT shard FROM about");
     if (shard != plan.shard.text()) {
@@ -167,7 +167,7 @@ void ResultsDatabase::require_in_place() { impl_->require_in_place(); }
 void ResultsDatabase::write(std::int64_t run, const RunRecord& record) {
   require_in_place();
   if (!impl_->writing([&] { return impl_->writer().write(run, record); })) {
-    throw DatabaseError("run " + std::to_string(run) + " is not to be done in the database '" +
+    throw DatabaseError("run " + std::to_string(run) + " is not pending in the database '" +
                         file().string() + "'; was it changed by another program?");
   }
 }
@@ -181,7 +181,7 @@ std::int64_t ResultsDatabase::redo_failed() {
                               "timelines", "notes"}) {
       connection.run("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed);
     }
-    // Of two assignments to `state` SQLite makes the last.
+    // Of two assignments to `state`, SQLite uses the last.
     connection.run("UPDATE runs SET " + results::field_names(" = NULL") +
                    ", ended = NULL, state = 'pending' "
                    "WHERE state NOT IN ('pending', 'done')");

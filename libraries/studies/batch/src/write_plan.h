@@ -8,7 +8,7 @@ namespace elsie::batch {
 
 namespace sqlite = results::sqlite;
 
-/// Creates the tables and writes everything but the runs. To be called in a transaction.
+/// Creates the tables and writes everything except the runs. Call it in a transaction.
 void write_plan(sqlite::Connection& connection, const Plan& plan);
 
 /// Adds the missing runs as pending.

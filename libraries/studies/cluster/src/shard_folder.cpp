@@ -31,7 +31,7 @@ Json read_json(const fs::path& file) {
   return in ? Json::parse(in, nullptr, false) : Json(Json::value_t::discarded);
 }
 
-/// A number of an object, 0 if it is missing.
+/// A number in a JSON object; 0 if it is missing.
 std::int64_t number(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_number_integer()
              ? object[key].get<std::int64_t>()
@@ -101,13 +101,13 @@ ShardFolder ShardFolder::open(const fs::path& database, const batch::Plan& plan)
   const std::int64_t shards = number(stored, "shards");
   if (!fingerprint || !job || shards < 1) {
     throw DatabaseRefused("'" + (path / "cluster.json").string() +
-                          "' is missing or damaged; remove the folder to begin anew");
+                          "' is missing or damaged; remove the folder to start again");
   }
   if (*fingerprint != plan.fingerprint) {
-    throw DatabaseRefused("'" + path.string() +
-                          "' was begun with another experiment: a world, a model, a plugin, a seed "
-                          "or Elsie itself has changed since; put it back, or remove the folder to "
-                          "begin anew");
+    throw DatabaseRefused(
+        "'" + path.string() +
+        "' was begun with another experiment: a world, a model, a plugin, a seed "
+        "or Elsie itself has changed since; put it back, or remove the folder to start again");
   }
   ShardFolder folder(path, plan.fingerprint, static_cast<std::size_t>(shards), plan.all_runs);
   folder.job_ = *job;

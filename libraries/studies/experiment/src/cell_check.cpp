@@ -39,7 +39,7 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
   return world;
 }
 
-// The problem at the edit that cannot be made.
+// Returns the problem of an edit that cannot be made, with the line of the edit.
 base::Problem problem_of(const world::World& world, const simulation::ChangeRefused& refused) {
   for (const world::TimedEdit& edit : world.changes) {
     const Location& where = edit.location;
@@ -50,11 +50,11 @@ base::Problem problem_of(const world::World& world, const simulation::ChangeRefu
   return {world.file, 0, refused.what()};
 }
 
-// A problem that several cells have.
+// A problem that one or several cells have.
 struct Complaint {
   Location where;
   std::string message;
-  bool is_setting = false;         // of this experiment; else of a world's file
+  bool is_setting = false;         // in this experiment; else in a world's file
   std::vector<std::size_t> cells;  // the cells that have it
 };
 
@@ -127,8 +127,8 @@ class CellCheck {
   }
 
   Found look(const Cell& cell) const {
-    // Putting it together asks every plugin. Asking each before takes twice the time, but finds all
-    // mistakes instead of the first.
+    // Building the world checks every plugin, but stops at the first error. Checking each plugin
+    // before takes twice the time, but finds all errors.
     try {
       return look(cell, false);
     } catch (const std::exception&) {
@@ -173,7 +173,7 @@ class CellCheck {
     }
   }
 
-  // Two cells with the same world are a mistake: a level changes nothing, or a later setting undoes
+  // Two cells with the same world are an error: a level changes nothing, or a later setting undoes
   // it.
   void compare(const Cell& cell, const std::string& text) {
     const auto [known, is_new] = cells_by_text_.emplace(std::hash<std::string>()(text), cell.index);
@@ -246,8 +246,7 @@ class CellCheck {
     return found;
   }
 
-  // The level that a cell needs to have the problem, " (with coordinator=fusion)"; "" if all have
-  // it.
+  // The level with which cells have the problem, " (with coordinator=fusion)"; "" if all have it.
   std::string circumstances(const Complaint& complaint) const {
     const std::vector<std::size_t> all = could_be(complaint);
     if (all == complaint.cells) {
@@ -274,7 +273,7 @@ class CellCheck {
                             first.label + "')";
   }
 
-  // Where the time limit is set, if it alone makes the world wrong; else "".
+  // The place where the time limit is set, if only the limit makes the world wrong; else "".
   std::string limit_behind(const Complaint& complaint) const {
     if (complaint.is_setting || !experiment_.time_limit) {
       return "";

@@ -77,7 +77,7 @@ std::vector<Cell> cells(const Experiment& experiment) {
           cell.overrides.push_back(override_of(setting));
         }
       }
-      // The next cell, as an odometer counts.
+      // Advances to the next cell like an odometer.
       more = false;
       for (std::size_t i = levels.size(); i > 0 && !more; --i) {
         more = ++levels[i - 1] < experiment.factors[i - 1].levels.size();

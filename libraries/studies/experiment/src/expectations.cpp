@@ -81,7 +81,7 @@ std::vector<LevelOf> parse_reference(const std::string& text, const Experiment& 
 
 void check_bounds(const ExpectationDraft& draft, const Expectation& expectation) {
   if (!draft.at_least && !draft.at_most && !draft.about) {
-    fail("<expect> says nothing; expected at_least, at_most, or about with a tolerance");
+    fail("<expect> has no bound; expected at_least, at_most, or about with a tolerance");
   }
   if (draft.about && (draft.at_least || draft.at_most)) {
     fail("<expect> has both about and at_least or at_most; expected one or the other");
@@ -93,8 +93,8 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
   if (draft.confidence && (expectation.statistic == Statistic::minimum ||
                            expectation.statistic == Statistic::maximum)) {
     fail(
-        "<expect> asks for confidence in the least or the largest value: a few runs say nothing of "
-        "how far others may go; expected another statistic, or no confidence");
+        "<expect> asks for confidence in a minimum or maximum: a few runs do not show how far "
+        "others may go; expected another statistic, or no confidence");
   }
   const double tolerance = draft.tolerance.value_or(0.0);
   if (draft.about && tolerance <= 0.0) {
@@ -179,7 +179,7 @@ std::string in_words(const Expectation& expectation) {
   text += ":";
   const char* before = " ";
   const bool difference = expectation.relation == Relation::difference;
-  // A difference below 0 is given as "less": at least -2 is at most 2 less.
+  // A difference below 0 is reported as "less": at least -2 is at most 2 less.
   const auto bound = [&](const char* words, const char* if_less,
                          const std::optional<double>& value) {
     if (value) {

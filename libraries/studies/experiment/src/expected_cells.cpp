@@ -1,4 +1,4 @@
-// Which cells an expectation covers.
+// Finds the cells that an expectation covers.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>

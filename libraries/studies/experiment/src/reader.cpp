@@ -28,7 +28,7 @@ using base::Problems;
 using world::Element;
 using world::ElementSpec;
 
-// Leaves out what has mistakes: its attributes are defaults, which must not be judged.
+// Leaves out elements with errors: their attributes are defaults, which must not be checked.
 class DraftReader {
  public:
   explicit DraftReader(Problems& problems) : problems_(problems) {}
@@ -44,7 +44,7 @@ class DraftReader {
     return draft;
   }
 
-  /// Whether worlds, settings and factors could all be read.
+  /// True if worlds, settings and factors could all be read.
   bool grid_is_sound() const {
     return std::all_of(flawed_.begin(), flawed_.end(), [](const world::Flawed& each) {
       const std::string& name = each.spec->name;
@@ -73,8 +73,8 @@ struct Worlds {
   std::vector<std::string> files;  // paths as found, for messages
 };
 
-// The line on which an experiment begins in a file; 0: it holds something else, and reading it as a
-// world finds the mistake.
+// The line on which an experiment begins in a file; 0 if the file is something else: reading it as
+// a world then finds the error.
 int line_of_experiment(const std::string& file) {
   try {
     const Element root = world::parse_markup(world::read_text(file), file);
@@ -169,10 +169,10 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, P
   return uses;
 }
 
-// An experiment with what is known while it is read.
+// An experiment and what is known while it is read.
 struct Parsed {
   Experiment experiment;
-  std::vector<Cell> grid;          // empty if it has mistakes
+  std::vector<Cell> grid;          // empty if it has errors
   std::vector<std::string> files;  // of the worlds, as found
   std::set<std::size_t> lists;     // the factors whose levels are in values="A; B"
   Problems problems, grid_problems;

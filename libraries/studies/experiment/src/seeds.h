@@ -9,7 +9,7 @@
 
 namespace elsie::experiment {
 
-/// The valid seeds, each once, in order; the others become problems.
+/// Returns the valid seeds, each once, in order; the others become problems.
 std::vector<std::uint64_t> seeds_from(const SeedsDraft& draft, base::Problems& problems);
 
 }  // namespace elsie::experiment

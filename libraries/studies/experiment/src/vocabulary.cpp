@@ -39,7 +39,7 @@ ElementSpec change() {
                  {.unit = "s",
                   .min = 0,
                   .max = kLongest,
-                  .meaning = "simulated; before the first step that begins then or later"},
+                  .meaning = "simulated time; made before the first step at or after it"},
                  kRequired)
       .each(std::move(settings), &AtDraft::settings);
 }
@@ -59,7 +59,7 @@ ElementSpec level() {
 ElementSpec factor() {
   const auto bound = [](const char* meaning) { return fact(meaning); };
   return Describe<FactorDraft>("vary",
-                               "A factor: each of its levels meets each level of all others")
+                               "A factor; each level is combined with each level of all others")
       .unique("level", "label")
       .attribute("name", &FactorDraft::name, fact("name in tables; by default the end of its path"),
                  kId)
@@ -69,7 +69,7 @@ ElementSpec factor() {
       .attribute("from", &FactorDraft::from, bound("the first level of a range"))
       .attribute("to", &FactorDraft::to, bound("the last level of a range"))
       .attribute("step", &FactorDraft::step,
-                 {.above = 0, .meaning = "from one level of a range to the next"})
+                 {.above = 0, .meaning = "difference between a level of a range and the next"})
       .each(level(), &FactorDraft::levels);
 }
 
@@ -104,7 +104,7 @@ ElementSpec seeds() {
       .attribute("repeats", &SeedsDraft::repeats,
                  {.min = 1,
                   .max = 1000,
-                  .meaning = "how often each seed is run: a check that the same seed gives "
+                  .meaning = "number of runs with each seed, to check that the same seed gives "
                              "the same run"});
 }
 
@@ -132,7 +132,7 @@ ElementSpec expectation() {
                  fact("judges the ratio of each cell's statistic to that of the cell with "
                       "FACTOR=LEVEL; FACTOR=LEVEL"))
       .attribute("difference_from", &ExpectationDraft::difference_from,
-                 fact("likewise the difference, cell minus other cell"))
+                 fact("judges the difference, cell minus other cell, in the same way"))
       .attribute("at_least", &ExpectationDraft::at_least, number("lower bound"))
       .attribute("at_most", &ExpectationDraft::at_most, number("upper bound"))
       .attribute("about", &ExpectationDraft::about, number("expected value, within the tolerance"))
@@ -141,7 +141,7 @@ ElementSpec expectation() {
       .attribute("confidence", &ExpectationDraft::confidence,
                  {.above = 0,
                   .max = 0.999999,
-                  .meaning = "the whole interval at this confidence must keep to the bounds: "
+                  .meaning = "the whole interval at this confidence must be within the bounds: "
                              "0.95, for example"});
 }
 
@@ -174,7 +174,7 @@ ElementSpec experiment() {
                           .max = kLongest,
                           .meaning = "time on the clock; longer runs are ended and count as hung"}),
           &ExperimentDraft::limits)
-      .optional(Describe<TrajectoriesDraft>("trajectories", "The recording of the robots' ways")
+      .optional(Describe<TrajectoriesDraft>("trajectories", "The recording of the robots' paths")
                     .attribute("period", &TrajectoriesDraft::period,
                                {.unit = "s",
                                 .above = 0,

@@ -1,4 +1,4 @@
-// A cell's world from above with the ways of its robots.
+// A cell's world from above with the paths of its robots.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -103,7 +103,7 @@ std::string boxes(const View& view, const world::World& world) {
   return text;
 }
 
-// Resources are drawn above the ways of the robots.
+// Resources are drawn on top of the robots' paths.
 std::string resources(const View& view, const world::World& world) {
   const double least = 1.6 * kSmallestMark / view.scale;
   std::string text;
@@ -135,7 +135,7 @@ std::string robots(const View& view, const world::World& world) {
   return text;
 }
 
-// Kinds of ways, drawn in this order.
+// Kinds of paths, drawn in this order.
 enum Kind { kPlain, kMissed, kOdd, kKinds };
 constexpr std::array<const char*, kKinds> kClasses = {"way", "way missed", "way odd"};
 
@@ -145,7 +145,7 @@ struct Chosen {
   std::array<std::size_t, kKinds> counts{};
 };
 
-// All runs of the sample, or as many as the budget allows: outliers first, the others evenly.
+// All runs of the sample, or as many as the budget allows: first outliers, then others evenly.
 Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
   const CellFindings& cell = findings.cells[place];
   std::set<std::size_t> odd;
@@ -312,7 +312,7 @@ std::string map_figure(const Findings& findings, std::size_t cell,
       std::clamp(3.0 / std::sqrt(std::max(1.0, static_cast<double>(lines.size()))), 0.3, 1.0);
   return "<figure class=\"map " + inks.cell_class(cell) + "\"><svg viewBox=\"0 0 " +
          whole(view.width) + " " + whole(view.height) +
-         "\" role=\"img\" aria-label=\"The world from above with the ways of the robots\" "
+         "\" role=\"img\" aria-label=\"The world from above with the paths of the robots\" "
          "style=\"--through:" +
          brief(opacity, 2) + "\">" + ground(view, world) + boxes(view, world) +
          ways_of(view, findings, lines, world.robots.size() > 1) + resources(view, world) +

@@ -108,7 +108,7 @@ std::uint64_t Results::seed() const { return Random(0, fingerprint).bits(); }
 
 ResultsFile::ResultsFile(const std::filesystem::path& file)
     : state_(std::make_unique<State>(file)) {
-  // A transaction begins with its first read; it does not see later writes.
+  // A transaction begins with its first read, and does not see later writes.
   state_->reading([&] { state_->connection.run("BEGIN; SELECT count(*) FROM about"); });
 }
 

@@ -11,8 +11,8 @@ CREATE TABLE about (                  -- one row
   description    TEXT NOT NULL,
   file           TEXT NOT NULL,       -- as the user named it
   text           TEXT NOT NULL,       -- of the experiment file
-  fingerprint    TEXT NOT NULL,       -- SHA-256 over everything that decides the runs: --resume compares it
-  shard          TEXT NOT NULL,       -- "2/5": the runs here are every fifth one from the second on; or "1/1"
+  fingerprint    TEXT NOT NULL,       -- SHA-256 over everything that affects the runs: --resume compares it
+  shard          TEXT NOT NULL,       -- "2/5": every fifth run, starting at the second; or "1/1"
   runs           INTEGER NOT NULL,    -- of the experiment, in all shards
   wall_limit_s   REAL NOT NULL,       -- on the clock, for one run
   trajectory_period_s REAL NOT NULL,  -- asked for; see trajectories
@@ -30,7 +30,7 @@ CREATE TABLE files (                  -- world files, models, training sets, lib
   path    TEXT NOT NULL UNIQUE,       -- absolute
   sha256  TEXT NOT NULL,
   content BLOB,                       -- of data files, so that a run can be done again elsewhere
-  load_order INTEGER,                 -- of libraries of plugins: of two with the same plugin, the first one counts
+  load_order INTEGER,                 -- of plugin libraries: if two have the same plugin, the first one counts
   CHECK ((kind = 'data') = (content IS NOT NULL))
 ) STRICT;
 
@@ -48,7 +48,7 @@ CREATE TABLE cells (
   label      TEXT NOT NULL UNIQUE,
   world      TEXT NOT NULL,           -- the id in the experiment
   world_text TEXT NOT NULL,           -- as resolved: templates merged in, settings made
-  world_file TEXT NOT NULL,           -- whose folder relative names in it are looked up from
+  world_file TEXT NOT NULL,           -- relative names in world_text are relative to its folder
   sha256     TEXT NOT NULL            -- of world_text
 ) STRICT;
 
@@ -78,7 +78,7 @@ CREATE TABLE runs (
   cell_id     INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
   seed        INTEGER NOT NULL,       -- the 64 bits as a signed number
   repetition  INTEGER NOT NULL,       -- from 1
-  -- pending: to be done. done: it ended by itself, outcome says how. fault: a plugin failed and the run was ended in order.
+  -- pending: to be done. done: it ended normally, see outcome. fault: a plugin failed and the run was ended cleanly.
   -- crash: the process ended without a result, by a signal or because a plugin called exit(). hang: it was ended at the
   -- wall limit. error: anything else, see message.
   state       TEXT NOT NULL DEFAULT 'pending'
@@ -90,18 +90,18 @@ CREATE TABLE runs (
   solver_gave_up  INTEGER,            -- steps in which the solver of the physics gave up, and was run again with softer contacts
   solver_unsolved INTEGER,            -- of them, those in which that did not help
   state_hash  TEXT,                   -- 16 hexadecimal digits
-  exit_code   INTEGER,                -- of the process, when it ended by itself
+  exit_code   INTEGER,                -- of the process, if it ended by itself
   signal      TEXT,                   -- "SIGSEGV"
-  plugin      TEXT,                   -- that was at work when it failed
+  plugin      TEXT,                   -- that was running when it failed
   robot       TEXT,
   step        INTEGER,
-  log         TEXT,                   -- the tail of what the process said, when it did not end well
+  log         TEXT,                   -- the end of the output of a process that ended abnormally
   wall_s      REAL,
   ended       TEXT,                   -- UTC, ISO 8601
   UNIQUE (cell_id, seed, repetition),
   CHECK ((state = 'pending') = (ended IS NULL)),
   CHECK ((state = 'done') = (outcome IS NOT NULL)),
-  CHECK (solver_gave_up BETWEEN 0 AND steps + 1),  -- also in the step that a fault ended
+  CHECK (solver_gave_up BETWEEN 0 AND steps + 1),  -- also counts the step that a fault ended
   CHECK (solver_unsolved BETWEEN 0 AND solver_gave_up)
 ) STRICT;
 CREATE INDEX runs_by_state ON runs (state);
@@ -153,7 +153,7 @@ CREATE TABLE trajectories (
   PRIMARY KEY (run_id, robot)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE curves (                 -- what plugins learned before the run
+CREATE TABLE curves (                 -- learning curves of plugins, from before the run
   run_id  INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   robot   TEXT NOT NULL,
   plugin  TEXT NOT NULL,              -- its id on the robot
@@ -164,7 +164,7 @@ CREATE TABLE curves (                 -- what plugins learned before the run
   PRIMARY KEY (run_id, robot, plugin, name)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE timelines (              -- who decided when: the condensed account of docs/explaining-a-run.md
+CREATE TABLE timelines (              -- which behaviour decided when, condensed: see docs/explaining-a-run.md
   run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   robot  TEXT NOT NULL,
   behaviors TEXT NOT NULL,            -- JSON: [{"path", "share": mean share in the robot's command, "decided_s"}, ...]
@@ -172,7 +172,7 @@ CREATE TABLE timelines (              -- who decided when: the condensed account
   PRIMARY KEY (run_id, robot)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE notes (                  -- what plugins said before the run, and the simulator of its physics (plugin "physics")
+CREATE TABLE notes (                  -- messages of plugins before the run, and of the simulator about its physics (plugin "physics")
   run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   place  INTEGER NOT NULL,
   robot  TEXT NOT NULL,

@@ -56,7 +56,7 @@ class World {
   const Reading& reading(const std::string& robot, const std::string& sensor) const {
     return *static_cast<const Reading*>(reading(robot, sensor, ReadingKind::of<Reading>()));
   }
-  /// How often an event was raised so far on this robot, or ("") on any.
+  /// The number of times that an event was raised so far on this robot, or ("") on any.
   int count(std::string_view event, std::string_view robot = "") const;
   /// A measure of the run so far by its name in RunResult::measures: "path_length_m", or one of a
   /// measure plugin. None when it has no value. Throws std::invalid_argument for an unknown name.

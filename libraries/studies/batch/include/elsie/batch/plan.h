@@ -31,7 +31,7 @@ struct Shard {
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// Reads "2/5", K/N with K from 1 to N; none for other texts.
+/// Parses "K/N" with K from 1 to N, such as "2/5"; returns none for other texts.
 std::optional<Shard> parse_shard(std::string_view text);
 
 enum class FileKind { data, library, world };
@@ -41,15 +41,15 @@ struct PlannedFile {
   FileKind kind = FileKind::data;
   std::string path;      // absolute
   std::string sha256;    // 64 hexadecimal digits
-  std::string content;   // only of data files
-  std::size_t rank = 0;  // of libraries: position in the order in which the host found them
+  std::string content;   // only for data files
+  std::size_t rank = 0;  // for libraries: position in the order in which the host found them
 };
 
 struct PlannedPlugin {
   std::string kind;  // for example "behavior"
   std::string name;
   std::string version;
-  std::optional<std::size_t> file;  // index into Plan::files; none: linked into the program
+  std::optional<std::size_t> file;  // index into Plan::files; none if linked into the program
 };
 
 struct PlannedLevel {
@@ -61,7 +61,7 @@ struct PlannedLevel {
 struct PlannedCell {
   std::string label;
   std::string world;       // id of the world in the experiment
-  std::string world_text;  // templates merged, settings made, every data file named
+  std::string world_text;  // with templates merged, settings made, all data files named
   std::string world_file;  // absolute
   std::string sha256;      // of world_text
   std::vector<PlannedLevel> levels;
@@ -90,7 +90,7 @@ struct Plan {
   std::string text;                  // its text
   std::vector<std::string> factors;  // the first one is "world"
   std::vector<PlannedFile> files;    // first those of the program, libelsie before all others
-  std::size_t program_files = 0;     // how many of them: deciding_libraries()
+  std::size_t program_files = 0;     // the number of those: deciding_libraries()
   std::vector<PlannedPlugin> plugins;
   std::vector<PlannedCell> cells;
   std::vector<PlannedRun> runs;  // runs of the shard
@@ -98,8 +98,8 @@ struct Plan {
   Shard shard;
   double wall_limit_s = 600.0;
   double trajectory_period_s = 0.5;
-  /// SHA-256 over everything that decides the results: worlds, data, plugins, the program's
-  /// libraries, seeds. Paths of files and the shard are left out.
+  /// SHA-256 over everything that affects the results: worlds, data, plugins, the program's
+  /// libraries, seeds. Paths of files and the shard are not included.
   std::string fingerprint;
 
   /// The libraries of a cell's plugins, in the order in which the host found them.
@@ -109,31 +109,31 @@ struct Plan {
 struct PlanOptions {
   std::string elsie_version;
   std::string text;  // text of the experiment file
-  /// Where data files are searched for after the folder of the world's file.
+  /// Folders in which data files are searched for, after the folder of the world's file.
   std::vector<std::string> data_directories;
   Shard shard;
 };
 
-/// Reads the world of every cell. Throws world::WorldError when a world is wrong, and
-/// std::runtime_error with a sentence when a file cannot be read.
+/// Reads the world of every cell. Throws world::WorldError if a world has errors, and
+/// std::runtime_error with a sentence if a file cannot be read.
 ///
-/// A world's own wall limit is ignored in a batch: where it ends a run would depend on the number
-/// of runs that share the machine. The experiment's wall limit ends runs that take too long.
+/// A world's own wall limit is ignored in a batch, because its effect would depend on the number of
+/// runs that share the machine. The experiment's wall limit ends runs that take too long.
 Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
                const PlanOptions& options);
 
-/// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
-/// the first, and those that it and its plugins compute with (the base, inference, the views, which
-/// take the pictures of cameras, libelsie-vision, which works on them, the engines, and ODE).
+/// The libraries that affect the result of a run, in addition to those of its plugins: first
+/// libelsie, then the libraries that it and its plugins use (the base; inference; the views, which
+/// take the pictures of cameras; libelsie-vision, which processes them; the engines; ODE).
 std::vector<std::filesystem::path> deciding_libraries();
 
-/// Looks whether a cell's files are still what they were when the plan was made.
+/// Checks whether a cell's files have changed since the plan was made.
 class FileCheck {
  public:
   explicit FileCheck(const Plan& plan);
 
-  /// The first file of this cell that was changed or removed; none: all are unchanged. Reads a file
-  /// only when its size or time differs.
+  /// Returns the first file of this cell that was changed or removed; none if all are unchanged.
+  /// Reads a file only if its size or time differs.
   std::optional<std::string> changed(std::size_t cell);
 
  private:

@@ -1,8 +1,8 @@
 // The results of one experiment in one SQLite file; docs/results-database.md describes it.
 //
-// One process at a time writes it, and holds a lock file next to it; the lock ends with the
-// process. Others may read meanwhile. Each run is written in one transaction: whenever a process is
-// killed, a run is either pending or complete.
+// Only one process at a time writes it. The writer holds a lock file next to it; the lock ends with
+// the process. Others may read meanwhile. Each run is written in one transaction: even if a process
+// is killed, each run is either pending or complete.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct CellCount {
   std::string label;
   std::int64_t pending = 0;
   std::int64_t done = 0;       // runs that ended without a failure
-  std::int64_t successes = 0;  // runs of these with the outcome "success"
+  std::int64_t successes = 0;  // those of them with the outcome "success"
   std::int64_t failed = 0;     // runs that ended as fault, crash, hang or error
 };
 
@@ -48,7 +48,7 @@ struct Disagreement {
   std::vector<std::int64_t> runs;
 };
 
-/// Everything that is needed to repeat a run.
+/// All data needed to repeat a run.
 struct StoredRun {
   Job job;  // without data files and libraries
   struct Data {
@@ -63,7 +63,7 @@ struct StoredRun {
     std::string sha256;
     std::vector<std::string> plugins;  // "behavior wander 1.0"
   };
-  std::vector<Library> libraries;  // of plugins; in the order in which they are to be loaded
+  std::vector<Library> libraries;  // of plugins, in the order in which to load them
   std::vector<Library> program;    // deciding_libraries() when the batch began
   std::string elsie_version;
   std::string experiment;
@@ -75,12 +75,12 @@ struct StoredRun {
 
 class ResultsDatabase {
  public:
-  /// Creates the file and writes the plan. Throws DatabaseRefused when the file exists already or
-  /// cannot be created, DatabaseError when it cannot be written.
+  /// Creates the file and writes the plan. Throws DatabaseRefused if the file already exists or
+  /// cannot be created, DatabaseError if it cannot be written.
   static ResultsDatabase create(const std::filesystem::path& file, const Plan& plan);
-  /// Opens a database to continue its batch. Throws DatabaseRefused when it is no results database,
-  /// is being written by another process, is damaged, or is of another experiment or shard. Adds
-  /// the runs of the plan that are missing in it.
+  /// Opens a database to continue its batch, and adds runs of the plan that are missing in it.
+  /// Throws DatabaseRefused if it is not a results database, is being written by another process,
+  /// is damaged, or belongs to another experiment or shard.
   static ResultsDatabase resume(const std::filesystem::path& file, const Plan& plan);
   /// Opens a database to read it. Throws as results::open_to_read() does.
   static ResultsDatabase open(const std::filesystem::path& file);
@@ -92,11 +92,11 @@ class ResultsDatabase {
 
   /// Numbers of the pending runs, ascending.
   std::vector<std::int64_t> pending();
-  /// Throws DatabaseError when the file was removed, renamed or replaced since it was opened;
-  /// what() says where the results are now, if they still exist.
+  /// Throws DatabaseError if the file was removed, renamed or replaced since it was opened; what()
+  /// says where the results are now, if they still exist.
   void require_in_place();
   /// Writes the result of a pending run, which is then no longer pending. Throws DatabaseError,
-  /// also when the file is no longer in its place.
+  /// also if the file was moved or removed (see require_in_place()).
   void write(std::int64_t run, const RunRecord& record);
   /// Makes failed runs pending again. Returns their number.
   std::int64_t redo_failed();
@@ -104,10 +104,10 @@ class ResultsDatabase {
   std::vector<CellCount> cells();
   std::vector<FailedRun> failed(std::size_t most);
   std::vector<Disagreement> disagreements();
-  /// None: there is no such run.
+  /// Returns none if there is no such run.
   std::optional<StoredRun> run(std::int64_t id);
-  /// Why run() finds no run of this number, as a sentence: it does not exist, or it belongs to
-  /// another shard.
+  /// Returns a sentence that says why run() does not find this run: it does not exist, or it
+  /// belongs to another shard.
   std::string why_no_run(std::int64_t id);
 
  private:

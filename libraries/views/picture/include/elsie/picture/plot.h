@@ -19,7 +19,7 @@ namespace elsie::picture {
 struct Axis {
   std::string label{};
   std::string unit{};  // "" for a pure number
-  // Empty: from the data.
+  // Empty: taken from the data.
   std::optional<double> low{};
   std::optional<double> high{};
   bool logarithmic = false;  // of a line chart: values that are not positive are not drawn
@@ -29,15 +29,15 @@ struct Axis {
 struct Series {
   std::string name{};
   std::vector<Vector2> points{};  // x and y in the units of the axes
-  bool filled = false;            // whether the area down to zero, or to the axis, is tinted
+  bool filled = false;            // true: the area down to zero, or to the axis, is tinted
 };
 
 /// The position of the series' names.
 enum class Naming {
   legend,   // in a line above the chart; a single unnamed series has none
   at_peak,  // above the highest point of each curve
-  /// Only in an SVG, when the pointer is over a curve. The curves repeat the same thing: they are
-  /// thin and have one colour, in a page that of "--c".
+  /// Only in an SVG, when the pointer is over a curve. For curves that repeat the same thing: they
+  /// are thin and have one colour, which is "--c" in a page.
   in_titles,
 };
 
@@ -96,9 +96,9 @@ struct Page {
 /// cannot be written; an existing file is then unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
-/// The chart as an element of an HTML page. Its colours are those that the page's style names:
-/// --ink, --muted, --grid, --quiet and --c. `label`: for readers who do not see it. Throws as
-/// save_page() for an axis.
+/// The chart as an element of an HTML page. The page's style defines its colours: --ink, --muted,
+/// --grid, --quiet and --c. `label`: for readers who do not see the chart. Throws like save_page()
+/// for an axis.
 std::string page_chart(const LineChart& chart, const std::string& label, const Size& size);
 
 }  // namespace elsie::picture
