@@ -58,7 +58,7 @@ TEST_CASE("A run is written once, whole") {
   CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 5, 6});
   CHECK_THROWS_WITH(database.write(4, test::some_record()),
                     Contains("run 4 is not pending in the database"));
-  CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not to be done"));
+  CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not pending"));
   CHECK(test::rows(file,
                    "SELECT state, outcome, steps, simulated_s, solver_gave_up, solver_unsolved, "
                    "state_hash, exit_code FROM runs WHERE id = 4") ==
