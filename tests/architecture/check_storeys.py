@@ -23,7 +23,7 @@ STOREYS = {
     "libelsie-editing": {"libelsie-base", "libelsie"},
     "libelsie-session": {"libelsie-base"},
     "libelsie-server": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-views", "libelsie-workshop"},
-    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto"},
+    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto", "libmuparser"},
     "libelsie-vision": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
 }

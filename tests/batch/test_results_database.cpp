@@ -184,8 +184,7 @@ TEST_CASE("A batch continues only with its own database") {
   other.seeds.push_back(77);
   CHECK_THROWS_WITH(
       ResultsDatabase::resume(file, batch::make_plan(other, test::shipped(), test::plan_options())),
-      Contains("belongs to another experiment than") &&
-          Contains("changed since it was begun: the number of runs (") && Contains("the seeds ("));
+      Contains("has 1 seed more than the database '" + file + "'; add them with --extend"));
   auto newer = test::plan_options();
   newer.elsie_version = "9.9.9";
   CHECK_THROWS_WITH(ResultsDatabase::resume(file, batch::make_plan(test::small_experiment(folder),
@@ -231,19 +230,18 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
   };
   const std::string before = plan.cells[0].sha256.substr(0, 8);
   batch::Plan world = plan;
-  world.fingerprint = "other";
+  world.cells[0].identity = "other";
   world.cells[0].sha256 = std::string(64, 'b');
   CHECK_THAT(difference(world), Contains("the world '" + plan.cells[0].world_file +
                                          "' or what the experiment sets in it (SHA-256 " + before +
                                          ", now bbbbbbbb)"));
   batch::Plan program = plan;
-  program.fingerprint = "other";
   program.files[0].sha256 = std::string(64, 'c');
   CHECK_THAT(difference(program),
              Contains("the program's library '" + plan.files[0].path + "' (SHA-256 " +
                       plan.files[0].sha256.substr(0, 8) + ", now cccccccc)"));
   batch::Plan plugin = plan;
-  plugin.fingerprint = "other";
+  plugin.cells[0].identity = "other";
   REQUIRE(plugin.plugins[0].file);
   batch::PlannedFile& library = plugin.files[*plugin.plugins[0].file];
   library.sha256 = std::string(64, 'd');
@@ -254,11 +252,10 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
                                           "/elsewhere/libmine.so' (SHA-256 ") &&
                                      Contains(", now dddddddd)"));
   batch::Plan cells = plan;
-  cells.fingerprint = "other";
-  cells.cells[0].label = "another";
-  CHECK_THAT(difference(cells), Contains("; new: 1, gone: 1)"));
+  cells.cells[0].levels[1].label = "another";
+  CHECK_THAT(difference(cells), Contains("changed since it was begun: the cell 'slow' (removed)"));
   batch::Plan text = plan;
-  text.fingerprint = "other";
+  text.cells[0].identity = "other";
   text.text += " ";
   CHECK_THAT(difference(text), Contains("the experiment file '" + plan.file + "' (SHA-256 "));
 }
@@ -280,8 +277,8 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
   refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
-  test::rows(newer, "PRAGMA user_version = 4");
-  refused(newer, "has version 4 of the schema, and this program reads version 3");
+  test::rows(newer, "PRAGMA user_version = 5");
+  refused(newer, "has version 5 of the schema, and this program reads version 4");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));

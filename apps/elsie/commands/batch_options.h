@@ -20,6 +20,7 @@ struct BatchOptions {
   std::optional<std::string> database;
   bool resume = false;
   bool again = false;
+  bool extend = false;
   std::string shard = "1/1";
   std::optional<std::string> progress;
   std::optional<std::string> cluster;
@@ -29,6 +30,9 @@ struct BatchOptions {
   bool json = false;
   bool quiet = false;
 };
+
+/// The number of processors that this process may use.
+std::size_t processors();
 
 /// Throws BadInput if the text is not a shard.
 batch::Shard shard_of(const BatchOptions& options);

@@ -105,8 +105,8 @@ std::string progress_line(const batch::Progress& progress) {
   if (progress.failed > 0) {
     line += ", " + std::to_string(progress.failed) + " failed";
   }
-  if (const double left = progress.left_s(); left > 0.0) {
-    line += ", " + duration_text(left) + " left";
+  if (progress.left_s) {
+    line += ", " + duration_text(*progress.left_s) + " left";
   }
   return line;
 }
@@ -142,6 +142,13 @@ std::set<std::string> BatchReport::without_goals() const {
   return labels;
 }
 
+std::string BatchReport::complete_seeds() {
+  const batch::SeedCount seeds = database_.seeds();
+  return std::to_string(seeds.complete) + " of " +
+         base::counted(static_cast<std::uint64_t>(seeds.all), "seed is", "seeds are") +
+         " complete";
+}
+
 std::string BatchReport::table() {
   const std::vector<CellCount> cells = database_.cells();
   const std::set<std::string> aimless = without_goals();
@@ -153,6 +160,9 @@ std::string BatchReport::table() {
                          : "all " + base::counted(sum.runs, "run") + " are done already";
   } else {
     out += base::counted(last_.ended, "run") + " in " + duration_text(last_.elapsed_s);
+  }
+  if (sum.pending > 0) {
+    out += "; " + complete_seeds();
   }
   if (plan_.shard.of > 1) {
     out += "; shard " + plan_.shard.text() + " of " + base::counted(plan_.all_runs, "run");
@@ -208,6 +218,9 @@ std::string BatchReport::json() {
   object["done"] = sum.done;
   object["failed"] = sum.failed;
   object["to_do"] = sum.pending;
+  const batch::SeedCount seeds = database_.seeds();
+  object["seeds"] = seeds.all;
+  object["seeds_complete"] = seeds.complete;
   object["successes"] = aimless.size() == cells.size() ? Json(nullptr) : Json(sum.successes);
   object["interrupted"] = interrupted_;
   object["wall_s"] = last_.elapsed_s;
@@ -239,7 +252,8 @@ std::string BatchReport::json() {
 std::string BatchReport::interruption() {
   const Total sum = total(database_.cells(), {});
   return "elsie: interrupted; " + std::to_string(sum.pending) + " of " +
-         base::counted(sum.runs, "run is", "runs are") + " still to be done. Continue with\n  " +
+         base::counted(sum.runs, "run is", "runs are") + " still to be done, " +
+         complete_seeds() + ". Continue with\n  " +
          resume_ + '\n';
 }
 

@@ -34,6 +34,9 @@ class BatchReport {
   /// The labels of cells whose worlds have no goals.
   std::set<std::string> without_goals() const;
 
+  /// "5 of 20 seeds are complete": how much of a batch that was stopped is a study of its own.
+  std::string complete_seeds();
+
   const batch::Plan& plan_;
   batch::ResultsDatabase& database_;
   std::string resume_;

@@ -47,6 +47,11 @@ void require_sound(const BatchOptions& options) {
         "--shard is one part of an experiment, and --cluster does all of them; expected "
         "one of the two");
   }
+  if (options.extend) {
+    throw BadInput(
+        "--extend does not go with --cluster; extend the database that was merged from the shards "
+        "without --cluster");
+  }
   if (options.again) {
     throw BadInput(
         "--again does not go with --cluster; do the runs that failed again, without "
@@ -239,11 +244,16 @@ class ClusterBatch {
       }
     }
     const cluster::Count count = folder_.count();
-    draw_status(progress_line({.runs = count.runs - ended_before,
-                               .ended = count.ended - ended_before,
-                               .failed = count.failed,
-                               .elapsed_s = elapsed_s_}) +
-                note);
+    batch::Progress progress{.runs = count.runs - ended_before,
+                             .ended = count.ended - ended_before,
+                             .failed = count.failed,
+                             .elapsed_s = elapsed_s_};
+    if (progress.ended > 0 && progress.ended < progress.runs) {
+      // Only numbers of runs are known of tasks on other machines.
+      progress.left_s = elapsed_s_ * static_cast<double>(progress.runs - progress.ended) /
+                        static_cast<double>(progress.ended);
+    }
+    draw_status(progress_line(progress) + note);
   }
 
   void wipe() const {
@@ -288,7 +298,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
   if (fs::exists(ShardFolder::path_for(file), error)) {
     ShardFolder::open(file, plan).remove();
   }
-  BatchReport report(plan, database, resume_command(options, file));
+  BatchReport report(database.plan(), database, resume_command(options, file));
   report.all_done_already();
   if (options.json) {
     out() << report.json();

@@ -14,6 +14,7 @@
 
 #include "elsie/base/write_whole.h"
 #include "elsie/experiment/reader.h"
+#include "elsie/report/formulas.h"
 #include "elsie/report/report.h"
 
 #include "command.h"
@@ -99,10 +100,11 @@ std::size_t width() { return terminal_columns(out_descriptor(), 120); }
 Findings found(const ResultsFile& file) {
   report::Results results = file.results();
   const auto experiment = experiment::parse_outline(results.text, results.file);
-  report::Questions questions;
-  for (const auto& measure : experiment.measures) {
-    questions.measures.push_back(measure.name);
+  for (const std::string& sentence : report::add_formulas(results, experiment.measures)) {
+    std::cerr << "elsie: " << sentence << '\n';
   }
+  report::Questions questions;
+  questions.measures = experiment::shown_measures(experiment.measures);
   questions.expectations = experiment.expectations;
   return report::find(std::move(results), questions);
 }

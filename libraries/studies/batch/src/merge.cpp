@@ -19,8 +19,9 @@ namespace sqlite = results::sqlite;
 using sqlite::Connection;
 using sqlite::Statement;
 
-constexpr const char* kOfExperiment[] = {"about", "factors",     "files",        "plugins",
-                                         "cells", "cell_levels", "cell_plugins", "cell_files"};
+constexpr const char* kOfExperiment[] = {"about",   "factors", "stages",      "files",
+                                         "plugins", "cells",   "cell_levels", "cell_plugins",
+                                         "cell_files"};
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
 
@@ -177,6 +178,22 @@ Connection opened(const fs::path& file) {
   return results::open_to_read(file);
 }
 
+/// The number of stages of a database; 0 if it cannot be read, which opened() reports.
+std::int64_t stages_in(const fs::path& file) {
+  try {
+    return Connection(file, Connection::Mode::read).integer("SELECT count(*) FROM stages");
+  } catch (const sqlite::Error&) {
+    return 0;
+  }
+}
+
+/// Whether one experiment is the other one, or was extended to it.
+bool is_part_of(Connection& from, Connection& to) {
+  Statement last(from, "SELECT id, fingerprint FROM stages ORDER BY id DESC LIMIT 1");
+  Statement same(to, "SELECT 1 FROM stages WHERE id = ? AND fingerprint = ?");
+  return last.next() && same.bind(1, last.integer(0)).bind(2, last.text(1)).next();
+}
+
 /// Adds one database. Returns how many of its runs have also ended in earlier ones.
 std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
   Connection from = opened(file);
@@ -184,8 +201,7 @@ std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
     for (const char* table : kOfExperiment) {
       Copier(from, to, table).copy();
     }
-  } else if (from.text("SELECT fingerprint FROM about") !=
-             to.text("SELECT fingerprint FROM about")) {
+  } else if (!is_part_of(from, to)) {
     throw DatabaseRefused("'" + file.string() + "' belongs to another experiment than '" +
                           first.string() +
                           "': their worlds, settings, seeds, files or plugins differ, or the "
@@ -199,9 +215,15 @@ Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
   sqlite::Transaction transaction(to);
   to.run("PRAGMA defer_foreign_keys = ON");
   results::make_schema(to);
-  for (const fs::path& file : databases) {
+  // First the one that was extended the most: it has the cells of all others.
+  std::vector<std::int64_t> stages;
+  std::transform(databases.begin(), databases.end(), std::back_inserter(stages), stages_in);
+  const auto most = std::max_element(stages.begin(), stages.end()) - stages.begin();
+  std::vector<fs::path> ordered = databases;
+  std::rotate(ordered.begin(), ordered.begin() + most, ordered.begin() + most + 1);
+  for (const fs::path& file : ordered) {
     try {
-      merged.duplicates += add(file, databases.front(), to);
+      merged.duplicates += add(file, ordered.front(), to);
     } catch (const sqlite::Error& error) {
       if (error.is_damage()) {  // the merged file is new, so the source is damaged
         throw results::damaged(file, error.what());

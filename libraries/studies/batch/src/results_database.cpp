@@ -8,6 +8,7 @@
 #include "file_identity.h"
 #include "lock_file.h"
 #include "read_run.h"
+#include "stages.h"
 #include "write_plan.h"
 #include "write_run.h"
 
@@ -16,12 +17,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void refuse(const fs::path& file, sqlite::Connection& connection,
+                         const StoredGrid& stored, const Plan& plan, bool extend) {
+  const std::string why = difference(connection, stored, plan);
+  throw DatabaseRefused(
+      "the database '" + file.string() +
+      (extend ? "' cannot be extended to '" + plan.file + "': " + why +
+                    "; levels, worlds and seeds may be added, and all others must stay as they are"
+              : "' belongs to another experiment than '" + plan.file + "' is now: " + why) +
+      "; choose another --database");
+}
+
+/// The plan with the numbers of a database. Throws DatabaseRefused, with what differs, when that is
+/// of another experiment or shard, or of a smaller experiment that is not to be extended.
+Plan continued(const fs::path& file, sqlite::Connection& connection, const StoredGrid& stored,
+               Plan plan, bool extend) {
+  if (stored.factors != plan.factors || !losses(stored, plan).empty()) {
+    refuse(file, connection, stored, plan, extend);
+  }
+  const std::string more = growth(stored, plan);
+  plan = continued(stored, std::move(plan));
+  if (fingerprint_of(plan, stored.stages.size()) != stored.stages.back().fingerprint) {
+    refuse(file, connection, stored, plan, extend);
+  }
+  const std::string shard = connection.text("SELECT shard FROM about");
+  if (shard != plan.shard.text()) {
+    throw DatabaseRefused("the database '" + file.string() + "' has the shard " + shard +
+                          " of the experiment, not " + plan.shard.text());
+  }
+  if (!extend && !more.empty()) {
+    throw DatabaseRefused("the experiment '" + plan.file + "' has " + more +
+                          " more than the database '" + file.string() +
+                          "'; add them with --extend, or choose another --database");
+  }
+  return plan;
+}
+
 }  // namespace
 
 class ResultsDatabase::Impl {
  public:
-  Impl(fs::path file, std::optional<LockFile> lock, sqlite::Connection connection)
-      : file_(std::move(file)),
+  Impl(fs::path file, std::optional<LockFile> lock, sqlite::Connection connection, Plan plan)
+      : plan_(std::move(plan)),
+        file_(std::move(file)),
         lock_(std::move(lock)),
         connection_(std::move(connection)),
         identity_(FileIdentity::of(file_)) {}
@@ -73,6 +111,8 @@ class ResultsDatabase::Impl {
                    : results + "lost; the batch must start again"));
   }
 
+  const Plan plan_;
+  std::int64_t added_runs_ = 0;
   fs::path file_;
   std::optional<LockFile> lock_;  // released after the connection is closed
   sqlite::Connection connection_;
@@ -87,6 +127,10 @@ ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
 ResultsDatabase::~ResultsDatabase() = default;
 
 const fs::path& ResultsDatabase::file() const { return impl_->file_; }
+
+const Plan& ResultsDatabase::plan() const { return impl_->plan_; }
+
+std::int64_t ResultsDatabase::added_runs() const { return impl_->added_runs_; }
 
 ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
   LockFile lock(file);
@@ -106,7 +150,8 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
       }
       results::prepare_for_writing(connection);
     });
-    return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
+    return ResultsDatabase(
+        std::make_unique<Impl>(file, std::move(lock), std::move(connection), plan));
   } catch (...) {
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -115,39 +160,35 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
   }
 }
 
-ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) {
+ResultsDatabase ResultsDatabase::continue_in(const fs::path& file, Plan plan, bool extend) {
   LockFile lock(file);
   sqlite::Connection connection = results::open_to_write(file);
   return results::guarded(file, "could not be written", [&] {
-    if (connection.text("SELECT fingerprint FROM about") != plan.fingerprint) {
-      throw DatabaseRefused(
-          "the database '" + file.string() + "' belongs to another experiment than '" + plan.file +
-          "' is now: " + difference(connection, plan) + "; choose another --database");
-    }
-    const std::string shard = connection.text("SELECT shard FROM about");
-    if (shard != plan.shard.text()) {
-      throw DatabaseRefused("the database '" + file.string() + "' has the shard " + shard +
-                            " of the experiment, not " + plan.shard.text());
-    }
+    const StoredGrid stored = stored_grid(connection);
+    plan = continued(file, connection, stored, std::move(plan), extend);
     results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);
+    renew_plan(connection, plan, stored.stages.size());
     add_runs(connection, plan);
-    // These may change without changing any run.
-    sqlite::Statement(connection,
-                      "UPDATE about SET experiment = ?, description = ?, text = ?, "
-                      "wall_limit_s = ?")
-        .bind(1, plan.experiment)
-        .bind(2, plan.description)
-        .bind(3, plan.text)
-        .bind(4, plan.wall_limit_s)
-        .run();
     transaction.commit();
-    return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
+    auto impl = std::make_unique<Impl>(file, std::move(lock), std::move(connection),
+                                       std::move(plan));
+    impl->added_runs_ = impl->plan_.all_runs - stored.stages.back().runs;
+    return ResultsDatabase(std::move(impl));
   });
 }
 
+ResultsDatabase ResultsDatabase::resume(const fs::path& file, Plan plan) {
+  return continue_in(file, std::move(plan), false);
+}
+
+ResultsDatabase ResultsDatabase::extend(const fs::path& file, Plan plan) {
+  return continue_in(file, std::move(plan), true);
+}
+
 ResultsDatabase ResultsDatabase::open(const fs::path& file) {
-  return ResultsDatabase(std::make_unique<Impl>(file, std::nullopt, results::open_to_read(file)));
+  return ResultsDatabase(
+      std::make_unique<Impl>(file, std::nullopt, results::open_to_read(file), Plan{}));
 }
 
 std::vector<std::int64_t> ResultsDatabase::pending() {
@@ -198,12 +239,37 @@ std::vector<CellCount> ResultsDatabase::cells() {
         impl_->connection_,
         "SELECT label, sum(state = 'pending'), sum(state = 'done'), "
         "sum(coalesce(outcome = 'success', 0)), sum(state NOT IN ('pending', 'done')) "
-        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY cells.id");
+        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY place, cells.id");
     while (query.next()) {
       cells.push_back(
           {query.text(0), query.integer(1), query.integer(2), query.integer(3), query.integer(4)});
     }
     return cells;
+  });
+}
+
+SeedCount ResultsDatabase::seeds() {
+  return impl_->reading([&] {
+    sqlite::Statement query(impl_->connection_,
+                            "SELECT count(*), coalesce(sum(pending = 0), 0) FROM (SELECT "
+                            "sum(state = 'pending') AS pending FROM runs WHERE repetition = 1 "
+                            "GROUP BY seed)");
+    query.next();
+    return SeedCount{query.integer(0), query.integer(1)};
+  });
+}
+
+std::vector<CellTime> ResultsDatabase::times() {
+  return impl_->reading([&] {
+    std::vector<CellTime> times;
+    sqlite::Statement query(impl_->connection_,
+                            "SELECT cell_id, avg(wall_s), count(*) FROM runs WHERE state = 'done' "
+                            "AND wall_s IS NOT NULL GROUP BY cell_id");
+    while (query.next()) {
+      times.push_back(
+          {static_cast<std::size_t>(query.integer(0)), query.number(1), query.integer(2)});
+    }
+    return times;
   });
 }
 

@@ -69,8 +69,14 @@ struct TrajectoriesDraft {
   double period = 0.5;  // s, simulated
 };
 
+struct ExclusionDraft {
+  std::string where;
+  Location location;
+};
+
 struct MeasureDraft {
   std::string name;
+  std::optional<std::string> formula, unit, meaning;
   Location location;
 };
 
@@ -90,10 +96,12 @@ struct ExpectationDraft {
 struct ExperimentDraft {
   std::optional<std::string> name;
   std::string description;
+  std::optional<std::int64_t> max_runs;
   std::vector<WorldDraft> worlds;
   std::vector<SettingDraft> settings;
   std::vector<AtDraft> changes;
   std::vector<FactorDraft> factors;
+  std::vector<ExclusionDraft> exclusions;
   std::optional<SeedsDraft> seeds;
   std::optional<LimitsDraft> limits;
   std::optional<TrajectoriesDraft> trajectories;

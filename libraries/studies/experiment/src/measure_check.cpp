@@ -107,7 +107,7 @@ void check_measures(const Experiment& experiment, const std::vector<Cell>& cells
                  [&](const std::string& name) { return !has(all, name); });
   }
   for (const MeasureUse& use : experiment.measures) {
-    if (!has(all, use.name)) {
+    if (use.formula.empty() && !has(all, use.name)) {
       problems.add(use.location, "no run has a measure '" + use.name + "'" +
                                      base::near_or_all(use.name, all, "there are"));
     }

@@ -16,8 +16,10 @@
 
 #include "cell_check.h"
 #include "draft.h"
+#include "exclusions.h"
 #include "expectations.h"
 #include "factors.h"
+#include "measures.h"
 #include "seeds.h"
 
 namespace elsie::experiment {
@@ -39,6 +41,7 @@ class DraftReader {
     drop(draft.worlds);
     drop(draft.settings);
     drop(draft.factors);
+    drop(draft.exclusions);
     drop(draft.measures);
     drop(draft.expectations);
     return draft;
@@ -145,6 +148,23 @@ void check_size(const Experiment& experiment, const Location& root, Problems& pr
   }
 }
 
+// Checks that the experiment has no more runs than its author wanted.
+void check_max_runs(const ExperimentDraft& draft, const Experiment& experiment, std::size_t cells,
+                    const Location& root, Problems& problems) {
+  const std::uint64_t runs =
+      cells * experiment.seeds.size() * static_cast<std::uint64_t>(experiment.repeats);
+  if (draft.max_runs && runs > static_cast<std::uint64_t>(*draft.max_runs)) {
+    problems.add(root, "the experiment has " + base::counted(runs, "run") + ", " +
+                           base::counted(cells, "cell") + " x " +
+                           base::counted(experiment.seeds.size(), "seed") +
+                           (experiment.repeats == 1
+                                ? ""
+                                : ", each " + std::to_string(experiment.repeats) + " times") +
+                           ", but max_runs=\"" + std::to_string(*draft.max_runs) +
+                           "\"; expected fewer levels or seeds, or a larger max_runs");
+  }
+}
+
 // Labels of cells must differ; they are joined from those of levels.
 void check_labels(const std::vector<Cell>& grid, const Location& root, Problems& problems) {
   std::set<std::string> known;
@@ -154,19 +174,6 @@ void check_labels(const std::vector<Cell>& grid, const Location& root, Problems&
       return;
     }
   }
-}
-
-std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, Problems& problems) {
-  std::vector<MeasureUse> uses;
-  std::set<std::string> known;
-  for (const MeasureDraft& draft : drafts) {
-    if (known.insert(draft.name).second) {
-      uses.push_back({draft.name, draft.location});
-    } else {
-      problems.add(draft.location, "the measure '" + draft.name + "' is named twice");
-    }
-  }
-  return uses;
 }
 
 // An experiment and what is known while it is read.
@@ -208,7 +215,6 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
     experiment.wall_limit = draft.limits->wall_time;
   }
   experiment.trajectory_period = draft.trajectories.value_or(TrajectoriesDraft{}).period;
-  experiment.measures = measures_from(draft.measures, problems);
 
   Worlds worlds = worlds_from(draft.worlds, files, grid_problems);
   experiment.worlds = std::move(worlds.uses);
@@ -220,6 +226,7 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
       result.lists.insert(i);
     }
   }
+  experiment.measures = measures_from(draft.measures, experiment.factors, problems);
   if (draft.seeds && reader.is_sound(draft.seeds->location)) {
     experiment.seeds = seeds_from(*draft.seeds, problems);
     experiment.repeats = draft.seeds->repeats;
@@ -228,7 +235,16 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
     check_size(experiment, root.where, grid_problems);
   }
   if (grid_problems.empty() && reader.grid_is_sound()) {
-    result.grid = cells(experiment);
+    experiment.exclusions = exclusions_from(draft.exclusions, experiment, grid_problems);
+  }
+  if (grid_problems.empty() && reader.grid_is_sound()) {
+    std::vector<Cell> grid = cells(experiment);
+    check_max_runs(draft, experiment, grid.size(), root.where, grid_problems);
+    if (grid_problems.empty()) {
+      result.grid = std::move(grid);
+    }
+  }
+  if (!result.grid.empty()) {
     check_labels(result.grid, root.where, grid_problems);
     experiment.expectations = expectations_from(draft.expectations, experiment, problems);
   }
@@ -257,6 +273,7 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
                                         host, options, result.grid_problems);
     result.experiment.warnings = std::move(measures.warnings);
     if (result.grid_problems.empty()) {
+      add_formulas(result.experiment, measures, result.problems);
       check_measures(result.experiment, result.grid, measures, result.problems);
     }
   }

@@ -108,6 +108,26 @@ ElementSpec seeds() {
                              "the same run"});
 }
 
+ElementSpec exclusion() {
+  return Describe<ExclusionDraft>("exclude", "Combinations of levels that are not run")
+      .attribute("where", &ExclusionDraft::where,
+                 fact("cells that are left out: FACTOR=LEVEL|LEVEL; FACTOR=LEVEL, with \"*\" for "
+                      "any text; all must match"),
+                 kRequired);
+}
+
+ElementSpec measure() {
+  return Describe<MeasureDraft>("measure", "A measure to show, or one that is computed from others")
+      .attribute("name", &MeasureDraft::name, fact("name of the measure"), kRequired)
+      .attribute("formula", &MeasureDraft::formula,
+                 fact("computes it when results are read: measures of the runs, factors whose "
+                      "levels are numbers, and formulas above; + - * / ^ ( ), min, max, abs, sqrt, "
+                      "log, exp"))
+      .attribute("unit", &MeasureDraft::unit, fact("unit of the formula"))
+      .attribute("meaning", &MeasureDraft::meaning,
+                 fact("meaning of the formula; by default its text"));
+}
+
 ElementSpec expectation() {
   const auto number = [](const char* meaning) { return fact(meaning); };
   return Describe<ExpectationDraft>("expect",
@@ -156,10 +176,13 @@ ElementSpec experiment() {
       .unique("expectations/expect", "name")
       .attribute("name", &ExperimentDraft::name, fact("its title; by default that of its file"))
       .attribute("description", &ExperimentDraft::description, fact("what it is for"))
+      .attribute("max_runs", &ExperimentDraft::max_runs,
+                 {.min = 1, .meaning = "an experiment with more runs is refused"})
       .group(worlds())
       .each(setting(), &ExperimentDraft::settings)
       .each(change(), &ExperimentDraft::changes)
       .each(factor(), &ExperimentDraft::factors)
+      .each(exclusion(), &ExperimentDraft::exclusions)
       .optional(seeds(), &ExperimentDraft::seeds)
       .optional(
           Describe<LimitsDraft>("limits", "Limits of a run's time")
@@ -185,10 +208,7 @@ ElementSpec experiment() {
                                        "The measures to show, in this order; by default all "
                                        "that the runs have")
                  .members("measure")
-                 .each(Describe<MeasureDraft>("measure", "A measure to show")
-                           .attribute("name", &MeasureDraft::name, fact("name of the measure"),
-                                      kRequired),
-                       &ExperimentDraft::measures))
+                 .each(measure(), &ExperimentDraft::measures))
       .group(Describe<ExperimentDraft>("expectations", "The expected results")
                  .members("expectation")
                  .each(expectation(), &ExperimentDraft::expectations));

@@ -42,7 +42,7 @@ Places read_cells(sqlite::Connection& connection, Results& results) {
   const Places factors = read_factors(connection, results);
   Places places;
   sqlite::Statement cells(connection,
-                          "SELECT id, label, world, world_text, world_file FROM cells ORDER BY id");
+                          "SELECT id, label, world, world_text, world_file FROM cells ORDER BY place, id");
   while (cells.next()) {
     CellInfo cell;
     cell.id = cells.integer(0);

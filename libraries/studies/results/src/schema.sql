@@ -24,6 +24,16 @@ CREATE TABLE factors (
   name TEXT NOT NULL UNIQUE
 ) STRICT;
 
+CREATE TABLE stages (                 -- the experiment as it was begun, and as it was each time that it was extended
+  id          INTEGER PRIMARY KEY,    -- from 0
+  cells       INTEGER NOT NULL,       -- the cells with lower ids
+  seeds       TEXT NOT NULL,          -- "1-20,33"
+  repeats     INTEGER NOT NULL,
+  runs        INTEGER NOT NULL,       -- of the experiment until then, in all shards: those with ids up to this number
+  fingerprint TEXT NOT NULL,          -- as in about
+  created     TEXT NOT NULL           -- UTC, ISO 8601
+) STRICT;
+
 CREATE TABLE files (                  -- world files, models, training sets, libraries of plugins and of the program
   id      INTEGER PRIMARY KEY,
   kind    TEXT NOT NULL CHECK (kind IN ('data', 'library', 'world')),
@@ -44,12 +54,13 @@ CREATE TABLE plugins (
 ) STRICT;
 
 CREATE TABLE cells (
-  id         INTEGER PRIMARY KEY,     -- Cell::index
+  id         INTEGER PRIMARY KEY,     -- from 0, in the order of the grid; cells that came later come after
   label      TEXT NOT NULL UNIQUE,
   world      TEXT NOT NULL,           -- the id in the experiment
   world_text TEXT NOT NULL,           -- as resolved: templates merged in, settings made
   world_file TEXT NOT NULL,           -- relative names in world_text are relative to its folder
-  sha256     TEXT NOT NULL            -- of world_text
+  sha256     TEXT NOT NULL,           -- of world_text
+  place      INTEGER NOT NULL DEFAULT 0  -- in the order of the grid, for sorting
 ) STRICT;
 
 CREATE TABLE cell_levels (
@@ -74,7 +85,7 @@ CREATE TABLE cell_files (             -- data files
 ) STRICT;
 
 CREATE TABLE runs (
-  id          INTEGER PRIMARY KEY,    -- from 1, in the order of the grid: cell, seed, repetition
+  id          INTEGER PRIMARY KEY,    -- from 1, in the order of the grid: cell, seed, repetition; first those of the first stage, then what the second adds...
   cell_id     INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
   seed        INTEGER NOT NULL,       -- the 64 bits as a signed number
   repetition  INTEGER NOT NULL,       -- from 1

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,12 +26,7 @@ struct Progress {
   std::int64_t ended = 0;   // those of them that have ended
   std::int64_t failed = 0;  // those that ended in a state other than "done"
   double elapsed_s = 0.0;
-
-  /// The estimated remaining time in s, from the runs so far; negative if not known yet.
-  double left_s() const {
-    return ended > 0 ? elapsed_s / static_cast<double>(ended) * static_cast<double>(runs - ended)
-                     : -1.0;
-  }
+  std::optional<double> left_s{};  // estimate of the remaining time; none: not known yet
 };
 
 /// A file that a run uses has changed since the batch began; what() is a sentence.
@@ -39,11 +35,12 @@ class FileChanged : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Does all pending runs of the plan, each in its own process. Calls `watch` after each run and
+/// Does all pending runs of a database that has a plan, each in its own process, in the order of
+/// in_order(). Calls `watch` after each run and
 /// about once a second. Returns false if the batch was stopped; runs that were active then stay
 /// pending. Throws FileChanged, DatabaseError, and std::runtime_error if no worker can be started;
 /// results written before stay valid.
-bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& options,
+bool carry_out(ResultsDatabase& database, const BatchOptions& options,
                const std::function<void(const Progress&)>& watch = {});
 
 /// Returns the job for a run of the plan.

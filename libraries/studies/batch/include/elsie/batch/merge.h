@@ -17,6 +17,8 @@ struct Merged {
 /// Writes a new database with the runs of all given ones. `elsie batch --resume` then does the
 /// pending and the missing runs. The order of the given databases does not matter.
 ///
+/// Some may have been extended, and others not yet: the new one has the larger experiment.
+///
 /// When several databases have a run, "done" wins over "fault", then "crash", "hang", "error", and
 /// "pending": a failure may be due to one machine. Of two runs that failed in the same way, or are
 /// done with equal results, one is kept.

@@ -72,13 +72,25 @@ struct PlannedCell {
   };
   std::vector<Data> data;  // sorted by name
   bool goals = true;       // the world has goals
+  std::size_t place = 0;   // in the order of the experiment's grid
+  /// SHA-256 over everything that affects its results: levels, world, data, plugins.
+  std::string identity;
 };
 
 struct PlannedRun {
-  std::int64_t id = 0;   // from 1, in the order of cells, seeds, repetitions
+  std::int64_t id = 0;   // from 1; first in the order of cells, seeds, repetitions, see Stage
   std::size_t cell = 0;  // index into Plan::cells
   std::uint64_t seed = 0;
   int repetition = 1;
+};
+
+/// The experiment as it was begun, or as it was each time that its database was extended.
+struct Stage {
+  std::size_t cells = 0;             // the first ones of Plan::cells
+  std::vector<std::uint64_t> seeds;  // in the order of the file
+  int repeats = 1;
+  std::int64_t runs = 0;    // of this stage and those before it
+  std::string fingerprint;  // as Plan::fingerprint
 };
 
 struct Plan {
@@ -93,7 +105,8 @@ struct Plan {
   std::size_t program_files = 0;     // the number of those: deciding_libraries()
   std::vector<PlannedPlugin> plugins;
   std::vector<PlannedCell> cells;
-  std::vector<PlannedRun> runs;  // runs of the shard
+  std::vector<Stage> stages;     // at least one
+  std::vector<PlannedRun> runs;  // runs of the shard, by id
   std::int64_t all_runs = 0;     // runs of the experiment
   Shard shard;
   double wall_limit_s = 600.0;
@@ -121,6 +134,11 @@ struct PlanOptions {
 /// runs that share the machine. The experiment's wall limit ends runs that take too long.
 Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
                const PlanOptions& options);
+
+/// These runs of the plan, named by their numbers, in the order in which they are done: all cells
+/// with the first seed, then all with the second..., repetitions last. A batch that is stopped has
+/// whole seeds. Throws std::out_of_range for a number that the plan does not have.
+std::vector<PlannedRun> in_order(const Plan& plan, const std::vector<std::int64_t>& runs);
 
 /// The libraries that affect the result of a run, in addition to those of its plugins: first
 /// libelsie, then the libraries that it and its plugins use (the base; inference; the views, which

@@ -32,6 +32,19 @@ struct CellCount {
   std::int64_t failed = 0;     // runs that ended as fault, crash, hang or error
 };
 
+/// The seeds, and those that are complete: ended in every cell. Repetitions do not count.
+struct SeedCount {
+  std::int64_t all = 0;
+  std::int64_t complete = 0;
+};
+
+/// How long the runs of a cell took that are done.
+struct CellTime {
+  std::size_t cell = 0;  // index into Plan::cells
+  double wall_s = 0.0;   // mean of the times on the clock
+  std::int64_t runs = 0;
+};
+
 /// A run that failed.
 struct FailedRun {
   std::int64_t id = 0;
@@ -81,7 +94,11 @@ class ResultsDatabase {
   /// Opens a database to continue its batch, and adds runs of the plan that are missing in it.
   /// Throws DatabaseRefused if it is not a results database, is being written by another process,
   /// is damaged, or belongs to another experiment or shard.
-  static ResultsDatabase resume(const std::filesystem::path& file, const Plan& plan);
+  static ResultsDatabase resume(const std::filesystem::path& file, Plan plan);
+  /// The same, but the plan may have more seeds, repetitions, levels and worlds, whose runs are
+  /// added in one transaction. Runs that exist keep their numbers. Throws DatabaseRefused when
+  /// anything that exists is gone or differs.
+  static ResultsDatabase extend(const std::filesystem::path& file, Plan plan);
   /// Opens a database to read it. Throws as results::open_to_read() does.
   static ResultsDatabase open(const std::filesystem::path& file);
 
@@ -89,6 +106,10 @@ class ResultsDatabase {
   ~ResultsDatabase();
 
   const std::filesystem::path& file() const;
+  /// The plan with the numbers that its runs have here; empty after open().
+  const Plan& plan() const;
+  /// The number of runs, in all shards, that extend() has added to the experiment.
+  std::int64_t added_runs() const;
 
   /// Numbers of the pending runs, ascending.
   std::vector<std::int64_t> pending();
@@ -101,7 +122,11 @@ class ResultsDatabase {
   /// Makes failed runs pending again. Returns their number.
   std::int64_t redo_failed();
 
+  /// In the order of the experiment's grid.
   std::vector<CellCount> cells();
+  SeedCount seeds();
+  /// The cells with runs that are done.
+  std::vector<CellTime> times();
   std::vector<FailedRun> failed(std::size_t most);
   std::vector<Disagreement> disagreements();
   /// Returns none if there is no such run.
@@ -112,6 +137,7 @@ class ResultsDatabase {
 
  private:
   class Impl;
+  static ResultsDatabase continue_in(const std::filesystem::path& file, Plan plan, bool extend);
   explicit ResultsDatabase(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

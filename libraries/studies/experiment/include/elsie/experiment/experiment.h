@@ -105,11 +105,26 @@ struct Expectation {
   Location location;
 };
 
-/// A measure to show, in this order; if none is named, all measures of the runs are shown.
+/// Cells that are left out of the grid: those that match all of these.
+struct Exclusion {
+  std::vector<Where> where;
+  Location location;
+};
+
+/// A measure to show, in this order; if only formulas are named, all measures of the runs are
+/// shown, and then these.
 struct MeasureUse {
   std::string name;
   Location location;
+  /// If not empty, the measure is computed from others, from factors whose labels are numbers, and
+  /// from formulas before it, when results are read. See Formula.
+  std::string formula;
+  std::string unit;     // of a formula; "" for a pure number
+  std::string meaning;  // of a formula
 };
+
+/// The names of measures to show; none: all.
+std::vector<std::string> shown_measures(const std::vector<MeasureUse>& uses);
 
 struct Experiment {
   std::string name;
@@ -118,6 +133,7 @@ struct Experiment {
   std::vector<WorldUse> worlds;
   std::vector<Setting> settings;  // for every world
   std::vector<Factor> factors;
+  std::vector<Exclusion> exclusions;
   std::vector<std::uint64_t> seeds;  // unique, in order
   /// The number of runs of each cell with each seed. Equal seeds must give equal runs: a repetition
   /// with another final state is reported as a fault of the plugins.

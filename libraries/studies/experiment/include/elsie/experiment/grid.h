@@ -26,6 +26,9 @@ class Grid {
   /// and are not their own reference. An unknown factor matches no cell.
   std::vector<std::size_t> cells_of(const Expectation& expectation) const;
 
+  /// Indices of the cells that match, in order. An unknown factor matches nothing.
+  std::vector<std::size_t> cells_of(const std::vector<Where>& where) const;
+
   /// The index of the cell with which this one is compared: it has the levels of the expectation's
   /// `reference`, and this cell's levels of all other factors. None if the expectation has no
   /// reference, or there is no such cell.
