@@ -107,7 +107,7 @@ TEST_CASE("Levels, worlds and repetitions may be added, one after another and at
 
   // Another world changes the names of all cells.
   const std::string world = begun.folder.write(
-      "other.xml", std::string(test::kWorld).replace(0, 7, "<world description=\"another\""));
+      "other.xml", std::string(test::kWorld).replace(0, 7, "<world description=\"another\" "));
   begun.experiment.worlds.insert(begun.experiment.worlds.begin(),
                                  {"other", world, "other.xml", {}, {}});
   begun.experiment.repeats = 2;
@@ -143,7 +143,9 @@ TEST_CASE("What exists may not go, and may not change") {
     }
     return "";
   };
-  CHECK_THAT(refusal([](Experiment& e) { e.seeds = {1, 7, 9}; }),
+  CHECK_THAT(refusal([](Experiment& e) {
+               e.seeds = {1, 7, 9};
+             }),
              Contains("cannot be extended to") &&
                  Contains("the seeds 2,18446744073709551615 (removed)") &&
                  Contains("levels, worlds and seeds may be added"));
@@ -195,8 +197,7 @@ TEST_CASE("Shards are extended each by itself, and merged to the whole that was 
   std::vector<fs::path> parts;
   for (std::size_t index = 1; index <= 2; ++index) {
     parts.emplace_back(begun.folder.file("part" + std::to_string(index) + ".sqlite"));
-    auto begins =
-        ResultsDatabase::create(parts.back(), plan_of(begun.experiment, {index, 2}));
+    auto begins = ResultsDatabase::create(parts.back(), plan_of(begun.experiment, {index, 2}));
     do_all(begins);
   }
   const auto merged = [&](const std::string& name) {
@@ -205,10 +206,12 @@ TEST_CASE("Shards are extended each by itself, and merged to the whole that was 
     return file;
   };
   for (std::size_t index = 1; index <= 2; ++index) {
-    auto part = ResultsDatabase::extend(parts[index - 1], plan_of(larger, {index, 2}));
-    CHECK(part.added_runs() == 6);
-    CHECK(part.pending().size() == 3);
-    do_all(part);
+    {
+      auto part = ResultsDatabase::extend(parts[index - 1], plan_of(larger, {index, 2}));
+      CHECK(part.added_runs() == 6);
+      CHECK(part.pending().size() == 3);
+      do_all(part);
+    }
     if (index == 1) {
       // One of them is still the smaller experiment.
       const std::string file = begun.folder.file("half.sqlite");
@@ -217,8 +220,10 @@ TEST_CASE("Shards are extended each by itself, and merged to the whole that was 
       CHECK(half.pending().size() == 3);
     }
   }
-  auto whole = ResultsDatabase::extend(begun.file, plan_of(larger));
-  do_all(whole);
+  {
+    auto whole = ResultsDatabase::extend(begun.file, plan_of(larger));
+    do_all(whole);
+  }
   CHECK(test::all_tables(merged("all.sqlite")) == test::all_tables(begun.file));
 }
 

@@ -67,8 +67,7 @@ TEST_CASE("What divides by 0, or leaves the numbers, has no value, wherever it i
 TEST_CASE("A mistake is named with its column and with what was expected") {
   CHECK(mistake("a + ") ==
         "column 5: the formula ends too early; expected a number, a name or \"(\"");
-  CHECK(mistake("-") ==
-        "column 2: the formula ends too early; expected a number, a name or \"(\"");
+  CHECK(mistake("-") == "column 2: the formula ends too early; expected a number, a name or \"(\"");
   CHECK(mistake("(a") == "column 3: a \")\" is missing");
   CHECK_THAT(mistake("a)"), Catch::StartsWith("column 2: unexpected \")\""));
   CHECK_THAT(mistake("()"), Catch::StartsWith("column 2: unexpected \")\""));

@@ -223,16 +223,16 @@ TEST_CASE("A formula is a measure where the runs have all that it names") {
   CHECK_THAT(expects("measure='bumprate' where='world=measured'"),
              Catch::Contains("did you mean 'bump_rate'?"));
   CHECK(problems("<worlds><world file='data/measured.xml'/></worlds>\n"
-                 "<vary name='bumps' path='robot[r1]/@max_speed' values='0.1; 0.2'/>" +
-                 formulas) ==
+                 "<vary name='bumps' path='robot[r1]/@max_speed' values='0.1; 0.2'/>"
+                 "<measures><measure name='bump_rate' formula='bumps / time_s'/></measures>") ==
         "experiment.xml:2: formula=\"bumps / time_s\" of <measure>: column 1: 'bumps' is a factor "
         "and a measure; rename the factor");
   // What is wrong with a formula is reported once, whatever is expected of it.
-  CHECK(problems(kArena +
-                 "\n<measures><measure name='x' formula='time_s +'/></measures>"
-                 "<expectations><expect measure='x' at_most='1'/></expectations>") ==
-        "experiment.xml:2: formula=\"time_s +\" of <measure>: column 9: the formula ends too early; "
-        "expected a number, a name or \"(\"");
+  CHECK(
+      problems(kArena + "\n<measures><measure name='x' formula='time_s +'/></measures>"
+                        "<expectations><expect measure='x' at_most='1'/></expectations>") ==
+      "experiment.xml:2: formula=\"time_s +\" of <measure>: column 9: the formula ends too early; "
+      "expected a number, a name or \"(\"");
 }
 
 TEST_CASE("Formulas are shown in their place, and alone after all measures") {

@@ -99,6 +99,8 @@ TEST_CASE("The summary is available as JSON") {
   CHECK(summary["failed"] == 0);
   CHECK(summary["to_do"] == 0);
   CHECK(summary["interrupted"] == false);
+  CHECK(summary["seeds"] == 8);
+  CHECK(summary["seeds_complete"] == 8);
   CHECK(summary["database"] == "small_experiment.sqlite");
   CHECK(summary["cells"].size() == 3);
   CHECK(summary["cells"][0]["cell"] == "0.05");

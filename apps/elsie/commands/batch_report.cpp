@@ -145,8 +145,7 @@ std::set<std::string> BatchReport::without_goals() const {
 std::string BatchReport::complete_seeds() {
   const batch::SeedCount seeds = database_.seeds();
   return std::to_string(seeds.complete) + " of " +
-         base::counted(static_cast<std::uint64_t>(seeds.all), "seed is", "seeds are") +
-         " complete";
+         base::counted(static_cast<std::uint64_t>(seeds.all), "seed") + " complete";
 }
 
 std::string BatchReport::table() {
@@ -252,9 +251,8 @@ std::string BatchReport::json() {
 std::string BatchReport::interruption() {
   const Total sum = total(database_.cells(), {});
   return "elsie: interrupted; " + std::to_string(sum.pending) + " of " +
-         base::counted(sum.runs, "run is", "runs are") + " still to be done, " +
-         complete_seeds() + ". Continue with\n  " +
-         resume_ + '\n';
+         base::counted(sum.runs, "run is", "runs are") + " still to be done, " + complete_seeds() +
+         ". Continue with\n  " + resume_ + '\n';
 }
 
 int BatchReport::exit_code() {

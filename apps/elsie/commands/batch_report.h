@@ -34,7 +34,7 @@ class BatchReport {
   /// The labels of cells whose worlds have no goals.
   std::set<std::string> without_goals() const;
 
-  /// "5 of 20 seeds are complete": how much of a batch that was stopped is a study of its own.
+  /// "5 of 20 seeds complete": how much of a batch that was stopped is a study of its own.
   std::string complete_seeds();
 
   const batch::Plan& plan_;

@@ -51,9 +51,8 @@ class Choice {
  public:
   explicit Choice(const Results& results) : results_(results) {
     for (std::size_t i = 0; i < results.factors.size(); ++i) {
-      add(results.factors[i].name, [&, i](const Run& run) {
-        return results.cells[run.cell].levels[i];
-      });
+      add(results.factors[i].name,
+          [&, i](const Run& run) { return results.cells[run.cell].levels[i]; });
     }
     add("state", [](const Run& run) { return std::string(to_string(run.state)); });
     add("outcome", [](const Run& run) {
@@ -140,8 +139,9 @@ std::vector<Repeated> repeated(const Results& results, const RunsAgainOptions& o
     const std::string& cell = results.cells[run->cell].label;
     one.name = cell + ", seed " + std::to_string(run->seed) +
                (run->repetition > 1 ? ", repetition " + std::to_string(run->repetition) : "");
-    std::string file = file_part(cell) + "_seed-" + std::to_string(run->seed) +
-                       (run->repetition > 1 ? "_repetition-" + std::to_string(run->repetition) : "");
+    std::string file =
+        file_part(cell) + "_seed-" + std::to_string(run->seed) +
+        (run->repetition > 1 ? "_repetition-" + std::to_string(run->repetition) : "");
     if (!names.insert(file).second) {
       file += "_run-" + std::to_string(run->id);
       names.insert(file);
@@ -154,8 +154,8 @@ std::vector<Repeated> repeated(const Results& results, const RunsAgainOptions& o
     }
   }
   if (all.empty()) {
-    throw BadInput("--where: no run of '" + options.database +
-                   "' that has ended matches all of '" + options.where + "'");
+    throw BadInput("--where: no run of '" + options.database + "' that has ended matches all of '" +
+                   options.where + "'");
   }
   return all;
 }

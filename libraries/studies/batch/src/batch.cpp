@@ -41,8 +41,8 @@ std::vector<PlannedRun> ordered(ResultsDatabase& database) {
   try {
     return in_order(database.plan(), database.pending());
   } catch (const std::out_of_range& run) {
-    throw DatabaseError(std::string(run.what()) + " of the database '" +
-                        database.file().string() + "' is not among those of the experiment");
+    throw DatabaseError(std::string(run.what()) + " of the database '" + database.file().string() +
+                        "' is not among those of the experiment");
   }
 }
 

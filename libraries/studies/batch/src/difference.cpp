@@ -88,10 +88,9 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
                         in_quotes(file.path) + " (" + hashes(before->second, file.sha256) + ")");
     }
   }
-  const auto data =
-      pairs(connection,
-            "SELECT cell_id || char(10) || name, sha256 FROM cell_files "
-            "JOIN files ON files.id = file_id");
+  const auto data = pairs(connection,
+                          "SELECT cell_id || char(10) || name, sha256 FROM cell_files "
+                          "JOIN files ON files.id = file_id");
   for (const auto& [cell, id] : cells) {
     for (const PlannedCell::Data& one : cell->data) {
       const PlannedFile& file = plan.files[one.file];
@@ -199,7 +198,8 @@ std::string difference(sqlite::Connection& connection, const StoredGrid& stored,
     changes.push_back("the period of the trajectories (" + base::seconds_text(period.number(0)) +
                       ", now " + base::seconds_text(plan.trajectory_period_s) + ")");
   }
-  if (const std::string text = connection.text("SELECT text FROM about"); text != plan.text) {
+  if (const std::string text = connection.text("SELECT text FROM about");
+      changes.empty() && text != plan.text) {
     changes.push_back("the experiment file " + in_quotes(plan.file) + " (" +
                       hashes(results::sha256(text), results::sha256(plan.text)) + ")");
   }
@@ -210,9 +210,8 @@ std::string difference(sqlite::Connection& connection, const StoredGrid& stored,
   if (changes.size() > kMostNamed) {
     list += "; and " + std::to_string(changes.size() - kMostNamed) + " more";
   }
-  return list.empty()
-             ? "its plugins, their versions, or the libraries of Elsie or ODE differ"
-             : "changed since it was begun: " + list;
+  return list.empty() ? "its plugins, their versions, or the libraries of Elsie or ODE differ"
+                      : "changed since it was begun: " + list;
 }
 
 }  // namespace elsie::batch

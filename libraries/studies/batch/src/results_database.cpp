@@ -171,8 +171,8 @@ ResultsDatabase ResultsDatabase::continue_in(const fs::path& file, Plan plan, bo
     renew_plan(connection, plan, stored.stages.size());
     add_runs(connection, plan);
     transaction.commit();
-    auto impl = std::make_unique<Impl>(file, std::move(lock), std::move(connection),
-                                       std::move(plan));
+    auto impl =
+        std::make_unique<Impl>(file, std::move(lock), std::move(connection), std::move(plan));
     impl->added_runs_ = impl->plan_.all_runs - stored.stages.back().runs;
     return ResultsDatabase(std::move(impl));
   });
@@ -239,7 +239,8 @@ std::vector<CellCount> ResultsDatabase::cells() {
         impl_->connection_,
         "SELECT label, sum(state = 'pending'), sum(state = 'done'), "
         "sum(coalesce(outcome = 'success', 0)), sum(state NOT IN ('pending', 'done')) "
-        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY place, cells.id");
+        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY place, "
+        "cells.id");
     while (query.next()) {
       cells.push_back(
           {query.text(0), query.integer(1), query.integer(2), query.integer(3), query.integer(4)});

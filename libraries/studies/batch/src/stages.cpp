@@ -114,8 +114,8 @@ StoredGrid stored_grid(sqlite::Connection& connection) {
   while (levels.next()) {
     stored.cells[places.at(levels.integer(0))].levels.push_back(levels.text(1));
   }
-  sqlite::Statement stages(connection,
-                           "SELECT cells, seeds, repeats, runs, fingerprint FROM stages ORDER BY id");
+  sqlite::Statement stages(
+      connection, "SELECT cells, seeds, repeats, runs, fingerprint FROM stages ORDER BY id");
   while (stages.next()) {
     stored.stages.push_back({static_cast<std::size_t>(stages.integer(0)), seeds_in(stages.text(1)),
                              static_cast<int>(stages.integer(2)), stages.integer(3),

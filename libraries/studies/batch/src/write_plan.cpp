@@ -135,8 +135,8 @@ void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t f
 /// new levels may come between the old ones.
 void rename_cells(sqlite::Connection& connection, const Plan& plan, std::size_t count) {
   sqlite::Statement cell(connection, "UPDATE cells SET label = ?, place = ? WHERE id = ?");
-  sqlite::Statement level(
-      connection, "UPDATE cell_levels SET place = ? WHERE cell_id = ? AND factor_id = ?");
+  sqlite::Statement level(connection,
+                          "UPDATE cell_levels SET place = ? WHERE cell_id = ? AND factor_id = ?");
   for (std::size_t i = 0; i < count; ++i) {
     const PlannedCell& planned = plan.cells[i];
     cell.bind(1, planned.label).bind(2, id(planned.place)).bind(3, id(i)).run();

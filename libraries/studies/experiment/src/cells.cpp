@@ -24,20 +24,17 @@ std::string label_of(const Experiment& experiment, const Cell& cell) {
 }
 
 bool has_any(const Where& where, const std::optional<std::string>& label) {
-  return label &&
-         std::any_of(where.levels.begin(), where.levels.end(),
-                     [&](const std::string& pattern) { return matches(pattern, *label); });
+  return label && std::any_of(where.levels.begin(), where.levels.end(),
+                              [&](const std::string& pattern) { return matches(pattern, *label); });
 }
 
 bool is_excluded(const Experiment& experiment, const Cell& cell) {
-  return std::any_of(experiment.exclusions.begin(), experiment.exclusions.end(),
-                     [&](const Exclusion& exclusion) {
-                       return std::all_of(exclusion.where.begin(), exclusion.where.end(),
-                                          [&](const Where& where) {
-                                            return has_any(
-                                                where, level_of(experiment, cell, where.factor));
-                                          });
-                     });
+  return std::any_of(
+      experiment.exclusions.begin(), experiment.exclusions.end(), [&](const Exclusion& exclusion) {
+        return std::all_of(exclusion.where.begin(), exclusion.where.end(), [&](const Where& where) {
+          return has_any(where, level_of(experiment, cell, where.factor));
+        });
+      });
 }
 
 }  // namespace

@@ -35,8 +35,9 @@ std::vector<Exclusion> exclusions_from(const std::vector<ExclusionDraft>& drafts
       }
       if (count == 0) {
         problems.add(draft.location,
-                     what + (found.size() == all.size() ? " matches every cell"
-                                                        : " matches every cell that is left") +
+                     what +
+                         (found.size() == all.size() ? " matches every cell"
+                                                     : " matches every cell that is left") +
                          ", and nothing would be run; expected one that leaves some");
         return exclusions;
       }

@@ -94,7 +94,9 @@ Expectation expectation_from(const ExpectationDraft& draft, const Experiment& ex
     result.statistic = Statistic::rate;
   }
   result.runs = draft.runs == "successes" ? Runs::successes : Runs::all;
-  const auto to_where = [&](const std::string& text) { return parse_where(text, labels_of(experiment)); };
+  const auto to_where = [&](const std::string& text) {
+    return parse_where(text, labels_of(experiment));
+  };
   const auto to_levels = [&](const std::string& text) { return parse_reference(text, experiment); };
   if (draft.where) {
     result.where = parsed("where", *draft.where, to_where);

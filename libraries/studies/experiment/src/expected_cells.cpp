@@ -80,8 +80,7 @@ std::optional<std::size_t> Grid::place_of(const std::string& factor) const {
 
 std::vector<std::size_t> Grid::cells_of(const Expectation& expectation) const {
   std::vector<std::size_t> found = cells_of(expectation.where);
-  std::erase_if(found,
-                [&](std::size_t cell) { return reference_of(expectation, cell) == cell; });
+  std::erase_if(found, [&](std::size_t cell) { return reference_of(expectation, cell) == cell; });
   return found;
 }
 

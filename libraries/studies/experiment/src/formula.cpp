@@ -71,7 +71,8 @@ std::vector<Formula::Name> scanned(const std::string& text) {
     const std::size_t begin = at;
     if (is_digit(text[at]) || text[at] == '.') {
       double number = 0.0;
-      const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+      const auto [end, error] =
+          std::from_chars(text.data() + at, text.data() + text.size(), number);
       if (error != std::errc()) {
         fail(begin + 1, "here is no number that can be computed with");
       }
@@ -83,18 +84,17 @@ std::vector<Formula::Name> scanned(const std::string& text) {
       const std::string name = text.substr(begin, at - begin);
       const std::size_t next = text.find_first_not_of(" \t\r\n", at);
       const bool called = next != std::string::npos && text[next] == '(';
-      const bool is_function = std::find(kFunctions.begin(), kFunctions.end(), name) !=
-                               kFunctions.end();
+      const bool is_function =
+          std::find(kFunctions.begin(), kFunctions.end(), name) != kFunctions.end();
       if (called && !is_function) {
-        fail(begin + 1, "there is no function '" + name +
-                            "'; there are: min, max, abs, sqrt, log, exp");
+        fail(begin + 1,
+             "there is no function '" + name + "'; there are: min, max, abs, sqrt, log, exp");
       }
       if (!called && is_function) {
         fail(begin + 1, "'" + name + "' is a function; expected \"(\" after it");
       }
-      if (!is_function && std::none_of(names.begin(), names.end(), [&](const auto& other) {
-            return other.text == name;
-          })) {
+      if (!is_function && std::none_of(names.begin(), names.end(),
+                                       [&](const auto& other) { return other.text == name; })) {
         names.push_back({name, begin + 1});
       }
     } else if (std::string_view("+-*/^(), \t\r\n").find(text[at]) != std::string_view::npos) {
@@ -110,6 +110,11 @@ std::vector<Formula::Name> scanned(const std::string& text) {
   return names;
 }
 
+// The place of a mistake from 0; at the end of the text muparser counts one too many.
+std::size_t place_of(const mu::Parser::exception_type& error, const std::string& text) {
+  return std::min(static_cast<std::size_t>(std::max(error.GetPos(), 0)), text.size());
+}
+
 // What is wrong, as the end of a sentence.
 std::string reason(const mu::Parser::exception_type& error, const std::string& text) {
   constexpr const char* kTooEarly =
@@ -122,8 +127,9 @@ std::string reason(const mu::Parser::exception_type& error, const std::string& t
     case mu::ecMISSING_PARENS:
       return "a \")\" is missing";
     case mu::ecUNEXPECTED_PARENS:
-      return "unexpected \"" + error.GetToken() + "\": brackets come in pairs, with something in "
-                                                  "between";
+      return "unexpected \"" + error.GetToken() +
+             "\": brackets come in pairs, with something in "
+             "between";
     case mu::ecTOO_FEW_PARAMS:
     case mu::ecTOO_MANY_PARAMS:
       return "a function has another number of values; min and max take any number, the others one";
@@ -134,7 +140,7 @@ std::string reason(const mu::Parser::exception_type& error, const std::string& t
       break;
   }
   // muparser's token goes on to the end of the text after an operator.
-  const auto at = static_cast<std::size_t>(std::max(error.GetPos(), 0));
+  const std::size_t at = place_of(error, text);
   if (at >= text.size()) {
     return kTooEarly;
   }
@@ -163,8 +169,7 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
     parser.ClearConst();
     parser.ClearFun();
     parser.EnableBuiltInOprt(false);
-    parser.DefineNameChars(
-        "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     parser.DefineOprt("+", add, mu::prADD_SUB);
     parser.DefineOprt("-", subtract, mu::prADD_SUB);
     parser.DefineOprt("*", multiply, mu::prMUL_DIV);
@@ -182,10 +187,11 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
     parser.SetExpr(text);
     parser.Eval();
     if (parser.GetNumResults() != 1) {
-      fail(text.find(',') + 1, "unexpected \",\"; it stands between the values of min and max only");
+      fail(text.find(',') + 1,
+           "unexpected \",\"; it stands between the values of min and max only");
     }
   } catch (const mu::Parser::exception_type& error) {
-    fail(static_cast<std::size_t>(std::max(error.GetPos(), 0)) + 1, reason(error, text));
+    fail(place_of(error, text) + 1, reason(error, text));
   }
 }
 

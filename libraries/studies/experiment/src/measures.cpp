@@ -88,9 +88,8 @@ class Known {
 
  private:
   const Factor* factor_called(const std::string& name) const {
-    const auto found =
-        std::find_if(experiment_.factors.begin(), experiment_.factors.end(),
-                     [&](const Factor& factor) { return factor.name == name; });
+    const auto found = std::find_if(experiment_.factors.begin(), experiment_.factors.end(),
+                                    [&](const Factor& factor) { return factor.name == name; });
     return found == experiment_.factors.end() ? nullptr : &*found;
   }
 
@@ -152,8 +151,8 @@ std::vector<std::size_t> lists_for(const MeasureUse& use, const Known& known,
   bool sound = true;
   for (const Formula::Name& name : formula->names()) {
     if (const std::string wrong = known.mistake(name.text); !wrong.empty()) {
-      problems.add(use.location, beginning(use.formula) + "column " + std::to_string(name.column) +
-                                     ": " + wrong);
+      problems.add(use.location,
+                   beginning(use.formula) + "column " + std::to_string(name.column) + ": " + wrong);
       sound = false;
     }
   }
@@ -181,9 +180,10 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts,
       problems.add(draft.location, wrong);
     }
     // One without a text stays a formula.
-    const std::string formula = draft.formula && draft.formula->empty() ? " " : draft.formula.value_or("");
-    uses.push_back({draft.name, draft.location, formula, draft.unit.value_or(""),
-                    draft.meaning.value_or("")});
+    const std::string formula =
+        draft.formula && draft.formula->empty() ? " " : draft.formula.value_or("");
+    uses.push_back(
+        {draft.name, draft.location, formula, draft.unit.value_or(""), draft.meaning.value_or("")});
   }
   return uses;
 }
@@ -193,8 +193,7 @@ void add_formulas(const Experiment& experiment, CellMeasures& measures, base::Pr
     if (use.formula.empty()) {
       continue;
     }
-    for (const std::size_t list :
-         lists_for(use, Known(experiment, measures), measures, problems)) {
+    for (const std::size_t list : lists_for(use, Known(experiment, measures), measures, problems)) {
       measures.lists[list].push_back({use.name, use.unit, use.meaning});
     }
   }

@@ -154,14 +154,14 @@ void check_max_runs(const ExperimentDraft& draft, const Experiment& experiment, 
   const std::uint64_t runs =
       cells * experiment.seeds.size() * static_cast<std::uint64_t>(experiment.repeats);
   if (draft.max_runs && runs > static_cast<std::uint64_t>(*draft.max_runs)) {
-    problems.add(root, "the experiment has " + base::counted(runs, "run") + ", " +
-                           base::counted(cells, "cell") + " x " +
-                           base::counted(experiment.seeds.size(), "seed") +
-                           (experiment.repeats == 1
-                                ? ""
-                                : ", each " + std::to_string(experiment.repeats) + " times") +
-                           ", but max_runs=\"" + std::to_string(*draft.max_runs) +
-                           "\"; expected fewer levels or seeds, or a larger max_runs");
+    problems.add(
+        root,
+        "the experiment has " + base::counted(runs, "run") + ", " + base::counted(cells, "cell") +
+            " x " + base::counted(experiment.seeds.size(), "seed") +
+            (experiment.repeats == 1 ? ""
+                                     : ", each " + std::to_string(experiment.repeats) + " times") +
+            ", but max_runs=\"" + std::to_string(*draft.max_runs) +
+            "\"; expected fewer levels or seeds, or a larger max_runs");
   }
 }
 

@@ -21,7 +21,8 @@ const Labels& named(const std::string& factor, const std::vector<Labels>& known)
     for (const Labels& one : known) {
       names.push_back(one.factor);
     }
-    throw std::invalid_argument("there is no factor '" + factor + "'" + base::near_or_all(factor, names, "there are"));
+    throw std::invalid_argument("there is no factor '" + factor + "'" +
+                                base::near_or_all(factor, names, "there are"));
   }
   return *found;
 }
@@ -42,21 +43,23 @@ std::vector<Where> parse_where(const std::string& text, const std::vector<Labels
   for (const std::string& part : split(text, ';')) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) {
-      throw std::invalid_argument("expected FACTOR=LEVEL, several of them separated by \";\", found '" + part + "'");
+      throw std::invalid_argument(
+          "expected FACTOR=LEVEL, several of them separated by \";\", found '" + part + "'");
     }
     Where where;
     where.factor = trimmed(part.substr(0, equals));
     const Labels& factor = named(where.factor, known);
     if (!used.insert(where.factor).second) {
-      throw std::invalid_argument("'" + where.factor + "' stands there twice; one of several levels is " + where.factor +
-           "=A|B");
+      throw std::invalid_argument("'" + where.factor +
+                                  "' stands there twice; one of several levels is " + where.factor +
+                                  "=A|B");
     }
     where.levels = split(part.substr(equals + 1), '|');
     for (const std::string& level : where.levels) {
       if (std::none_of(factor.labels.begin(), factor.labels.end(),
                        [&](const std::string& label) { return matches(level, label); })) {
         throw std::invalid_argument("'" + where.factor + "' has no level '" + level + "'" +
-             base::near_or_all(level, factor.labels, "it has"));
+                                    base::near_or_all(level, factor.labels, "it has"));
       }
     }
     all.push_back(std::move(where));

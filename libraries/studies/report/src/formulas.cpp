@@ -77,8 +77,8 @@ std::vector<std::string> add_formulas(Results& results,
     }
     std::string meaning = (use.meaning.empty() ? "" : use.meaning + ": ") + use.formula;
     if (undefined > 0) {
-      const std::string where =
-          base::counted(undefined, "run") + ", where the formula divides by 0 or leaves the numbers";
+      const std::string where = base::counted(undefined, "run") +
+                                ", where its formula divides by 0 or gives no finite number";
       meaning += "; no value in " + where;
       sentences.push_back("the measure '" + use.name + "' has no value in " + where);
     }

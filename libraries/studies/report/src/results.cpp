@@ -41,8 +41,8 @@ Places read_factors(sqlite::Connection& connection, Results& results) {
 Places read_cells(sqlite::Connection& connection, Results& results) {
   const Places factors = read_factors(connection, results);
   Places places;
-  sqlite::Statement cells(connection,
-                          "SELECT id, label, world, world_text, world_file FROM cells ORDER BY place, id");
+  sqlite::Statement cells(
+      connection, "SELECT id, label, world, world_text, world_file FROM cells ORDER BY place, id");
   while (cells.next()) {
     CellInfo cell;
     cell.id = cells.integer(0);

@@ -11,14 +11,19 @@
 namespace elsie::report {
 
 std::string size_in_words(const Findings& findings) {
-  std::set<std::uint64_t> seeds;
+  std::set<std::uint64_t> seeds, incomplete;
   int repeats = 1;
   for (const Run& run : findings.results.runs) {
     seeds.insert(run.seed);
     repeats = std::max(repeats, run.repetition);
+    if (!run.ended() && run.repetition == 1) {
+      incomplete.insert(run.seed);
+    }
   }
-  std::string text = counted(findings.runs(), "run") + ": " +
-                     counted(findings.cells.size(), "cell") + ", " + counted(seeds.size(), "seed");
+  std::string text =
+      counted(findings.runs(), "run") + ": " + counted(findings.cells.size(), "cell") + ", " +
+      (incomplete.empty() ? "" : std::to_string(seeds.size() - incomplete.size()) + " of ") +
+      counted(seeds.size(), "seed") + (incomplete.empty() ? "" : " complete");
   if (repeats > 1) {
     text += ", each " + std::to_string(repeats) + " times";
   }

@@ -10,6 +10,7 @@
 namespace elsie::report {
 
 /// "160 runs: 8 cells with 20 seeds each"; for a part of an experiment, with the shard.
+/// Of a batch that has not ended, "5 of 20 seeds complete": ended in every cell.
 std::string size_in_words(const Findings& findings);
 
 /// "4 of 6 runs are not in this database"; for a shard, with its number.
