@@ -237,6 +237,15 @@ TEST_CASE("A database that was begun with all is another than one that was exten
                     Contains("belongs to another experiment"));
 }
 
+TEST_CASE("A database without its stages is damaged") {
+  Begun begun;
+  for (const char* change : {"UPDATE stages SET cells = 3", "DELETE FROM stages"}) {
+    test::rows(begun.file, change);
+    CHECK_THROWS_WITH(ResultsDatabase::resume(begun.file, plan_of(begun.experiment)),
+                      Contains("is damaged (`stages`"));
+  }
+}
+
 TEST_CASE("New cells bring their plugins and files, and share those that are there") {
   Begun begun;
   const std::string libraries = test::rows(begun.file, "SELECT count(*) FROM plugins");

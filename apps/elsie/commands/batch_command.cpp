@@ -45,7 +45,7 @@ some run, 4 interrupted, or an error.
 
 ResultsDatabase opened(const BatchOptions& options, const fs::path& file, Plan plan) {
   if (!options.resume || results::is_vacant(file)) {
-    return ResultsDatabase::create(file, plan);
+    return ResultsDatabase::create(file, std::move(plan));
   }
   ResultsDatabase database = options.extend ? ResultsDatabase::extend(file, std::move(plan))
                                             : ResultsDatabase::resume(file, std::move(plan));

@@ -132,7 +132,7 @@ const Plan& ResultsDatabase::plan() const { return impl_->plan_; }
 
 std::int64_t ResultsDatabase::added_runs() const { return impl_->added_runs_; }
 
-ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
+ResultsDatabase ResultsDatabase::create(const fs::path& file, Plan plan) {
   LockFile lock(file);
   if (!results::is_vacant(file)) {
     results::open_to_read(file);  // reports a file that is not a database
@@ -151,7 +151,7 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
       results::prepare_for_writing(connection);
     });
     return ResultsDatabase(
-        std::make_unique<Impl>(file, std::move(lock), std::move(connection), plan));
+        std::make_unique<Impl>(file, std::move(lock), std::move(connection), std::move(plan)));
   } catch (...) {
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -165,6 +165,9 @@ ResultsDatabase ResultsDatabase::continue_in(const fs::path& file, Plan plan, bo
   sqlite::Connection connection = results::open_to_write(file);
   return results::guarded(file, "could not be written", [&] {
     const StoredGrid stored = stored_grid(connection);
+    if (stored.stages.empty() || stored.stages.back().cells != stored.cells.size()) {
+      throw results::damaged(file, "`stages` does not have the cells");
+    }
     plan = continued(file, connection, stored, std::move(plan), extend);
     results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);

@@ -90,7 +90,7 @@ class ResultsDatabase {
  public:
   /// Creates the file and writes the plan. Throws DatabaseRefused if the file already exists or
   /// cannot be created, DatabaseError if it cannot be written.
-  static ResultsDatabase create(const std::filesystem::path& file, const Plan& plan);
+  static ResultsDatabase create(const std::filesystem::path& file, Plan plan);
   /// Opens a database to continue its batch, and adds runs of the plan that are missing in it.
   /// Throws DatabaseRefused if it is not a results database, is being written by another process,
   /// is damaged, or belongs to another experiment or shard.
