@@ -67,8 +67,10 @@ TEST_CASE("A batch that is killed while it extends its database loses nothing") 
   write_grown(here);
   const std::string done = "SELECT count(*) FROM runs WHERE state = 'done' AND id <= 24";
   for (const std::string after_s : {"0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.8"}) {
-    here.sh("timeout -s KILL " + after_s +
-            " elsie --one-process batch small_experiment.xml --extend --workers 1");
+    here.sh(
+        "elsie --one-process batch small_experiment.xml --extend --workers 1 & batch=$!\n"
+        "sleep " +
+        after_s + "; kill -KILL $batch; wait $batch");
     CAPTURE(after_s);
     const std::string runs = here.query("small_experiment.sqlite", "SELECT count(*) FROM runs");
     CHECK((runs == "24\n" || runs == "40\n"));
