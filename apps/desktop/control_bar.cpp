@@ -30,7 +30,7 @@ constexpr double kHandle_px = 6.0;  // from the end of the slider to where its h
 const QSet<int> kTimeKeys{Qt::Key_Left,   Qt::Key_Right, Qt::Key_Comma,
                           Qt::Key_Period, Qt::Key_Home,  Qt::Key_End};
 constexpr int kBetweenPictures_ms = 40;  // of the past that is played
-constexpr double kAtOnce_s = 0.05;  // events nearer than this to the shown time are at it
+constexpr double kAtOnce_s = 0.05;       // events nearer than this to the shown time are at it
 
 }  // namespace
 

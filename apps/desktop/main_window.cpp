@@ -166,7 +166,8 @@ void MainWindow::show_state() {
                                              {Workbench::Run::running, tr("running")},
                                              {Workbench::Run::paused, tr("paused")},
                                              {Workbench::Run::ended, tr("ended")}};
-  const QString word = is_stuck_                   ? tr("no answer")
+  const QString word = workbench_.is_opening()    ? tr("opening the world")
+                       : is_stuck_                ? tr("no answer")
                        : time_line_->is_playing() ? tr("playing the past")
                                                   : words.value(workbench_.run_state());
   const bool is_over = !outcome_.isEmpty() && !time_line_->is_playing();
@@ -191,7 +192,8 @@ void MainWindow::show_pose() {
 
 void MainWindow::show_lock() {
   const bool is_locked = scene_->locked().contains(authoring_->selection().value(0));
-  actions_["lock"]->setText(is_locked ? tr("Unloc&k for the mouse") : tr("Loc&k against the mouse"));
+  actions_["lock"]->setText(is_locked ? tr("Unloc&k for the mouse")
+                                      : tr("Loc&k against the mouse"));
 }
 
 void MainWindow::show_selection(const QStringList& paths) {

@@ -164,6 +164,7 @@ class MainWindow : public QMainWindow {
   QLabel* seed_label_;
   QLabel* outcome_label_;
   QString outcome_;
+  QString opening_;  // what the status bar says until the world is there
   QLabel* recording_label_;
   RunReader* runs_;
   std::unique_ptr<Recorded> recorded_;

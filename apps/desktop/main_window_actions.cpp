@@ -44,9 +44,9 @@ QAction* MainWindow::action(const char* name, const QString& text, const QKeySeq
 
 void MainWindow::make_actions() {
   const auto key = [](const char* keys) { return QKeySequence(QString(keys)); };
-  action("new", tr("&New world..."), QKeySequence::New,
-         [this] { begin_world([this] { return ask_for_new_world(this); }); })
-      ->setIconText(tr("New"));
+  action("new", tr("&New world..."), QKeySequence::New, [this] {
+    begin_world([this] { return ask_for_new_world(this); });
+  })->setIconText(tr("New"));
   action("open", tr("&Open..."), QKeySequence::Open, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Open a world, a recording or a run of a database"),
@@ -248,7 +248,8 @@ void MainWindow::make_actions() {
                "click chooses, with Shift several; a right click edits. "
                "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
                "snaps, Shift refines. "
-               "Arrows move what is chosen, with Shift by 1 cm. Space runs and pauses. G moves, R turns, S resizes: "
+               "Arrows move what is chosen, with Shift by 1 cm. Space runs and pauses. G moves, R "
+               "turns, S resizes: "
                "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
                "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
                "to the event before and after; Home and End.</p>");
@@ -298,8 +299,8 @@ void MainWindow::make_menus() {
   QMenu* events = simulation->addMenu(tr("&Go to an event"));
   events->setObjectName("events_menu");
   connect(events, &QMenu::aboutToShow, this, [this, events] { list_events(events); });
-  fill(simulation, {"event_before", "event_after", "now", "", "physics", "arena", "limits", "",
-                    "stop_engine"});
+  fill(simulation,
+       {"event_before", "event_after", "now", "", "physics", "arena", "limits", "", "stop_engine"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   fill(help, {"commands", "keys", "shortcuts", "about"});
 

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
@@ -39,6 +40,9 @@ constexpr int kFewRobots = 16;  // that Plots shows all numbers of
 
 void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::described, this, [this] {
+    if (statusBar()->currentMessage() == std::exchange(opening_, QString())) {
+      statusBar()->clearMessage();
+    }
     scene_->set_scene(workbench_.scene(), workbench_.epoch());
     world_tree_->show_world();
     show_teams();
@@ -141,8 +145,14 @@ void MainWindow::connect_workbench() {
     if (const bool is_stuck = waiting_ms > kStuck_ms; is_stuck != is_stuck_) {
       is_stuck_ = is_stuck;
       show_state();
+      if (!is_stuck) statusBar()->clearMessage();
     }
-    if (is_stuck_) {
+    if (is_stuck_ && workbench_.is_opening()) {
+      statusBar()->showMessage(
+          tr("The engine has been reading the world for %1 s: it is large, or a plugin takes long. "
+             "'Stop the engine now' in the menu Simulation ends that, and the text stays.")
+              .arg(waiting_ms / 1000));
+    } else if (is_stuck_) {
       statusBar()->showMessage(
           tr("The engine does not answer: a plugin takes long. 'Stop the engine now' in the menu "
              "Simulation begins it anew, and the world stays."));

@@ -93,6 +93,11 @@ void MainWindow::show_opened(const QString& file) {
   centre_->setCurrentIndex(1);
   scene_->setFocus();
   show_title();
+  show_state();
+  if (workbench_.is_opening()) {
+    opening_ = tr("Opening '%1'...").arg(file);
+    say(opening_);
+  }
 }
 
 // What is only true of the world that was there.

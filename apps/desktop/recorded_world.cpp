@@ -53,13 +53,12 @@ std::vector<StoredRun> runs_in(const QString& table) {
     const auto cell = [&](const char* name) { return cells.value(names.indexOf(name)); };
     if (const int number = cell("run").toInt(); number > 0) {
       const QString outcome = cell("outcome");
-      runs.push_back(
-          {number,
-           cell("cell"),
-           cell("seed"),
-           outcome.isEmpty() ? cell("state") : outcome,
-           {cell("simulated_s").toDouble(), cell("steps").toLongLong(), cell("state_hash"),
-            cell("state") != "done"}});
+      runs.push_back({number,
+                      cell("cell"),
+                      cell("seed"),
+                      outcome.isEmpty() ? cell("state") : outcome,
+                      {cell("simulated_s").toDouble(), cell("steps").toLongLong(),
+                       cell("state_hash"), cell("state") != "done"}});
     }
   }
   return runs;
@@ -139,8 +138,7 @@ void RunReader::read_world(const QString& file, int run,
         QDir(each->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size() <= 1);
     delete each;
   });
-  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, {},
-                      folder};
+  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, {}, folder};
   QStringList words{"replay", file};
   if (run > 0) {
     words << QString::number(run);

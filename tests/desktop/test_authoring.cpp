@@ -186,6 +186,7 @@ TEST_CASE("A list in the tree shows what it holds, and adds to it") {
   CHECK(add->text() == "Add sensor...");
   QTest::mouseClick(add, Qt::LeftButton);
   Window::press(window.dialog("element_dialog"), QDialogButtonBox::Cancel);
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
   choose_list("robot[r1]");
   CHECK(title() == "robots");
   CHECK(add->text() == "Add robot...");

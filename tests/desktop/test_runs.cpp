@@ -20,8 +20,8 @@
 #include "export/exporter.h"
 #include "export/film.h"
 #include "hands.h"
-#include "watch/plots_panel.h"
 #include "scene/scene_view.h"
+#include "watch/plots_panel.h"
 
 using namespace elsie::desktop;
 

@@ -218,9 +218,9 @@ void Workbench::keep_as_text(const QString& why) {
 void Workbench::lost(int exit_code, const QString& report) {
   ++deaths_;
   const bool was_stopped = std::exchange(is_stopping_, false);
-  const QString said = report.trimmed().isEmpty()
-                           ? tr("The engine ended with exit code %1.").arg(exit_code)
-                           : report.trimmed();
+  const QString said = !report.trimmed().isEmpty() ? report.trimmed()
+                       : was_stopped               ? tr("No plugin was at work.")
+                                     : tr("The engine ended with exit code %1.").arg(exit_code);
   const QString deadly = under_way_;
   const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;
   drop_changes(tr("The engine ended before this was done: %1").arg(cause_in(said)));
@@ -235,9 +235,9 @@ void Workbench::lost(int exit_code, const QString& report) {
     Q_EMIT engine_lost(said, was_stopped);
     return;
   }
-  const QString cause =
-      was_stopped ? tr("You stopped the engine while it read this world: %1").arg(said)
-                  : tr("The engine ended when it read this world: %1").arg(said);
+  const QString cause = was_stopped
+                            ? tr("You stopped the engine while it read this world: %1").arg(said)
+                            : tr("The engine ended when it read this world: %1").arg(said);
   if (is_deadly) {
     keep_as_text(cause);
   } else if (deaths_ == kMostDeaths && !text_.isEmpty()) {

@@ -44,6 +44,8 @@ class Workbench : public QObject {
   /// Whether the text is one that the engine has; otherwise problems() says why not.
   bool is_right() const { return is_right_; }
   const Problems& problems() const { return problems_; }
+  /// Whether the engine is reading a world: a large one takes some seconds.
+  bool is_opening() const { return !under_way_.isEmpty() && tree_.is_null(); }
   /// What else there is to say of the world and its plugins, as `elsie check` does.
   Problems remarks() const;
   const Json& tree() const { return tree_; }
@@ -137,7 +139,7 @@ class Workbench : public QObject {
   void refused(const elsie::desktop::Problems& problems);
   void history_changed();
   void run_changed();
-  void went_on();  // the run goes on, or a step of it is made
+  void went_on();                                   // the run goes on, or a step of it is made
   void came_to(const elsie::desktop::Json& event);  // it has paused where it was to
   void snapshot(const elsie::snapshots::Snapshot& snapshot);
   void state(const elsie::desktop::Json& state);
@@ -224,9 +226,9 @@ class Workbench : public QObject {
   double pace_ = 0.0;
   double speed_ = 1.0;
   std::uint64_t seed_ = 1;
-  int deaths_ = 0;  // of the engine since the user last did something
+  int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
-  QSet<QString> copied_;  // files in kept_folder() to which undo may lead
+  QSet<QString> copied_;      // files in kept_folder() to which undo may lead
   Recovery recovery_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;

@@ -50,9 +50,8 @@ QString free_name(const QString& folder, const QString& name,
                   const std::optional<QByteArray>& content) {
   const QFileInfo info(name);
   for (int i = 1;; ++i) {
-    const QString tried = i == 1 ? name
-                                 : QString("%1-%2.%3").arg(info.completeBaseName()).arg(i).arg(
-                                       info.suffix());
+    const QString tried =
+        i == 1 ? name : QString("%1-%2.%3").arg(info.completeBaseName()).arg(i).arg(info.suffix());
     const QString file = folder + '/' + tried;
     if (!QFileInfo::exists(file) || (content && bytes_of(file) == content)) {
       return tried;

@@ -137,9 +137,8 @@ void Exporter::end_film(bool is_wanted) {
 // Recordings and commands
 
 void Exporter::record() {
-  const QString file =
-      ask_for_file(tr("Record the next run: 10 samples for each simulated second"), "run.mcap",
-                   tr("Recordings (*.mcap *.csv)"));
+  const QString file = ask_for_file(tr("Record the next run: 10 samples for each simulated second"),
+                                    "run.mcap", tr("Recordings (*.mcap *.csv)"));
   if (!file.isEmpty()) {
     record_into(file);
   }

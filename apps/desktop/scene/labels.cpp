@@ -41,8 +41,7 @@ std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, cons
     const QPointF corner(at->x() - 0.5 * metrics.horizontalAdvance(name) - kAside,
                          at->y() - kAbove);
     for (const double lines : {0.0, -1.0, 1.0}) {
-      const QRectF box =
-          label_box(metrics, corner + QPointF(0.0, lines * metrics.height()), name);
+      const QRectF box = label_box(metrics, corner + QPointF(0.0, lines * metrics.height()), name);
       if (box.intersects(view) &&
           std::none_of(labels.begin(), labels.end(),
                        [&box](const Label& other) { return other.box.intersects(box); })) {

@@ -361,10 +361,10 @@ void SceneView::paint_locks(QPainter& painter) const {
   const double side = QFontMetricsF(font()).height();
   for (const QString& path : locked_) {
     const auto frame = stage_.place_of(path);
-    const auto at = frame ? camera_.project({frame->origin.x, frame->origin.y, 0.0}, size())
-                          : std::nullopt;
+    const auto at =
+        frame ? camera_.project({frame->origin.x, frame->origin.y, 0.0}, size()) : std::nullopt;
     if (at) {
-      const QRectF area(at->x() - 0.5 * side, at->y() - 0.5 * side, side, side);
+      const QRectF area(at->x() + 0.8 * side, at->y(), side, side);  // the thing stays in sight
       painter.setPen(Qt::NoPen);
       painter.setBrush(QColor(255, 255, 255, 215));
       painter.drawEllipse(area.adjusted(-3.0, -3.0, 3.0, 3.0));

@@ -25,9 +25,8 @@ constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a ne
 constexpr int kFirstFan = 5;                // range sensors that a robot without any is offered
 
 QString default_of(const Kind& kind, const QString& name) {
-  const auto field =
-      std::find_if(kind.fields.begin(), kind.fields.end(),
-                   [&name](const Field& each) { return each.name == name; });
+  const auto field = std::find_if(kind.fields.begin(), kind.fields.end(),
+                                  [&name](const Field& each) { return each.name == name; });
   return field == kind.fields.end() ? QString() : field->default_text;
 }
 

@@ -127,11 +127,10 @@ void Properties::refresh_list() {
   int count = 0;
   visit_children(place, [&count](const ElementPlace&) { ++count; });
   const auto kind = workbench_.catalog().element(list_);
-  title_->setText(path_.isEmpty()
-                      ? list_
-                      : tr("%1 of %2").arg(list_, title_at(workbench_.tree(), path_)));
-  about_->setText((count == 1 ? tr("One element.") : tr("%1 elements.").arg(count)) + ' ' +
-                  (kind ? kind->description : QString()));
+  title_->setText(path_.isEmpty() ? list_
+                                  : tr("%1 of %2").arg(list_, title_at(workbench_.tree(), path_)));
+  const QString elements = count == 1 ? tr("one element") : tr("%1 elements").arg(count);
+  about_->setText(kind ? tr("%1: %2").arg(kind->description, elements) : elements);
   form_->show_fields({}, Json::object());
   add_->setText(list_ == "behaviors"     ? tr("Behaviours...")
                 : list_ == "coordinator" ? tr("Coordinator...")

@@ -298,8 +298,9 @@ void WorldTree::show_item(QTreeWidgetItem& item, const ElementPlace& place) {
   QStringList tips;
   if (is_locked) tips << tr("Locked against the mouse (Ctrl+L).");
   if (is_inherited) {
-    tips << tr("It comes from the robot's template; what is changed here is written into the "
-               "robot's own element.");
+    tips << tr(
+        "It comes from the robot's template; what is changed here is written into the "
+        "robot's own element.");
   }
   item.setToolTip(0, tips.join('\n'));
 }
