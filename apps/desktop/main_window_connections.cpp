@@ -65,6 +65,7 @@ void MainWindow::connect_workbench() {
     }
     watch();
     show_title();
+    show_state();
   });
   connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {

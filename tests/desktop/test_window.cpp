@@ -299,6 +299,7 @@ TEST_CASE("Without a world, only what needs none can be done") {
 
   // A text that is no world can be saved, and nothing else be done with it.
   window.open(window.file("<world", "broken.xml"));
+  CHECK(window.get<QLabel>("outcome")->text() == "no world");
   look();
   CHECK((enabled - need_none) == QSet<QString>{"save", "save_as", "start_page", "next_problem"});
 }

@@ -125,6 +125,7 @@ void Workbench::open_in_engine(const QString& text) {
          {"file", file_.toStdString()},
          {"seed", seed_}},
         [this, text](const Json& answer) {
+          under_way_.clear();  // it has been read
           had_world_ = !answer.contains("refused") || answer.value("made_plugins", true);
           if (answer.contains("refused")) {
             tree_ = scene_ = Json();
@@ -219,7 +220,7 @@ void Workbench::lost(int exit_code, const QString& report) {
   ++deaths_;
   const bool was_stopped = std::exchange(is_stopping_, false);
   const QString said = !report.trimmed().isEmpty() ? report.trimmed()
-                       : was_stopped ? tr("It has not said that a plugin was at work.")
+                       : was_stopped ? tr("No plugin was found at work.")
                                      : tr("The engine ended with exit code %1.").arg(exit_code);
   const QString deadly = under_way_;
   const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;
