@@ -170,6 +170,14 @@ class Connection::Impl {
     posix_spawn_file_actions_adddup2(&actions, their_output, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions, theirs, kMessages);
     posix_spawn_file_actions_adddup2(&actions, memory_.descriptor(), kMemory);
+    // A program that was started in the background may ignore the signal of quit().
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGQUIT);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     std::vector<std::string> words{program, "session"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -178,7 +186,8 @@ class Connection::Impl {
     }
     argv.push_back(nullptr);
     const int error =
-        posix_spawn(&process_, program.c_str(), &actions, nullptr, argv.data(), environ);
+        posix_spawn(&process_, program.c_str(), &actions, &attributes, argv.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       process_ = -1;

@@ -23,6 +23,10 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
   return changes;
 }
 
+std::filesystem::path folder_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path();
+}
+
 /// Whether reading this text may have created plugins, which can leave threads behind.
 bool may_make_plugins(const std::string& text) {
   try {
@@ -85,7 +89,9 @@ void Server::Impl::move(const Json& message, Json& answer) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const std::string before = document_->text(), begun = repetition_.text();
   const std::string old_file = document_->file();
-  editing::Document moved(document_->text_for(folder), file, host(), reading());
+  const std::string text = message.contains("text") ? message.at("text").get<std::string>()
+                                                    : document_->text_for(folder);
+  editing::Document moved(text, file, host(), reading());
   document_ = std::move(moved);
   repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
   inverses_.clear();  // they contain names of files as in the old text
@@ -93,9 +99,6 @@ void Server::Impl::move(const Json& message, Json& answer) {
 }
 
 std::string Server::Impl::from_elsewhere(const std::string& text, const std::string& file) const {
-  const auto folder_of = [](const std::string& name) {
-    return std::filesystem::path(name).parent_path();
-  };
   const std::filesystem::path here = folder_of(document_->file());
   return file.empty() || folder_of(file) == here
              ? text
@@ -114,9 +117,10 @@ void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_js
 
 void Server::Impl::change(const std::function<editing::Edits()>& make,
                           std::vector<std::string> edits, Json& answer) {
-  std::optional<world::World> before;
+  std::optional<world::World> before, before_in_run;
   if (phase_ == Phase::under_way) {
     before = document_->world();
+    before_in_run = world_of_run();
   }
   editing::Edits inverse = make();
   try {
@@ -127,7 +131,12 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
       // In the run, the same edits may have another meaning.
       const bool are_right =
           !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading());
-      change_run(are_right ? std::move(edits) : edits_from(*before));
+      edits = are_right ? std::move(edits) : edits_from(*before, document_->world());
+      if (before_in_run) {
+        change_run(edits_from(*before_in_run, *world_of_run()), std::move(edits));
+      } else {
+        change_run(edits, edits);
+      }
     }
   } catch (...) {
     document_->apply(inverse);
@@ -138,20 +147,30 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
   describe(answer);
 }
 
-std::vector<std::string> Server::Impl::edits_from(const world::World& before) const {
+std::optional<world::World> Server::Impl::world_of_run() const {
+  const std::string folder = folder_of(run_file_).string();
+  if (folder_of(document_->file()) == folder) {
+    return std::nullopt;
+  }
+  return editing::Document(document_->text_for(folder), run_file_, host(), reading()).world();
+}
+
+std::vector<std::string> Server::Impl::edits_from(const world::World& before,
+                                                  const world::World& after) const {
   try {
-    return editing::edits_between(before, document_->world(), host(), reading());
+    return editing::edits_between(before, after, host(), reading());
   } catch (const world::WorldError&) {
     throw base::BadInput(
         "no edits lead from the running world to this one; reset the run to begin with this one");
   }
 }
 
-void Server::Impl::change_run(std::vector<std::string> edits) {
-  if (edits.empty()) {
+void Server::Impl::change_run(const std::vector<std::string>& edits_there,
+                              std::vector<std::string> edits) {
+  if (edits_there.empty()) {
     return;
   }
-  simulation_->change(changes_of(edits));
+  simulation_->change(changes_of(edits_there));
   ++epoch_;
   history_.rename(body_names(simulation_->world()));
   repetition_.add(simulation_->time_s(), simulation_->world().physics.step, std::move(edits));

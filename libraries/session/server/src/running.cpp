@@ -55,6 +55,7 @@ void Server::Impl::begin(std::unique_ptr<Simulation> simulation) {
 
 void Server::Impl::take_next() {
   simulation_ = std::move(next_);
+  run_file_ = document_->file();
   recording_.close();
   repetition_.begin(document_->file(), document_->text(), seed_);
   told_events_ = told_notes_ = 0;
@@ -74,6 +75,7 @@ void Server::Impl::start(const Json& message, Json&) {
     pause_at_ = static_cast<std::uint64_t>(std::clamp(steps, 0.0, 1e15));
     is_pause_told_ = true;
   }
+  is_pause_paced_ = message.value("paced", false);
   running_ = true;
 }
 
@@ -93,6 +95,7 @@ void Server::Impl::step(const Json&, Json&) {
   // Steps that have not been carried out yet add up.
   const auto period = static_cast<std::uint64_t>(simulation_->world().physics.control_steps);
   pause_at_ = pause_at_ ? *pause_at_ + period : simulation_->steps() + 1;
+  is_pause_paced_ = false;
   running_ = answers_later_ = true;
 }
 
@@ -168,7 +171,10 @@ void Server::Impl::between_decisions() {
     report_news();
     report_state();
     if (is_told) {
-      link_.send({{"event", "paused"}, {"time_s", simulation_->time_s()}});
+      link_.send({{"event", "paused"},
+                  {"time_s", simulation_->time_s()},
+                  {"steps", simulation_->steps()},
+                  {"state_hash", simulation::hash_text(simulation_->state_hash())}});
     }
   }
   const Clock::time_point now = Clock::now();
@@ -181,7 +187,7 @@ void Server::Impl::between_decisions() {
   if (now - heard_ >= kBetweenMessages) {
     hear();
   }
-  while (running_ && speed_ > 0.0 && !pause_at_ && !link_.closed()) {
+  while (running_ && speed_ > 0.0 && (!pause_at_ || is_pause_paced_) && !link_.closed()) {
     const double early =
         (simulation_->time_s() - paced_from_s_) / speed_ - seconds(Clock::now() - paced_from_);
     if (early <= 0.0) {

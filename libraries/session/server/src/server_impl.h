@@ -88,10 +88,14 @@ class Server::Impl {
   /// new document by `edits` or, if there are none, by the edits that lead to it.
   void change(const std::function<editing::Edits()>& make, std::vector<std::string> edits,
               Json& answer);
-  std::vector<std::string> edits_from(const world::World& before) const;
+  std::vector<std::string> edits_from(const world::World& before, const world::World& after) const;
+  /// The document's world, with file names relative to the folder where the run began; none: the
+  /// document has not moved to another folder since then.
+  std::optional<world::World> world_of_run() const;
   /// Adapts a text that was written for another file to the folder of the document's file.
   std::string from_elsewhere(const std::string& text, const std::string& file) const;
-  void change_run(std::vector<std::string> edits);
+  /// `edits_there`: with names of files as the run has them; `edits`: as the document has them.
+  void change_run(const std::vector<std::string>& edits_there, std::vector<std::string> edits);
   void describe(Json& answer);
 
   // The run.
@@ -144,7 +148,8 @@ class Server::Impl {
   bool left_ = false;
   bool running_ = false;
   bool answers_later_ = false;             // to the current order
-  std::optional<std::uint64_t> pause_at_;  // steps; the run goes at full speed until then
+  std::optional<std::uint64_t> pause_at_;  // steps
+  bool is_pause_paced_ = false;            // until then the run keeps its speed; else full speed
   bool is_pause_told_ = false;             // an event has reported the pause
   std::vector<Json> later_;                // answers to be sent later
   std::uint64_t seed_ = 1;
@@ -156,6 +161,7 @@ class Server::Impl {
   History history_;
   Recording recording_;
   Repetition repetition_;
+  std::string run_file_;  // the document's when the run began
 
   double speed_ = 0.0;  // simulated seconds per second; 0: as fast as possible
   Clock::time_point paced_from_;
