@@ -61,6 +61,16 @@ def what_notes_say(notes):
             tuple(float(output) for output in outputs.groups()) if outputs else ())
 
 
+def is_done(file):
+    """Whether there is such a database, and all of its runs are done."""
+    if not file.exists():
+        return False
+    database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+    states = [state for state, in database.execute("SELECT DISTINCT state FROM runs")]
+    database.close()
+    return states == ["done"]
+
+
 class Results(Runs):
     """The runs of a database, all of which must be done. With them come the trajectories."""
 

@@ -368,6 +368,58 @@ class Pages(WithFolder):
             self.assertEqual(self.page.read_text(), text)
 
 
+class Seeds(WithFolder):
+    """The deciding experiment has a database for each seed."""
+
+    def setUp(self):
+        super().setUp()
+        self.tables = load_script()
+        self.tables.DATABASES, self.tables.COMMITS, self.tables.TABLES = self.folder, self.folder / "commits.json", self.folder / "tables"
+        self.schema = SOURCE / "libraries" / "studies" / "results" / "src" / "schema.sql"
+
+    def seed(self, seed, state="done"):
+        made_up = MadeUp(self.tables.of_seed("original_step", seed), self.schema).cell(0, "arena", "fusion").cell(1, "arena", "arbitration")
+        made_up.run(0, seed, path_m=10.0 + seed)
+        (made_up.run if state == "done" else made_up.pending)(1, seed)
+        made_up.close()
+
+    def databases(self):
+        found = self.tables.databases_of("original_step")
+        for each in found:
+            self.addCleanup(each.database.close)
+        return found
+
+    def test_all_that_are_done_are_read_in_order_from_the_first_on(self):
+        for seed in (2, 1, 4):
+            self.seed(seed)
+        self.assertEqual([each.seeds() for each in self.databases()], [[1], [2]])  # 4 without 3 would leave a gap
+
+    def test_one_that_is_not_done_ends_them(self):
+        self.seed(1)
+        self.seed(2, "pending")
+        self.assertEqual([each.seeds() for each in self.databases()], [[1]])
+
+    def test_without_any_the_first_is_told(self):
+        self.assertIn("there is no", self.told(self.databases))
+
+    def test_their_runs_are_one_table_with_the_build_that_did_them(self):
+        for seed in (1, 2):
+            self.seed(seed)
+        self.tables.COMMITS.write_text('{"original_step.01": "abc", "original_step.02": "abc"}')
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.tables.write_archive({"original_step": self.databases()})
+        read = archive.read(self.folder / "tables", "original_step")
+        self.assertEqual(read.seeds(), [1, 2])
+        self.assertEqual([run.path_m for run in read.of(coordinator="fusion")], [11.0, 12.0])
+        self.assertEqual((read.build["elsie"], read.build["commit"], read.build["runs"]), ("9.8.7", "abc", 4))
+
+    def test_those_of_several_builds_are_refused(self):
+        for seed in (1, 2):
+            self.seed(seed)
+        self.tables.COMMITS.write_text('{"original_step.01": "abc", "original_step.02": "def"}')
+        self.assertIn("are of several builds", self.told(lambda: self.tables.build_of(self.databases())))
+
+
 class Expectations(WithFolder):
     def test_experiments_whose_report_is_not_good_are_told(self):
         program = self.folder / "elsie"
