@@ -59,14 +59,18 @@ def counts_of_seed(runs):
     return counts
 
 
-def total(counts, weights):
-    """The sum over seeds, each as often as its weight says."""
-    whole = Counts()
-    for each, weight in zip(counts, weights):
-        if weight:
-            for key, value in each.of.items():
-                whole.add(*key, value=weight * value)
-    return whole
+class CountsOfSeeds:
+    """The counts of a set-up for each seed."""
+
+    def __init__(self, counts):
+        self.keys = sorted({key for each in counts for key in each.of})
+        self.columns = [[each[key] for each in counts] for key in self.keys]
+
+    def total(self, seeds):
+        """The sum over these seeds, given by their places, each as often as it occurs."""
+        whole = Counts()
+        whole.of = {key: sum([column[seed] for seed in seeds]) for key, column in zip(self.keys, self.columns)}
+        return whole
 
 
 class Study:
@@ -84,8 +88,8 @@ class Study:
             setup = tuple(run.levels[factor] for factor in self.factors)
             found.setdefault(setup, {}).setdefault(run.seed, {})[run.levels["coordinator"], run.levels.get("layers", "4 4")] = run
         self.runs = found
-        self.by_seed = {setup: [counts_of_seed(seeds[seed]) for seed in self.seeds] for setup, seeds in found.items()}
-        self.counts = {setup: total(each, [1] * len(self.seeds)) for setup, each in self.by_seed.items()}
+        self.by_seed = {setup: CountsOfSeeds([counts_of_seed(seeds[seed]) for seed in self.seeds]) for setup, seeds in found.items()}
+        self.counts = {setup: each.total(range(len(self.seeds))) for setup, each in self.by_seed.items()}
         self.setups = list(found)
 
     def level(self, setup, factor):
@@ -96,14 +100,12 @@ class Study:
         keys = [(scheme, each) for each in layers or self.layers]
         return counts.sum(*(("successes", *key) for key in keys)) / counts.sum(*(("runs", *key) for key in keys))
 
-    def resampled(self):
-        """The counts of all set-ups with resampled seeds, the same in each of them: {set-up: counts} once for each resample."""
+    def resampled(self, setups):
+        """The counts of these set-ups with resampled seeds, the same in each of them: {set-up: counts} once for each resample."""
         draw = random.Random(len(self.seeds))
         for _ in range(RESAMPLES):
-            weights = [0] * len(self.seeds)
-            for k in draw.choices(range(len(self.seeds)), k=len(self.seeds)):
-                weights[k] += 1
-            yield {setup: total(self.by_seed[setup], weights) for setup in self.setups}
+            seeds = draw.choices(range(len(self.seeds)), k=len(self.seeds))
+            yield {setup: self.by_seed[setup].total(seeds) for setup in setups}
 
 
 def as_fast_as_the_original(study, setup):
@@ -192,7 +194,7 @@ def shares(study, setups=None):
     setups = setups or study.setups
     entries = conclusions_of(study)
     drawn = {key: [] for key, _, _ in entries}
-    for counts in study.resampled():
+    for counts in study.resampled(setups):
         for key, _, holds in entries:
             value = share_of(holds(study, counts[setup]) for setup in setups)
             if value is not None:

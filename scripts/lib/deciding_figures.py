@@ -55,7 +55,7 @@ def holds_panel(canvas, x, y, study, title, holds, square):
     bottom = y + len(rows) * square
     for k, level in enumerate(study.levels["search"]):
         canvas.line(x + k * width, bottom + 2, x + (k + 1) * width - 2, bottom + 2)
-        canvas.text(x + (k + 0.5) * width, bottom + 14, level, "middle", 10)
+        canvas.text(x + (k + 0.5) * width, bottom + 14, level, "middle", 9)
 
 
 def where_it_holds(studies, file):

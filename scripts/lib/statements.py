@@ -107,24 +107,17 @@ def loses_sight(run):
 
 def decision_period(every):
     results = every["decision_period"]
-    fusion, arbitration = ({period: results.of(world="four_resources", coordinator=scheme, period=f"{period} s") for period in PERIODS}
-                           for scheme in ("fusion", "arbitration"))
-    way, time = ORIGINAL["2", "arbitration"][:2]
-    yield Claim(EXPERIMENTS, "With a decision every 0.4 or 0.5 s arbitration takes {:.0f} and {:.0f} s, the original's {:.0f} s, and {:.0f} and {:.0f} % of its way:",
-                mean_time(arbitration["0.4"]), mean_time(arbitration["0.5"]), time, *(100 * mean_path(arbitration[period]) / way for period in ("0.4", "0.5")))
-    yield Claim(EXPERIMENTS, "With a decision every 0.3 s arbitration loses it with all networks, fusion with none; every 0.4 s fusion does with {} of {},",
-                sum(map(loses_sight, fusion["0.4"])), len(fusion["0.4"]),
-                holds=all(map(loses_sight, arbitration["0.3"] + arbitration["0.4"] + arbitration["0.5"])) and not any(map(loses_sight, fusion["0.3"])))
-    yield Claim(EXPERIMENTS, "every 0.5 s it always does, and only {} of {} are done within 400 s.", len(successes(fusion["0.5"])), len(fusion["0.5"]),
-                holds=all(map(loses_sight, fusion["0.5"])))
     counts = [ORIGINAL_STEPS[case, scheme] for case in "56" for scheme in SCHEMES]
     yield Claim(EXPERIMENTS, "Adding {} in single precision {}, {}, {} and {} times gives {:.6f}, {:.6f}, {:.6f} and {:.6f}.", ORIGINAL_STEP_S, *counts,
                 *(sum_of_steps(ORIGINAL_STEP_S, count) for count in counts))
-    yield Claim(EXPERIMENTS, "With 0.2 s, twice the original's period, both schemes still drive straight ({:.2f} and {:.2f} m in case 2),",
-                mean_path(arbitration["0.2"]), mean_path(fusion["0.2"]), holds=not any(map(loses_sight, arbitration["0.2"] + fusion["0.2"])))
-    passed = [run for scheme in SCHEMES for run in results.of(world="two_obstacles_staggered", coordinator=scheme, period="0.4 s")]
-    yield Claim(EXPERIMENTS, "With a decision every 0.4 s both schemes succeed: see below.", holds=all_succeed(passed))
-    yield Claim(EXPERIMENTS, "With a decision every 0.4 s the staggered obstacles are always passed, too:", holds=all_succeed(passed))
+    straight = [run for run in results.of(world="four_resources", period="0.01 s") + sum(every["four_resources"].by_scheme(layers="4 4"), [])]
+    yield Claim(EXPERIMENTS, "With 0.1 s both schemes drive straight from resource to resource, as with 0.01 s.", holds=all_succeed(straight) and not any(map(loses_sight, straight)))
+    late = {period: results.by_scheme(world="four_resources", period=f"{period} s") for period in ("0.3", "0.4")}
+    sentence = "every {} s{} arbitration succeeds in {} of {}{} and takes {:.1f} m, fusion in {} and takes {:.1f} m"
+    for period, words in (("0.3", (",", " runs")), ("0.4", ("", ""))):
+        fusion, arbitration = late[period]
+        yield Claim(EXPERIMENTS, sentence, period, words[0], len(successes(arbitration)), len(arbitration), words[1], mean_path(arbitration), len(successes(fusion)), mean_path(fusion))
+    yield Claim(EXPERIMENTS, "The original's paths were {:.1f} and {:.1f} m.", ORIGINAL["2", "arbitration"][0], ORIGINAL["2", "fusion"][0])
 
 
 def groups(every):
