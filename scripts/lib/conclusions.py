@@ -92,5 +92,11 @@ def fourth(every, decided):
             ". Seconds, successes only: " + "; ".join(f"{scheme} {', '.join(times[scheme])}" for scheme in reversed(SCHEMES)) + ".")
 
 
+def verdicts(decided):
+    """A line for each conclusion."""
+    entries = [(FUSION_COMPLETES, UNTRAINED_FAILS), (SHORTER_PATH,), (FASTER_PER_METRE, TRADE_OFF), BIGGER]
+    return "\n".join(f"{k + 1}. {' '.join(verdict(entry, decided) for entry in halves)}" for k, halves in enumerate(entries))
+
+
 def conclusions(every, decided):
     return "\n".join(f"{k + 1}. {conclusion(every, decided)}" for k, conclusion in enumerate((first, second, third, fourth)))

@@ -248,10 +248,10 @@ class Cell:
     def __init__(self, study, setup, layers):
         counts = study.counts[setup]
         self.setup, self.layers = setup, layers
-        self.rate, self.path_m, self.time_s = {}, {}, {}
+        self.rate, self.path_m, self.time_s, self.successes = {}, {}, {}, {}
         for scheme in ("arbitration", "fusion"):
             won = counts["successes", scheme, layers]
-            self.rate[scheme] = won / counts["runs", scheme, layers]
+            self.successes[scheme], self.rate[scheme] = won, won / counts["runs", scheme, layers]
             self.path_m[scheme] = counts["path", scheme, layers] / won if won else None
             self.time_s[scheme] = counts["time", scheme, layers] / won if won else None
 
@@ -261,9 +261,9 @@ class Cell:
 
 
 def cells(study, layers):
-    """The cells in which at least half of the runs of each scheme succeed, as the original's did."""
+    """The cells in which enough runs of each scheme succeed for a mean."""
     found = [Cell(study, setup, layers) for setup in study.setups]
-    return [cell for cell in found if min(cell.rate.values()) >= 0.5]
+    return [cell for cell in found if min(cell.successes.values()) >= ENOUGH]
 
 
 def nearest(study, layers, original, count=5):

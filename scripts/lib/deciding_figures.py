@@ -28,6 +28,11 @@ class Canvas:
     def box(self, x, y, width, height, fill, stroke="none"):
         self.out.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" fill="{fill}" stroke="{stroke}"/>')
 
+    def squares(self, corners, side, fill):
+        """Many of one size and colour, by their upper left corners."""
+        outline = "".join(f"M{x:g} {y:g}h{side}v{side}h-{side}z" for x, y in corners)
+        self.out.append(f'<path d="{outline}" fill="{fill}"/>')
+
     def line(self, x1, y1, x2, y2, colour=LINE, width=1, dashes=""):
         dashed = f' stroke-dasharray="{dashes}"' if dashes else ""
         self.out.append(f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{colour}" stroke-width="{width}"{dashed}/>')
@@ -39,18 +44,20 @@ class Canvas:
         file.write_text("\n".join([*self.out, "</svg>"]) + "\n")
 
 
-def holds_panel(canvas, x, y, study, title, holds, square):
+def holds_panel(canvas, x, y, study, holds, square):
     """A grid of set-ups: a row for each avoidance model, a column for each combination of the other unknowns."""
     rows = study.levels["avoidance"]
     others = [factor for factor in study.factors if factor != "avoidance"]
     columns = list(itertools.product(*(study.levels[factor] for factor in others)))
-    canvas.text(x, y - 8, title, weight="bold")
+    corners = {YES: [], NO: [], UNKNOWN: []}
     for j, row in enumerate(rows):
         canvas.text(x - 6, y + (j + 0.75) * square, row, "end", 10)
         for i, column in enumerate(columns):
             setup = tuple({**dict(zip(others, column)), "avoidance": row}[factor] for factor in study.factors)
             value = holds(study, study.counts[setup])
-            canvas.box(x + i * square, y + j * square, square - 1, square - 1, UNKNOWN if value is None else YES if value else NO)
+            corners[UNKNOWN if value is None else YES if value else NO].append((x + i * square, y + j * square))
+    for colour, places in corners.items():
+        canvas.squares(places, square - 1, colour)
     width = len(columns) / len(study.levels["search"]) * square
     bottom = y + len(rows) * square
     for k, level in enumerate(study.levels["search"]):
@@ -77,7 +84,7 @@ def where_it_holds(studies, file):
     for k, (title, words, study, holds) in enumerate(panels):
         px, py = left + k % columns * (wide + left), top + k // columns * height + 16
         canvas.text(px, py - 22, title, weight="bold")
-        holds_panel(canvas, px, py, study, "", holds, square)
+        holds_panel(canvas, px, py, study, holds, square)
         canvas.text(px, py - 8, words, size=11)
     canvas.write(file)
 
@@ -150,15 +157,15 @@ class LogAxes:
 
 
 def paths(panels, file):
-    """panels: [(title, study, [(layers, name of the case, {scheme: m of the original})], range, ticks)]. A dot for each cell in which both schemes succeed in at
-    least half of their runs."""
+    """panels: [(title, study, [(layers, name of the case, {scheme: m of the original})], range, ticks)]. A dot for each cell in which both schemes succeed often
+    enough for a mean: full where each succeeds in at least half of its runs."""
     side, left, gap = 380, 70, 90
     canvas = Canvas(left + len(panels) * (side + gap), side + 160)
     canvas.text(16, 24, "Mean paths of the successful runs, m", size=16, weight="bold")
     for k, (level, colour) in enumerate(SEARCH_COLOURS.items()):
         canvas.dot(22 + 120 * k, 44, colour)
         canvas.text(32 + 120 * k, 48, level)
-    canvas.text(32 + 120 * len(SEARCH_COLOURS), 48, "+ the original")
+    canvas.text(32 + 120 * len(SEARCH_COLOURS), 48, "+ the original; full: both schemes succeed in half of their runs or more")
     for k, (title, study, cases, (low, high), ticks) in enumerate(panels):
         axes = LogAxes(canvas, left + k * (side + gap), 92, side, low, high)
         canvas.text(axes.x, axes.y - 10, title, weight="bold")
@@ -167,7 +174,8 @@ def paths(panels, file):
         axes.diagonal(0.5, "half")
         for layers, _, _ in cases:
             for cell in cells(study, layers):
-                canvas.dot(*axes.at(cell.path_m["arbitration"], cell.path_m["fusion"]), SEARCH_COLOURS[study.level(cell.setup, "search")], 3.5)
+                canvas.dot(*axes.at(cell.path_m["arbitration"], cell.path_m["fusion"]), SEARCH_COLOURS[study.level(cell.setup, "search")], 3.5,
+                           min(cell.rate.values()) >= 0.5)
         for number, (_, name, original) in enumerate(cases):
             px, py = axes.at(original["arbitration"], original["fusion"])
             canvas.line(px - 7, py, px + 7, py, "#000000", 2)

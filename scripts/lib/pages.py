@@ -4,7 +4,7 @@ import deciding
 import deciding_figures
 import parts
 from claims import problems
-from conclusions import conclusions, where_both_succeed
+from conclusions import conclusions, verdicts, where_both_succeed
 from parts import ORIGINAL
 from results import of
 from statements import statements
@@ -59,6 +59,7 @@ class Published:
                                                     (f"{CLUTTER}, all {len(clutter.setups)} set-ups", self.clutter_shares)]),
                 "effects in the arena": deciding.table_of_effects(arena),
                 "effects in the clutter": deciding.table_of_effects(clutter),
+                "verdicts": verdicts(self.decided()),
                 "nearest to case 1": deciding.table_of_nearest(arena, "2 2", *original("1")),
                 "nearest to case 2": deciding.table_of_nearest(arena, "4 4", *original("2")),
                 "nearest to case 7": deciding.table_of_nearest(clutter, "4 4", *original("7")),

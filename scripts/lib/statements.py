@@ -2,6 +2,7 @@
 import math
 from statistics import mean
 
+import deciding
 from claims import Claim, about, in_words, one_part
 from pairs import path_m, sum_of_steps
 from parts import ORIGINAL, ORIGINAL_STEP_S, ORIGINAL_STEPS, SCHEMES, published
@@ -174,10 +175,59 @@ def every_coordinator(every):
 
 def original_step(published_):
     """Of docs/original-step.md."""
+    arena, clutter = published_.arena, published_.clutter
     yield Claim(STEP, "The original's figures come to {:.2f} and {:.2f} in cases 1 and 2, and to {:.2f} in case 7", *(
         ORIGINAL[case, "fusion"][0] / ORIGINAL[case, "arbitration"][0] for case in "127"))
-    yield Claim(STEP, "That makes {} set-ups for cases 1 to 4", len(published_.arena.setups))
-    yield Claim(STEP, "and {} for case 7", len(published_.clutter.setups))
+    yield Claim(STEP, "That makes {} set-ups for cases 1 to 4", len(arena.setups))
+    yield Claim(STEP, "and {} for case 7", len(clutter.setups))
+    often = {layers: sum(arena.rate(counts, "fusion", [layers]) >= deciding.COMPLETES for counts in arena.counts.values()) for layers in arena.layers}
+    others = [count for layers, count in often.items() if layers != "2 2 2 2"]
+    yield Claim(STEP, "It completes 90 % of its runs with \"2 2 2 2\" in {} of {} set-ups, with each other size in {} to {}.", often["2 2 2 2"], len(arena.setups), min(others), max(others))
+    untrained = {scheme: sum(counts["untrained", scheme] for counts in arena.counts.values()) for scheme in SCHEMES}
+    spared = {scheme: sum(counts["untrained successes", scheme] for counts in arena.counts.values()) for scheme in SCHEMES}
+    yield Claim(STEP, "Of {} runs of arbitration with a network that missed a sample {} succeeds, of fusion {:.0f} %.", untrained["arbitration"],
+                in_words(spared["arbitration"]), 100 * spared["fusion"] / untrained["fusion"])
+    survives = [setup for setup in arena.setups if arena.counts[setup]["untrained successes", "fusion"] >= 0.5 * arena.counts[setup]["untrained", "fusion"]]
+    yield Claim(STEP, "In {} set-ups fusion succeeds with at least half of these networks; in all of them beams do not see resources.", len(survives),
+                holds=all(arena.level(setup, "beams") == "do not" for setup in survives))
+    yield Claim(STEP, "but in none does it complete nine of ten runs with such networks.", holds=not any(
+        counts["untrained successes", "fusion"] >= deciding.COMPLETES * counts["untrained", "fusion"] for counts in arena.counts.values()))
+    least = [min(ratio for ratio in (deciding.mean_of_pairs(counts, "path ratio") for counts in study.counts.values()) if ratio) for study in (arena, clutter)]
+    yield Claim(STEP, "In cases 1 to 4 the least mean of a set-up is {:.2f} of arbitration's, in case 7 {:.2f}.", *least)
+    in_the_open = published_.arena_shares["3, first half"]
+    yield Claim(STEP, "**Arbitration is faster per metre in the open,** in every set-up of cases 1 to 4.", holds=in_the_open.holds == in_the_open.judged)
+    more = [[sum(sign * (study.rate(counts, "fusion") - study.rate(counts, "arbitration")) >= deciding.DIFFERENT for counts in study.counts.values())
+             for sign in (1, -1)] for study in (arena, clutter)]
+    yield Claim(STEP, "fusion in {} set-ups of cases 1 to 4 and arbitration in {}; fusion in {} of case 7 and arbitration in {}.", *more[0], *more[1])
+    yield from what_decides(arena, clutter)
+    yield from nearest(arena, clutter)
+
+
+def rate_with(study, scheme, factor, *levels):
+    """The success rate of a scheme over the set-ups with one of these levels."""
+    return mean(study.rate(study.counts[setup], scheme) for setup in study.setups if study.level(setup, factor) in levels)
+
+
+def what_decides(arena, clutter):
+    schemes = ("fusion", "arbitration")
+    last = [100 * rate_with(arena, scheme, "search", "last column") for scheme in schemes]
+    other = [100 * rate_with(arena, scheme, "search", "left", "right", "last side") for scheme in schemes]
+    yield Claim(STEP, "{:.0f} % of its runs with fusion and {:.0f} % with arbitration in cases 1 to 4, against {:.0f} and {:.0f} % with the other searches.", *last, *other)
+    unseen = [100 * (rate_with(arena, scheme, "beams", "do not") - rate_with(arena, scheme, "beams", "see resources")) for scheme in schemes]
+    yield Claim(STEP, "by {:.0f} % of the runs with fusion and {:.0f} % with arbitration in cases 1 to 4.", *unseen)
+    small = [abs(rate_with(study, scheme, factor, first) - rate_with(study, scheme, factor, second)) for study, factor, first, second in (
+        (arena, "limit", "none", "0.5 m/s"), (clutter, "limit", "none", "0.5 m/s"), (clutter, "boxes", "low", "high")) for scheme in schemes]
+    yield Claim(STEP, "each changes success by at most {:.0f} % of the runs.", 100 * max(small))
+
+
+def nearest(arena, clutter):
+    found = [cell for layers in ("2 2", "4 4") for cell in deciding.cells(arena, layers)]
+    steady = [metres for cell in found if min(cell.rate.values()) >= 0.5 for metres in cell.path_m.values()]
+    yield Claim(STEP, "has paths between {:.1f} and {:.0f} m.", min(steady), max(steady))
+    roams = [cell.setup for cell in found if cell.path_m["arbitration"] > 1.25 * TOUR_M]
+    yield Claim(STEP, "the only set-ups with arbitration's long paths are those that go on in the last column and whose beams do not see resources.", holds=bool(roams) and all(
+        arena.level(setup, "search") == "last column" and arena.level(setup, "beams") == "do not" for setup in roams))
+    yield Claim(STEP, "In none is the mean path of arbitration above {} m.", 10 * math.ceil(max(cell.path_m["arbitration"] for cell in deciding.cells(clutter, "4 4")) / 10))
 
 
 def statements(published_):

@@ -288,8 +288,8 @@ class Deciding(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "picture.svg"
             deciding_figures.where_it_holds([("made up", study)], file)
-            drawn = [element.get("fill") for element in xml.etree.ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}rect") if element.get("width") == "12.0"]
-            self.assertEqual(len(drawn), 3 + 4 * len(deciding.conclusions_of(study)))
+            drawn = [element.get("d").count("M") for element in xml.etree.ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}path")]
+            self.assertEqual(sum(drawn), 4 * len(deciding.conclusions_of(study)))
             deciding_figures.paths([("made up", study, [("4 4", "case 2", {"arbitration": 72.0, "fusion": 33.0})], (10, 100), [10, 100])], file)
             dots = list(xml.etree.ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}circle"))
             self.assertEqual(len(dots), 4 + 4)  # of the legend, and of the set-ups
