@@ -481,7 +481,7 @@ class Ways(WithFolder):
             self.assertEqual(resource, {(240, 140), (260, 140), (240, 160), (260, 160)})
         ways = [element.get("points") for element in root.iter(self.SVG + "polyline")]
         self.assertEqual(ways, ["50.0,150.0 150.0,150.0 250.0,150.0", "50.0,150.0 50.0,50.0"])  # a millimetre is not drawn
-        self.assertEqual([element.text for element in root.findall(self.SVG + "text")], ["a < b", "c: not all collected"])
+        self.assertEqual([element.text for element in root.findall(self.SVG + "text")], ["a < b", "all collected", "c", "not all collected"])
         ends = [[(e.get("cx"), e.get("cy"), e.get("fill")) for e in panel.iter(self.SVG + "circle")][-1] for panel in panels]
         self.assertEqual(ends, [("250.0", "150.0", trajectories.SUCCESS), ("50.0", "50.0", "#ffffff")])
 
