@@ -81,6 +81,7 @@ figures: all
 pictures: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
+	scripts/layout-pictures $(BUILD)
 
 # The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
 four-resources: all

@@ -1,6 +1,7 @@
 // Finds and loads the program's plugins and data.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -63,7 +64,8 @@ std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options);
 std::vector<std::string> data_directories();
 
 /// The options with which the program reads worlds: with the data directories, and with every
-/// plugin asked about its parameters.
-world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
+/// plugin asked about its parameters. `seed` is the run's, for layouts.
+world::ReadOptions read_options(const std::vector<std::string>& overrides = {},
+                                std::uint64_t seed = 1);
 
 }  // namespace elsie::program

@@ -99,7 +99,7 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   CHECK(plan.files[0].kind == batch::FileKind::library);
   CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
   // And all others that decide a run, each once.
-  REQUIRE(plan.program_files == 7);
+  REQUIRE(plan.program_files == 8);
   for (std::size_t i = 1; i < plan.program_files; ++i) {
     const char* const names[] = {"",
                                  "engines/ode.so",

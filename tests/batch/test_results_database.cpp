@@ -146,9 +146,9 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK(run->data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
   CHECK(run->data[0].content.size() > 100);
   CHECK(run->libraries.size() == 5);
-  REQUIRE(run->program.size() == 7);
+  REQUIRE(run->program.size() == 8);
   CHECK_THAT(run->program[0].path, Contains("libelsie.so"));
-  CHECK_THAT(run->program[6].path, Contains("libode"));
+  CHECK_THAT(run->program[7].path, Contains("libode"));
   CHECK(run->record.state == batch::RunState::done);
   CHECK(run->record.state_hash == "0123456789abcdef");
   CHECK(run->record.solver_gave_up == 12U);
@@ -277,8 +277,8 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
   refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
-  test::rows(newer, "PRAGMA user_version = 5");
-  refused(newer, "has version 5 of the schema, and this program reads version 4");
+  test::rows(newer, "PRAGMA user_version = 6");
+  refused(newer, "has version 6 of the schema, and this program reads version 5");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));

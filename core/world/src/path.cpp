@@ -65,6 +65,18 @@ std::vector<Place> children(const Place& place, const std::string& name) {
   return found;
 }
 
+// Adds what a world's layouts scatter, for a step of this name that means all.
+void add_scattered(const Place& world, const std::string& name, std::vector<Place>& found) {
+  for (const Place& scatter : children(world, "scatter")) {
+    for (Element& thing : scatter.element->children) {
+      for (const ElementSpec& group : world.spec->children) {
+        const ElementSpec* spec = group.group ? group.child(thing.name) : nullptr;
+        if (spec && (name == group.members || name == thing.name)) found.push_back({&thing, spec});
+      }
+    }
+  }
+}
+
 // The names that a step may have at this place.
 std::vector<std::string> names_at(const Place& place) {
   std::set<std::string> names;
@@ -144,6 +156,7 @@ Element empty_element(const std::string& name, const Place& parent) {
 
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
   std::vector<Place> found = children(place, step.name);
+  if (place.spec->root && step.key == "*") add_scattered(place, step.name, found);
   if (!found.empty()) {
     return chosen(found, step);
   }
@@ -166,7 +179,9 @@ std::string way_to_add(const Path& path, const PathStep& step) {
 // A first step that names a part of a robot means that part of every robot.
 std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
   std::vector<Place> result;
-  for (const Place& robot : children(world, "robot")) {
+  std::vector<Place> robots = children(world, "robot");
+  add_scattered(world, "robot", robots);
+  for (const Place& robot : robots) {
     const auto found = step_from(robot, step);
     result.insert(result.end(), found.begin(), found.end());
   }

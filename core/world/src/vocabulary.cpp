@@ -5,6 +5,7 @@
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/facts.h"
+#include "elsie/world/layouts.h"
 
 namespace elsie::world {
 
@@ -256,6 +257,7 @@ std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_o
     const void* object) const {
   std::vector<std::pair<DescribedObject, const ElementSpec*>> found;
   for (const ElementSpec& child : children) {
+    if (!child.parts) continue;  // it has no objects
     for (const DescribedObject& part : child.parts(object)) {
       found.push_back({part, &child});
     }
@@ -268,7 +270,7 @@ std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_o
 }
 
 const ElementSpec& vocabulary() {
-  static const ElementSpec table = world();
+  static const ElementSpec table = with_layouts(world());
   return table;
 }
 

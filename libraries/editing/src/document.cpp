@@ -13,6 +13,7 @@
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
+#include "elsie/world/layouts.h"
 #include "elsie/world/tree.h"
 #include "elsie/world/values.h"
 
@@ -316,6 +317,8 @@ class Document::Impl {
   }
   WorldText edited(const WorldText& from, const std::string& edit, Element& wanted,
                    std::vector<std::string>& inverse) const;
+  /// The layout that has drawn what an edit is about; null if there is none.
+  const Element* layout_of(const Element& tree, const std::string& edit) const;
 
   std::string file_;
   const plugin::Host& host_;
@@ -349,6 +352,34 @@ std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::stri
   return inverse;
 }
 
+// What a layout draws has the layout's place in the file.
+const Element* Document::Impl::layout_of(const Element& tree, const std::string& edit) const {
+  const Element* const layouts = tree.child("layouts");
+  Element drawn = tree;
+  std::optional<world::Drawn> seed;
+  Problems problems;
+  world::draw_layouts(drawn, file_, host_, files_, options_, seed, problems);
+  world::apply_override(drawn, edit, options_.is_running, problems);
+  if (!layouts || !problems.empty()) {
+    return nullptr;
+  }
+  const std::string by_edit = "--set " + edit;
+  for (const Element& list : drawn.children) {
+    for (const Element& member : list.children) {
+      bool is_edited = false;
+      world::for_each_element(member, [&](const Element& element) {
+        is_edited |= element.removed_by || element.where.file == by_edit ||
+                     std::any_of(element.attributes.begin(), element.attributes.end(),
+                                 [&](const Attribute& each) { return each.where.file == by_edit; });
+      });
+      for (const Element& layout : layouts->children) {
+        if (is_edited && layout.where.line == member.where.line) return &layout;
+      }
+    }
+  }
+  return nullptr;
+}
+
 WorldText Document::Impl::edited(const WorldText& from, const std::string& edit, Element& wanted,
                                  std::vector<std::string>& inverse) const {
   const bool is_raw = world::concern_of(edit) != Concern::other;
@@ -356,6 +387,11 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
   wanted = before;
   Problems problems;
   world::apply_override(wanted, edit, options_.is_running, problems);
+  if (const Element* layout = problems.empty() ? nullptr : layout_of(before, edit)) {
+    refuse(edit, "the layout '" + layout->value("id") +
+                     "' draws this, another one from each seed; edit what " + layout->name + "[" +
+                     layout->value("id") + "] says instead");
+  }
   problems.raise<WorldError>(file_);
   world::remove_overridden(wanted);
   put_in_order(wanted);

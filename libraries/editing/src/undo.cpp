@@ -60,7 +60,9 @@ class Undoing {
     const Element& element = holder.children[child];
     const Meaning below = meaning.child(element, host_);
     if (is_list(below)) {
-      return path;  // its members are named as if they were children of its holder
+      // Its members are named as if they were children of its holder, unless it has attributes.
+      return below.spec()->attributes.empty() ? path
+                                              : (path.empty() ? "" : path + "/") + element.name;
     }
     const bool single = !is_list(meaning) && below.spec() && below.spec()->at_most == 1;
     const std::string name = is_list(meaning) ? meaning.spec()->members : element.name;

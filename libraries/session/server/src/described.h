@@ -27,6 +27,6 @@ Json catalog_json(const plugin::Host& host);
 
 /// The errors and warnings of `elsie check` for a text.
 Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const std::vector<std::string>& data_directories);
+                const world::ReadOptions& options);
 
 }  // namespace elsie::server

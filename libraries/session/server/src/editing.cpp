@@ -39,10 +39,11 @@ bool may_make_plugins(const std::string& text) {
 
 }  // namespace
 
-world::ReadOptions Server::Impl::reading() const {
+world::ReadOptions Server::Impl::reading(std::uint64_t seed) const {
   world::ReadOptions options;
   options.data_directories = options_.data_directories;
   options.check_plugins = true;
+  options.seed = seed;
   return options;
 }
 
@@ -50,7 +51,7 @@ void Server::Impl::open(const Json& message, Json& answer) {
   const std::uint64_t seed = message.value("seed", seed_);
   const auto text = message.at("text").get<std::string>();
   answer["made_plugins"] = may_make_plugins(text);
-  editing::Document document(text, message.value("file", std::string()), host(), reading());
+  editing::Document document(text, message.value("file", std::string()), host(), reading(seed));
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
   inverses_.clear();
@@ -91,7 +92,7 @@ void Server::Impl::move(const Json& message, Json& answer) {
   const std::string old_file = document_->file();
   const std::string text = message.contains("text") ? message.at("text").get<std::string>()
                                                     : document_->text_for(folder);
-  editing::Document moved(text, file, host(), reading());
+  editing::Document moved(text, file, host(), reading(seed_));
   document_ = std::move(moved);
   repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
   inverses_.clear();  // they contain names of files as in the old text
@@ -102,13 +103,12 @@ std::string Server::Impl::from_elsewhere(const std::string& text, const std::str
   const std::filesystem::path here = folder_of(document_->file());
   return file.empty() || folder_of(file) == here
              ? text
-             : editing::Document(text, file, host(), reading()).text_for(here.string());
+             : editing::Document(text, file, host(), reading(seed_)).text_for(here.string());
 }
 
 void Server::Impl::check(const Json& message, Json& answer) {
   const std::string file = message.value("file", document_ ? document_->file() : "");
-  answer.update(
-      check_json(message.at("text").get<std::string>(), file, host(), options_.data_directories));
+  answer.update(check_json(message.at("text").get<std::string>(), file, host(), reading(seed_)));
 }
 
 void Server::Impl::ping(const Json&, Json&) {}
@@ -129,8 +129,8 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
     } else {
       // The document makes edits one after the other, and names elements without ids by position.
       // In the run, the same edits may have another meaning.
-      const bool are_right =
-          !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading());
+      const bool are_right = !edits.empty() && editing::lead_to(document_->world(), *before, edits,
+                                                                host(), reading(seed_));
       edits = are_right ? std::move(edits) : edits_from(*before, document_->world());
       if (before_in_run) {
         change_run(edits_from(*before_in_run, *world_of_run()), std::move(edits));
@@ -152,13 +152,13 @@ std::optional<world::World> Server::Impl::world_of_run() const {
   if (folder_of(document_->file()) == folder) {
     return std::nullopt;
   }
-  return editing::Document(document_->text_for(folder), run_file_, host(), reading()).world();
+  return editing::Document(document_->text_for(folder), run_file_, host(), reading(seed_)).world();
 }
 
 std::vector<std::string> Server::Impl::edits_from(const world::World& before,
                                                   const world::World& after) const {
   try {
-    return editing::edits_between(before, after, host(), reading());
+    return editing::edits_between(before, after, host(), reading(seed_));
   } catch (const world::WorldError&) {
     throw base::BadInput(
         "no edits lead from the running world to this one; reset the run to begin with this one");

@@ -19,9 +19,9 @@ namespace sqlite = results::sqlite;
 using sqlite::Connection;
 using sqlite::Statement;
 
-constexpr const char* kOfExperiment[] = {"about",       "factors",      "stages",
-                                         "files",       "plugins",      "cells",
-                                         "cell_levels", "cell_plugins", "cell_files"};
+constexpr const char* kOfExperiment[] = {"about",      "factors", "stages",      "files",
+                                         "plugins",    "cells",   "cell_levels", "cell_plugins",
+                                         "cell_files", "layouts"};
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
 

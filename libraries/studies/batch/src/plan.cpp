@@ -91,7 +91,7 @@ class Planner {
           {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
     }
     add_file(FileKind::world, planned.world_file);
-    world::World world = world_of(cell);
+    world::World world = world_of(cell, experiment_.seeds.front());
     Names names;
     std::vector<std::size_t> plugins;
     const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
@@ -122,8 +122,32 @@ class Planner {
     planned.goals = !world.goals.empty();
     planned.sha256 = results::sha256(planned.world_text);
     planned.place = cell.index;
-    planned.identity = identity(planned, identity_of(planned, world, names));
+    CellIdentity of = identity_of(planned, world, names);
+    if (world.drawn && world.drawn->by_run) {
+      of.sha256.clear();  // it depends on which seed is the first
+      add_layouts(cell, planned, names);
+    } else if (world.drawn) {
+      planned.layout_seed = world.drawn->seed;
+    }
+    planned.identity = identity(planned, of);
     plan_.cells.push_back(std::move(planned));
+  }
+
+  struct Names;
+
+  /// The worlds of the seeds, which differ in what their layouts have drawn.
+  void add_layouts(const experiment::Cell& cell, PlannedCell& planned, Names& names) {
+    for (const std::uint64_t seed : experiment_.seeds) {
+      world::World world = world_of(cell, seed);
+      for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
+        name_files(host_.find(kind, plugin.plugin), plugin, names);
+      });
+      PlannedCell of_seed = planned;
+      of_seed.world_text = world::write_world(world);
+      of_seed.sha256 = results::sha256(of_seed.world_text);
+      planned.layouts[seed] = {of_seed.world_text, of_seed.sha256,
+                               identity_of(of_seed, world, names).sha256};
+    }
   }
 
   /// The data files of a world's text.
@@ -171,10 +195,10 @@ class Planner {
     return identity;
   }
 
-  world::World world_of(const experiment::Cell& cell) const {
+  world::World world_of(const experiment::Cell& cell, std::uint64_t seed) const {
     experiment::ReadOptions options;
     options.data_directories = options_.data_directories;
-    world::World world = experiment::read_cell(experiment_, cell, host_, options);
+    world::World world = experiment::read_cell(experiment_, cell, host_, options, seed);
     world.limits.wall_time.reset();
     return world;
   }

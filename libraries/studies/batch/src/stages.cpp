@@ -93,6 +93,13 @@ std::string fingerprint_of(const Plan& plan, std::size_t stages) {
     all.add(std::to_string(stage.cells));
     all.add(seeds_text(stage.seeds));
     all.add(std::to_string(stage.repeats));
+    for (std::size_t cell = 0; cell < stage.cells; ++cell) {
+      const auto& layouts = plan.cells[cell].layouts;
+      for (const std::uint64_t seed :
+           layouts.empty() ? std::vector<std::uint64_t>() : stage.seeds) {
+        all.add(layouts.at(seed).identity);
+      }
+    }
   }
   return all.hash();
 }

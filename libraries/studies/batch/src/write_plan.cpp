@@ -100,8 +100,8 @@ void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t f
                  const std::vector<std::int64_t>& files, const std::vector<std::int64_t>& plugins) {
   sqlite::Statement cell(
       connection,
-      "INSERT INTO cells (id, label, world, world_text, world_file, sha256, place) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?)");
+      "INSERT INTO cells (id, label, world, world_text, world_file, sha256, place, layout_seed) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
   sqlite::Statement level(connection,
                           "INSERT INTO cell_levels (cell_id, factor_id, label, place) "
                           "VALUES (?, ?, ?, ?)");
@@ -117,8 +117,10 @@ void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t f
         .bind(4, planned.world_text)
         .bind(5, planned.world_file)
         .bind(6, planned.sha256)
-        .bind(7, id(planned.place))
-        .run();
+        .bind(7, id(planned.place));
+    planned.layout_seed ? cell.bind(8, static_cast<std::int64_t>(*planned.layout_seed))
+                        : cell.bind_null(8);
+    cell.run();
     for (const PlannedLevel& of : planned.levels) {
       level.bind(1, id(i)).bind(2, id(of.factor)).bind(3, of.label).bind(4, id(of.place)).run();
     }
@@ -127,6 +129,22 @@ void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t f
     }
     for (const PlannedCell::Data& used : planned.data) {
       data.bind(1, id(i)).bind(2, files[used.file]).bind(3, used.name).run();
+    }
+  }
+}
+
+/// Writes the layouts that are not there yet, those of new seeds in old cells among them.
+void write_layouts(sqlite::Connection& connection, const Plan& plan) {
+  sqlite::Statement insert(connection,
+                           "INSERT OR IGNORE INTO layouts (cell_id, seed, world_text, sha256) "
+                           "VALUES (?, ?, ?, ?)");
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+    for (const auto& [seed, layout] : plan.cells[i].layouts) {
+      insert.bind(1, id(i))
+          .bind(2, static_cast<std::int64_t>(seed))
+          .bind(3, layout.world_text)
+          .bind(4, layout.sha256)
+          .run();
     }
   }
 }
@@ -153,6 +171,7 @@ void write_stages(sqlite::Connection& connection, const Plan& plan, std::size_t 
   const std::vector<std::int64_t> plugins = write_plugins(connection, plan, files);
   rename_cells(connection, plan, cells_before);
   write_cells(connection, plan, cells_before, files, plugins);
+  write_layouts(connection, plan);
   sqlite::Statement insert(connection,
                            "INSERT INTO stages (id, cells, seeds, repeats, runs, fingerprint, "
                            "created) VALUES (?, ?, ?, ?, ?, ?, ?)");

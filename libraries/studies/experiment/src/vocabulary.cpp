@@ -108,6 +108,19 @@ ElementSpec seeds() {
                              "the same run"});
 }
 
+ElementSpec layouts() {
+  return Describe<LayoutsDraft>("layouts",
+                                "The seeds from which layouts are drawn, as a factor "
+                                "\"layout_seed\", or those of the runs")
+      .attribute("rule", &LayoutsDraft::rule,
+                 {.choices = {"crossed", "nested"},
+                  .meaning = "crossed: each layout meets each seed; nested: each seed has its own "
+                             "layout, and none is given here"})
+      .attribute("from", &LayoutsDraft::from, {.min = 0, .meaning = "the first seed of a layout"})
+      .attribute("to", &LayoutsDraft::to, {.min = 0, .meaning = "the last seed of a layout"})
+      .attribute("list", &LayoutsDraft::list, fact("the seeds, separated by blanks"));
+}
+
 ElementSpec exclusion() {
   return Describe<ExclusionDraft>("exclude", "Combinations of levels that are not run")
       .attribute("where", &ExclusionDraft::where,
@@ -184,6 +197,7 @@ ElementSpec experiment() {
       .each(factor(), &ExperimentDraft::factors)
       .each(exclusion(), &ExperimentDraft::exclusions)
       .optional(seeds(), &ExperimentDraft::seeds)
+      .optional(layouts(), &ExperimentDraft::layouts)
       .optional(
           Describe<LimitsDraft>("limits", "Limits of a run's time")
               .attribute("time", &LimitsDraft::time,

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "elsie/picture/bodies.h"
@@ -160,6 +161,9 @@ Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
       continue;
     }
     ++chosen.all;
+    if (const auto& seed = findings.results.cells[place].seed; seed && run.seed != *seed) {
+      continue;  // it had another world
+    }
     kinds[run.broken() || findings.missed(run) ? kMissed
           : odd.contains(at)                   ? kOdd
                                                : kPlain]
@@ -266,7 +270,8 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
   return text + ends + names;
 }
 
-std::string key(const Chosen& chosen, const std::string& ink) {
+std::string key(const Chosen& chosen, const std::string& ink,
+                const std::optional<std::uint64_t>& seed) {
   std::string text = "<ul class=\"key\">";
   const auto item = [&](const std::string& kind, const std::string& words) {
     text += "<li class=\"" + ink +
@@ -287,6 +292,10 @@ std::string key(const Chosen& chosen, const std::string& ink) {
   if (chosen.runs.size() < chosen.all) {
     text += "<small>" + std::to_string(chosen.runs.size()) + " of " + std::to_string(chosen.all) +
             " runs are drawn.</small>";
+  }
+  if (seed) {
+    text += "<small>Each seed has a layout of its own: this is the one of seed " +
+            std::to_string(*seed) + ".</small>";
   }
   return text;
 }
@@ -316,9 +325,9 @@ std::string map_figure(const Findings& findings, std::size_t cell,
          "style=\"--through:" +
          brief(opacity, 2) + "\">" + ground(view, world) + boxes(view, world) +
          ways_of(view, findings, lines, world.robots.size() > 1) + resources(view, world) +
-         robots(view, world) + "</svg><figcaption>" + key(chosen, inks.cell_class(cell)) +
-         "<small>" + brief(world.arena.length) + " m \xc3\x97 " + brief(world.arena.width) +
-         " m</small></figcaption></figure>\n";
+         robots(view, world) + "</svg><figcaption>" +
+         key(chosen, inks.cell_class(cell), info.seed) + "<small>" + brief(world.arena.length) +
+         " m \xc3\x97 " + brief(world.arena.width) + " m</small></figcaption></figure>\n";
 }
 
 }  // namespace elsie::report

@@ -41,8 +41,10 @@ Places read_factors(sqlite::Connection& connection, Results& results) {
 Places read_cells(sqlite::Connection& connection, Results& results) {
   const Places factors = read_factors(connection, results);
   Places places;
-  sqlite::Statement cells(
-      connection, "SELECT id, label, world, world_text, world_file FROM cells ORDER BY place, id");
+  sqlite::Statement cells(connection,
+                          "SELECT id, label, world, cells.world_text, world_file, seed FROM cells "
+                          "LEFT JOIN layouts ON cell_id = id AND layouts.sha256 = cells.sha256 "
+                          "GROUP BY id ORDER BY place, id");
   while (cells.next()) {
     CellInfo cell;
     cell.id = cells.integer(0);
@@ -50,6 +52,7 @@ Places read_cells(sqlite::Connection& connection, Results& results) {
     cell.world = cells.text(2);
     cell.world_text = cells.text(3);
     cell.world_file = cells.text(4);
+    if (!cells.is_null(5)) cell.seed = static_cast<std::uint64_t>(cells.integer(5));
     cell.levels.resize(results.factors.size());
     cell.places.resize(results.factors.size());
     places[cell.id] = results.cells.size();

@@ -1,6 +1,7 @@
 // Reads a world file into a checked description.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -67,6 +68,8 @@ struct ReadOptions {
   /// Whether the world is running. Robots, and boxes that can be pushed or taken, have then moved,
   /// so overlaps of bodies with each other or with walls are not checked.
   bool is_running = false;
+  /// The run's seed, from which layouts are drawn that have no seed of their own.
+  std::uint64_t seed = 1;
 };
 
 /// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws

@@ -4,13 +4,15 @@
 //   tree_of_world()      the text as a tree: the content of the file, with all ids
 //   merge_templates()    adds the content of templates
 //   apply_override()     applies an edit
-//   world_of_tree()      the checked world
+//   draw_layouts()       replaces layouts by what they draw; see layouts.h
+//   world_of_tree()      the checked world, with its layouts drawn
 //
 // read_world() performs all these steps.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "elsie/world/error.h"
@@ -44,6 +46,12 @@ void merge_templates(Element& world, const plugin::Host& host, const Files& file
 /// attribute that has its default may be removed, too.
 void apply_override(Element& world, const std::string& override, bool is_running,
                     Problems& problems);
+
+/// Whether the path of an override leads to layouts, or to something in them.
+bool is_about_layouts(const std::string& override);
+/// The elements to which the path of an attribute leads, and the attribute's name. Throws
+/// std::invalid_argument with a sentence that says what is there instead.
+std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const std::string& path);
 
 /// The subject of an override. All but `other` concern the tree before merge_templates().
 enum class Concern {

@@ -138,6 +138,10 @@ struct Experiment {
   /// The number of runs of each cell with each seed. Equal seeds must give equal runs: a repetition
   /// with another final state is reported as a fault of the plugins.
   int repeats = 1;
+  /// Whether the layouts of every world must follow the seeds of the runs: another layout for each
+  /// seed. Otherwise each world may say from which seed its layouts are drawn.
+  bool layouts_follow_seeds = false;
+  Location layouts_location;
   /// s, simulated; replaces the limit of the worlds. Already included in Cell::overrides.
   std::optional<double> time_limit;
   Location limits_location;        // of <limits>, if it exists

@@ -21,6 +21,9 @@ namespace elsie::experiment {
 /// run begins.
 inline constexpr std::uint64_t kMostRuns = 10'000'000;
 inline constexpr std::uint64_t kMostCells = 100'000;
+/// The largest number of worlds whose layouts follow the seeds of their runs: each is drawn before
+/// the first run begins.
+inline constexpr std::uint64_t kMostLayouts = 100'000;
 /// The largest number of levels of a factor.
 inline constexpr std::size_t kMostLevels = 10'000;
 
@@ -50,9 +53,10 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
 /// are found only with the worlds.
 Experiment parse_outline(std::string_view text, const std::string& file);
 
-/// Returns the world of a cell with all its settings. Throws world::WorldError if it has errors,
-/// because files may have changed since the experiment was read.
+/// Returns the world of a cell with all its settings and with the layouts of a run with this seed.
+/// Throws world::WorldError if it has errors, because files may have changed since the experiment
+/// was read.
 world::World read_cell(const Experiment& experiment, const Cell& cell, const plugin::Host& host,
-                       const ReadOptions& options = {});
+                       const ReadOptions& options = {}, std::uint64_t seed = 1);
 
 }  // namespace elsie::experiment

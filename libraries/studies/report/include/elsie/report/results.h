@@ -36,6 +36,8 @@ struct CellInfo {
   std::string world;  // its id in the experiment
   std::string world_text;
   std::string world_file;
+  /// The seed of the runs that have this world, if each seed has a layout of its own.
+  std::optional<std::uint64_t> seed;
   std::vector<std::string> levels;  // labels, parallel to Results::factors; "" for none
   std::vector<int> places;          // index of each level in its factor
 };
