@@ -13,8 +13,10 @@
 #include <QStyleOptionSlider>
 #include <QToolButton>
 #include <QToolTip>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/workbench.h"
 #include "paint/quiet_wheel.h"
@@ -27,7 +29,8 @@ constexpr int kTicks = 10'000;                                          // of th
 constexpr double kHandle_px = 6.0;  // from the end of the slider to where its handle can be
 const QSet<int> kTimeKeys{Qt::Key_Left,   Qt::Key_Right, Qt::Key_Comma,
                           Qt::Key_Period, Qt::Key_Home,  Qt::Key_End};
-constexpr double kAtOnce_s = 0.05;  // events nearer than this to the shown time are at it
+constexpr int kBetweenPictures_ms = 40;  // of the past that is played
+constexpr double kAtOnce_s = 0.05;       // events nearer than this to the shown time are at it
 
 }  // namespace
 
@@ -55,9 +58,7 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   step_ = button("step", tr("\u2758\u25b6 Step"), tr("One control period (F10)"));
   reset_ = button("reset", tr("\u21ba Reset"),
                   tr("Back to the start, with the world as it is now (Ctrl+R)"));
-  connect(run_, &QToolButton::clicked, this, [this] {
-    workbench_.run_state() == Workbench::Run::running ? workbench_.pause() : workbench_.run();
-  });
+  connect(run_, &QToolButton::clicked, this, &ControlBar::run_wished);
   connect(step_, &QToolButton::clicked, &workbench_, &Workbench::step);
   connect(reset_, &QToolButton::clicked, this, [this] { workbench_.reset(workbench_.seed()); });
 
@@ -91,14 +92,13 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
     if (!is_right) {
       Q_EMIT workbench_.noted(
           tr("'%1' is no seed: expected a whole number of at most 19 digits.").arg(seed_->text()));
-      seed_->setText(QString::number(workbench_.seed()));
+      show_seed();
     } else if (seed != workbench_.seed()) {
-      workbench_.reset(seed);
+      Q_EMIT seed_wished(seed);
     }
   });
   // One that the engine does not take is not shown any longer.
-  connect(&workbench_, &Workbench::refused, this,
-          [this] { seed_->setText(QString::number(workbench_.seed())); });
+  connect(&workbench_, &Workbench::refused, this, &ControlBar::show_seed);
   row->addWidget(seed_);
   row->addStretch(1);
   connect(&workbench_, &Workbench::run_changed, this, &ControlBar::show_state);
@@ -107,9 +107,10 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
 
 void ControlBar::show_state() {
   const Workbench::Run run = workbench_.run_state();
-  const bool is_running = run == Workbench::Run::running;
+  const bool is_running = run == Workbench::Run::running || past_ == Past::plays;
   run_->setText(is_running ? tr("\u2759\u2759 Pause") : tr("\u25b6 Start"));
-  run_->setEnabled(is_running || run == Workbench::Run::ready || run == Workbench::Run::paused);
+  run_->setEnabled(is_running || past_ != Past::none || run == Workbench::Run::ready ||
+                   run == Workbench::Run::paused);
   step_->setEnabled(run == Workbench::Run::ready || run == Workbench::Run::paused);
   reset_->setEnabled(run != Workbench::Run::none);
   if (speed_->findData(workbench_.speed()) < 0) {
@@ -119,6 +120,13 @@ void ControlBar::show_state() {
   if (!seed_->hasFocus()) {
     seed_->setText(QString::number(workbench_.seed()));
   }
+}
+
+void ControlBar::show_seed() { seed_->setText(QString::number(workbench_.seed())); }
+
+void ControlBar::show_past(Past past) {
+  past_ = past;
+  show_state();
 }
 
 TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
@@ -161,26 +169,64 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
     show_now();
   });
   connect(&workbench_, &Workbench::went_on, this, [this] {
+    stop_playing();
     is_in_the_past_ = false;
     show_now();
   });
+  play_timer_.setInterval(kBetweenPictures_ms);
+  connect(&play_timer_, &QTimer::timeout, this, &TimeLine::play_on);
 }
 
 void TimeLine::show_now() {
   is_showing_ = true;
   const double part = span_s() > 0.0 ? shown_s_ / span_s() : 1.0;
-  if (!slider_->isSliderDown()) {  // the run comes after the hand
+  if (!slider_->isSliderDown() && !is_pressed_) {  // the run comes after the hand
     slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
   }
   is_showing_ = false;
-  label_->setText(is_in_the_past_
-                      ? tr("%1 of %2 s").arg(shown_s_, 0, 'f', 2).arg(until_s_, 0, 'f', 2)
+  label_->setText(is_in_the_past_ || ahead_until_s_ > 0.0
+                      ? tr("%1 of %2 s").arg(shown_s_, 0, 'f', 2).arg(span_s(), 0, 'f', 2)
                       : tr("%1 s").arg(shown_s_, 0, 'f', 2));
   now_->setEnabled(is_in_the_past_);
   update();
+  if (std::exchange(was_in_the_past_, is_in_the_past_) != is_in_the_past_) {
+    Q_EMIT past_changed();
+  }
+}
+
+void TimeLine::play() {
+  if (is_in_the_past_ && !is_playing()) {
+    since_played_.start();
+    play_timer_.start();
+    Q_EMIT past_changed();
+  }
+}
+
+void TimeLine::stop_playing() {
+  if (is_playing()) {
+    play_timer_.stop();
+    Q_EMIT past_changed();
+  }
+}
+
+void TimeLine::play_on() {
+  constexpr double kMs = 1e-3;  // s
+  const double speed = workbench_.speed();
+  const double next_s = asked_s_ + speed * kMs * static_cast<double>(since_played_.restart());
+  if (speed > 0.0 && next_s < until_s_) {
+    show_past(next_s);
+  } else {
+    go_to_now();
+    Q_EMIT has_caught_up();
+  }
 }
 
 void TimeLine::go_to(double time_s) {
+  stop_playing();
+  show_past(time_s);
+}
+
+void TimeLine::show_past(double time_s) {
   const double wanted = std::clamp(time_s, 0.0, span_s());
   asked_s_ = wanted;
   if (wanted > until_s_ + kAtOnce_s) {
@@ -202,6 +248,7 @@ void TimeLine::go_to(double time_s) {
 }
 
 void TimeLine::go_to_now() {
+  stop_playing();
   is_in_the_past_ = false;
   workbench_.ask({{"do", "at"}}, {});
   show_now();
@@ -213,7 +260,7 @@ void TimeLine::move_by(double by_s) { go_to((is_in_the_past_ ? asked_s_ : until_
 void TimeLine::go_to_event(bool next) {
   const double from_s = is_in_the_past_ ? asked_s_ : until_s_;
   double found = next ? span_s() : 0.0;
-  for (const auto& [time, what] : all_marks()) {
+  for (const auto& [time, what] : events()) {
     if (next ? time > from_s + kAtOnce_s && time < found
              : time < from_s - kAtOnce_s && time > found) {
       found = time;
@@ -225,7 +272,7 @@ void TimeLine::go_to_event(bool next) {
 QString TimeLine::tip_at(double time_s) const {
   const double near_s = std::max(kAtOnce_s, 4.0 * span_s() / std::max(1, slider_->width()));
   QStringList lines;
-  for (const auto& [time, what] : all_marks()) {
+  for (const auto& [time, what] : events()) {
     if (std::abs(time - time_s) <= near_s) {
       lines << tr("%1 s: %2").arg(time, 0, 'f', 2).arg(what);
     }
@@ -254,7 +301,11 @@ bool TimeLine::event(QEvent* event) {
 
 // The slider has neither keys nor tips of its own.
 bool TimeLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == slider_ && event->type() == QEvent::MouseButtonRelease) {
+    is_pressed_ = false;
+  }
   if (watched == slider_ && event->type() == QEvent::MouseButtonPress) {
+    is_pressed_ = true;
     const auto* press = static_cast<QMouseEvent*>(event);
     const double part =
         (press->position().x() - kHandle_px) / std::max(1.0, slider_->width() - 2.0 * kHandle_px);
@@ -305,21 +356,24 @@ void TimeLine::mark(double time_s, const QString& what) {
 
 void TimeLine::expect(Marks events, double until_s) {
   ahead_ = std::move(events);
-  ahead_until_s_ = ahead_.empty() ? 0.0 : until_s;
+  ahead_until_s_ = until_s;
   show_now();
 }
 
-TimeLine::Marks TimeLine::all_marks() const {
+TimeLine::Marks TimeLine::events() const {
   Marks all = marks_;
   for (const auto& [time, what] : ahead_) {
     if (time > until_s_) {
       all.emplace_back(time, tr("%1, in the recording").arg(what));
     }
   }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   return all;
 }
 
 void TimeLine::clear() {
+  stop_playing();
   marks_.clear();
   until_s_ = shown_s_ = 0.0;
   is_in_the_past_ = false;
@@ -333,7 +387,7 @@ void TimeLine::paintEvent(QPaintEvent*) {
     return;
   }
   const QRect groove = slider_->geometry();
-  for (const auto& [time, what] : all_marks()) {
+  for (const auto& [time, what] : events()) {
     const double x =
         groove.left() + kHandle_px + (groove.width() - 2.0 * kHandle_px) * time / span_s();
     painter.drawLine(QPointF(x, groove.bottom() - 2.0), QPointF(x, height() - 1.0));

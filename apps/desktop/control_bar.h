@@ -1,6 +1,8 @@
 // Start, pause, step, reset, speed and seed; and the time line of the run.
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 #include <algorithm>
 #include <utility>
@@ -23,10 +25,21 @@ class ControlBar : public QWidget {
  public:
   explicit ControlBar(Workbench& workbench, QWidget* parent = nullptr);
 
+  /// What Start does with the past that is shown.
+  enum class Past { none, may_play, plays };
+  void show_past(Past past);
+  /// The one of the run, instead of what was typed.
+  void show_seed();
+
+ Q_SIGNALS:
+  void run_wished();  // or a pause
+  void seed_wished(quint64 seed);
+
  private:
   void show_state();
 
   Workbench& workbench_;
+  Past past_ = Past::none;
   QToolButton* run_;
   QToolButton* step_;
   QToolButton* reset_;
@@ -46,19 +59,30 @@ class TimeLine : public QWidget {
   /// Marks an event of the run.
   void mark(double time_s, const QString& what);
   void clear();
-  /// What a recording has of this run, which lasts until `until_s`: marked ahead of the run. An
-  /// empty list takes it away.
+  /// What a recording has of this run, which lasts until `until_s`: marked ahead of the run. 0
+  /// takes it away.
   using Marks = std::vector<std::pair<double, QString>>;
   void expect(Marks events, double until_s);
   bool is_in_the_past() const { return is_in_the_past_; }
   /// Shows the past, or lets the run go on to that time.
   void go_to(double time_s);
   void go_to_now();
+  /// Shows what was, from the shown time on, at the speed of the run; has_caught_up() when it comes
+  /// to now.
+  void play();
+  void stop_playing();
+  bool is_playing() const { return play_timer_.isActive(); }
   /// The next or last event from the shown time.
   void go_to_event(bool next);
   void move_by(double by_s);
   /// What happened at about that time, one line an event; "": nothing.
   QString tip_at(double time_s) const;
+  /// The events of the run, and those ahead of it, as they come.
+  Marks events() const;
+
+ Q_SIGNALS:
+  void past_changed();  // is_in_the_past() or is_playing()
+  void has_caught_up();
 
  protected:
   bool event(QEvent* event) override;
@@ -70,8 +94,8 @@ class TimeLine : public QWidget {
   void show_now();
   double time_at(double x) const;  // s; `x` in the widget
   double span_s() const { return std::max(until_s_, ahead_until_s_); }
-  /// The events of the run, and those ahead of it.
-  Marks all_marks() const;
+  void show_past(double time_s);
+  void play_on();
 
   Workbench& workbench_;
   QSlider* slider_;
@@ -81,7 +105,11 @@ class TimeLine : public QWidget {
   double shown_s_ = 0.0;
   double asked_s_ = 0.0;  // the past that was last asked for
   bool is_in_the_past_ = false;
+  bool was_in_the_past_ = false;  // when it was said last
   bool is_showing_ = false;
+  bool is_pressed_ = false;  // the slider, also before it takes hold of its handle
+  QTimer play_timer_;
+  QElapsedTimer since_played_;
   Marks marks_, ahead_;
   double ahead_until_s_ = 0.0;
 };

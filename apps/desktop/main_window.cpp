@@ -18,7 +18,7 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "export/exporter.h"
-#include "recorded_world.h"
+#include "main_window_recorded.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "world/properties.h"
@@ -109,6 +109,7 @@ MainWindow::~MainWindow() {
   for (QDockWidget* each : std::as_const(docks_)) {
     each->disconnect(this);
   }
+  time_line_->disconnect(this);
   workbench_.disconnect(this);
   qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));
   qDeleteAll(findChildren<QToolBar*>(Qt::FindDirectChildrenOnly));
@@ -131,10 +132,21 @@ void MainWindow::show_title() {
 void MainWindow::offer_actions() {
   const bool has_world = workbench_.tree().is_object();
   for (const char* name :
-       {"add_robot", "add_sensor", "behaviors", "coordinator", "add_static", "add_dynamic",
-        "add_moving", "add_resource", "add_charger", "add_goal", "add_measure", "add_team",
-        "physics", "arena", "limits", "measure", "follow", "start_pose"}) {
+       {"add_robot",   "add_sensor",   "behaviors",    "coordinator",    "add_static",
+        "add_dynamic", "add_moving",   "add_resource", "add_charger",    "add_goal",
+        "add_measure", "add_team",     "physics",      "arena",          "limits",
+        "measure",     "follow",       "start_pose",   "export_picture", "export_film",
+        "record",      "copy_command", "cut",          "copy",           "paste",
+        "duplicate",   "delete",       "edit",         "rename",         "more",
+        "lock",        "run",          "step",         "reset",          "event_before",
+        "event_after", "now",          "view_all",     "view_top",       "view_front",
+        "view_side",   "clear_trails", "frame"}) {
     actions_[name]->setEnabled(has_world);
+  }
+  boxes_->setEnabled(has_world);
+  const bool has_text = !workbench_.text().isEmpty() || !workbench_.file().isEmpty();
+  for (const char* name : {"save", "save_as", "start_page", "next_problem"}) {
+    actions_[name]->setEnabled(has_text);
   }
   actions_["undo"]->setEnabled(!workbench_.undo_name().isEmpty());
   actions_["redo"]->setEnabled(!workbench_.redo_name().isEmpty());
@@ -154,8 +166,20 @@ void MainWindow::show_state() {
                                              {Workbench::Run::running, tr("running")},
                                              {Workbench::Run::paused, tr("paused")},
                                              {Workbench::Run::ended, tr("ended")}};
-  const QString word = is_stuck_ ? tr("no answer") : words.value(workbench_.run_state());
-  outcome_label_->setText(outcome_.isEmpty() ? word : word + ": " + outcome_);
+  const QString word = workbench_.is_opening()    ? tr("opening the world")
+                       : is_stuck_                ? tr("no answer")
+                       : time_line_->is_playing() ? tr("playing the past")
+                                                  : words.value(workbench_.run_state());
+  const bool is_over = !outcome_.isEmpty() && !time_line_->is_playing();
+  outcome_label_->setText(is_over ? word + ": " + outcome_ : word);
+  const bool is_recorded = recorded_ && workbench_.is_borrowed();
+  recording_label_->setVisible(is_recorded);
+  if (is_recorded) {
+    const QString verdict = recorded() ? recorded_->verdict : tr("changed");
+    recording_label_->setText(verdict.isEmpty()
+                                  ? tr("recording %1").arg(recorded_->title)
+                                  : tr("recording %1, %2").arg(recorded_->title, verdict));
+  }
 }
 
 void MainWindow::say(const QString& text) { statusBar()->showMessage(text, kSaid_ms); }
@@ -166,6 +190,12 @@ void MainWindow::show_pose() {
   }
 }
 
+void MainWindow::show_lock() {
+  const bool is_locked = scene_->locked().contains(authoring_->selection().value(0));
+  actions_["lock"]->setText(is_locked ? tr("Unloc&k for the mouse")
+                                      : tr("Loc&k against the mouse"));
+}
+
 void MainWindow::show_selection(const QStringList& paths) {
   QStringList in_view = paths;
   in_view.removeAll(QString());  // the world has no place
@@ -173,6 +203,7 @@ void MainWindow::show_selection(const QStringList& paths) {
   world_tree_->set_selection(paths);
   for (WorldTree* each : std::as_const(teams_)) each->set_selection(paths);
   properties_->show_element(paths.isEmpty() ? QString() : paths.front());
+  show_lock();
   show_pose();
   if (const QString robot = authoring_->robot(); !robot.isEmpty()) {
     watch_robot(robot.mid(6).chopped(1));

@@ -1,6 +1,7 @@
 // The window: its docks, its files and what it shows. main_window.cpp has what it says of the run,
 // main_window_actions.cpp its actions and menus, main_window_docks.cpp the docks,
-// main_window_files.cpp files and unsaved work, main_window_connections.cpp what it hears.
+// main_window_files.cpp files and unsaved work, main_window_runs.cpp runs that were recorded,
+// main_window_connections.cpp what it hears.
 #pragma once
 
 #include <QHash>
@@ -10,9 +11,9 @@
 #include "engine/workbench.h"
 
 class QAction;
-class QTemporaryDir;
 class QLabel;
 class QStackedWidget;
+class QToolButton;
 
 namespace elsie::desktop {
 
@@ -24,6 +25,8 @@ class FuzzyPanel;
 class PlotsPanel;
 class ProblemsPanel;
 class RunReader;
+struct RecordedWorld;
+struct StoredRun;
 class SceneView;
 class SensorsPanel;
 class StartPage;
@@ -87,13 +90,26 @@ class MainWindow : public QMainWindow {
   bool save(bool elsewhere);
   bool may_have_mistakes();
   bool is_agreed(const char* name, const QString& title, const QString& question);
-  void read_run(const QString& file, int number);
+  struct Recorded;
+  void open_database(const QString& file);
+  void read_run(const QString& file, const StoredRun& run);
+  void show_recording(const QString& title, const RecordedWorld& world);
+  void set_end_of_recording(double time_s);
+  /// The recording that runs here; null: another run, or the world was changed.
+  const Recorded* recorded() const;
+  /// Says whether a run that has ended, or come to its end, is the recorded one.
+  void compare_with_recording(const Json& end);
+  void run_or_pause();
+  void show_past();
+  void list_events(QMenu* menu);
+  void begin_anew(quint64 seed);
   void show_opened(const QString& file);
   void forget_world();
   void begin_world(const std::function<QString()>& text);
   void show_start();
   void show_state();
   void show_pose();
+  void show_lock();
   void show_title();
   /// What needs a world is offered only where there is one.
   void offer_actions();
@@ -108,7 +124,7 @@ class MainWindow : public QMainWindow {
   /// Whether a problem's file is the text of the world.
   bool is_of_world(const QString& file) const;
   void show_problems();
-  void say_that_the_engine_ended(const QString& report);
+  void say_that_the_engine_ended(const QString& report, bool was_stopped);
   void go_to(const QString& file, int line);
   void say(const QString& text);
   void warn(const QString& title, const QString& sentence);
@@ -140,6 +156,7 @@ class MainWindow : public QMainWindow {
   FuzzyPanel* fuzzy_;
   SensorsPanel* sensors_;
   QHash<QString, QAction*> actions_;
+  QToolButton* boxes_;
   QMenu* recent_;
   QMenu* windows_;
   QLabel* time_label_;
@@ -147,10 +164,13 @@ class MainWindow : public QMainWindow {
   QLabel* seed_label_;
   QLabel* outcome_label_;
   QString outcome_;
+  QString opening_;  // what the status bar says until the world is there
+  QLabel* recording_label_;
   RunReader* runs_;
-  std::shared_ptr<QTemporaryDir> borrowed_folder_;  // of a recording's world
+  std::unique_ptr<Recorded> recorded_;
   Problems problems_shown_;
   bool is_stuck_ = false;  // the engine does not answer
+  bool is_seed_asked_ = false;
   QByteArray default_state_;
   QSet<QString> seen_;     // the docks in front
   QString watched_;        // what the engine was last asked to send

@@ -44,8 +44,9 @@ QAction* MainWindow::action(const char* name, const QString& text, const QKeySeq
 
 void MainWindow::make_actions() {
   const auto key = [](const char* keys) { return QKeySequence(QString(keys)); };
-  action("new", tr("&New world..."), QKeySequence::New,
-         [this] { begin_world([this] { return ask_for_new_world(this); }); });
+  action("new", tr("&New world..."), QKeySequence::New, [this] {
+    begin_world([this] { return ask_for_new_world(this); });
+  })->setIconText(tr("New"));
   action("open", tr("&Open..."), QKeySequence::Open, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Open a world, a recording or a run of a database"),
@@ -62,7 +63,7 @@ void MainWindow::make_actions() {
       tr("Plays the run that was just made from its start into a film"));
   action(
       "record", tr("&Record the next run..."), {}, [this] { exporter_->record(); },
-      tr("Into CSV or MCAP files, from its start"));
+      tr("Into a CSV or MCAP file, from its start, 10 samples for each simulated second"));
   action("copy_command", tr("&Copy the command line that repeats this"), {},
          [this] { exporter_->copy_command(); });
   action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
@@ -124,9 +125,7 @@ void MainWindow::make_actions() {
   action("add_measure", tr("Mea&sure..."), {}, [this] { authoring_->add_element({}, "measures"); });
   action("add_team", tr("&Team..."), {}, [this] { authoring_->add_element({}, "teams"); });
 
-  action("run", tr("&Run or pause"), key("F5"), [this] {
-    workbench_.run_state() == Workbench::Run::running ? workbench_.pause() : workbench_.run();
-  });
+  action("run", tr("&Run or pause"), key("F5"), [this] { run_or_pause(); });
   action("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
   action("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
   action("event_before", tr("Event &before"), {}, [this] { time_line_->go_to_event(false); });
@@ -142,20 +141,25 @@ void MainWindow::make_actions() {
       tr("For a plugin that does not come back: the engine begins anew, the world stays"));
 
   action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
-  // Home is the view's: in trees and lists it goes to the first row.
-  actions_["view_all"]->setShortcutContext(Qt::WidgetShortcut);
-  removeAction(actions_["view_all"]);
-  scene_->addAction(actions_["view_all"]);
-  action("view_top", tr("From the &top"), {}, [this] { scene_->look_from_top(); });
-  action("view_front", tr("From the &front"), {}, [this] { scene_->look_from_front(); });
-  action("view_side", tr("From the &side"), {}, [this] { scene_->look_from_side(); });
-  action("follow", tr("F&ollow the chosen robot"), {}, [this] {
+  action("frame", tr("Go &near to what is chosen"), key("F"),
+         [this] { scene_->frame_selection(); });
+  action("view_top", tr("From the &top"), key("7"), [this] { scene_->look_from_top(); });
+  action("view_front", tr("From the &front"), key("1"), [this] { scene_->look_from_front(); });
+  action("view_side", tr("From the &side"), key("3"), [this] { scene_->look_from_side(); });
+  action("follow", tr("F&ollow the chosen robot"), key("Shift+F"), [this] {
     scene_->follow(scene_->followed().isEmpty() ? authoring_->robot() : QString());
   });
-  action("measure", tr("&Measuring tape"), {}, [this] {
+  action("measure", tr("&Measuring tape"), key("M"), [this] {
     scene_->set_tool(scene_->tool() == SceneView::Tool::measure ? SceneView::Tool::move
                                                                 : SceneView::Tool::measure);
-  });
+  })->setIconText(tr("Tape"));
+  // The view's: elsewhere one types them, and Home goes to the first row.
+  for (const char* name :
+       {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure"}) {
+    actions_[name]->setShortcutContext(Qt::WidgetShortcut);
+    removeAction(actions_[name]);
+    scene_->addAction(actions_[name]);
+  }
   const auto overlay = [&](const char* name, const QString& text,
                            bool SceneView::Overlays::*which) {
     QAction* made = action(name, text, {}, [this, which, name] {
@@ -244,8 +248,8 @@ void MainWindow::make_actions() {
                "click chooses, with Shift several; a right click edits. "
                "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
                "snaps, Shift refines. "
-               "7, 1, 3: from the top, the front, the side. F frames, Shift+F follows, M measures, "
-               "arrows move what is chosen. Space runs and pauses. G moves, R turns, S resizes: "
+               "Arrows move what is chosen, with Shift by 1 cm. Space runs and pauses. G moves, R "
+               "turns, S resizes: "
                "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
                "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
                "to the event before and after; Home and End.</p>");
@@ -280,8 +284,8 @@ void MainWindow::make_menus() {
         "add_moving", "add_resource", "add_charger", "", "add_goal", "add_measure", "add_team"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view,
-       {"view_all", "view_top", "view_front", "view_side", "follow", "measure", "", "show_trails",
-        "show_beams", "show_views", "show_names", "show_grid", "clear_trails", ""});
+       {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure", "",
+        "show_trails", "show_beams", "show_views", "show_names", "show_grid", "clear_trails", ""});
   windows_ = view->addMenu(tr("&Windows"));
   connect(windows_, &QMenu::aboutToShow, this, [this] {
     windows_->clear();
@@ -291,8 +295,12 @@ void MainWindow::make_menus() {
   });
   fill(view, {"layout_author", "layout_watch", "layout_train", "layout_reset", "next_dock"});
   QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  fill(simulation, {"run", "step", "reset", "", "event_before", "event_after", "now", "", "physics",
-                    "arena", "limits", "", "stop_engine"});
+  fill(simulation, {"run", "step", "reset", ""});
+  QMenu* events = simulation->addMenu(tr("&Go to an event"));
+  events->setObjectName("events_menu");
+  connect(events, &QMenu::aboutToShow, this, [this, events] { list_events(events); });
+  fill(simulation,
+       {"event_before", "event_after", "now", "", "physics", "arena", "limits", "", "stop_engine"});
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   fill(help, {"commands", "keys", "shortcuts", "about"});
 
@@ -303,21 +311,23 @@ void MainWindow::make_menus() {
   for (const char* name : {"undo", "redo"}) bar->addAction(actions_[name]);
   bar->addSeparator();
   control_bar_ = new ControlBar(workbench_);
+  connect(control_bar_, &ControlBar::run_wished, this, &MainWindow::run_or_pause);
+  connect(control_bar_, &ControlBar::seed_wished, this, &MainWindow::begin_anew);
   bar->addWidget(control_bar_);
   QToolBar* environment = addToolBar(tr("Environment"));
   environment->setObjectName("environment");
   for (const char* name : {"add_robot", "add_sensor", "behaviors", "coordinator"}) {
     environment->addAction(actions_[name]);
   }
-  auto* boxes = new QToolButton;
-  boxes->setObjectName("boxes");
-  boxes->setText(tr("Box"));
-  boxes->setToolTip(tr("Add a box: one that stands, one that can be pushed, or one that moves"));
-  boxes->setPopupMode(QToolButton::InstantPopup);
+  boxes_ = new QToolButton;
+  boxes_->setObjectName("boxes");
+  boxes_->setText(tr("Box"));
+  boxes_->setToolTip(tr("Add a box: one that stands, one that can be pushed, or one that moves"));
+  boxes_->setPopupMode(QToolButton::InstantPopup);
   for (const char* name : {"add_static", "add_dynamic", "add_moving"}) {
-    boxes->addAction(actions_[name]);
+    boxes_->addAction(actions_[name]);
   }
-  environment->addWidget(boxes);
+  environment->addWidget(boxes_);
   for (const char* name : {"add_resource", "add_charger", "measure"}) {
     environment->addAction(actions_[name]);
   }
@@ -330,7 +340,9 @@ void MainWindow::make_menus() {
   seed_label_->setObjectName("seed_shown");
   outcome_label_ = new QLabel;
   outcome_label_->setObjectName("outcome");
-  for (QLabel* each : {time_label_, pace_label_, seed_label_, outcome_label_}) {
+  recording_label_ = new QLabel;
+  recording_label_->setObjectName("recording");
+  for (QLabel* each : {recording_label_, time_label_, pace_label_, seed_label_, outcome_label_}) {
     statusBar()->addPermanentWidget(each);
   }
 }

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
@@ -39,6 +40,9 @@ constexpr int kFewRobots = 16;  // that Plots shows all numbers of
 
 void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::described, this, [this] {
+    if (statusBar()->currentMessage() == std::exchange(opening_, QString())) {
+      statusBar()->clearMessage();
+    }
     scene_->set_scene(workbench_.scene(), workbench_.epoch());
     world_tree_->show_world();
     show_teams();
@@ -61,6 +65,7 @@ void MainWindow::connect_workbench() {
     }
     watch();
     show_title();
+    show_state();
   });
   connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
@@ -99,6 +104,8 @@ void MainWindow::connect_workbench() {
     }
     show_state();
   });
+  connect(&workbench_, &Workbench::came_to, this, &MainWindow::compare_with_recording);
+  connect(&workbench_, &Workbench::ended, this, &MainWindow::compare_with_recording);
   connect(&workbench_, &Workbench::went_on, this, [this] {
     if (workbench_.has_mistakes()) {
       say(tr("The text has mistakes: the world that runs is the one from before them."));
@@ -139,8 +146,14 @@ void MainWindow::connect_workbench() {
     if (const bool is_stuck = waiting_ms > kStuck_ms; is_stuck != is_stuck_) {
       is_stuck_ = is_stuck;
       show_state();
+      if (!is_stuck) statusBar()->clearMessage();
     }
-    if (is_stuck_) {
+    if (is_stuck_ && workbench_.is_opening()) {
+      statusBar()->showMessage(
+          tr("The engine has been reading the world for %1 s: it is large, or a plugin takes long. "
+             "'Stop the engine now' in the menu Simulation ends that, and the text stays.")
+              .arg(waiting_ms / 1000));
+    } else if (is_stuck_) {
       statusBar()->showMessage(
           tr("The engine does not answer: a plugin takes long. 'Stop the engine now' in the menu "
              "Simulation begins it anew, and the world stays."));
@@ -151,6 +164,10 @@ void MainWindow::connect_workbench() {
 
 void MainWindow::connect_views() {
   connect(scene_, &SceneView::said, this, &MainWindow::say);
+  connect(scene_, &SceneView::locks_changed, this, [this] {
+    for (WorldTree* each : findChildren<WorldTree*>()) each->show_locked(scene_->locked());
+    show_lock();
+  });
   connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
   connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
   connect(scene_, &SceneView::menu_wished, authoring_,
@@ -161,6 +178,12 @@ void MainWindow::connect_views() {
   connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
   connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
+  connect(time_line_, &TimeLine::past_changed, this, &MainWindow::show_past);
+  connect(time_line_, &TimeLine::has_caught_up, this, [this] {
+    if (workbench_.run_state() == Workbench::Run::paused && !workbench_.is_at_halt()) {
+      workbench_.run();
+    }
+  });
   connect(scene_, &SceneView::moved, this, [this](const QStringList& paths, double x, double y) {
     if (is_the_present()) authoring_->move(paths, x, y);
   });
@@ -172,6 +195,11 @@ void MainWindow::connect_views() {
             if (is_the_present()) authoring_->resize(path, length, width);
           });
   connect(authoring_, &Authoring::selected, this, &MainWindow::show_selection);
+  connect(properties_, &Properties::add_wished, authoring_,
+          [this](const QString& holder, const QString& list) {
+            list == "behaviors" ? authoring_->edit_behaviors(holder)
+                                : authoring_->add_element(holder, list);
+          });
   // So that keys act on what was added.
   connect(authoring_, &Authoring::added, scene_, qOverload<>(&QWidget::setFocus));
   connect(authoring_, &Authoring::said, this, &MainWindow::say);
@@ -255,27 +283,31 @@ void MainWindow::go_to(const QString& file, int line) {
 }
 
 /// One box, however often it ends.
-void MainWindow::say_that_the_engine_ended(const QString& report) {
+void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopped) {
   auto* box = findChild<QMessageBox*>("engine_lost");
   if (!box) {
     box = new QMessageBox(this);
     box->setObjectName("engine_lost");
-    box->setIcon(QMessageBox::Warning);
     box->setStandardButtons(QMessageBox::Ok);
     box->setAttribute(Qt::WA_DeleteOnClose);
   }
   const bool is_there = workbench_.engine().is_there();
-  box->setWindowTitle(is_there ? tr("The engine was started again") : tr("There is no engine"));
+  box->setIcon(is_there && was_stopped ? QMessageBox::Information : QMessageBox::Warning);
+  box->setWindowTitle(!is_there     ? tr("There is no engine")
+                      : was_stopped ? tr("The engine was stopped")
+                                    : tr("The engine was started again"));
+  const QString what =
+      was_stopped ? tr("You stopped the engine.") : tr("A plugin ended the engine.");
   box->setText(
-      !is_there
-          ? tr("A plugin ended the engine, and it does not start again. Your world and its unsaved "
-               "changes are here as a text, which you can save. The engine is tried again when you "
-               "change the text, or open a world.")
-      : workbench_.tree().is_null() && !workbench_.problems().empty()
-          ? tr("A plugin ended the engine. Your world and its unsaved changes are here as a text; "
-               "it is opened again when you change it.")
-          : tr("A plugin ended the engine. Your world and its unsaved changes are here; the run "
-               "begins anew."));
+      what + ' ' +
+      (!is_there
+           ? tr("It does not start again. Your world and its unsaved changes are here as a text, "
+                "which you can save. The engine is tried again when you change the text, or open a "
+                "world.")
+       : workbench_.tree().is_null() && !workbench_.problems().empty()
+           ? tr("Your world and its unsaved changes are here as a text; it is opened again when "
+                "you change it.")
+           : tr("Your world and its unsaved changes are here; the run begins anew.")));
   box->setInformativeText(cause_in(report));
   box->setDetailedText(report);
   box->open();

@@ -7,6 +7,7 @@
 
 #include "authoring/authoring.h"
 #include "main_window.h"
+#include "scene/scene_view.h"
 #include "text/problems_panel.h"
 #include "text/world_editor.h"
 #include "watch/coordination_panel.h"
@@ -152,6 +153,7 @@ void MainWindow::arrange(const QString& layout) {
 
 void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
   connect(tree, &WorldTree::selected, authoring_, &Authoring::select);
+  connect(tree, &WorldTree::list_selected, properties_, &Properties::show_list);
   connect(tree, &WorldTree::edit_wished, authoring_, &Authoring::edit_element);
   connect(tree, &WorldTree::add_wished, authoring_,
           [this, team](const QString& holder, const QString& list) {
@@ -169,6 +171,7 @@ QDockWidget* MainWindow::make_team(const QString& team) {
   teams_[team] = tree;
   teams_shown_ << team;
   connect_tree(tree, team);
+  tree->show_locked(scene_->locked());
   return new_dock(("team_" + team).toUtf8().constData(), team, tree);
 }
 

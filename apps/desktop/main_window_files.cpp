@@ -15,7 +15,7 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "main_window.h"
-#include "recorded_world.h"
+#include "main_window_recorded.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/fuzzy_panel.h"
@@ -61,15 +61,19 @@ bool MainWindow::may_leave() {
 
 bool MainWindow::open(const QString& file) {
   if (may_be_database(file)) {
-    say(tr("Reading '%1'...").arg(file));
-    runs_->list_runs(file, [this, file](const std::vector<StoredRun>& runs) {
-      ask_for_run(runs, this, [this, file](int number) { read_run(file, number); });
-    });
+    open_database(file);
     return true;
   }
   if (may_be_run(file)) {
-    read_run(file, 0);
+    read_run(file, {});
     return true;
+  }
+  if (may_be_table(file)) {
+    warn(tr("The table of a run cannot be played"),
+         tr("'%1' has the numbers of a run, but not its world. Record the run as .mcap to open it "
+            "here; Plots shows numbers while it runs.")
+             .arg(file));
+    return false;
   }
   if (!may_leave()) {
     return false;
@@ -83,33 +87,17 @@ bool MainWindow::open(const QString& file) {
   return true;
 }
 
-void MainWindow::read_run(const QString& file, int number) {
-  say(tr("Reading '%1'...").arg(file));
-  runs_->read_world(file, number, [this, file, number](const RecordedWorld& world) {
-    QString why;
-    if (!may_leave()) {
-      return;
-    }
-    if (!workbench_.open(world.file, why, world.seed, true)) {
-      warn(tr("The run cannot be opened"), why);
-      return;
-    }
-    show_opened(file);
-    borrowed_folder_ = world.folder;
-    if (number == 0) {
-      runs_->read_events(file, [this](const RecordedEvents& recorded) {
-        time_line_->expect(recorded.events, recorded.end_s);
-      });
-    }
-  });
-}
-
 void MainWindow::show_opened(const QString& file) {
   note_recent(file);
   forget_world();
   centre_->setCurrentIndex(1);
   scene_->setFocus();
   show_title();
+  show_state();
+  if (workbench_.is_opening()) {
+    opening_ = tr("Opening '%1'...").arg(file);
+    say(opening_);
+  }
 }
 
 // What is only true of the world that was there.
@@ -123,7 +111,7 @@ void MainWindow::forget_world() {
   vision_->clear();
   fuzzy_->clear();
   sensors_->clear();
-  borrowed_folder_.reset();
+  recorded_.reset();
 }
 
 void MainWindow::begin_world(const std::function<QString()>& text) {

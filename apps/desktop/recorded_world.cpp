@@ -53,8 +53,12 @@ std::vector<StoredRun> runs_in(const QString& table) {
     const auto cell = [&](const char* name) { return cells.value(names.indexOf(name)); };
     if (const int number = cell("run").toInt(); number > 0) {
       const QString outcome = cell("outcome");
-      runs.push_back(
-          {number, cell("cell"), cell("seed"), outcome.isEmpty() ? cell("state") : outcome});
+      runs.push_back({number,
+                      cell("cell"),
+                      cell("seed"),
+                      outcome.isEmpty() ? cell("state") : outcome,
+                      {cell("simulated_s").toDouble(), cell("steps").toLongLong(),
+                       cell("state_hash"), cell("state") != "done"}});
     }
   }
   return runs;
@@ -90,6 +94,8 @@ bool may_be_run(const QString& file) {
   return may_be_database(file) || begins_with(file, "\x89MCAP0\r\n") ||
          (file.endsWith(".mcap") && QFileInfo(file).isFile());
 }
+
+bool may_be_table(const QString& file) { return begins_with(file, "time_s,robot,"); }
 
 RunReader::RunReader(QString elsie, QStringList options, QObject* parent)
     : QObject(parent), elsie_(std::move(elsie)), options_(std::move(options)) {}
@@ -132,7 +138,7 @@ void RunReader::read_world(const QString& file, int run,
         QDir(each->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size() <= 1);
     delete each;
   });
-  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, folder};
+  RecordedWorld world{folder->filePath(QFileInfo(file).completeBaseName() + ".xml"), 1, {}, folder};
   QStringList words{"replay", file};
   if (run > 0) {
     words << QString::number(run);
@@ -145,8 +151,16 @@ void RunReader::read_world(const QString& file, int run,
             return;
           }
           static const QRegularExpression seed("^the same run: .* --seed (\\d+)");
+          static const QRegularExpression end("^state hash ([0-9a-f]{16}) after (\\d+) steps$",
+                                              QRegularExpression::MultilineOption);
           const QString said = QString::fromUtf8(replay.readAllStandardOutput());
           world.seed = seed.match(said.section('\n', 0, 0)).captured(1).toULongLong();
+          static const QRegularExpression cut("^(no outcome: |stopped after )",
+                                              QRegularExpression::MultilineOption);
+          const QRegularExpressionMatch ended = end.match(said);
+          const bool is_cut =
+              said.section('\n', 0, 0).contains(" --duration ") || cut.match(said).hasMatch();
+          world.end = {0.0, ended.captured(2).toLongLong(), ended.captured(1), is_cut};
           done(world);
         });
 }
@@ -175,7 +189,7 @@ void RunReader::list_runs(const QString& database,
 }
 
 QDialog* ask_for_run(const std::vector<StoredRun>& runs, QWidget* parent,
-                     std::function<void(int)> done) {
+                     std::function<void(const StoredRun&)> done) {
   auto* dialog = new QDialog(parent);
   dialog->setObjectName("run_dialog");
   dialog->setWindowTitle(RunReader::tr("Open a run"));
@@ -202,9 +216,11 @@ QDialog* ask_for_run(const std::vector<StoredRun>& runs, QWidget* parent,
   QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   QObject::connect(list, &QTreeWidget::itemDoubleClicked, dialog, &QDialog::accept);
-  QObject::connect(dialog, &QDialog::accepted, parent, [list, done = std::move(done)] {
-    if (const QTreeWidgetItem* item = list->currentItem()) {
-      done(item->data(0, Qt::DisplayRole).toInt());
+  QObject::connect(dialog, &QDialog::accepted, parent, [list, runs, done = std::move(done)] {
+    const QTreeWidgetItem* item = list->currentItem();
+    const int number = item ? item->data(0, Qt::DisplayRole).toInt() : 0;
+    for (const StoredRun& run : runs) {
+      if (run.number == number) done(run);
     }
   });
   dialog->resize(560, 420);

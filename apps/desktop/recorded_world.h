@@ -20,9 +20,21 @@ namespace elsie::desktop {
 bool may_be_run(const QString& file);
 bool may_be_database(const QString& file);
 
+/// Whether it is the table of a run (CSV), which has no world in it, by how it begins.
+bool may_be_table(const QString& file);
+
+/// How a run ended.
+struct RecordedEnd {
+  double time_s = 0.0;  // 0: not known
+  qint64 steps = 0;     // 0: not known
+  QString state_hash;   // 16 hexadecimal digits; "": not known
+  bool is_cut = false;  // the world made anew goes on there: --duration, Ctrl-C, a crash
+};
+
 struct RecordedWorld {
   QString file;  // in `folder`
   std::uint64_t seed = 1;
+  RecordedEnd end;
   std::shared_ptr<QTemporaryDir> folder;  // goes with the last who uses the world
 };
 
@@ -35,6 +47,7 @@ struct RecordedEvents {
 struct StoredRun {
   int number = 0;
   QString world, seed, outcome;
+  RecordedEnd end;
 };
 
 /// Reads recordings and databases with the program elsie, in the background: one at a time, the
@@ -69,6 +82,6 @@ class RunReader : public QObject {
 /// Asks for one of the runs of a database, each with its world, seed and outcome. The dialog is
 /// shown, and deletes itself.
 QDialog* ask_for_run(const std::vector<StoredRun>& runs, QWidget* parent,
-                     std::function<void(int number)> done);
+                     std::function<void(const StoredRun& run)> done);
 
 }  // namespace elsie::desktop

@@ -1,6 +1,6 @@
-// The part of the program that `elsie run` needs only when it is asked for views or the world has
-// cameras: all other subcommands, and what looks at a run. It is a library of its own,
-// lib/elsie/elsie-commands.so, because it brings OpenGL, cairo and SQLite with it.
+// The part of the program that `elsie run` needs only for views, or if the world has cameras: all
+// other subcommands, and the observers of a run. It is a library of its own,
+// lib/elsie/elsie-commands.so, because it loads OpenGL, cairo and SQLite.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ struct CommandModule {
 /// Loads the module at the first call. Throws base::Error with a sentence when it is missing.
 const CommandModule& command_module();
 
-/// What the module exports by this name: a function that returns a const CommandModule*.
+/// The function that the module exports by this name returns a const CommandModule*.
 inline constexpr const char* kCommandModule = "elsie_command_module";
 
 }  // namespace elsie::program

@@ -46,7 +46,7 @@ std::vector<std::string> PluginOptions::words() const {
 
 namespace {
 
-/// Whether a debugger is at work, which may hold the program for as long as it likes.
+/// True if a debugger is at work, which may stop the program for any time.
 bool is_traced() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -72,7 +72,7 @@ fs::path checked(const std::string& file) {
   return file;
 }
 
-/// A file that was asked for by name must be of use.
+/// A library that was named on the command line must be usable.
 void require_loaded(const plugin::Host& host, const std::vector<std::string>& files) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (const auto& file : host.report().directories[i].files) {
@@ -83,7 +83,7 @@ void require_loaded(const plugin::Host& host, const std::vector<std::string>& fi
   }
 }
 
-/// Where plugins are looked for; sources as they are given.
+/// The places of plugins; sources are not compiled yet.
 std::vector<plugin::SearchDirectory> places_of(const PluginOptions& options) {
   std::vector<fs::path> extra;
   for (const std::string& directory : options.directories) {
@@ -177,7 +177,7 @@ plugin::Host load_plugins(const PluginOptions& options, std::optional<double> lo
 }
 
 std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options) {
-  search_path(options);  // what it compiles is in the cache then
+  search_path(options);  // sources are compiled and in the cache then
   const LoadingLimit limit;
   auto watch = std::make_unique<build::Watch>(places_of(options));
   require_loaded(watch->host(), options.files);
@@ -187,8 +187,9 @@ std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options) {
 
 std::vector<std::string> data_directories() { return world::default_data_directories(); }
 
-world::ReadOptions read_options(const std::vector<std::string>& overrides) {
+world::ReadOptions read_options(const std::vector<std::string>& overrides, std::uint64_t seed) {
   world::ReadOptions options;
+  options.seed = seed;
   options.overrides = overrides;
   options.data_directories = data_directories();
   options.check_plugins = true;

@@ -1,6 +1,7 @@
-// Where the program finds plugins and data.
+// Finds and loads the program's plugins and data.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -25,30 +26,29 @@ struct PluginOptions {
   std::vector<std::string> files;  // libraries, or sources to compile
 
   void add_to(CLI::App& command);
-  /// The same as words of a command line.
+  /// The same options as words of a command line.
   std::vector<std::string> words() const;
 };
 
-/// Compiles a plugin's source, unless the cache has it. On a terminal a line on standard error says
-/// so as long as it takes, unless the log is set to errors only. Throws what build_source() throws.
+/// Compiles a plugin's source, unless the cache has it. On a terminal, a line on standard error
+/// says so meanwhile, unless the log is set to errors only. Throws what build_source() throws.
 build::SourceBuild compiled(const std::filesystem::path& source);
 
-/// Where plugins are looked for: libraries given by name, those given as source after compiling
-/// them, then directories. Throws BadInput for what was given on the command line and cannot be
-/// used.
+/// The places of plugins: libraries given by name, then those given as source (after compiling
+/// them), then directories. Throws BadInput if something given on the command line cannot be used.
 std::vector<plugin::SearchDirectory> search_path(const PluginOptions& options);
 
 /// Loads the plugins, those given as source after compiling them; warnings go to the log, unless it
-/// is set to errors only. Throws BadInput for what was given on the command line and cannot be
-/// used. A library that takes longer than `longest_s` (s) to be loaded, as by a static constructor
-/// that does not return, ends the program. None: there is a LoadingLimit already.
+/// is set to errors only. Throws BadInput if something given on the command line cannot be used. A
+/// library that takes longer than `longest_s` (s) to be loaded, for example in a static
+/// constructor, ends the program. None: there is a LoadingLimit already.
 plugin::Host load_plugins(const PluginOptions& options, std::optional<double> longest_s = 30.0);
-/// "did not return within 30 s and was stopped": what a process::Watchdog says of a plugin.
+/// A process::Watchdog's message about a plugin: "did not return within 30 s and was stopped".
 std::string late_text(double limit_s);
 
 /// While it lives, a library that takes longer than that to be loaded or unloaded in this thread,
-/// or to make or destroy an object, ends the program: it may never return. So does every other call
-/// of a plugin whose clock was started. Not under a debugger. One at a time.
+/// or to make or destroy an object, ends the program: it may never return. The same holds for all
+/// other plugin calls whose clock was started. Inactive under a debugger. Only one at a time.
 class LoadingLimit {
  public:
   explicit LoadingLimit(double longest_s = 30.0);
@@ -57,14 +57,15 @@ class LoadingLimit {
   std::string late_;
   std::optional<process::Watchdog> watchdog_;
 };
-/// The same, and follows the files from then on.
+/// Loads the plugins likewise, and follows their files from then on.
 std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options);
 
 /// world::default_data_directories()
 std::vector<std::string> data_directories();
 
-/// How worlds are read here: with the data directories, and every plugin asked about its
-/// parameters.
-world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
+/// The options with which the program reads worlds: with the data directories, and with every
+/// plugin asked about its parameters. `seed` is the run's, for layouts.
+world::ReadOptions read_options(const std::vector<std::string>& overrides = {},
+                                std::uint64_t seed = 1);
 
 }  // namespace elsie::program

@@ -57,12 +57,12 @@ int finish(const Job& job) {
     std::cerr << "elsie: " << error.what() << '\n';
     return kOtherFailure;
   } catch (...) {
-    std::cerr << "elsie: something was thrown that is no std::exception\n";
+    std::cerr << "elsie: something was thrown that is not a std::exception\n";
     return kOtherFailure;
   }
 }
 
-/// A result that did not reach its reader is no success.
+/// A result that did not reach its reader is not a success.
 int with_output_written(int exit_code) {
   out().flush();
   if (out()) {
@@ -72,14 +72,14 @@ int with_output_written(int exit_code) {
   return exit_code == kSuccess || exit_code == kGoalMissed ? int{kOtherFailure} : exit_code;
 }
 
-/// Whether the words ask for a run, and not for help about it.
+/// True if the words ask for a run, and not for help about it.
 bool is_run(int argc, char** argv) {
   const auto asks_for_help = [](std::string_view word) { return word == "--help" || word == "-h"; };
   return argc > 1 && std::string_view(argv[1]) == "run" &&
          std::none_of(argv + 2, argv + argc, asks_for_help);
 }
 
-/// Parses the command line and does what it asks for. Returns the exit code.
+/// Parses the command line and does the chosen work. Returns the exit code.
 int work(int argc, char** argv) {
   CLI::App program("Elsie: behaviour-based mobile robot control", "elsie");
   program.set_version_flag("--version", "elsie " ELSIE_VERSION);
@@ -109,8 +109,8 @@ int work(int argc, char** argv) {
   // A file that grows beyond its limit is an error of writing, as on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   set_up_log();
-  // Pictures of cameras are small: where Mesa draws them in software, handing them to threads costs
-  // more than it gains. Here, because nothing else runs yet that could look at the environment.
+  // Camera pictures are small: where Mesa draws them in software, handing them to threads costs
+  // more than it gains. Set here: no other code runs yet that could read the environment.
   setenv("LP_NUM_THREADS", "0", 0);
   if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
     command_module().work();
@@ -120,8 +120,8 @@ int work(int argc, char** argv) {
   process::report_crashes(kPluginFailed);
   end_at_once_when_interrupted();
   const int exit_code = work(argc, argv);
-  // Not return: what plugins have registered for the end of the process is not run. But what they
-  // have printed is written.
+  // It does not return, so functions that plugins have registered for the end of the process do not
+  // run. But their output is written.
   std::cout.flush();
   std::fflush(nullptr);
   process::end_with(exit_code);

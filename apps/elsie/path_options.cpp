@@ -31,7 +31,7 @@ void PathOptions::add_to(CLI::App& command) {
       ->type_name("SECONDS");
   command
       .add_option("--picture-fade", choice_.fade_s,
-                  "Let the ways fade: parts older than their end by this time are left out")
+                  "Let the paths fade: parts older than their end by this time are left out")
       ->needs("--picture")
       ->check(positive_number())
       ->type_name("SECONDS");

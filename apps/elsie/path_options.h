@@ -1,4 +1,4 @@
-// Options that select parts of the robots' ways in a picture.
+// Options that select parts of the robots' paths in a picture.
 #pragma once
 
 #include <string>

@@ -34,7 +34,7 @@ void interrupt(int) {
   const RepeatedRequest::Kind kind = request.come();
   interrupted = 1;
   if (kind == RepeatedRequest::Kind::second) {
-    // The present work never ends.
+    // The current work never ends.
     process::end_process(
         "was at work when the run was interrupted",
         "something outside of all plugins was at work when the run was interrupted", kOtherFailure);

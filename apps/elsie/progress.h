@@ -57,7 +57,7 @@ class InterruptGuard final : public simulation::Observer {
   InterruptGuard();
   ~InterruptGuard() override;
   void stepped(const simulation::Simulation& simulation) override;
-  /// Whether a signal has come.
+  /// True if a signal has come.
   static bool is_interrupted();
 
  private:

@@ -1,4 +1,4 @@
-// What --record and its like ask for.
+// The options for recordings: --record and related ones.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace elsie::program {
 struct RecordOptions {
   std::vector<std::string> files;
   double rate_hz = 10.0;  // samples per simulated second
-  bool times = false;     // how long each behaviour took; the simulation measures it
-  bool images = false;    // what the cameras see
+  bool times = false;     // the time that each behaviour took; the simulation measures it
+  bool images = false;    // the pictures of the cameras
 
   void add_to(CLI::App& command);
 };

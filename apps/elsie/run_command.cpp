@@ -60,7 +60,7 @@ The run ends with exit code 0 when the world's goals are reached, 1 when they ar
 plugin failed, 4 when the physics failed.
 )";
 
-/// Everything that watches one run.
+/// All observers of one run.
 class Watchers {
  public:
   Watchers(const RunOptions& options, std::unique_ptr<RunViews> views) : views_(std::move(views)) {
@@ -126,8 +126,8 @@ simulation::Budget budget_of(const RunOptions& options) {
   return {1e-3 * options.time_budget_ms, static_cast<std::size_t>(1e6 * options.memory_budget_mb)};
 }
 
-/// Stops plugins that do not return, if there is a budget of time. One that returns late by less
-/// than this ends the run in order.
+/// Stops plugins that do not return, if there is a time limit. If a plugin returns late by less
+/// than this, the run ends in order.
 constexpr double kGrace = 1.0;  // s
 std::optional<process::Watchdog> watchdog_of(const RunOptions& options) {
   if (options.time_budget_ms <= 0.0) {
@@ -142,10 +142,11 @@ std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
   return command_module().make_cameras(world);
 }
 
-/// The simulation of a world that is in order, with changes that can be made.
+/// The simulation of a valid world, with changes that can be made.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
                                      std::span<const simulation::TimedChange> changes) {
-  world::World world = world::read_world(options.world, host, read_options(options.overrides));
+  world::World world =
+      world::read_world(options.world, host, read_options(options.overrides, options.seed));
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,
                                      .measure_time = options.views.record.times,
@@ -182,7 +183,7 @@ int run(const RunOptions& options) {
   const auto watchdog = watchdog_of(options);
   try {
     const simulation::RunResult result = simulation.run(watchers.all(), changes, renew);
-    // First what the run came to: it is not lost when the picture cannot be written.
+    // The result of the run comes first: it is not lost if the picture cannot be written.
     if (options.json) {
       out() << json(result);
     } else if (!options.quiet) {
@@ -195,7 +196,7 @@ int run(const RunOptions& options) {
     try {
       draw_as(fault.what());
     } catch (const std::exception& error) {
-      std::cerr << "elsie: " << error.what() << '\n';  // the fault is what counts
+      std::cerr << "elsie: " << error.what() << '\n';  // the fault is more important
     }
     throw;
   } catch (const simulation::PhysicsFault& fault) {

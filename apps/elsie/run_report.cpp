@@ -32,7 +32,7 @@ std::vector<std::string> row(const RobotResult& robot) {
               base::fixed_text(elsie::degrees(robot.pose.heading_rad), 0)};
 }
 
-/// The measures of the world; those of every run are elsewhere in the table.
+/// The measures of the world; those of every run are in other rows of the table.
 std::string measures(const RunResult& result) {
   if (result.measures.size() <= simulation::kMeasuresOfEveryRun) {
     return "";

@@ -1,4 +1,4 @@
-// What a run leaves for people to look at: recordings and pictures.
+// The results of a run for people to look at: recordings and pictures.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ class Simulation;
 
 namespace elsie::program {
 
-/// What the command line asks for.
+/// The views that the command line asks for.
 struct ViewOptions {
   RecordOptions record;
   std::optional<std::string> picture;
@@ -29,13 +29,13 @@ struct ViewOptions {
 };
 
 /// The views of one run. The module of commands makes them (command_module.h), because they need
-/// libraries that most runs do without.
+/// libraries that most runs do not use.
 class RunViews {
  public:
   virtual ~RunViews() = default;
-  /// Opens the files, before the run. Throws BadInput for what this world cannot show.
+  /// Opens the files, before the run. Throws BadInput for views that this world cannot have.
   virtual void open(const simulation::Simulation& simulation) = 0;
-  /// Who watches the run; none before open().
+  /// The observers of the run; none before open().
   virtual std::span<simulation::Observer* const> observers() const = 0;
   /// Draws the picture, if one is asked for, with a line below its title.
   virtual void draw(const simulation::Simulation& simulation, const std::string& line) const = 0;

@@ -6,7 +6,7 @@
 
 namespace elsie::program {
 
-/// The width of the terminal behind a descriptor; `otherwise` if it is none, or implausibly narrow.
+/// The width of the terminal behind a descriptor; `otherwise` without one, or if it is too narrow.
 std::size_t terminal_columns(int descriptor, std::size_t otherwise);
 
 /// The line, shortened with "..." to this many columns (at least 4), because a wrapped line could

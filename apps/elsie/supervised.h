@@ -8,7 +8,7 @@
 namespace elsie::program {
 
 /// Finds the supervisor's pipe, if there is one, and announces the exit codes of this process on
-/// it. To be called first, before anything is loaded.
+/// it. Must be called first, before anything is loaded.
 void meet_supervisor();
 
 /// The stream for the program's answers: the original standard output. Plugins that print write to
@@ -19,13 +19,13 @@ std::ostream& out();
 int out_descriptor();
 
 /// Keeps standard output for out(), and redirects its number to standard error. Changes `arguments`
-/// that name standard output as a file (/dev/stdout) accordingly. To be called once, before plugins
-/// are loaded.
+/// that name standard output as a file (/dev/stdout) accordingly. Must be called once, before
+/// plugins are loaded.
 void keep_output(int count, char** arguments);
 
 /// The path of the program that the user started, which is the supervisor's.
 const std::string& program_path();
-/// To be called with argv[0] before plugins are loaded.
+/// Must be called with argv[0] before plugins are loaded.
 void set_program_path(const char* first_argument);
 
 }  // namespace elsie::program

@@ -22,7 +22,7 @@ namespace {
 
 // A signal handler can only reach globals.
 std::atomic<pid_t> child{0};
-std::atomic<int> requests{0};  // to end, since the last look
+std::atomic<int> requests{0};  // to end, since the last check
 
 /// Signals that users or schedulers send to a process. The program gets all of them and decides
 /// what to do.
@@ -77,7 +77,7 @@ void hand_signals_on() {
 /// Kills a child that does not end after two requests.
 class Patience {
  public:
-  /// Whether it is over. To be called at least ten times a second.
+  /// True if it is over. Must be called at least ten times a second.
   bool is_over() {
     using Clock = std::chrono::steady_clock;
     const auto now = Clock::now();

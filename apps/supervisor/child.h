@@ -13,7 +13,7 @@ namespace elsie::supervisor {
 /// How the child ended.
 struct End {
   int status = 0;            // as from wait(2)
-  bool has_said_so = false;  // it announced its exit code (128 and the signal), and kept to it
+  bool has_said_so = false;  // it announced its exit code (128 and the signal) and ended with it
   bool was_killed = false;   // by the supervisor, because it did not end after two requests
 };
 

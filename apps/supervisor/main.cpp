@@ -1,4 +1,4 @@
-// elsie: the program as its users start it.
+// elsie: the program that users start.
 //
 // Another process, lib/elsie/elsie-program, does the work, because plugins run in it: a plugin can
 // end its process in ways that no code in it can prevent, and must not decide the exit code that a
@@ -61,7 +61,7 @@ int failed(const elsie::supervisor::End& end) {
                             "of signals\n");
     end_by(signal);
   }
-  constexpr int kNotStarted = 127;  // as in a shell; the system's loader has reported the reason
+  constexpr int kNotStarted = 127;  // as in a shell; the system's loader reported the reason
   if (WEXITSTATUS(end.status) == kNotStarted) {
     std::cerr << "elsie: the program could not be started, or a plugin has ended it with exit code "
                  "127\n";

@@ -1,4 +1,4 @@
-"""The tables of docs/experiments.md and docs/every-coordinator.md."""
+"""The tables of docs/experiments.md and docs/every-coordinator.md, from the archive of runs."""
 import math
 from statistics import mean
 
@@ -6,7 +6,7 @@ from results import of, share, short_spread, spread, successes, table
 
 LAYERS = ["2 2", "4 4", "2 2 2 2", "4 4 4 4"]
 SCHEMES = ["arbitration", "fusion"]
-PERIODS = ["0.2", "0.3", "0.4", "0.5"]
+PERIODS = ["0.01", "0.2", "0.3", "0.4", "0.5"]  # s; 0.1 s is that of the cases
 CASES_5_AND_6 = [("5", "one_obstacle"), ("6", "two_obstacles"), ("6, staggered", "two_obstacles_staggered")]
 NETWORKS = [("arbiter_neural_network", "arbitration"), ("fusion_neural_network", "fusion")]
 LAYOUTS = {"one_obstacle": "one obstacle", "two_obstacles": "two, side by side", "two_obstacles_staggered": "two, one after the other"}
@@ -55,7 +55,7 @@ def training(results):
         assert both["arbitration"] == both["fusion"]
         runs = results.of(coordinator="fusion", layers=hidden)
         learned = [run.error() for run in runs if run.learned()]
-        flat = [run for run in runs if any("sits on a plateau" in note for note in run.notes)]
+        flat = [run for run in runs if run.flat]
         rows.append([k + 1, hidden, ORIGINAL_ERRORS[str(k + 1), "arbitration"], ORIGINAL_ERRORS[str(k + 1), "fusion"],
                      of(len(learned), len(runs)), f"{mean(learned):.1e}" if learned else "-", len(flat),
                      len(runs) - len(learned) - len(flat), f"{max(both['fusion']):.4f}"])
@@ -64,29 +64,21 @@ def training(results):
 
 
 def cases_5_and_6(results):
-    return comparison([(case, LAYOUTS[world], scheme, results.of(world=world, coordinator=scheme))
+    return comparison([(case, LAYOUTS[world], scheme, results.of(world=world, coordinator=scheme, search="left"))
                        for case, world in CASES_5_AND_6 for scheme in SCHEMES])
+
+
+def search_to_the_right(results):
+    """Cases 5 and 6 with the search to the left, as in the table of the cases, and to the right."""
+    rows = []
+    for case, world in CASES_5_AND_6:
+        for scheme in SCHEMES:
+            rows.append([case, scheme] + [cell_of(results.of(world=world, coordinator=scheme, search=search)) for search in ("left", "right")])
+    return table(["case", "scheme", "searches to the left", "to the right"], rows)
 
 
 def case_7(results):
     return comparison([("7", "clutter", scheme, results.of(coordinator=scheme)) for scheme in SCHEMES])
-
-
-def eight_clutters(results):
-    rows = []
-    for k in range(1, 9):
-        row = [k]
-        for scheme in SCHEMES:
-            runs = results.of(world=f"clutter_{k}", coordinator=scheme)
-            won = successes(runs)
-            row += [share(runs), f"{mean(run.collected for run in runs):.1f}",
-                    short_spread((run.path_m for run in won), 2), short_spread((run.time_s for run in won), 1)]
-        rows.append(row)
-    total = {scheme: results.of(coordinator=scheme) for scheme in SCHEMES}
-    rows.append(["all"] + [cell for scheme in SCHEMES for cell in
-                           (share(total[scheme]), f"{mean(run.collected for run in total[scheme]):.1f}", "", "")])
-    return table(["layout"] + [f"{scheme}: {what}" if what == "success" else what for scheme in SCHEMES
-                               for what in ("success", "collected", "m, successes", "s, successes")], rows)
 
 
 def backing_off(results):
@@ -99,20 +91,27 @@ def backing_off(results):
 
 
 def beside_the_cases(results, others, factor, levels):
-    """The cases with one change. others: the runs of the unchanged cases, for the first column."""
+    """The cases with one change. others: the runs of the unchanged cases, which stand where levels has None."""
     rows = []
     for case, world in [("2", "four_resources"), *CASES_5_AND_6, ("7", "clutter")]:
         if world not in results.levels("world"):
             continue
         for scheme in SCHEMES:
-            cells = [others[world, scheme]] + [results.of(world=world, coordinator=scheme, **{factor: level}) for level in levels]
+            cells = [results.of(world=world, coordinator=scheme, **{factor: level}) if level else others[world, scheme] for level in levels]
             rows.append([case, scheme] + [cell_of(runs) for runs in cells] + ["{:.2f} m, {:.1f} s".format(*ORIGINAL[case.split(",")[0], scheme])])
     return rows
 
 
 def decision_period(results, others):
-    rows = beside_the_cases(results, others, "period", [f"{period} s" for period in PERIODS])
-    return table(["case", "scheme", "0.01 s, as above"] + [f"{period} s" for period in PERIODS] + ["original"], rows)
+    first, *later = [f"{period} s" for period in PERIODS]
+    rows = beside_the_cases(results, others, "period", [first, None, *later])
+    return table(["case", "scheme", first, "0.1 s, as above", *later, "original"], rows)
+
+
+# The world, the leader's coverage in m, and what it is.
+GROUPS = [("within_1.5_m", 1.5, "the leader stands, coverage 1.5 m"), ("within_3_m", 3.0, "the leader stands, coverage 3 m"),
+          ("to_a_resource", 3.0, "to a resource, default parameters"),
+          ("to_a_resource_in_a_column", 1.5, "to a resource, own distances of 0.3 to 0.9 m")]
 
 
 def distance(a, b):
@@ -121,26 +120,22 @@ def distance(a, b):
 
 def groups(results):
     rows = []
-    for world, coverage, what in [("within_1.5_m", 1.5, "the leader stands, coverage 1.5 m"), ("within_3_m", 3.0, "the leader stands, coverage 3 m"),
-                                  ("to_a_resource", 3.0, "to a resource, default parameters"),
-                                  ("to_a_resource_in_a_column", 1.5, "to a resource, own distances (`worlds/group_to_resource.xml`)")]:
+    for world, coverage, what in GROUPS:
         runs = results.of(world=world)
         inside = outside = gathered = 0
         ends, strayed = [], []
         for run in runs:
-            robots = {robot: (x, y) for robot, x, y in results.database.execute(
-                "SELECT robot, x_m, y_m FROM run_robots WHERE run_id = ?", (run.id,))}
-            starts = {robot: results.poses(run, robot)[0] for robot in robots}
-            for robot in robots:
+            first, last = run.robots["leader"]
+            for robot, (start, end) in run.robots.items():
                 if robot == "leader":
                     continue
-                if distance(starts[robot], starts["leader"]) <= coverage:
+                if distance(start, first) <= coverage:
                     inside += 1
-                    ends.append(distance(robots[robot], robots["leader"]))
+                    ends.append(distance(end, last))
                     gathered += ends[-1] <= 0.5
                 else:
                     outside += 1
-                    strayed.append(distance(robots[robot], starts[robot]))
+                    strayed.append(distance(end, start))
         rows.append([what, share(runs), inside // len(runs), of(gathered, inside), spread(ends, 2), outside // len(runs),
                      f"{max(strayed):.3f}" if strayed else "-", spread((run.time_s for run in runs), 1),
                      f"{mean(run.collisions for run in runs):.1f}"])
@@ -148,12 +143,12 @@ def groups(results):
                   "out of coverage", "they moved by at most m", "s", "collisions a run"], rows)
 
 
-def builds(every, commits):
-    """The runs of each build, identified by its library's hash. commits: those of the databases, by name, if known."""
+def builds(every):
+    """The runs of each build, identified by its library's hash and by the commit of its sources."""
     runs = sum(len(results.runs) for results in every.values())
     found = {}
     for name, results in every.items():
-        found.setdefault((results.version, results.program, commits.get(name)), []).append(name)
+        found.setdefault((results.build["elsie"], results.build["libelsie"], results.build.get("commit")), []).append(name)
     told = [f"{', '.join(f'`{name}.xml`' for name in names)}: Elsie {version}, {f'commit {commit}' if commit else 'commit not noted'}, `libelsie` {program[:12]} (SHA-256)"
             for (version, program, commit), names in found.items()]
     one = len(told) == 1
@@ -161,9 +156,10 @@ def builds(every, commits):
     return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}."
 
 
-def provenance(every, commits):
-    return (f"{builds(every, commits)}\n\nUnless a table says otherwise: seeds 1 to 20 for each row; mean +- standard "
-            "deviation (least to largest) over all runs of the row, those that failed included, whose times are those at their limit: such a mean is less than what it would have taken; *successes* are those that reached their goal. A single figure: all seeds came to the same.")
+def provenance(every):
+    return (f"{builds(every)}\n\nUnless a table says otherwise: seeds 1 to 20 for each row; mean +- standard deviation (least to largest) over all runs of the "
+            "row, those that failed included, whose times are those at their limit: such a mean is less than what it would have taken; *successes* are those "
+            "that reached their goal. A single figure: all seeds came to the same.")
 
 
 def cell_of(runs):
@@ -186,7 +182,7 @@ def published(every):
         runs["four_resources", scheme] = every["four_resources"].of(coordinator=scheme, layers="4 4")
         runs["clutter", scheme] = every["clutter"].of(coordinator=scheme)
         for _, world in CASES_5_AND_6:
-            runs[world, scheme] = every["obstacles"].of(coordinator=scheme, world=world)
+            runs[world, scheme] = every["obstacles"].of(coordinator=scheme, world=world, search="left")
     return runs
 
 

@@ -9,53 +9,31 @@ LEARNED_BELOW = 1e-3  # mean error of a network that has learned all nine sample
 
 
 class Run:
-    """One run of a database."""
+    """One run. robots: {id: ((x_m, y_m) at the start, (x_m, y_m) at the end)}; outputs: what a network on a plateau answers to everything, or ()."""
 
-    def __init__(self, row, levels, measures, notes):
-        self.id, self.cell, self.seed, self.outcome, self.state_hash = row
-        self.levels, self.notes = levels, notes
+    def __init__(self, levels, seed, outcome, measures, state_hash="", error=None, flat=False, outputs=(), robots=None):
+        self.levels, self.seed, self.outcome, self.state_hash = levels, seed, outcome, state_hash
         self.path_m = measures["path_length_m"]
         self.time_s = measures["time_s"]
         self.collected = measures["collected"]
         self.collisions = measures["collisions"]
-        self.success = self.outcome == "success"
+        self.success = outcome == "success"
+        self.training_error, self.flat, self.outputs = error, flat, outputs
+        self.robots = robots or {}
 
     def error(self):
         """The mean error with which its network's training ended; None without a network."""
-        for note in self.notes:
-            found = re.search(r"mean error (\S+) after", note)
-            if found:
-                return float(found.group(1))
-        return None
+        return self.training_error
 
     def learned(self):
-        return self.error() is not None and self.error() < LEARNED_BELOW
+        return self.training_error is not None and self.training_error < LEARNED_BELOW
 
 
-class Results:
-    """The runs of an experiment that are done."""
+class Runs:
+    """The runs of an experiment, and the build that did them: {"elsie", "libelsie", "fingerprint"}."""
 
-    def __init__(self, file):
-        if not file.exists():
-            sys.exit(f"scripts/tables: there is no {file}; run without --no-runs")
-        self.file = file
-        self.database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
-        ask = self.database.execute
-        self.version = ask("SELECT elsie_version FROM about").fetchone()[0]
-        self.program = (ask("SELECT sha256 FROM files WHERE kind = 'library' ORDER BY id LIMIT 1").fetchone() or ["unknown"])[0]
-        states = dict(ask("SELECT state, count(*) FROM runs GROUP BY state"))
-        if set(states) != {"done"}:
-            sys.exit(f"scripts/tables: {file} has runs that are not done: {states}; run without --no-runs")
-        levels, measures, notes = {}, {}, {}
-        for cell, factor, label in ask(
-                "SELECT cell_id, name, label FROM cell_levels JOIN factors ON factors.id = factor_id"):
-            levels.setdefault(cell, {})[factor] = label
-        for run, measure, value in ask("SELECT run_id, measure, value FROM run_measures"):
-            measures.setdefault(run, {})[measure] = value
-        for run, text in ask("SELECT run_id, text FROM notes ORDER BY place"):
-            notes.setdefault(run, []).append(text)
-        self.runs = [Run(row, levels[row[1]], measures[row[0]], notes.get(row[0], []))
-                     for row in ask("SELECT id, cell_id, seed, outcome, state_hash FROM runs ORDER BY id")]
+    def __init__(self, runs, build):
+        self.runs, self.build = runs, build
 
     def of(self, **wanted):
         """The runs of the cells with these levels."""
@@ -70,14 +48,64 @@ class Results:
         """The runs of these cells with fusion, and those with arbitration."""
         return self.of(coordinator="fusion", **wanted), self.of(coordinator="arbitration", **wanted)
 
+    def seeds(self):
+        return sorted({run.seed for run in self.runs})
+
+
+def what_notes_say(notes):
+    """Of a run's notes: the error with which training ended, whether the network is on a plateau, and its outputs there."""
+    text = "\n".join(notes)
+    error = re.search(r"mean error (\S+) after", text)
+    outputs = re.search(r"whatever the input, \((\S+), (\S+)\)", text)
+    return (float(error.group(1)) if error else None, "sits on a plateau" in text,
+            tuple(float(output) for output in outputs.groups()) if outputs else ())
+
+
+def is_done(file):
+    """Whether there is such a database, and all of its runs are done."""
+    if not file.exists():
+        return False
+    database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+    states = [state for state, in database.execute("SELECT DISTINCT state FROM runs")]
+    database.close()
+    return states == ["done"]
+
+
+class Results(Runs):
+    """The runs of a database, all of which must be done. With them come the trajectories."""
+
+    def __init__(self, file):
+        if not file.exists():
+            sys.exit(f"scripts/tables: there is no {file}; run without --no-runs")
+        self.file = file
+        self.database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+        ask = self.database.execute
+        program = ask("SELECT sha256 FROM files WHERE kind = 'library' ORDER BY id LIMIT 1").fetchone() or ["unknown"]
+        version, fingerprint = ask("SELECT elsie_version, fingerprint FROM about").fetchone()
+        states = dict(ask("SELECT state, count(*) FROM runs GROUP BY state"))
+        if set(states) != {"done"}:
+            sys.exit(f"scripts/tables: {file} has runs that are not done: {states}; run without --no-runs")
+        levels, measures, notes, robots = {}, {}, {}, {}
+        for cell, factor, label in ask(
+                "SELECT cell_id, name, label FROM cell_levels JOIN factors ON factors.id = factor_id"):
+            levels.setdefault(cell, {})[factor] = label
+        for run, measure, value in ask("SELECT run_id, measure, value FROM run_measures"):
+            measures.setdefault(run, {})[measure] = value
+        for run, text in ask("SELECT run_id, text FROM notes ORDER BY place"):
+            notes.setdefault(run, []).append(text)
+        for run, robot, x, y, poses in ask("SELECT run_id, robot, x_m, y_m, poses FROM run_robots JOIN trajectories USING (run_id, robot) ORDER BY robot"):
+            robots.setdefault(run, {})[robot] = (tuple(json.loads(poses)[0][:2]), (x, y))
+        runs = []
+        for run, cell, seed, outcome, state_hash in ask("SELECT id, cell_id, seed, outcome, state_hash FROM runs ORDER BY id"):
+            runs.append(Run(levels[cell], seed, outcome, measures[run], state_hash, *what_notes_say(notes.get(run, [])), robots.get(run)))
+            runs[-1].id, runs[-1].cell = run, cell
+        super().__init__(runs, {"elsie": version, "libelsie": program[0], "fingerprint": fingerprint})
+
     def poses(self, run, robot):
         """The way of a robot: [[x_m, y_m, heading_rad], ...]."""
         row = self.database.execute(
             "SELECT poses FROM trajectories WHERE run_id = ? AND robot = ?", (run.id, robot)).fetchone()
         return json.loads(row[0])
-
-    def robots(self, run):
-        return [robot for robot, in self.database.execute("SELECT robot FROM run_robots WHERE run_id = ? ORDER BY robot", (run.id,))]
 
     def world(self, run):
         return self.database.execute("SELECT world_text FROM cells WHERE id = ?", (run.cell,)).fetchone()[0]

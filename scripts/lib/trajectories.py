@@ -7,7 +7,7 @@ from html import escape
 SUCCESS, FAILURE = "#0072b2", "#d55e00"
 OBSTACLE, RESOURCE, BORDER = "#a89c90", "#2e9e50", "#c8c8c8"
 MARGIN = 0.5  # around resources and ways, m
-TITLE = 24  # pixels above a panel
+TITLE = 38  # pixels above a panel: two lines
 GAP = 16  # pixels between panels
 
 
@@ -78,11 +78,12 @@ def draw(world_text, ways, file, columns=2, width=440):
     row = view.height + TITLE + GAP
     canvas = (columns * (width + GAP) + GAP, math.ceil(len(ways) / columns) * row + GAP)
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {canvas[0]:.0f} {canvas[1]:.0f}" width="{canvas[0]:.0f}" height="{canvas[1]:.0f}" '
-           'font-family="sans-serif" font-size="13">',
+           'font-family="sans-serif" font-size="12">',
            f'<rect width="{canvas[0]:.0f}" height="{canvas[1]:.0f}" fill="#ffffff"/>']
     for k, (label, success, poses) in enumerate(ways):
         x, y = GAP + k % columns * (width + GAP), GAP + k // columns * row
-        out.append(f'<text x="{x}" y="{y + TITLE - 8:.1f}">{escape(label)}{"" if success else ": not all collected"}</text>')
+        out.append(f'<text x="{x}" y="{y + TITLE - 22:.1f}">{escape(label)}</text>')
+        out.append(f'<text x="{x}" y="{y + TITLE - 7:.1f}" font-size="11">{"all collected" if success else "not all collected"}</text>')
         out.append(f'<rect x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}" fill="none" stroke="{BORDER}"/>')
         # An inner svg clips what is beyond its borders.
         out.append(f'<svg x="{x}" y="{y + TITLE:.1f}" width="{width}" height="{view.height:.1f}">')

@@ -1,6 +1,6 @@
 """Compares what `elsie run` loads for a world without cameras with what such a run may load.
 
-  check_loaded.py ELSIE WORLD WORLD_WITH_CAMERAS
+  check_loaded.py ELSIE WORLD WORLD_WITH_CAMERAS WORLD_WITH_LAYOUTS
 """
 import os
 import re
@@ -8,9 +8,9 @@ import subprocess
 import sys
 import tempfile
 
-ELSIE, WORLD, WORLD_WITH_CAMERAS = sys.argv[1:]
+ELSIE, WORLD, WORLD_WITH_CAMERAS, WORLD_WITH_LAYOUTS = sys.argv[1:]
 UNWANTED = ("libelsie-editing", "libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL",
-            "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv")
+            "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv", "layouts.so", "libpng")
 
 
 def loaded_by(*words):
@@ -33,3 +33,6 @@ if found:
 found = loaded_by(WORLD_WITH_CAMERAS, "--duration", "1")
 if not {"libelsie-views", "libepoxy"} <= set(found):
     sys.exit(f"a run of {WORLD_WITH_CAMERAS} should load what takes pictures, but loads only: {', '.join(found) or 'nothing'}")
+found = loaded_by(WORLD_WITH_LAYOUTS, "--duration", "1")
+if found != ["layouts.so", "libpng"]:
+    sys.exit(f"a run of {WORLD_WITH_LAYOUTS} should load what draws layouts and nothing more, but loads {', '.join(found) or 'nothing'}")

@@ -23,13 +23,14 @@ STOREYS = {
     "libelsie-editing": {"libelsie-base", "libelsie"},
     "libelsie-session": {"libelsie-base"},
     "libelsie-server": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-views", "libelsie-workshop"},
-    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto"},
+    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto", "libmuparser"},
     "libelsie-vision": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
 }
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
 EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
 ENGINES = {"ode": {"libelsie-base", "libelsie", "libode"}}
+LAYOUTS = {"libelsie-base", "libelsie", "libpng16"}
 
 # What must not come with a storey by any detour.
 FORBIDDEN = {
@@ -82,6 +83,8 @@ def problems():
         allowed = ENGINES.get(file.stem, set())
         for extra in sorted(needed(file) - allowed):
             yield f"the engine {file.stem} needs {extra}; it may need {', '.join(sorted(allowed))}"
+    for extra in sorted(needed(LIBRARIES / "elsie" / "layouts.so") - LAYOUTS):
+        yield f"the library of layouts needs {extra}; it may need {', '.join(sorted(LAYOUTS))}"
     for place, module in enumerate(CORE):
         for file in sorted((SOURCES / "core" / module).rglob("*.*")):
             if file.suffix in (".h", ".cpp"):

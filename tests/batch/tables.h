@@ -39,7 +39,7 @@ inline std::string rows(const std::string& file, const std::string& sql) {
 inline std::string all_tables(const std::string& file) {
   std::string text;
   for (const char* table :
-       {"about", "factors", "files", "plugins", "cells", "cell_levels", "cell_plugins",
+       {"about", "factors", "stages", "files", "plugins", "cells", "cell_levels", "cell_plugins",
         "cell_files", "runs", "measures", "run_measures", "run_robots", "run_events",
         "trajectories", "curves", "timelines", "notes"}) {
     std::string columns;

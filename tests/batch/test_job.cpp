@@ -54,9 +54,9 @@ TEST_CASE("A record arrives as it was sent, numbers to the last bit") {
 }
 
 TEST_CASE("Junk from a worker is refused with a sentence") {
-  CHECK_THROWS_WITH(batch::record_from("Segmentation fault"), Contains("no JSON object"));
-  CHECK_THROWS_WITH(batch::record_from("[]"), Contains("no JSON object"));
+  CHECK_THROWS_WITH(batch::record_from("Segmentation fault"), Contains("not a JSON object"));
+  CHECK_THROWS_WITH(batch::record_from("[]"), Contains("not a JSON object"));
   CHECK_THROWS_WITH(batch::record_from("{\"state\": \"done\"}"), Contains("is not complete"));
-  CHECK_THROWS_WITH(batch::record_from("{\"state\": \"fine\"}"), Contains("'fine' is no state"));
+  CHECK_THROWS_WITH(batch::record_from("{\"state\": \"fine\"}"), Contains("'fine' is not a state"));
   CHECK_THROWS_WITH(batch::job_from("{}"), Contains("the job is not complete"));
 }

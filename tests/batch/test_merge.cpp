@@ -174,7 +174,7 @@ TEST_CASE("Databases that do not fit together are refused, and nothing is left b
   other.seeds = {5};
   const std::string b = folder.file("b.sqlite");
   ResultsDatabase::create(b, batch::make_plan(other, test::shipped(), test::plan_options()));
-  refused({a, b}, "b.sqlite' is of another experiment than '" + a);
+  refused({a, b}, "b.sqlite' belongs to another experiment than '" + a);
   refused({a, folder.write("c.sqlite", "text")}, "c.sqlite");
   refused({a, folder.file("none.sqlite")}, "there is no database");
 

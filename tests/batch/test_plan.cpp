@@ -44,6 +44,36 @@ TEST_CASE("Repetitions of a seed are adjacent") {
   CHECK(plan.runs[2].seed != plan.runs[0].seed);
 }
 
+TEST_CASE("Runs are done seed by seed, with repetitions last, whatever is done already") {
+  const test::Folder folder;
+  auto experiment = test::small_experiment(folder);
+  experiment.repeats = 2;
+  const auto in_words = [](const batch::Plan& plan, const std::vector<std::int64_t>& pending) {
+    std::string words;
+    for (const batch::PlannedRun& run : batch::in_order(plan, pending)) {
+      words += plan.cells[run.cell].label + " " + std::to_string(run.seed).substr(0, 2) + "." +
+               std::to_string(run.repetition) + ", ";
+    }
+    return words;
+  };
+  const auto all_of = [](const batch::Plan& plan) {
+    std::vector<std::int64_t> ids;
+    for (const batch::PlannedRun& run : plan.runs) {
+      ids.push_back(run.id);
+    }
+    return ids;
+  };
+  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  CHECK(in_words(plan, all_of(plan)) ==
+        "slow 1.1, fast 1.1, slow 2.1, fast 2.1, slow 18.1, fast 18.1, "
+        "slow 1.2, fast 1.2, slow 2.2, fast 2.2, slow 18.2, fast 18.2, ");
+  CHECK(in_words(plan, {3, 4, 5, 7}) == "fast 1.1, slow 2.1, slow 18.1, slow 2.2, ");
+  // Each shard by itself.
+  const auto part = batch::make_plan(experiment, test::shipped(), test::plan_options({1, 3}));
+  CHECK(in_words(part, all_of(part)) == "slow 1.1, fast 1.1, slow 2.2, fast 2.2, ");
+  CHECK_THROWS_AS(batch::in_order(plan, {13}), std::out_of_range);
+}
+
 TEST_CASE("A cell's world is one text with all that is set in it, and names every data file") {
   const test::Folder folder;
   const batch::Plan plan = test::small_plan(folder);
@@ -69,7 +99,7 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   CHECK(plan.files[0].kind == batch::FileKind::library);
   CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
   // And all others that decide a run, each once.
-  REQUIRE(plan.program_files == 7);
+  REQUIRE(plan.program_files == 8);
   for (std::size_t i = 1; i < plan.program_files; ++i) {
     const char* const names[] = {"",
                                  "engines/ode.so",

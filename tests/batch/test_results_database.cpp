@@ -57,8 +57,8 @@ TEST_CASE("A run is written once, whole") {
   database.write(4, test::some_record());
   CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 5, 6});
   CHECK_THROWS_WITH(database.write(4, test::some_record()),
-                    Contains("run 4 is not to be done in the database"));
-  CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not to be done"));
+                    Contains("run 4 is not pending in the database"));
+  CHECK_THROWS_WITH(database.write(7, test::some_record()), Contains("run 7 is not pending"));
   CHECK(test::rows(file,
                    "SELECT state, outcome, steps, simulated_s, solver_gave_up, solver_unsolved, "
                    "state_hash, exit_code FROM runs WHERE id = 4") ==
@@ -146,9 +146,9 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK(run->data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
   CHECK(run->data[0].content.size() > 100);
   CHECK(run->libraries.size() == 5);
-  REQUIRE(run->program.size() == 7);
+  REQUIRE(run->program.size() == 8);
   CHECK_THAT(run->program[0].path, Contains("libelsie.so"));
-  CHECK_THAT(run->program[6].path, Contains("libode"));
+  CHECK_THAT(run->program[7].path, Contains("libode"));
   CHECK(run->record.state == batch::RunState::done);
   CHECK(run->record.state_hash == "0123456789abcdef");
   CHECK(run->record.solver_gave_up == 12U);
@@ -184,8 +184,7 @@ TEST_CASE("A batch continues only with its own database") {
   other.seeds.push_back(77);
   CHECK_THROWS_WITH(
       ResultsDatabase::resume(file, batch::make_plan(other, test::shipped(), test::plan_options())),
-      Contains("is of another experiment than") &&
-          Contains("changed since it was begun: the number of runs (") && Contains("the seeds ("));
+      Contains("has 1 seed more than the database '" + file + "'; add them with --extend"));
   auto newer = test::plan_options();
   newer.elsie_version = "9.9.9";
   CHECK_THROWS_WITH(ResultsDatabase::resume(file, batch::make_plan(test::small_experiment(folder),
@@ -231,19 +230,18 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
   };
   const std::string before = plan.cells[0].sha256.substr(0, 8);
   batch::Plan world = plan;
-  world.fingerprint = "other";
+  world.cells[0].identity = "other";
   world.cells[0].sha256 = std::string(64, 'b');
   CHECK_THAT(difference(world), Contains("the world '" + plan.cells[0].world_file +
                                          "' or what the experiment sets in it (SHA-256 " + before +
                                          ", now bbbbbbbb)"));
   batch::Plan program = plan;
-  program.fingerprint = "other";
   program.files[0].sha256 = std::string(64, 'c');
   CHECK_THAT(difference(program),
              Contains("the program's library '" + plan.files[0].path + "' (SHA-256 " +
                       plan.files[0].sha256.substr(0, 8) + ", now cccccccc)"));
   batch::Plan plugin = plan;
-  plugin.fingerprint = "other";
+  plugin.cells[0].identity = "other";
   REQUIRE(plugin.plugins[0].file);
   batch::PlannedFile& library = plugin.files[*plugin.plugins[0].file];
   library.sha256 = std::string(64, 'd');
@@ -254,11 +252,10 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
                                           "/elsewhere/libmine.so' (SHA-256 ") &&
                                      Contains(", now dddddddd)"));
   batch::Plan cells = plan;
-  cells.fingerprint = "other";
-  cells.cells[0].label = "another";
-  CHECK_THAT(difference(cells), Contains("; new: 1, gone: 1)"));
+  cells.cells[0].levels[1].label = "another";
+  CHECK_THAT(difference(cells), Contains("changed since it was begun: the cell 'slow' (removed)"));
   batch::Plan text = plan;
-  text.fingerprint = "other";
+  text.cells[0].identity = "other";
   text.text += " ";
   CHECK_THAT(difference(text), Contains("the experiment file '" + plan.file + "' (SHA-256 "));
 }
@@ -273,21 +270,21 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
     CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
   };
   const std::string text = folder.write("text.sqlite", std::string(5000, 'x'));
-  refused(text, "is no SQLite database");
+  refused(text, "is not an SQLite database");
   CHECK(folder.read("text.sqlite") == std::string(5000, 'x'));
   const std::string other = folder.file("other.sqlite");
   test::rows(other, "CREATE TABLE t (x)");
   refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
-  test::rows(newer, "PRAGMA user_version = 4");
-  refused(newer, "has version 4 of the schema, and this program reads version 3");
+  test::rows(newer, "PRAGMA user_version = 6");
+  refused(newer, "has version 6 of the schema, and this program reads version 5");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));
-  CHECK_THROWS_WITH(
-      ResultsDatabase::create("/proc/r.sqlite", plan),
-      Contains("no file can be made in the folder '/proc' (") && Contains("choose another folder"));
+  CHECK_THROWS_WITH(ResultsDatabase::create("/proc/r.sqlite", plan),
+                    Contains("no file can be created in the folder '/proc' (") &&
+                        Contains("choose another folder"));
 }
 
 TEST_CASE("A number without a run is reported: it does not exist, or is in another shard") {

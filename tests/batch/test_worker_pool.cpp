@@ -146,14 +146,15 @@ TEST_CASE("A worker's last line names the culprit") {
   const auto left = result_of("printf '\\n!wander\\twander\\tr1\\t\\t\\n' >&3; exit 3");
   CHECK(left.state == batch::RunState::crash);
   CHECK_FALSE(left.signal);
-  CHECK(left.message == "plugin 'wander' of robot 'r1' ended the process by exit() or the like");
+  CHECK(left.message ==
+        "plugin 'wander' of robot 'r1' ended the process by exit() or a similar call");
 }
 
 TEST_CASE("Junk instead of a record is reported as an error") {
   const auto junk = result_of("echo hello >&3");
   CHECK(junk.state == batch::RunState::error);
   CHECK_THAT(junk.message, Contains("exit code 0 before its run did") &&
-                               Contains("the answer of the worker is no JSON object"));
+                               Contains("the answer of the worker is not a JSON object"));
   const auto cut = result_of("printf '{\"state\":\"done\"' >&3");
   CHECK(cut.state == batch::RunState::error);
 }

@@ -20,8 +20,9 @@ QPalette dark() {
 
 int main(int argc, char** argv) {
   const QTemporaryDir own;  // settings, kept work and pictures: not those of the user
+  const QString home = qEnvironmentVariable("ELSIE_TEST_HOME", own.path());
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
-    qputenv(name, own.path().toUtf8());
+    qputenv(name, home.toUtf8());
   }
   QApplication application(argc, argv);
   if (qEnvironmentVariableIsSet("ELSIE_PICTURE_DARK")) {

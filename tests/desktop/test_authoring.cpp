@@ -1,7 +1,9 @@
 // What is done with the selection: clipboard, copies, menus, in a window with an engine.
 #include <QClipboard>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTreeWidget>
 
@@ -12,6 +14,7 @@
 #include "scene/scene_view.h"
 #include "world/element_dialog.h"
 #include "world/form.h"
+#include "world/properties.h"
 #include "world/world_tree.h"
 
 using namespace elsie::desktop;
@@ -161,4 +164,41 @@ TEST_CASE("A copy of a robot keeps its template") {
   CHECK(window.bench().text().contains(QRegularExpression(
       "\n    <robot id=\"r11\" [^>]*template=\"../robots/scout.xml\"[^>]*/>\n  </robots>")));
   CHECK(window.get<WorldTree>("world_tree")->item("robot[r11]/sensor[front_left]"));
+}
+
+TEST_CASE("A list in the tree shows what it holds, and adds to it") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* tree = window.get<WorldTree>("world_tree");
+  const auto choose_list = [&](const QString& member) {
+    QTreeWidgetItem* list = tree->item(member)->parent();
+    tree->tree()->setCurrentItem(list);
+  };
+  auto* properties = window->findChild<Properties*>();
+  const auto title = [&] { return properties->findChild<QLabel*>("title")->text(); };
+  auto* add = properties->findChild<QPushButton*>("add_to_list");
+  CHECK_FALSE(add->isVisible());
+  choose_list("robot[r1]/sensor[ahead]");
+  CHECK(title() == "sensors of r1");
+  CHECK(properties->form().values().empty());
+  CHECK_FALSE(properties->form().editor("format"));  // that is the world's
+  REQUIRE(add->isVisible());
+  CHECK(add->text() == "Add sensor...");
+  QTest::mouseClick(add, Qt::LeftButton);
+  Window::press(window.dialog("element_dialog"), QDialogButtonBox::Cancel);
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  choose_list("robot[r1]");
+  CHECK(title() == "robots");
+  CHECK(add->text() == "Add robot...");
+  QTest::mouseClick(add, Qt::LeftButton);
+  window.after([&] { Window::press(window.dialog("element_dialog"), QDialogButtonBox::Ok); });
+  REQUIRE(wait_for([&] { return title() == "r2"; }));  // what was added is chosen
+  CHECK_FALSE(add->isVisible());
+
+  // A list that goes with an undo is shown no more.
+  choose_list("robot[r1]/behavior[wander]");
+  CHECK(title() == "behaviors of r1");
+  window.after([&] { window.bench().edit({"robot[r1]/@remove=true"}, "remove"); });
+  CHECK_FALSE(title().contains("behaviors"));
+  CHECK_FALSE(add->isVisible());
 }

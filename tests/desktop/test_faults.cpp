@@ -179,6 +179,7 @@ TEST_CASE("While a plugin does not return, the window says so") {
   window.act("stop_engine");
   REQUIRE(wait_for([&] { return !report.isEmpty(); }));
   CHECK(report.contains("looping"));
+  CHECK(window->findChild<QMessageBox*>("engine_lost")->text().startsWith("You stopped"));
 }
 
 TEST_CASE(
@@ -225,6 +226,7 @@ TEST_CASE("An engine that ends again and again is not started for ever, and is s
   CHECK(wait_for([&] { return elsie.starts() == 4; }));  // the last one has no world
   CHECK(window.findChildren<QMessageBox*>("engine_lost").size() == 1);
   CHECK(window.findChild<QMessageBox*>("engine_lost")->text().contains("as a text"));
+  CHECK(window.findChild<QMessageBox*>("engine_lost")->text().startsWith("A plugin ended"));
   CHECK(window.workbench().text() == "<world/>");
   CHECK(window.workbench().engine().is_there());
 

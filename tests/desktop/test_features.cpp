@@ -13,6 +13,8 @@
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <catch2/catch.hpp>
@@ -71,6 +73,24 @@ TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names
     }
   }
   CHECK(titles == QStringList{"File", "Edit", "View", "Simulation", "Help"});
+}
+
+TEST_CASE("All tools fit a window of 1280 pixels") {
+  Window window;
+  window.open(window.file(kRoom));
+  window->resize(1280, 800);
+  QTest::qWait(50);
+  for (const char* name : {"tools", "environment"}) {
+    auto* bar = window.get<QToolBar>(name);
+    const auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
+    REQUIRE(more);
+    CHECK_FALSE(more->isVisible());
+    for (QAction* each : bar->actions()) {
+      if (each->isSeparator()) continue;
+      INFO(each->text().toStdString());
+      CHECK(bar->widgetForAction(each)->isVisible());
+    }
+  }
 }
 
 TEST_CASE("The status bar shows simulated time, real-time factor, seed and outcome") {

@@ -523,3 +523,33 @@ TEST_CASE("What makes a wrong world right can be undone, and no engine is starte
   CHECK(window.bench().is_right());
   window.bench().give_up_unsaved();
 }
+
+// Started as a program of its own by the next test.
+TEST_CASE("A window with unsaved work is killed", "[.killed]") {
+  Window window;
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.25"}, "move"); });
+  ::raise(SIGKILL);
+}
+
+TEST_CASE("The unsaved work of a window that was killed is offered by the next one") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/room.xml").toStdString()) << kRoom;
+  QProcess killed;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("ELSIE_TEST_HOME", home);
+  killed.setProcessEnvironment(environment);
+  killed.start(QApplication::applicationFilePath(), {"[.killed]"});
+  REQUIRE(killed.waitForFinished(kPatience_ms));
+  REQUIRE(killed.exitStatus() == QProcess::CrashExit);
+  Window window;
+  at_dialog("recovered", [&](QDialog* dialog) {
+    CHECK(qobject_cast<QMessageBox*>(dialog)->text().contains(home + "/room.xml"));
+    press_yes(dialog);
+  });
+  window->offer_recovered();
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  CHECK(window.bench().text().contains("x=\"0.25\""));
+  CHECK(window.bench().file() == home + "/room.xml");
+  CHECK(window->isWindowModified());
+}

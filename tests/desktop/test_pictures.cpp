@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "control_bar.h"
+#include "engine/recovery.h"
 #include "hands.h"
 #include "scene/scene_view.h"
 #include "watch/fuzzy_instant.h"
@@ -158,4 +160,39 @@ TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictu
   window.act("stop_engine");
   keep(*window.dialog<QMessageBox>("engine_lost"), "engine_lost");
   window.dialog<QMessageBox>("engine_lost")->close();
+
+  Recovery().keep("/home/you/worlds/maze.xml", kRoom, false);  // as a window leaves it that crashes
+  at_dialog("recovered", [](QDialog* dialog) {
+    keep(*dialog, "recovered");
+    qobject_cast<QMessageBox*>(dialog)->button(QMessageBox::Yes)->click();
+  });
+  window->offer_recovered();
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  keep(window.window(), "recovered_window");
+}
+
+TEST_CASE("Pictures: a recording, a network that has learned, a list and a lock", "[.pictures]") {
+  Window window;
+  const QString recording = window.folder() + "/forage.mcap";
+  QProcess run;
+  run.start(build_file("elsie"),
+            {"run", world_file("find_resource"), "--record", recording, "--duration", "20"});
+  REQUIRE(run.waitForFinished(kPatience_ms));
+  window.open(recording);
+  resize(window);
+  auto* line = window->findChild<TimeLine*>();
+  REQUIRE(wait_for([&] { return !line->events().empty(); }));
+  line->go_to(12.0);
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 11.9; }));
+  keep(window.window(), "recording");
+
+  window.open(world_file("learned_priorities"));
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  const QString robot = window->scene().stage().bodies().front().path;
+  window.choose(robot);
+  window.act("lock");
+  window.get<WorldTree>("world_tree")
+      ->tree()
+      ->setCurrentItem(window.get<WorldTree>("world_tree")->item(robot)->parent());
+  keep(window.window(), "list_and_lock");
 }

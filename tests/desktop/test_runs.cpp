@@ -1,21 +1,27 @@
 // Runs in the window: recordings and databases that it opens, films and recordings that it writes.
 #include <QClipboard>
 #include <QDir>
+#include <QDockWidget>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
+#include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include "control_bar.h"
 #include "export/exporter.h"
 #include "export/film.h"
+#include "hands.h"
 #include "scene/scene_view.h"
-#include "window.h"
+#include "watch/plots_panel.h"
 
 using namespace elsie::desktop;
 
@@ -143,11 +149,144 @@ TEST_CASE("The events of a recording are on the time line, and the run goes on t
   CHECK(wait_for([&] { return !line->tip_at(7.25).contains("in the recording"); }));
 }
 
+TEST_CASE("A recording is played to its end, with the robots where they were recorded") {
+  Window window;
+  const QString recording = window.folder() + "/run.mcap", table = window.folder() + "/run.csv";
+  run_elsie({"run", window.file(kRoom), "--seed", "7", "--duration", "3", "--record", recording,
+             "--record", table});
+  window.open(recording);
+  auto* line = window->findChild<TimeLine*>();
+  auto* slider = window.get<QSlider>("time");
+  const auto* label = window.get<QLabel>("recording");
+  CHECK(label->isVisible());
+  CHECK(label->text() == "recording run.mcap");
+  REQUIRE(wait_for([&] { return window.get<QLabel>("shown_time")->text() == "0.00 of 3.00 s"; }));
+
+  // The scrub bar leads ahead, and the robot is where it was.
+  const double across = slider->width() / 2.0;
+  click_at(slider, QPoint(static_cast<int>(across), slider->height() / 2));
+  REQUIRE(wait_for([&] {
+    return window.bench().run_state() == Workbench::Run::paused && window.bench().time_s() > 1.0;
+  }));
+  CHECK(std::abs(window.bench().time_s() - 1.5) < 0.1);
+  line->go_to(2.0);
+  REQUIRE(wait_for([&] { return std::abs(window.bench().time_s() - 2.0) < 1e-6; }));
+  std::istringstream rows(content_of(table));
+  std::string row;
+  while (std::getline(rows, row) && row.rfind("2,r1,", 0) != 0) {
+  }
+  const QStringList cells = QString::fromStdString(row).split(',');
+  REQUIRE(cells.size() > 4);
+  const Stage::Body* robot = window->scene().stage().body_of("robot[r1]");
+  REQUIRE(robot);
+  CHECK(robot->frame.origin.x == Approx(cells[2].toDouble()).margin(1e-5));
+  CHECK(robot->frame.origin.y == Approx(cells[3].toDouble()).margin(1e-5));
+
+  // Start plays from what is shown, at its speed, and comes to the end of the recording.
+  QTest::keyClick(line, Qt::Key_Home);
+  REQUIRE(wait_for([&] { return line->is_in_the_past() && window.bench().time_s() < 0.01; }));
+  window.bench().set_speed(2.0);
+  auto* run = window.get<QToolButton>("run");
+  click_on(run);
+  CHECK(line->is_playing());
+  CHECK(run->text().contains("Pause"));
+  CHECK(window.get<QLabel>("outcome")->text() == "playing the past");
+  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.5; }));
+  click_on(run);
+  CHECK_FALSE(line->is_playing());
+  const double held_s = window.bench().time_s();
+  QTest::qWait(200);
+  CHECK(window.bench().time_s() - held_s < 0.2);  // one that was under way
+  click_on(run);
+  REQUIRE(wait_for([&] { return window.bench().is_at_halt(); }));
+  CHECK(window.bench().run_state() == Workbench::Run::paused);
+  CHECK(window.bench().time_s() == Approx(3.0));
+  CHECK(label->text() == "recording run.mcap, as recorded");
+
+  // What is changed is no recording any more.
+  window.after([&] { window.bench().edit({"robot[r1]/@max_speed=0.1"}, "slow"); });
+  window.bench().step();
+  CHECK(wait_for([&] { return label->text() == "recording run.mcap, changed"; }));
+  window.after([&] { window.open(window.file(kRoom)); });
+  CHECK_FALSE(label->isVisible());
+}
+
+TEST_CASE("A recording of which another run was made here says so at its end") {
+  Window window;
+  window.file("1 1 0 1\n0.2 1 1 0\n1 0.2 1 0\n", "samples.txt");
+  const QString pupil = window.file(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots>
+    <robot id="r1">
+      <sensors><beam_range id="left" yaw_deg="35"/><beam_range id="right" yaw_deg="-35"/></sensors>
+      <behaviors><avoid_obstacle/><wander/></behaviors>
+      <coordinator><fusion_neural_network training="samples.txt"/></coordinator>
+    </robot>
+  </robots>
+  <limits time="2"/>
+</world>
+)");
+  const QString recording = window.folder() + "/run.mcap";
+  run_elsie({"run", pupil, "--record", recording});
+  window.file("1 1 1 0\n0.2 1 0 1\n1 0.2 0 1\n", "samples.txt");
+  window.open(recording);
+  const auto* label = window.get<QLabel>("recording");
+  CHECK(label->text() == "recording run.mcap");
+  window.run_to_the_end();
+  CHECK(label->text() == "recording run.mcap, not as recorded");
+  CHECK(window.dialog<QMessageBox>("warning")->text().contains("other files of the world"));
+}
+
+TEST_CASE("The events of a run are in a menu, and lead to their times") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 2.0);
+  auto* line = window->findChild<TimeLine*>();
+  line->mark(1.5, "second");
+  line->mark(0.7, "first");
+  auto* menu = window.get<QMenu>("events_menu");
+  Q_EMIT menu->aboutToShow();
+  REQUIRE(menu->actions().size() == 2);
+  CHECK(menu->actions().front()->text() == "0.70 s: first");
+  menu->actions().front()->trigger();
+  CHECK(wait_for([&] { return std::abs(window->scene().stage().time_s() - 0.7) < 0.06; }));
+  CHECK(line->is_in_the_past());
+}
+
+TEST_CASE("The table of a run is not taken for a world") {
+  Window window;
+  const QString table = window.folder() + "/run.csv";
+  run_elsie({"run", window.file(kRoom), "--record", table, "--duration", "1"});
+  CHECK_FALSE(window->open(table));
+  CHECK(window.dialog<QMessageBox>("warning")->text().contains("Record the run as .mcap"));
+  CHECK(window.bench().text().isEmpty());
+}
+
+TEST_CASE("A run that is over is played again from the past that is shown") {
+  Window window;
+  window.open(window.file(QString(kRoom).replace("\"60\"", "\"2\"").toUtf8()));
+  window.run_to_the_end();
+  auto* line = window->findChild<TimeLine*>();
+  auto* run = window.get<QToolButton>("run");
+  CHECK_FALSE(run->isEnabled());
+  line->go_to(1.0);
+  REQUIRE(wait_for([&] { return window.bench().time_s() < 1.1; }));
+  window.bench().set_speed(5.0);
+  window.act("run");
+  CHECK(line->is_playing());
+  REQUIRE(wait_for([&] { return !line->is_in_the_past(); }));
+  CHECK(window.bench().run_state() == Workbench::Run::ended);
+  CHECK(wait_for([&] { return window.bench().time_s() == Approx(2.0); }));
+}
+
 TEST_CASE("A film has the pictures of the run, and replaces its file only when it is whole") {
   Window window;
   window.open(window.file(kRoom));
   run_until(window, 0.5);
   const double until_s = window.bench().time_s();
+  window->findChild<TimeLine*>()->go_to(0.2);  // whatever is shown
+  REQUIRE(wait_for([&] { return window.bench().time_s() < 0.3; }));
+  CHECK(window.bench().latest_s() == until_s);
   const QString film = window.folder() + "/run.avi";
   std::ofstream(film.toStdString()) << "before";
   std::optional<bool> is_whole;
@@ -186,6 +325,31 @@ TEST_CASE("A film that cannot be written says why") {
   auto* box = window->findChild<QMessageBox*>("film_failed");
   REQUIRE(box);
   CHECK(box->text().contains("could not be written"));
+}
+
+TEST_CASE("What is saved as CSV says how it was sampled") {
+  Window window;
+  window.open(window.file(kRoom));
+  window->arrange("watch");
+  auto* plots = window->findChild<PlotsPanel*>();
+  window.get<QDockWidget>("dock_plots")->raise();
+  run_until(window, 1.0);
+  REQUIRE(wait_for([&] { return plots->names().contains("r1/speed"); }));
+  plots->choose("r1/speed", true);
+  const QString table = window.folder() + "/speed.csv";
+  at_dialog("save_plot_dialog", [&](QDialog* dialog) {
+    CHECK(dialog->windowTitle().contains(" samples, up to "));
+    save_as_file(dialog, table);
+  });
+  QTest::mouseClick(window.get<QToolButton>("plots_save"), Qt::LeftButton);
+  CHECK(content_of(table).starts_with("time_s,r1/speed\n"));
+  CHECK(window.get<QToolButton>("plots_save")->toolTip().contains("30 a second"));
+
+  at_dialog("export_dialog", [&](QDialog* dialog) {
+    CHECK(dialog->windowTitle().contains("10 samples for each simulated second"));
+    dialog->reject();
+  });
+  window.act("record");
 }
 
 TEST_CASE("The next run is recorded, and its command line repeats it") {

@@ -1,4 +1,5 @@
 // The keys of commands, changed and kept for the user.
+#include <QFile>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -64,5 +65,46 @@ TEST_CASE("Keys of commands are changed, and stay so for the user; a key in use 
   QDialog* dialog = again.dialog("shortcuts_dialog");
   Window::press(dialog, QDialogButtonBox::RestoreDefaults);
   Window::press(dialog, QDialogButtonBox::Ok);
-  CHECK(again.get<QAction>("view_top")->shortcut().isEmpty());
+  CHECK(again.get<QAction>("view_top")->shortcut() == QKeySequence("7"));
+}
+
+TEST_CASE("The page of the manual has the keys of all commands, and no others") {
+  QFile page(ELSIE_SOURCE_DIR "/docs/desktop.md");
+  REQUIRE(page.open(QIODevice::ReadOnly));
+  const QString table =
+      QString::fromUtf8(page.readAll()).section("| key | command |", 1).section("\n\n", 0, 0);
+  QStringList written;
+  for (const QString& row : table.split('\n', Qt::SkipEmptyParts).mid(1)) {
+    written << row.section('|', 1, 1).trimmed() + " = " + row.section('|', 2, 2).trimmed();
+  }
+  Window window;
+  QStringList real;
+  for (const QAction* each : window->findChildren<QAction*>()) {
+    if (!each->objectName().isEmpty() && !each->shortcut().isEmpty()) {
+      real << each->shortcut().toString(QKeySequence::PortableText) + " = " +
+                  each->text().remove('&').remove("...");
+    }
+  }
+  written.sort();
+  real.sort();
+  CHECK(written.join('\n').toStdString() == real.join('\n').toStdString());
+}
+
+TEST_CASE("Keys of the view are shown in its menu, and typed in fields") {
+  const KeptKeys kept;
+  Window window;
+  window.open(window.file(kRoom));
+  CHECK(window.get<QAction>("view_top")->shortcut() == QKeySequence("7"));
+  SceneView& scene = window->scene();
+  scene.setFocus();
+  press_key(&scene, Qt::Key_7);
+  CHECK(scene.camera().pitch < -1.5);
+  press_key(&scene, Qt::Key_M);
+  CHECK(scene.tool() == SceneView::Tool::measure);
+  auto* seed = window.get<QLineEdit>("seed");
+  seed->setFocus();
+  seed->selectAll();
+  press_key(seed, Qt::Key_3);
+  CHECK(seed->text() == "3");
+  CHECK(scene.camera().pitch < -1.5);
 }

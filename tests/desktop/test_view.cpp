@@ -285,3 +285,58 @@ TEST_CASE("The arena is whole in a view of any size until the camera is moved") 
   REQUIRE(wait_for([&] { return scene.size() != before; }));
   CHECK(scene.camera().distance == near);
 }
+
+TEST_CASE("Names do not lie over one another, however small the robots are") {
+  Window window(world_file("ten_robots"));
+  SceneView& scene = window->scene();
+  REQUIRE(wait_for([&] { return scene.labels().size() == 10; }));
+  const auto are_apart = [&] {
+    const std::vector<Label> labels = scene.labels();
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        if (labels[i].box.intersects(labels[k].box)) return false;
+      }
+    }
+    return true;
+  };
+  CHECK(are_apart());
+  for (int i = 0; i < 12; ++i) turn_wheel(scene, scene.rect().center(), -240);
+  CHECK_FALSE(scene.labels().empty());
+  CHECK(scene.labels().size() < 10);
+  CHECK(are_apart());
+}
+
+TEST_CASE("What is locked is marked in the trees and in the view, and can be unlocked") {
+  Window window;
+  window.open(window.file(kSeeing));
+  SceneView& scene = window->scene();
+  REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
+  auto* tree = window.get<WorldTree>("world_tree");
+  auto* team = window.get<WorldTree>("team_tree_red");
+  scene.overlays() = {false, false, false, false, false};
+  window.choose("robot[r1]");
+  const QAction* lock = window.get<QAction>("lock");
+  CHECK(lock->text().remove('&') == "Lock against the mouse");
+  CHECK(tree->item("robot[r1]")->icon(0).isNull());
+  const auto picture = [&] {
+    window->findChild<WorldTree*>("world_tree")->tree()->clearSelection();
+    const QImage image = scene.grab().toImage();
+    window.choose("robot[r1]");
+    return image;
+  };
+  const QImage before = picture();
+  window.act("lock");
+  CHECK_FALSE(tree->item("robot[r1]")->icon(0).isNull());
+  CHECK(tree->item("robot[r1]")->toolTip(0).contains("Locked"));
+  CHECK_FALSE(team->item("robot[r1]")->icon(0).isNull());
+  CHECK(tree->item("robot[r1]/sensor[ahead]")->icon(0).isNull());
+  CHECK(lock->text().remove('&') == "Unlock for the mouse");
+  CHECK(picture() != before);
+
+  // The mark goes with a new name, and with the lock.
+  window.after([&] { window.bench().edit({"robot[r1]/@id=r9"}, "rename"); });
+  CHECK_FALSE(tree->item("robot[r9]")->icon(0).isNull());
+  window.choose("robot[r9]");
+  window.act("lock");
+  CHECK(tree->item("robot[r9]")->icon(0).isNull());
+}

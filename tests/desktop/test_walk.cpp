@@ -39,10 +39,14 @@ class Clicks {
     }
     FAIL("no tool bar has " << action);
   }
-  void on_ok(const char* dialog) {
-    auto* opened = window_.dialog(dialog);
-    window_.after(
-        [&] { on(opened->findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok)); });
+  /// `last`: the button that closes the dialog after that.
+  void on_ok(const char* dialog, QDialogButtonBox::StandardButton last = QDialogButtonBox::Ok) {
+    auto* buttons = window_.dialog(dialog)->findChild<QDialogButtonBox*>("buttons");
+    window_.after([&] { on(buttons->button(QDialogButtonBox::Ok)); });
+    if (last != QDialogButtonBox::Ok) {
+      REQUIRE(wait_for([&] { return buttons->button(last) != nullptr; }));
+      on(buttons->button(last));
+    }
     REQUIRE(wait_for([&] { return !window_->findChild<QDialog*>(dialog); }));
   }
 
@@ -148,7 +152,7 @@ TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the win
            QFileInfo(build_file("../share/elsie/training_sets/two_sensors_two_behaviors.txt"))
                .canonicalFilePath()},
           {"attempts", "10"}});
-  click.on_ok("element_dialog");  // trains
+  click.on_ok("element_dialog", QDialogButtonBox::Close);  // trains, and shows how
   CHECK(window.bench().text().contains(".weights"));
   add("add_goal", "form_collect", {});
   add("limits", "form_limits", {{"time", "60"}});

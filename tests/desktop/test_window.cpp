@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
 #include <QStatusBar>
@@ -261,7 +262,84 @@ TEST_CASE(
   CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
 }
 
-TEST_CASE("When a plugin ends the engine, the world and its unsaved changes stay") {
+TEST_CASE("Without a world, only what needs none can be done") {
+  Window window;
+  const QSet<QString> need_none{
+      "new",          "open",         "quit",        "layout_author", "layout_watch",
+      "layout_train", "layout_reset", "next_dock",   "commands",      "keys",
+      "shortcuts",    "about",        "show_trails", "show_beams",    "show_views",
+      "show_names",   "show_grid",    "stop_engine"};  // a library may never finish loading
+  QSet<QString> enabled;
+  int count = 0;
+  const auto look = [&] {
+    enabled.clear();
+    count = 0;
+    for (const QAction* each : window->findChildren<QAction*>(Qt::FindDirectChildrenOnly)) {
+      if (each->objectName().isEmpty()) continue;
+      ++count;
+      if (each->isEnabled()) enabled << each->objectName();
+    }
+  };
+  look();
+  CHECK(count > 60);
+  CHECK((enabled - need_none).values().join(' ').toStdString() == "");
+  CHECK((need_none - enabled).values().join(' ').toStdString() == "");
+  for (const char* button : {"run", "step", "reset", "boxes"}) {
+    CHECK_FALSE(window.get<QToolButton>(button)->isEnabled());
+  }
+  for (const char* harmless :
+       {"layout_watch", "layout_author", "layout_reset", "next_dock", "show_grid", "show_grid"}) {
+    window.act(harmless);
+  }
+
+  window.open(window.file(kRoom));
+  look();
+  CHECK(enabled.size() == count - 2);  // nothing to undo or redo
+  CHECK(window.get<QToolButton>("boxes")->isEnabled());
+
+  // A text that is no world can be saved, and nothing else be done with it.
+  window.open(window.file("<world", "broken.xml"));
+  CHECK(window.get<QLabel>("outcome")->text() == "no world");
+  look();
+  CHECK((enabled - need_none) == QSet<QString>{"save", "save_as", "start_page", "next_problem"});
+}
+
+TEST_CASE("A new seed asks before it ends a run that is under way") {
+  Window window;
+  window.open(window.file(kRoom));
+  auto* seed = window.get<QLineEdit>("seed");
+  const auto enter = [&](const char* text) {
+    seed->setFocus();
+    seed->selectAll();
+    QTest::keyClicks(seed, text);
+    QTest::keyClick(seed, Qt::Key_Return);
+  };
+  window.after([&] { enter("5"); });  // nothing is lost with it
+  CHECK(window.bench().seed() == 5);
+  window.bench().step();
+  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  int asked = 0;
+  const auto answer = [&](QMessageBox::StandardButton button) {
+    at_dialog("new_seed", [&asked, button](QDialog* box) {
+      ++asked;
+      CHECK(qobject_cast<QMessageBox*>(box)->text().contains("with seed 6"));
+      qobject_cast<QMessageBox*>(box)->button(button)->click();
+    });
+  };
+  answer(QMessageBox::No);
+  enter("6");
+  CHECK(asked == 1);
+  CHECK(seed->text() == "5");
+  CHECK(window.bench().seed() == 5);
+  CHECK(window.bench().run_state() == Workbench::Run::paused);
+  answer(QMessageBox::Yes);
+  window.after([&] { enter("6"); });
+  CHECK(asked == 2);
+  CHECK(window.bench().seed() == 6);
+  CHECK(window.bench().time_s() == 0.0);
+}
+
+TEST_CASE("When the user stops the engine, the world and its unsaved changes stay") {
   Window window;
   window.open(window.file(kRoom));
   window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=30"}, "turn"); });
@@ -275,6 +353,12 @@ TEST_CASE("When a plugin ends the engine, the world and its unsaved changes stay
       [&] { return !report.isEmpty() && window.bench().run_state() == Workbench::Run::ready; }));
   CHECK(window.bench().text() == text);
   CHECK(window->isWindowModified());
+  const auto* box = window->findChild<QMessageBox*>("engine_lost");
+  REQUIRE(box);
+  CHECK(box->text().startsWith("You stopped the engine."));
+  CHECK(box->windowTitle() == "The engine was stopped");
+  CHECK(box->icon() == QMessageBox::Information);
+  CHECK_FALSE(box->informativeText().contains("exit code"));
   window.after([&] { window.act("undo"); });  // the texts lead back
   CHECK(window.bench().text() == kRoom);
 }

@@ -449,7 +449,7 @@ TEST_CASE("What the robot's element cannot say is refused") {
   CHECK_THAT(files.refusal("robot[r1]/sensor[left]=<bumper/>"),
              Catch::Contains("'left' is a <beam> in the template"));
   CHECK_THAT(files.refusal("robot[r1]/sensor[+1]=<beam/>"),
-             Catch::Contains("the file cannot say this"));
+             Catch::Contains("a file cannot express this"));
 }
 
 TEST_CASE("A document is saved elsewhere with names that lead to the same files") {
@@ -494,7 +494,7 @@ TEST_CASE("In a running world, which is given no defaults, an attribute may have
   const char* const text = "<world format=\"1\"><robots><robot id=\"r1\"/></robots></world>";
   const std::string edit = "robot[r1]/@max_speed/@remove=true";
   CHECK_THROWS_WITH(Document(text, "world.xml", host(), options()).apply({edit}),
-                    Catch::Contains("<robot> is given no 'max_speed'"));
+                    Catch::Contains("<robot> does not set 'max_speed'"));
   world::ReadOptions running = options();
   running.is_running = true;
   Document document(text, "world.xml", host(), running);
@@ -504,5 +504,5 @@ TEST_CASE("In a running world, which is given no defaults, an attribute may have
   document.apply({edit});
   CHECK(document.world().robots[0].max_speed == world::Robot().max_speed);
   CHECK_THROWS_WITH(document.apply({"robot[r1]/@max_sped/@remove=true"}),
-                    Catch::Contains("<robot> is given no 'max_sped'"));
+                    Catch::Contains("<robot> does not set 'max_sped'"));
 }

@@ -64,6 +64,16 @@ TEST_CASE("A cell's label leaves out what is the same in all") {
         Texts{"1", "2"});
 }
 
+TEST_CASE("Combinations that are excluded are no cells") {
+  const std::vector<Cell> grid = experiment::cells(
+      read(kTwoWorlds + kFactors + "<exclude where='coordinator=layers; speed=0.1|0.3'/>" +
+           "<exclude where='world=clutter'/>"));
+  CHECK(labels(grid) ==
+        Texts{"arena, pick, 0.1", "arena, pick, 0.2", "arena, pick, 0.3", "arena, layers, 0.2"});
+  CHECK(grid.back().index == 3);
+  CHECK(grid.back().levels == std::vector<std::size_t>{1, 1});
+}
+
 TEST_CASE("What is set in a cell: for all, then for its world, then for its levels") {
   const Experiment e = read(
       "<worlds><world file='data/arena.xml'><set path='@description' value='of the world'/></world>"

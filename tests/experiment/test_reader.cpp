@@ -71,10 +71,17 @@ TEST_CASE("An experiment that says everything") {
   CHECK(e.time_limit == 30.0);
   CHECK(e.wall_limit == 60.0);
   CHECK(e.trajectory_period == 0.25);
-  REQUIRE(e.measures.size() == 2);
+  REQUIRE(e.measures.size() == 3);
   CHECK(e.measures[1].name == "time_s");
-  CHECK(experiment::number_of_runs(e) == 2 * 3 * 3 * 2 * 2 * 3 * 2);
-  CHECK(experiment::cells(e).size() == 2 * 3 * 3 * 2 * 2);
+  CHECK(e.measures[1].formula.empty());
+  CHECK(e.measures[2].formula == "collisions / (time_s / 60)");
+  CHECK(e.measures[2].unit == "1/min");
+  CHECK(e.measures[2].meaning == "collisions per minute");
+  REQUIRE(e.exclusions.size() == 1);
+  CHECK(e.exclusions[0].where.size() == 2);
+  // Of six combinations of speed and mood, one is left out.
+  CHECK(experiment::cells(e).size() == 2 * 3 * 3 * 2 * 2 * 5 / 6);
+  CHECK(experiment::number_of_runs(e) == 2 * 3 * 3 * 2 * 2 * 5 / 6 * 3 * 2);
 }
 
 TEST_CASE("Expectations") {
@@ -196,6 +203,46 @@ TEST_CASE("Measures of worlds are as good as those of every run") {
   CHECK(problems(both + "<expectations><expect measure='bumps' at_most='1' where='world=measured' "
                         "ratio_to='world=arena'/></expectations>") ==
         "experiment.xml:2: runs of the cell 'arena' have no measure 'bumps'; there are: " + every);
+}
+
+TEST_CASE("A formula is a measure where the runs have all that it names") {
+  const std::string both =
+      "<worlds><world file='data/measured.xml'/><world file='data/arena.xml'/></worlds>"
+      "<vary name='speed' path='robot[r1]/@max_speed' values='0.1; 0.2'/>\n";
+  const std::string formulas =
+      "<measures><measure name='bump_rate' formula='bumps / time_s'/>"
+      "<measure name='relative' formula='bump_rate / speed'/></measures>";
+  const auto expects = [&](const std::string& rest) {
+    return problems(both + formulas + "<expectations><expect at_most='1' " + rest +
+                    "/></expectations>");
+  };
+  CHECK(expects("measure='relative' where='world=measured'") == "");
+  CHECK(expects("measure='time_s' per='bump_rate' where='world=measured'") == "");
+  CHECK_THAT(expects("measure='relative'"),
+             Catch::Contains("runs of the cell 'arena, 0.1' have no measure 'relative'"));
+  CHECK_THAT(expects("measure='bumprate' where='world=measured'"),
+             Catch::Contains("did you mean 'bump_rate'?"));
+  CHECK(problems("<worlds><world file='data/measured.xml'/></worlds>\n"
+                 "<vary name='bumps' path='robot[r1]/@max_speed' values='0.1; 0.2'/>"
+                 "<measures><measure name='bump_rate' formula='bumps / time_s'/></measures>") ==
+        "experiment.xml:2: formula=\"bumps / time_s\" of <measure>: column 1: 'bumps' is a factor "
+        "and a measure; rename the factor");
+  // What is wrong with a formula is reported once, whatever is expected of it.
+  CHECK(
+      problems(kArena + "\n<measures><measure name='x' formula='time_s +'/></measures>"
+                        "<expectations><expect measure='x' at_most='1'/></expectations>") ==
+      "experiment.xml:2: formula=\"time_s +\" of <measure>: column 9: the formula ends too early; "
+      "expected a number, a name or \"(\"");
+}
+
+TEST_CASE("Formulas are shown in their place, and alone after all measures") {
+  const auto shown = [](const std::string& measures) {
+    return experiment::shown_measures(
+        read(kArena + "<measures>" + measures + "</measures>").measures);
+  };
+  const std::string formula = "<measure name='twice' formula='2 * time_s'/>";
+  CHECK(shown(formula + "<measure name='time_s'/>") == Texts{"twice", "time_s"});
+  CHECK(shown(formula).empty());
 }
 
 TEST_CASE("An outline is the same experiment, without its worlds and plugins") {

@@ -27,6 +27,11 @@ class Pair {
       : left_(elsie::fuzzy::read_fcl(kFolder + behavior + "_left.fcl")),
         right_(elsie::fuzzy::read_fcl(kFolder + behavior + "_right.fcl")) {}
 
+  /// Of a file with both: the blocks are called left_PAIR and right_PAIR.
+  Pair(const std::string& file, const std::string& pair)
+      : left_(elsie::fuzzy::read_fcl(kFolder + file, "left_" + pair)),
+        right_(elsie::fuzzy::read_fcl(kFolder + file, "right_" + pair)) {}
+
   Rates operator()(double range_m, double azimuth_deg) {
     const double inputs[] = {range_m, azimuth_deg};
     Rates rates;
@@ -62,6 +67,29 @@ TEST_CASE("Every model of a wheel takes range and azimuth and answers with a spe
     ++count;
   }
   CHECK(count == 8);
+}
+
+TEST_CASE("The eight pairs of avoidance models do what their names say") {
+  for (const int inner : {0, 30}) {
+    for (const int open : {20, 30}) {
+      for (const double near_m : {0.6, 1.0}) {
+        const std::string name = "inner_" + std::to_string(inner) + "_open_" +
+                                 std::to_string(open) + (near_m < 1.0 ? "_near_06" : "_near_10");
+        CAPTURE(name);
+        Pair avoid("avoidance_family.fcl", name);
+        CHECK(avoid(near_m, 35).right == Approx(open));
+        CHECK(avoid(0, 35).left == Approx(0.5 * open));  // the outer wheel: the obstacle is left
+        CHECK(avoid(0, 35).right == Approx(-inner).margin(1e-9));
+        CHECK(avoid(0.5 * near_m, 35).left == Approx(0.75 * open));
+        CHECK(avoid(0.5 * near_m, 35).right == Approx(0.5 * (0.5 * open - inner)));
+        for (double range = 0.0; range <= 1.0; range += 0.05) {
+          for (const double azimuth : {-35.0, -15.0, 15.0, 35.0}) {
+            CHECK(avoid(range, azimuth).left == Approx(avoid(range, -azimuth).right));
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("avoid_obstacle drives on at 20 rad/s where nothing is in reach") {

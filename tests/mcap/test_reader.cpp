@@ -5,17 +5,17 @@
 using namespace elsie;
 using namespace elsie::test;
 
-TEST_CASE("What is no MCAP file is refused in a sentence") {
+TEST_CASE("A file that is not an MCAP file is refused in a sentence") {
   CHECK_THROWS_WITH(mcap::Reader("/nowhere.mcap"),
                     "recording '/nowhere.mcap' cannot be read: No such file or directory");
   CHECK_THROWS_WITH(mcap::Reader("/"), "recording '/' is a directory");
   McapFile file("time_s,robot,x_m,y_m\n");
   CHECK_THROWS_WITH(
       mcap::Reader(file.path),
-      "'" + file.path.string() + "' is no MCAP file: it does not begin with the format's mark");
+      "'" + file.path.string() + "' is not an MCAP file: it does not begin with the format's mark");
   CHECK(!mcap::may_be_mcap(file.path));
   file.set("");
-  CHECK_THROWS_WITH(mcap::Reader(file.path), Catch::Contains("is no MCAP file"));
+  CHECK_THROWS_WITH(mcap::Reader(file.path), Catch::Contains("is not an MCAP file"));
 }
 
 TEST_CASE("A file of another version of the format is refused by name") {

@@ -84,11 +84,11 @@ TEST_CASE("Each fault of a declaration is found and named") {
        [](Declaration& d) { d.parameters[1].name = "speed"; }},
       {"parameter 'speed' is not bound", [](Declaration& d) { d.parameters[0].set = nullptr; }},
       {"parameter 'speed' is not bound", [](Declaration& d) { d.parameters[0].get = nullptr; }},
-      {"parameter 'speed' has a range that no number is in",
+      {"parameter 'speed' has an empty range",
        [](Declaration& d) { d.parameters[0].facts.min = 3; }},
-      {"parameter 'speed' has a range that no number is in",
+      {"parameter 'speed' has an empty range",
        [](Declaration& d) { d.parameters[0].facts.above = 2; }},
-      {"parameter 'speed' has a range that no number is in",
+      {"parameter 'speed' has an empty range",
        [](Declaration& d) { d.parameters[0].facts.max = kNan; }},
       {"parameter 'speed' has choices",
        [](Declaration& d) { d.parameters[0].facts.choices = {"a"}; }},
@@ -178,18 +178,19 @@ TEST_CASE("Each fault of nested elements is found and named") {
                d.default_elements.clear();
                d.elements[0].parameters[0].facts.min = 3;
              }),
-             Contains("parameter 'size' has a range that no number is in"));
+             Contains("parameter 'size' has an empty range"));
   CHECK_THAT(fault([](Declaration& d) {
                d.default_elements.clear();
                d.elements[0].parameters[1].name = "size";
              }),
              Contains("parameter 'size' is declared twice"));
   for (const char* const held : {"behaviors", "coordinator"}) {
-    CHECK_THAT(fault([&](Declaration& d) {
-                 d.default_elements.clear();
-                 d.elements[0].name = held;
-               }),
-               Contains("'" + std::string(held) + "' has the name of what behaviors may hold"));
+    CHECK_THAT(
+        fault([&](Declaration& d) {
+          d.default_elements.clear();
+          d.elements[0].name = held;
+        }),
+        Contains("'" + std::string(held) + "' has a name that is reserved for nested behaviors"));
   }
   CHECK_THAT(fault([](Declaration& d) { d.default_elements[0].parameters["size"] = 3.0; }),
              Contains("in the default list of elements 'step' size is 3, but must be"));

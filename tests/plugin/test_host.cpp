@@ -131,7 +131,7 @@ TEST_CASE("Of two plugins of one name the first directory's is used, with a warn
             (second / "twin_a.so").string() + "; the first one is used");
   const FileReport loser = report_of(host, "twin_a.so");
   CHECK(loser.status == FileStatus::ignored);
-  CHECK_THAT(loser.sentence, Contains("other libraries have too"));
+  CHECK_THAT(loser.sentence, Contains("earlier libraries have, too"));
   REQUIRE(loser.plugins.size() == 1);
   CHECK(loser.plugins[0].shadowed_by == first / "twin_b.so");
   CHECK_FALSE(is_loaded(second / "twin_a.so"));
@@ -232,7 +232,7 @@ TEST_CASE("Plugins that are linked into the program can be added") {
   CHECK(host.file_of(PluginKind::behavior, "linked").empty());
   CHECK(answer(*host.create<Behavior>(PluginKind::behavior, "linked")).right == 2.0);
   CHECK_THROWS_MATCHES(testing::add_linked(host), PluginError,
-                       Message("behavior 'linked' is there already"));
+                       Message("behavior 'linked' exists already"));
 }
 
 TEST_CASE("A plugin with a faulty declaration is not added") {
@@ -257,5 +257,5 @@ TEST_CASE("The plugins of the core are in every host, and stay the same in a ren
   REQUIRE(built_in);
   CHECK(host.file_of(PluginKind::drive, "differential").empty());
   CHECK(host.renewed({}).find(PluginKind::drive, "differential") == built_in);
-  CHECK_THROWS_WITH(host.add(*built_in), Catch::Contains("drive 'differential' is there already"));
+  CHECK_THROWS_WITH(host.add(*built_in), Catch::Contains("drive 'differential' exists already"));
 }

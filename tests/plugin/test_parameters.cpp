@@ -118,13 +118,13 @@ TEST_CASE("A value of another type is refused") {
 TEST_CASE("A number that the plugin's member cannot hold is refused") {
   CHECK(refusal("level", std::int64_t{std::numeric_limits<int>::min()}).empty());
   CHECK_THAT(refusal("level", std::int64_t{std::numeric_limits<int>::min()} - 1),
-             Contains("beyond what the plugin can hold"));
+             Contains("does not fit its type in the plugin"));
   CHECK(refusal("count", std::int64_t{4294967295}).empty());
   CHECK_THAT(refusal("count", std::int64_t{4294967296}),
-             Contains("beyond what the plugin can hold"));
+             Contains("does not fit its type in the plugin"));
   CHECK_THAT(refusal("count", std::int64_t{-1}), Contains("a whole number at least 0"));
   CHECK_THAT(refusal("byte", std::int64_t{256}), Contains("(0 to 255)"));
-  CHECK_THAT(refusal("factor", 1e39), Contains("beyond what the plugin can hold"));
+  CHECK_THAT(refusal("factor", 1e39), Contains("does not fit its type in the plugin"));
   CHECK(refusal("factor", 1e38).empty());
 }
 

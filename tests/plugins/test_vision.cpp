@@ -228,7 +228,7 @@ TEST_CASE("A grey that floor and walls have, too, is refused with a sentence") {
   scout.world.boxes = {resource(1.0, 0.0)};
   scout.watcher().world.colours = {{128, 128, 128}};
   CHECK_THROWS_WITH(scout.look(), Catch::Contains("cannot look for the colour #808080") &&
-                                      Catch::Contains("give what it is to find a colour"));
+                                      Catch::Contains("give the objects to find a colour"));
   // With its own pipeline it does not use the resources' colours.
   Scout other({}, {{"threshold", {{"low", std::vector<double>{200, 0, 0}}}}});
   other.watcher().world.colours = {{128, 128, 128}};

@@ -273,14 +273,14 @@ TEST_CASE("A pipeline that makes no sense is refused when it is put together") {
   refuse({grey, threshold({0, 0, 0}, {9, 9, 9})}, "has 1 channel; give as many numbers");
   refuse({hsv, threshold({0, 9, 0}, {9, 5, 9})}, "the lower limit of channel 2, 9, is above");
   refuse({threshold({9, 0, 0}, {5, 9, 9})}, "the lower limit of channel 1");
-  refuse({hsv, threshold({0, 0, 0}, {200, 255, 255})}, "200 is no value of channel 1");
+  refuse({hsv, threshold({0, 0, 0}, {200, 255, 255})}, "200 is not a value of channel 1");
   refuse({kMatch, {"open", {{"size", std::int64_t{4}}}}},
          "its size is 4 pixels, but must be an odd");
   refuse({{"blur", {{"size", std::int64_t{2}}}}, kMatch}, "must be an odd number");
   refuse({kMatch, {"blob", {{"min_area", 9.0}, {"max_area", 3.0}}}}, "no blob would do");
   refuse({{"match_colour", {{"colours", "#d03030, blue"}}}}, "'#d03030,' is no colour");
-  refuse({{"match_colour", {{"colours", "#d0303"}}}}, "is no colour like");
-  refuse({{"match_colour", {{"colours", "#+03030"}}}}, "is no colour like");
+  refuse({{"match_colour", {{"colours", "#d0303"}}}}, "is not a colour like");
+  refuse({{"match_colour", {{"colours", "#+03030"}}}}, "is not a colour like");
   refuse({{"match_colour", {{"colours", "#777777"}}}}, "cannot look for the colour #777777");
   refuse({kMatch, blob("prettiest")}, "prettiest");
   refuse({{"convert", {{"to", "cmyk"}}}, kMatch}, "cmyk");

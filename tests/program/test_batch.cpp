@@ -99,6 +99,8 @@ TEST_CASE("The summary is available as JSON") {
   CHECK(summary["failed"] == 0);
   CHECK(summary["to_do"] == 0);
   CHECK(summary["interrupted"] == false);
+  CHECK(summary["seeds"] == 8);
+  CHECK(summary["seeds_complete"] == 8);
   CHECK(summary["database"] == "small_experiment.sqlite");
   CHECK(summary["cells"].size() == 3);
   CHECK(summary["cells"][0]["cell"] == "0.05");
@@ -126,14 +128,14 @@ TEST_CASE("Nothing is begun, and no database left behind, when the input is wron
   refused("batch ''", "EXPERIMENT: the name of a file is missing");
   refused("batch small_experiment.xml --database no/r.sqlite", "there is no folder 'no'");
   refused("batch small_experiment.xml --database /proc/r.sqlite",
-          "no file can be made in the folder '/proc'");
+          "no file can be created in the folder '/proc'");
   refused("batch small_experiment.xml --workers 0", "--workers");
   refused("batch small_experiment.xml --database ''", "ends in .sqlite");
   refused("batch small_experiment.xml --database small.xml", "ends in .sqlite");
   refused("batch small_experiment.xml --progress small.xml", "ends in .json");
   refused("batch small_experiment.xml --progress no/p.json", "there is no folder 'no'");
   here.write("other.json", "[1, 2]");
-  refused("batch small_experiment.xml --progress other.json", "is no progress of a batch");
+  refused("batch small_experiment.xml --progress other.json", "is not a progress file");
   CHECK(here.read("other.json") == "[1, 2]");
   refused("batch small_experiment.xml --again", "--again needs --resume");
   refused("merge out.sqlite none.db", "there is no database 'none.db'");
@@ -178,7 +180,7 @@ TEST_CASE("No output takes the place of a file of another kind") {
     const std::string before = here.read(file);
     const auto run = here.elsie(arguments);
     CHECK(run.exit_code == 2);
-    CHECK_THAT(run.err, Contains("'" + file + "' is there already and is no "));
+    CHECK_THAT(run.err, Contains("'" + file + "' already exists and is not a "));
     CHECK(here.read(file) == before);
   };
   fs::copy(here.file("small_experiment.sqlite"), here.file("r.mcap"));

@@ -33,7 +33,7 @@ TEST_CASE("A damaged database is refused by all commands that read it, with what
       CHECK(run.exit_code == 2);
       CHECK(run.out.empty());
       CHECK_THAT(run.err, Contains("elsie: the database 'r.sqlite' is damaged (") &&
-                              Contains("take a copy of it, or do its runs again with another "
+                              Contains("use a copy of it, or do its runs again with another "
                                        "--database"));
       CHECK(here.read("r.sqlite") == content);
       CHECK_FALSE(fs::exists(here.file("out.sqlite")));

@@ -196,20 +196,23 @@ TEST_CASE("Ctrl-C stops a batch in order: done runs are kept, the others stay pe
                              "while ! sqlite3 " +
                              name +
                              " 'SELECT count(*) FROM runs WHERE state = \"done\"' 2>/dev/null "
-                             "| grep -q 2; do sleep 0.05; done\n"
+                             "| grep -q 3; do sleep 0.05; done\n"
                              "kill -" +
                              signal +
                              " $batch\n"
                              "wait $batch && code=$? || code=$?\n"
                              "exit $code");
     CHECK(run.exit_code == 4);
-    CHECK_THAT(run.out, Contains("results: " + name));
-    CHECK_THAT(run.err,
-               Contains("interrupted; 2 of 4 runs are still to be done. Continue with\n  elsie "
-                        "batch faulty.xml --plugin-path " +
-                        Laboratory::plugins() + " --database " + name + " --resume\n"));
-    CHECK(here.query(name, "SELECT state FROM runs ORDER BY id") ==
-          "done\ndone\npending\npending\n");
+    CHECK_THAT(run.out, Contains("; 1 of 2 seeds complete\n") && Contains("results: " + name));
+    CHECK_THAT(run.err, Contains("interrupted; 1 of 4 runs are still to be done, 1 of 2 seeds "
+                                 "complete. Continue with\n  elsie "
+                                 "batch faulty.xml --plugin-path " +
+                                 Laboratory::plugins() + " --database " + name + " --resume\n"));
+    // Both cells with the first seed, before the second begins.
+    CHECK(here.query(name, "SELECT state FROM runs ORDER BY seed, id") ==
+          "done\ndone\ndone\npending\n");
+    CHECK_THAT(here.elsie("report " + name).out,
+               Contains("4 runs: 2 cells, 1 of 2 seeds complete; 1 still to be done"));
     CHECK_FALSE(fs::exists(here.file(name + "-lock")));
   }
   CHECK(here.batch("faulty.xml --database INT.sqlite --resume --quiet").exit_code == 0);

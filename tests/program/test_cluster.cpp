@@ -234,7 +234,7 @@ TEST_CASE("A batch on a cluster is resumed with its own experiment only") {
   CHECK_THAT(run.err, Contains("of a batch that is not complete; continue it with --resume") &&
                           Contains("the batch was begun with 2 shards, not 1") &&
                           Contains("was begun with another experiment") &&
-                          Contains("is missing or damaged; remove the folder to begin anew"));
+                          Contains("is missing or damaged; remove the folder to start again"));
 }
 
 TEST_CASE("Every command of the page on clusters runs") {

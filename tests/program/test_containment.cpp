@@ -67,8 +67,10 @@ TEST_CASE("It is also named when it is made, destroyed, or unloaded") {
                                "while it was made (world.xml:1)"));
   run = world.run("leaving_when_destroyed");
   CHECK(run.exit_code == 3);
-  CHECK_THAT(run.err,
-             Contains("trespassers.so' ended the program by calling _exit(), while it went"));
+  CHECK_THAT(
+      run.err,
+      Contains(
+          "trespassers.so' ended the program by calling _exit(), while its object was destroyed"));
   run = world.run("leaving_at_the_end");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("trespassers.so' ended the program by calling _exit(), while it was "
@@ -321,7 +323,7 @@ TEST_CASE("Every command that reads a file refuses a pipe, a device and what is 
                                {"fuzzy sparse.fcl", kLarge},
                                {"explain pipe.mcap", kPipe},
                                {"explain /dev/zero", kDevice},
-                               {"explain sparse.mcap", "'sparse.mcap' is no recording"},
+                               {"explain sparse.mcap", "'sparse.mcap' is not a recording"},
                                {"replay pipe.mcap", kPipe},
                                {"replay /dev/zero", kDevice},
                                {"replay sparse.mcap", "is neither a recording"},

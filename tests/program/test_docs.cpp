@@ -216,9 +216,9 @@ TEST_CASE("The experiment that its page shows is in order with each piece that i
     CHECK(run.exit_code == 0);
     found = run.out;
   }
-  CHECK(found == "my_experiment.xml: in order: 96 cells, 1920 runs, 4 expectations\n");
+  CHECK(found == "my_experiment.xml: in order: 88 cells, 1760 runs, 4 expectations\n");
   CHECK_THAT(page, Catch::Contains("the experiment has 48 cells"));
-  CHECK_THAT(page, Catch::Contains("That makes 96 cells"));
+  CHECK_THAT(page, Catch::Contains("That makes 88 cells"));
 }
 
 TEST_CASE("The page on behaviours quotes the example as it is built") {

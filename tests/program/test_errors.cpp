@@ -140,7 +140,7 @@ TEST_CASE("A wrong command line is reported in sentences") {
   CHECK(refused("explain a.mcap --from -1") ==
         "elsie: --from: '-1' is not a number of zero or above");
   CHECK(refused("describe vision --kind camera") ==
-        "elsie: --kind: 'camera' is no kind of plugin; there are sensor, behavior, coordinator and "
+        "elsie: --kind: 'camera' is not a plugin kind; there are sensor, behavior, coordinator and "
         "measure");
   CHECK(here.elsie("describe wander --kind behaviour").exit_code == 0);
 }

@@ -182,14 +182,14 @@ TEST_CASE("explain refuses what it cannot work with in a sentence") {
     CHECK(run.out.empty());
     CHECK_THAT(run.err, Catch::Contains(sentence));
   };
-  expect("run worlds/clutter.xml --record mine.mcap", "is there already and is no recording");
+  expect("run worlds/clutter.xml --record mine.mcap", "already exists and is not a recording");
   expect("run worlds/clutter.xml --record nowhere/run.mcap", "there is no folder 'nowhere'");
   CHECK(here.read("mine.mcap") == "my own notes\n");
   expect("explain", "RECORDING");
   expect("explain nowhere.mcap", "'nowhere.mcap' cannot be read: No such file");
   for (const std::string other : {"mine.mcap", "run.csv", "worlds/clutter.xml"}) {
     expect("explain " + other, "'" + other +
-                                   "' is no recording with decisions; expected a file "
+                                   "' is not a recording with decisions; expected a file "
                                    "that `elsie run WORLD --record FILE.mcap` has written");
   }
   expect("explain broken.mcap", "'broken.mcap' is damaged: the chunk at byte ");

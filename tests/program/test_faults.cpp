@@ -165,7 +165,7 @@ TEST_CASE("A plugin that fails while it is made is named with its place in the w
   run = world.run("crashes_when_destroyed");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin library ") && Contains("faulty.so' ended the program") &&
-                          Contains(", while it went"));
+                          Contains(", while its object was destroyed"));
 }
 
 TEST_CASE("A plugin that takes longer than its time budget ends the run in order") {

@@ -48,12 +48,12 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
         "elsie: 'notes' exists already; choose another name, or --folder");
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
-        "elsie: 'robot' is no kind of plugin; there are behavior, coordinator, sensor, measure and "
+        "elsie: 'robot' is not a plugin kind; there are behavior, coordinator, sensor, measure and "
         "drive");
-  CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is no name for a plugin"));
-  CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is no name for a plugin"));
-  CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is no name for a plugin"));
-  CHECK_THAT(refused("behavior ''"), Contains("is no name for a plugin"));
+  CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is not a name for a plugin"));
+  CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is not a name for a plugin"));
+  CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is not a name for a plugin"));
+  CHECK_THAT(refused("behavior ''"), Contains("is not a name for a plugin"));
   CHECK(refused("sensor test") ==
         "elsie: 'test' is a word of the build system; choose another name");
   for (const std::string word : {"class", "register", "main", "std", "xor_eq", "active"}) {

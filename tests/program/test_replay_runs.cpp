@@ -120,7 +120,7 @@ TEST_CASE("A run that crashes again as before says so; the report and the exit c
   const auto left = here.elsie("replay faulty.sqlite 2 --quiet");
   CHECK(left.exit_code == 3);
   CHECK_THAT(left.out,
-             Catch::StartsWith("the same: ") && Contains("exit() or the like in step 50"));
+             Catch::StartsWith("the same: ") && Contains("exit() or a similar call in step 50"));
   for (const std::string change :
        {"signal = 'SIGBUS'", "step = 49, signal = 'SIGSEGV'", "step = 50, plugin = 'looping'"}) {
     here.query("faulty.sqlite", "UPDATE runs SET " + change + " WHERE id = 1");

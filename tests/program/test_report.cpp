@@ -137,8 +137,8 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   refused("", "DATABASE is missing");
   refused("missing.sqlite", "there is no database 'missing.sqlite'");
   refused("folder", "'folder' is a directory; expected a database");
-  refused("empty.sqlite", "'empty.sqlite' is empty: there is not a byte in it");
-  refused("text.sqlite", "'text.sqlite' is no SQLite database");
+  refused("empty.sqlite", "'empty.sqlite' is empty");
+  refused("text.sqlite", "'text.sqlite' is not an SQLite database");
   refused("short.sqlite", "the database 'short.sqlite' is damaged (");
   refused("other.sqlite", "'other.sqlite' is a database of another program");
   refused("newer.sqlite", "the database 'newer.sqlite' has version 99 of the schema");
@@ -179,7 +179,7 @@ TEST_CASE("report ends with 4 when the disk is full, and leaves existing files")
     const auto full =
         here.sh("ulimit -f 1; elsie report runs.sqlite --quiet --" + option + " " + file);
     CHECK(full.exit_code == 4);
-    CHECK_THAT(full.err, Contains("could not be written as a whole: is the disk full?"));
+    CHECK_THAT(full.err, Contains("could not be written: File too large"));
     CHECK(here.read(file) == before);
     CHECK_FALSE(fs::exists(here.file(file + ".part")));
   }

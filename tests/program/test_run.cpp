@@ -150,7 +150,7 @@ TEST_CASE("Recordings of other programs are not overwritten") {
     here.write(file, content);
     const auto run = here.elsie("run worlds/clutter.xml --duration 1 --record " + file);
     CHECK(run.exit_code == 2);
-    CHECK_THAT(run.err, Catch::Contains("'" + file + "' is there already and is no recording"));
+    CHECK_THAT(run.err, Catch::Contains("'" + file + "' already exists and is not a recording"));
     CHECK(here.read(file) == content);
   }
   here.elsie("run worlds/clutter.xml --duration 1 --record mine.mcap --record mine.csv");

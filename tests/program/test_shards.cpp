@@ -73,5 +73,5 @@ TEST_CASE("Shards that are merged are the whole experiment") {
 
   const auto wrong = here.batch("small_experiment.xml --shard 4/3");
   CHECK(wrong.exit_code == 2);
-  CHECK_THAT(wrong.err, Contains("--shard: '4/3' is no part of an experiment"));
+  CHECK_THAT(wrong.err, Contains("--shard: '4/3' is not a shard"));
 }

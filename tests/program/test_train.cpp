@@ -184,7 +184,7 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
   here.write("precious.xml", "<world/>");
   const auto over = here.elsie("train " + kWorld + " --weights precious.xml");
   CHECK(over.exit_code == 2);
-  CHECK_THAT(over.err, Catch::Contains("is no weight file"));
+  CHECK_THAT(over.err, Catch::Contains("is not a weight file"));
   CHECK(here.read("precious.xml") == "<world/>");
   CHECK(here.elsie("train " + kWorld + " --weights no/such/folder/w").exit_code == 2);
 }

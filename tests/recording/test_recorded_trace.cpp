@@ -160,7 +160,7 @@ TEST_CASE("A file without Elsie's decisions is refused in a sentence") {
   CHECK_THROWS_WITH(read_trace(file.path),
                     "recording '" + file.path.string() + "' was not made by Elsie but by ''");
   file.set("time_s,robot,x_m\n0,r1,0\n");
-  CHECK_THROWS_WITH(read_trace(file.path), Catch::Contains("is no MCAP file"));
+  CHECK_THROWS_WITH(read_trace(file.path), Catch::Contains("is not an MCAP file"));
   CHECK_THROWS_WITH(read_trace("/nowhere.mcap"), Catch::Contains("No such file or directory"));
 }
 

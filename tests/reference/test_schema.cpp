@@ -39,6 +39,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"drive_without_number", "what the plugin's own code says"},
     {"drive_refuses", "what the plugin's own code says"},
     {"wheels_inside_each_other", "attributes that depend on each other"},
+    {"unknown_robot_in_goal", "layouts may scatter the robot"},
     {"kp_without_kd", "attributes that depend on each other"},
     {"kp_beside_erp", "attributes that depend on each other"},
     {"energy_above_battery", "attributes that depend on each other"},

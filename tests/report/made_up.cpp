@@ -30,7 +30,7 @@ class Writer {
     std::ifstream schema(source_path("libraries/studies/results/src/schema.sql"));
     std::ostringstream text;
     text << schema.rdbuf();
-    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 3; BEGIN;" + text.str());
+    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 5; BEGIN;" + text.str());
   }
   ~Writer() { sqlite3_close(handle_); }
   Writer(const Writer&) = delete;

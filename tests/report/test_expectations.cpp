@@ -210,7 +210,7 @@ TEST_CASE("An expectation is about the cells that it names") {
   CHECK(judged(made_up, expectation).claims.size() == 3);
   expectation.where = {{"scheme", {"d"}}};
   CHECK_FALSE(judged(made_up, expectation).met());
-  CHECK(judged(made_up, expectation).trouble == "there is no cell that it is about");
+  CHECK(judged(made_up, expectation).trouble == "it covers no cell");
 }
 
 TEST_CASE("Other statistics, and successful runs only") {
@@ -353,8 +353,8 @@ TEST_CASE("What cannot be judged is not met") {
     made_up.all_runs = 6;
     CHECK_FALSE(judged(made_up, success_at_least(0.0)).met());
     CHECK(judged(made_up, success_at_least(0.0)).trouble ==
-          "3 of 6 runs are not in this database, which is shard 1/2; an expectation is about all "
-          "of them");
+          "3 of 6 runs are not in this database, which is shard 1/2; an expectation needs all of "
+          "them");
   }
 }
 

@@ -296,11 +296,11 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     run.state = "crash";
     run.measures.clear();
   };
-  CHECK(answer(true) == "good: What was expected came true");
+  CHECK(answer(true) == "good: The expectation is met");
   CHECK(answer(false) == "good: Every run ended normally");
   SECTION("a run crashed") {
     crash(runs[0]);
-    CHECK(answer(true) == "bad: What was expected came true, but 1 run ended abnormally");
+    CHECK(answer(true) == "bad: The expectation is met, but 1 run ended abnormally");
     CHECK(answer(false) == "bad: Not all runs ended normally");
   }
   SECTION("runs crashed, and one is still to be done in a cell that nothing is expected of") {
@@ -310,7 +310,7 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     made_up.cells[1].runs[2].measures.clear();
     expectation.where = {{"scheme", {"a"}}};
     CHECK(answer(true) ==
-          "bad: What was expected came true, but 2 runs ended abnormally and 1 is still "
+          "bad: The expectation is met, but 2 runs ended abnormally and 1 is still "
           "to be done");
     CHECK(answer(false) == "bad: Not all runs are done");
   }
@@ -318,7 +318,7 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     runs.push_back(runs[0]);
     runs.back().repetition = 2;
     runs.back().state_hash = "fedcba9876543210";
-    CHECK(answer(true) == "bad: What was expected came true, but equal seeds gave different runs");
+    CHECK(answer(true) == "bad: The expectation is met, but equal seeds gave different runs");
     CHECK(answer(false) == "bad: Equal seeds gave different runs");
   }
   SECTION("some of the runs are in other databases") {

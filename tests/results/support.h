@@ -30,7 +30,8 @@ inline std::string made_database(const Folder& folder, const std::string& name =
   connection.run(
       "INSERT INTO about VALUES (1, '1.2.3', 'abi', 'made', '', 'e.xml', '<experiment/>', 'f00d', "
       "'1/1', 10, 60, 0.1, '2026-01-01T00:00:00Z')");
-  results::sqlite::Statement cell(connection, "INSERT INTO cells VALUES (?, ?, 'w', ?, '/w', ?)");
+  results::sqlite::Statement cell(connection,
+                                  "INSERT INTO cells VALUES (?, ?, 'w', ?, '/w', ?, 0, NULL)");
   for (std::int64_t i = 0; i < 2; ++i) {
     const std::string world =
         "<world>" + std::to_string(i) + std::string(6000, ' ') + "</world>" + std::to_string(i);

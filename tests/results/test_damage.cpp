@@ -64,13 +64,13 @@ TEST_CASE("Bytes that are overwritten within a list, a world or a data file are 
         folder.write("r.sqlite", std::string(whole).replace(at, bytes.size(), bytes));
     CHECK_THAT(refusal(file), Contains("is damaged (" + why));
   };
-  const std::string list = "in `trajectories` of run 4 stands what is no JSON list";
+  const std::string list = "in `trajectories` of run 4 a text is not a JSON list";
   refused(whole.find("[4.300,"), "abc", list);
   refused(whole.find("[4.300,"), "\xff\xff", list);
   refused(whole.find("[4.300,"), std::string(3, '\0'), list);
   refused(whole.find("\"wander\"") + 2, "\x01", "in `timelines` of run ");
   refused(whole.find("          </world>"), "x", "the world of cell 'cell ");
-  refused(whole.find("a model"), "A", "the content of '/model' is not what its hash says");
+  refused(whole.find("a model"), "A", "the content of '/model' does not match its hash");
   CHECK(refusal(folder.write("r.sqlite", whole)).empty());
 }
 

@@ -40,15 +40,15 @@ TEST_CASE("Files that are no database of results are refused in a sentence, and 
   refused(folder.file("folder"), " is a directory; expected a database that `elsie batch` has");
   REQUIRE(mkfifo(folder.file("pipe").c_str(), 0600) == 0);
   refused(folder.file("pipe"), " is no file; expected");
-  refused(folder.write("empty", ""), " is empty: there is not a byte in it; expected");
+  refused(folder.write("empty", ""), " is empty; expected");
   const std::string text(5000, 'x');
-  refused(folder.write("text", text), " is no SQLite database; expected");
+  refused(folder.write("text", text), " is not an SQLite database; expected");
   CHECK(folder.read("text") == text);
   test::rows(folder.file("other"), "CREATE TABLE about (id INTEGER)");
   refused(folder.file("other"), " is a database of another program; expected");
   const std::string newer = test::made_database(folder, "newer");
   test::rows(newer, "PRAGMA user_version = 7");
-  refused(newer, " has version 7 of the schema, and this program reads version 3; use the program");
+  refused(newer, " has version 7 of the schema, and this program reads version 5; use the program");
   const std::string unplanned = test::made_database(folder, "unplanned");
   test::rows(unplanned, "DELETE FROM about");
   refused(unplanned, " was not begun: its batch ended before the runs were planned; remove it and");

@@ -246,6 +246,39 @@ TEST_CASE("A world that is saved elsewhere is the world of that file from then o
             .contains("refused"));
 }
 
+TEST_CASE("A world that is moved may name copies of its files, and its run is edited as before") {
+  const test::Workplace place;
+  std::filesystem::create_directories(place.file("old").string());
+  std::filesystem::create_directories(place.file("new").string());
+  for (const char* name : {"old/samples.txt", "new/copy.txt"}) {
+    place.write(name, "1 1\n0.2 0.9\n");
+  }
+  const auto world = [](const std::string& samples) {
+    const std::string carried =
+        "<sensors><beam_range/></sensors><behaviors><turn_left/></behaviors>"
+        "<coordinator><fusion_neural_network training=\"" +
+        samples + "\" presentations=\"100\"/></coordinator>";
+    return "<world format=\"1\">\n<robots><robot id=\"r1\">" + carried +
+           "</robot></robots>\n</world>\n";
+  };
+  Session session;
+  const Json opened = session.open(world("samples.txt"), place.file("old/room.xml").string());
+  INFO(opened.dump());
+  REQUIRE_FALSE(opened.contains("refused"));
+  session.ask({{"do", "step"}});
+  const Json moved = session.ask(
+      {{"do", "move"}, {"file", place.file("new/room.xml").string()}, {"text", world("copy.txt")}});
+  INFO(moved.dump());
+  CHECK(moved["text"] == world("copy.txt"));
+  CHECK(session.ask({{"do", "at"}})["time_s"].get<double>() > 0.0);  // the run goes on
+  // Files beside the new place are found, for the text and for the run.
+  const Json edited =
+      session.edit({"robot[r1]/coordinator=<fusion_neural_network "
+                    "training=\"copy.txt\" presentations=\"200\"/>"});
+  INFO(edited.dump());
+  CHECK_FALSE(edited.contains("refused"));
+}
+
 TEST_CASE("What is described has the warnings of elsie check") {
   Session session;
   CHECK(session.open(kRoom)["warnings"].empty());

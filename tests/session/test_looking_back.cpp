@@ -1,6 +1,8 @@
 // Sessions: the past of a run, the command that repeats it, recordings, new plugins.
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 
 #include "session.h"
 
@@ -241,6 +243,21 @@ TEST_CASE("A run goes on to a time as fast as it can, and says that it pauses th
   const test::Workplace place;
   place.write("room.xml", kRoom);
   CHECK(session.end_of_run()["state_hash"] == hash_of_run(place, "room.xml"));
+}
+
+TEST_CASE(
+    "A run that is paced goes to its time at its speed, and pauses as a run that ends there") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "speed"}, {"factor", 2.0}});
+  const auto begun = std::chrono::steady_clock::now();
+  session.ask({{"do", "run"}, {"until_s", 1.0}, {"paced", true}});
+  const Json paused = session.event("paused");
+  CHECK(std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(450));
+  CHECK(paused["time_s"] == Approx(1.0));
+  const test::Workplace place;
+  place.write("room.xml", std::regex_replace(kRoom, std::regex("time=\"2\""), "time=\"1\""));
+  CHECK(paused["state_hash"] == hash_of_run(place, "room.xml"));
 }
 
 TEST_CASE("A ping is answered, also without a world") {

@@ -1,4 +1,5 @@
 // Sessions: a document and its run in a process of their own.
+#include <csignal>
 #include <thread>
 
 #include "session.h"
@@ -157,6 +158,20 @@ TEST_CASE("A plugin that ends its process leaves the other end alive, with its n
   const client::SessionEnd end = session.end();
   CHECK(end.exit_code == 3);
   CHECK_THAT(end.report, Catch::Contains("'" + plugin + "'"));
+}
+
+// A program that a shell starts in the background ignores SIGQUIT.
+TEST_CASE("A session that is told to quit names its plugin, whatever signals its window ignores") {
+  std::string text = kRoom;
+  text.replace(text.find("turn_left"), 9, "looping");
+  const auto before = std::signal(SIGQUIT, SIG_IGN);
+  Session session({"--plugin", test::build_path("tests/program/plugins/faulty.so")});
+  std::signal(SIGQUIT, before);
+  REQUIRE_FALSE(session.open(text).contains("refused"));
+  session.ask({{"do", "run"}});
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it loops by then
+  session.connection().quit();
+  CHECK_THAT(session.end().report, Catch::Contains("'looping'"));
 }
 
 TEST_CASE("What is no program of sessions is refused") {

@@ -237,7 +237,7 @@ TEST_CASE("A camera that cannot look for a resource's colour is refused, whoseso
   CHECK_THAT(refusal(world),
              Catch::Contains("here.xml:12: plugin 'vision': it cannot look for the colour "
                              "#808080, a grey like those of floor, walls and sky") &&
-                 Catch::Contains("give what it is to find a colour with a hue"));
+                 Catch::Contains("give the objects to find a colour with a hue"));
   // Two robots, two refusals; all that is wrong with a robot at once.
   world.robots.push_back(world.robots[0]);
   world.robots[1].id = "r2";

@@ -633,7 +633,7 @@ TEST_CASE("Measures of all robots count those that an edit removed") {
 TEST_CASE("A robot's template is read before the run, and no edit sets it later") {
   Simulation simulation(lively(), shipped(), {7});
   CHECK(refusal(simulation, "robot[r1]/@template", "robots/scout.xml")
-            .find("what the template brings is in the robot since the start") != std::string::npos);
+            .find("the content of the template is part of the robot since") != std::string::npos);
 }
 
 TEST_CASE("The event of an edit names each robot that its path leads to") {

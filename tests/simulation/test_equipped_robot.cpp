@@ -122,7 +122,7 @@ TEST_CASE("The objects of a robot by itself are those that its description names
   CHECK(dynamic_cast<Scripted*>(&robot.object(odd.behaviors[0])) != nullptr);
   CHECK(dynamic_cast<Sensor*>(&robot.object(odd.sensors[1])) != nullptr);
   CHECK_THROWS_WITH(robot.object(world.robots[0].behaviors[0]),
-                    "the plugin 'wander' is no part of the robot 'odd'");
+                    "the plugin 'wander' is not part of the robot 'odd'");
 }
 
 TEST_CASE("A robot that a plugin refuses is refused by itself, too, and the plugin named once") {

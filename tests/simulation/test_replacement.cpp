@@ -248,8 +248,8 @@ TEST_CASE("A version that cannot be used leaves the old one in place, on all rob
              Contains(who + "it needs the parameter 'stale' now, which the world does not give"));
   CHECK_THAT(stage.refusal(9, 'k'),
              Contains("robot 'r1', sensor[level]: it makes readings of the kind 'other' now"));
-  CHECK_THAT(stage.refusal(10, 'o'), Contains("sensor[level]: it would begin to look through a "
-                                              "camera; replace its element by an edit"));
+  CHECK_THAT(stage.refusal(10, 'o'), Contains("sensor[level]: it would gain a camera; replace "
+                                              "its element by an edit"));
   CHECK(Versions::loaded() == 1);
   CHECK(run(stage, 20) == undisturbed);
   CHECK(rates(stage.simulation->robot(1).command).left == Approx(0.01));

@@ -398,6 +398,6 @@ TEST_CASE("What gets another id begins anew, which a note says with the time") {
   CHECK(result.robots[0].distance_m == Approx(all * 1.5 / 4).margin(0.05));
   REQUIRE(result.notes.size() == 1);
   CHECK(result.notes[0].text ==
-        "An edit at 2.5 s sets robot[r1]/@id=r9: what has another id is another one, and begins "
-        "anew.");
+        "An edit at 2.5 s sets robot[r1]/@id=r9: an object with another id is a new object and "
+        "starts anew.");
 }

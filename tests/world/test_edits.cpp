@@ -156,9 +156,9 @@ TEST_CASE("An attribute that is removed has its default again") {
 
 TEST_CASE("An attribute that cannot be removed is refused in a sentence") {
   CHECK(wrong("robot[r2]/@max_speed/@remove=true") ==
-        "<robot> is given no 'max_speed'; it is given: id, x, y");
+        "<robot> does not set 'max_speed'; it sets: id, x, y");
   CHECK(wrong("robot[r1]/@max_sped/@remove=true") ==
-        "<robot> is given no 'max_sped'; did you mean 'max_speed'?");
+        "<robot> does not set 'max_sped'; did you mean 'max_speed'?");
   CHECK(wrong("robot[r1]/@max_speed/@remove=yes") ==
         "remove=\"yes\" of <robot>: expected true or false");
   CHECK(problems(kWorld, {"robot[r1]/@id/@remove=true"})

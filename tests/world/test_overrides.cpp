@@ -386,8 +386,8 @@ TEST_CASE("What cannot be taken away is refused in words") {
   CHECK(message("robot[r1]/@remove=yes") == "remove=\"yes\" of <robot>: expected true or false");
   CHECK(message("robot[r9]/@remove=true") == "there is no robot[r9]; there are: r1, r2, r3");
   CHECK(message("robot[r1]/behavior[roam]=<roam remove=\"true\"/>") ==
-        "nothing stands under <roam remove=\"...\"> that could be taken away; to remove an "
-        "element, end its path with @remove=true");
+        "there is nothing that <roam remove=\"...\"> could remove; to remove an element, end its "
+        "path with @remove=true");
   CHECK_THAT(
       problems(kCrowd, {"behavior[roam]/@remove=true", "robot[r1]/behavior[roam]=<roam/>"}),
       Catch::Contains("this replaces the element in which 'behavior[roam]/@remove=true' is set "

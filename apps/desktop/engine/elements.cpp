@@ -76,6 +76,17 @@ ElementPlace place_of(const Json& world, const QString& path) {
   return found;
 }
 
+ElementPlace list_at(const Json& world, const QString& holder, const QString& list) {
+  ElementPlace found;
+  visit(world, [&](const ElementPlace& place) {
+    if (!place.list.isEmpty() && place.path == holder && name_of(*place.element) == list) {
+      found = place;
+    }
+    return !found.element;
+  });
+  return found;
+}
+
 QString member_word(const QString& list) {
   static const QHash<QString, QString> words{{"teams", "team"},
                                              {"obstacles", "obstacle"},

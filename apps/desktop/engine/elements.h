@@ -28,6 +28,10 @@ void visit_children(const ElementPlace& place, const std::function<void(const El
 /// own.
 ElementPlace place_of(const Json& world, const QString& path);
 
+/// The list of that name ("sensors") directly in the element with that path; its `element` is null
+/// if there is none.
+ElementPlace list_at(const Json& world, const QString& holder, const QString& list);
+
 /// The word for the members of a list: "robot" of "robots"; "" if that is no list.
 QString member_word(const QString& list);
 /// An id that no element of the world has, and none of `taken`: the first free one of "r1", "r2"...

@@ -1,6 +1,8 @@
 #include "engine/workbench.h"
 
 #include <QFileSystemWatcher>
+#include <algorithm>
+#include <utility>
 
 #include "elsie/base/error.h"
 
@@ -63,6 +65,7 @@ Workbench::Workbench(QString elsie, QStringList options, QObject* parent)
   connect(&engine_, &Engine::snapshot, this, [this](const snapshots::Snapshot& taken) {
     if (is_current(taken.facts.epoch)) {
       time_s_ = taken.facts.time_s;
+      latest_s_ = std::max(latest_s_, time_s_);
       pace_ = taken.facts.pace;
       Q_EMIT snapshot(taken);
     }
@@ -80,10 +83,12 @@ Workbench::~Workbench() {
   engine_.disconnect(this);
   if (!is_modified()) {
     recovery_.forget();
+    remove_copied();
   }
 }
 
 void Workbench::start_engine() {
+  is_stopping_ = false;
   engine_.start();
   had_world_ = false;
   epoch_ = 0;  // each engine counts its own
@@ -99,6 +104,7 @@ void Workbench::load_catalog() {
 
 void Workbench::stop_engine() {
   deaths_ = 0;
+  is_stopping_ = engine_.is_there();
   engine_.stop();
 }
 
@@ -119,6 +125,7 @@ void Workbench::open_in_engine(const QString& text) {
          {"file", file_.toStdString()},
          {"seed", seed_}},
         [this, text](const Json& answer) {
+          under_way_.clear();  // it has been read
           had_world_ = !answer.contains("refused") || answer.value("made_plugins", true);
           if (answer.contains("refused")) {
             tree_ = scene_ = Json();
@@ -179,6 +186,7 @@ void Workbench::heard(const Json& event) {
     Q_EMIT raised(event);
   } else if (what == "paused") {
     if (run_ == Run::running) set_run(Run::paused);
+    Q_EMIT came_to(event);
   } else if (what == "ended") {
     set_run(Run::ended);
     Q_EMIT ended(event);
@@ -210,9 +218,10 @@ void Workbench::keep_as_text(const QString& why) {
 
 void Workbench::lost(int exit_code, const QString& report) {
   ++deaths_;
-  const QString said = report.trimmed().isEmpty()
-                           ? tr("The engine ended with exit code %1.").arg(exit_code)
-                           : report.trimmed();
+  const bool was_stopped = std::exchange(is_stopping_, false);
+  const QString said = !report.trimmed().isEmpty() ? report.trimmed()
+                       : was_stopped ? tr("No plugin was found at work.")
+                                     : tr("The engine ended with exit code %1.").arg(exit_code);
   const QString deadly = under_way_;
   const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;
   drop_changes(tr("The engine ended before this was done: %1").arg(cause_in(said)));
@@ -224,10 +233,12 @@ void Workbench::lost(int exit_code, const QString& report) {
     start_engine();
   } catch (const base::Error& error) {
     keep_as_text(QString::fromStdString(error.what()));
-    Q_EMIT engine_lost(said);
+    Q_EMIT engine_lost(said, was_stopped);
     return;
   }
-  const QString cause = tr("The engine ended when it read this world: %1").arg(said);
+  const QString cause = was_stopped
+                            ? tr("You stopped the engine while it read this world: %1").arg(said)
+                            : tr("The engine ended when it read this world: %1").arg(said);
   if (is_deadly) {
     keep_as_text(cause);
   } else if (deaths_ == kMostDeaths && !text_.isEmpty()) {
@@ -246,7 +257,7 @@ void Workbench::lost(int exit_code, const QString& report) {
       in_turn([this] { send_typed(); });
     }
   }
-  Q_EMIT engine_lost(said);
+  Q_EMIT engine_lost(said, was_stopped);
 }
 
 }  // namespace elsie::desktop

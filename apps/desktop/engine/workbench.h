@@ -8,6 +8,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QSet>
 #include <deque>
 #include <vector>
 
@@ -43,6 +44,8 @@ class Workbench : public QObject {
   /// Whether the text is one that the engine has; otherwise problems() says why not.
   bool is_right() const { return is_right_; }
   const Problems& problems() const { return problems_; }
+  /// Whether the engine is reading a world: a large one takes some seconds.
+  bool is_opening() const { return !under_way_.isEmpty() && tree_.is_null(); }
   /// What else there is to say of the world and its plugins, as `elsie check` does.
   Problems remarks() const;
   const Json& tree() const { return tree_; }
@@ -64,8 +67,11 @@ class Workbench : public QObject {
             bool is_borrowed = false);
   /// Asks the engine for the text as it reads there, writes it whole or not at all, and calls back
   /// once with "" or a sentence. Without an engine, or with mistakes, the text is written as it is.
-  /// Run and history stay.
+  /// Run and history stay. Files in kept_folder() are copied beside the world, which names the
+  /// copies; no file is written over.
   void save_as(const QString& file, std::function<void(const QString&)> done);
+  /// Where files of worlds are that have no folder of their own yet.
+  static QString kept_folder();
   /// Whether another program wrote the file since it was read or saved.
   bool is_changed_on_disk() const;
   /// Calls back when all changes that are ordered now are made or refused.
@@ -98,13 +104,20 @@ class Workbench : public QObject {
   /// @name The run
   /// @{
   Run run_state() const { return run_; }
+  /// That is shown: in the past while that is looked at.
   double time_s() const { return time_s_; }
+  /// How far the run has gone.
+  double latest_s() const { return latest_s_; }
   double pace() const { return pace_; }
   std::uint64_t seed() const { return seed_; }
   double speed() const { return speed_; }
+  /// To halt(), if there is one ahead.
   void run();
   /// As fast as it goes, and then a pause.
   void run_until(double time_s);
+  /// Where run() pauses, such as at the end of a recording; none from the next world on.
+  void set_halt(std::optional<double> time_s) { halt_s_ = time_s; }
+  bool is_at_halt() const;
   void pause();
   void step();
   /// Back to the start, with this seed from now on, if the engine accepts it.
@@ -126,15 +139,16 @@ class Workbench : public QObject {
   void refused(const elsie::desktop::Problems& problems);
   void history_changed();
   void run_changed();
-  void went_on();  // the run goes on, or a step of it is made
+  void went_on();                                   // the run goes on, or a step of it is made
+  void came_to(const elsie::desktop::Json& event);  // it has paused where it was to
   void snapshot(const elsie::snapshots::Snapshot& snapshot);
   void state(const elsie::desktop::Json& state);
   void noted(const QString& note);
   void raised(const elsie::desktop::Json& event);
   void ended(const elsie::desktop::Json& end);
-  /// The engine ended. It was started again with the world as it was, unless it is not there now;
-  /// the report says what its plugin did.
-  void engine_lost(const QString& report);
+  /// The engine ended, by stop_engine() or by itself. It was started again with the world as it
+  /// was, unless it is not there now; the report says what its plugin did.
+  void engine_lost(const QString& report, bool was_stopped);
   void changed_on_disk();
 
  private:
@@ -174,6 +188,9 @@ class Workbench : public QObject {
 
   void save_in_turn(const QString& target);
   void save_elsewhere(const QString& target);
+  QString bring_beside(const QString& target, QString text, QString& why);
+  bool has_kept_files() const;
+  void remove_copied();
   void saved_as(const QString& target, const QString& text);
   QString write(const QString& file, const QString& text);
   bool has_unsaved_text() const { return text_ != saved_text_; }
@@ -204,10 +221,14 @@ class Workbench : public QObject {
   bool had_world_ = false;  // the engine: it may have threads of plugins
   Run run_ = Run::none;
   double time_s_ = 0.0;
+  double latest_s_ = 0.0;
+  std::optional<double> halt_s_;
   double pace_ = 0.0;
   double speed_ = 1.0;
   std::uint64_t seed_ = 1;
-  int deaths_ = 0;  // of the engine since the user last did something
+  int deaths_ = 0;            // of the engine since the user last did something
+  bool is_stopping_ = false;  // by the user
+  QSet<QString> copied_;      // files in kept_folder() to which undo may lead
   Recovery recovery_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
@@ -217,6 +238,11 @@ Problems problems_of(const Json& answer);
 
 /// The line of an engine's report that says what ended it: plugins may have printed before that.
 QString cause_in(const QString& report);
+
+/// "r1.weights", or the first of "r1-2.weights", "r1-3.weights"... that no file in the folder has,
+/// but one with that content.
+QString free_name(const QString& folder, const QString& name,
+                  const std::optional<QByteArray>& content = {});
 
 /// "" if the object has no text of that name.
 QString text_at(const Json& object, const char* name);

@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QFileSystemWatcher>
+#include <QStandardPaths>
 #include <algorithm>
 #include <cerrno>
 
@@ -28,11 +29,45 @@ std::optional<QByteArray> bytes_of(const QString& file) {
 
 QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); }
 
+/// The files in the folder that elements of the world name.
+QStringList named_files_in(const QString& folder, const Json& world) {
+  QStringList files;
+  visit(world, [&](const ElementPlace& place) {
+    for (const auto& [name, value] : attributes_of(*place.element).items()) {
+      if (const QString file = written(value); file.startsWith(folder + '/')) {
+        files << file;
+      }
+    }
+    return true;
+  });
+  files.removeDuplicates();
+  return files;
+}
+
 }  // namespace
+
+QString free_name(const QString& folder, const QString& name,
+                  const std::optional<QByteArray>& content) {
+  const QFileInfo info(name);
+  for (int i = 1;; ++i) {
+    const QString tried =
+        i == 1 ? name : QString("%1-%2.%3").arg(info.completeBaseName()).arg(i).arg(info.suffix());
+    const QString file = folder + '/' + tried;
+    if (!QFileInfo::exists(file) || (content && bytes_of(file) == content)) {
+      return tried;
+    }
+  }
+}
+
+QString Workbench::kept_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/weights";
+}
 
 void Workbench::open_text(const QString& text, const QString& file, bool is_saved,
                           bool is_borrowed) {
   drop_changes(tr("Another world was opened before this was done."));
+  remove_copied();
+  halt_s_.reset();
   deaths_ = 0;
   file_ = file;
   is_borrowed_ = is_borrowed;
@@ -144,7 +179,7 @@ void Workbench::when_settled(QObject* receiver, std::function<void()> done) {
 
 void Workbench::save_in_turn(const QString& target) {
   const bool is_in_engine = engine_.is_there() && tree_.is_object() && text_ == history_text_;
-  if (is_in_engine && target != file_) {
+  if (is_in_engine && (target != file_ || has_kept_files())) {
     save_elsewhere(target);
   } else if (const QString why = write(target, text_); !why.isEmpty()) {
     end_change({{target, 0, why}});
@@ -173,7 +208,7 @@ void Workbench::save_in_turn(const QString& target) {
 // The engine has the world of that file from then on, with the names of other files as they have to
 // be there.
 void Workbench::save_elsewhere(const QString& target) {
-  const auto moved = [this, sent = text_, target](const Json& answer) {
+  const auto moved = [this, sent = text_, target](const QString& not_copied, const Json& answer) {
     if (answer.contains("refused")) {
       end_change(problems_of(answer));
       return;
@@ -182,17 +217,56 @@ void Workbench::save_elsewhere(const QString& target) {
     describe(answer, sent);
     saved_as(target, history_text_);
     end_change();
+    if (!not_copied.isEmpty()) Q_EMIT noted(not_copied);
   };
   order({{"do", "text_for"}, {"file", target.toStdString()}},
         [this, target, moved](const Json& answer) {
           if (answer.contains("refused")) {
             end_change(problems_of(answer));
-          } else if (const QString why = write(target, text_at(answer, "text")); !why.isEmpty()) {
-            end_change({{target, 0, why}});
-          } else {
-            order({{"do", "move"}, {"file", target.toStdString()}}, moved);
+            return;
           }
+          QString not_copied;
+          const QString text = bring_beside(target, text_at(answer, "text"), not_copied);
+          if (const QString why = write(target, text); !why.isEmpty()) {
+            end_change({{target, 0, why}});
+            return;
+          }
+          order({{"do", "move"}, {"file", target.toStdString()}, {"text", text.toStdString()}},
+                [moved, not_copied](const Json& said) { moved(not_copied, said); });
         });
+}
+
+bool Workbench::has_kept_files() const { return !named_files_in(kept_folder(), tree_).isEmpty(); }
+
+/// The text with the names of copies in the folder of `target`. `why`: a sentence if there is
+/// one that could not be copied, which keeps its name.
+QString Workbench::bring_beside(const QString& target, QString text, QString& why) {
+  const QString folder = folder_of(target);
+  for (const QString& file : named_files_in(kept_folder(), tree_)) {
+    const std::optional<QByteArray> content = bytes_of(file);
+    const QString name = free_name(folder, QFileInfo(file).fileName(), content);
+    const QString copy = folder + '/' + name;
+    QFile original(file);
+    if (!QFileInfo::exists(copy) && !original.copy(copy)) {
+      why = tr("The world is saved, but '%1' could not be copied beside it: %2. It is used where "
+               "it is.")
+                .arg(file, original.errorString());
+      continue;
+    }
+    copied_ << file;
+    for (const QChar mark : {u'"', u'\''}) {
+      text.replace(mark + escaped(file) + mark, mark + escaped(name) + mark);
+    }
+  }
+  return text;
+}
+
+// The originals of copies go when undo leads to them no more.
+void Workbench::remove_copied() {
+  for (const QString& file : std::as_const(copied_)) {
+    QFile::remove(file);
+  }
+  copied_.clear();
 }
 
 void Workbench::saved_as(const QString& target, const QString& text) {
@@ -227,6 +301,9 @@ void Workbench::keep() {
   }
 }
 
-void Workbench::give_up_unsaved() { recovery_.forget(); }
+void Workbench::give_up_unsaved() {
+  recovery_.forget();
+  remove_copied();
+}
 
 }  // namespace elsie::desktop

@@ -3,10 +3,18 @@
 // The run.
 
 namespace elsie::desktop {
+namespace {
+
+constexpr double kHair_s = 1e-6;  // rounding errors of sums of steps
+
+}  // namespace
 
 void Workbench::set_run(Run run) {
   if (run_ != run) {
     run_ = run;
+    if (run == Run::none || run == Run::ready) {
+      latest_s_ = 0.0;
+    }
     engine_.set_live(run == Run::running);
     if (run != Run::running) {
       pace_ = 0.0;
@@ -38,7 +46,15 @@ void Workbench::go(Json order) {
   });
 }
 
-void Workbench::run() { go({{"do", "run"}}); }
+bool Workbench::is_at_halt() const { return halt_s_ && latest_s_ >= *halt_s_ - kHair_s; }
+
+void Workbench::run() {
+  Json order{{"do", "run"}};
+  if (halt_s_ && !is_at_halt()) {
+    order.update({{"until_s", *halt_s_}, {"paced", true}});
+  }
+  go(std::move(order));
+}
 
 void Workbench::run_until(double time_s) { go({{"do", "run"}, {"until_s", time_s}}); }
 
@@ -73,7 +89,7 @@ void Workbench::reset(std::uint64_t seed) {
       seed_ = seed;
       scene_ = answer.value("scene", Json());
       epoch_ = answer.value("epoch", std::uint64_t{0});
-      time_s_ = 0.0;
+      time_s_ = latest_s_ = 0.0;
       set_run(Run::ready);
       Q_EMIT described();
       Q_EMIT run_changed();

@@ -58,7 +58,7 @@ void Exporter::export_picture() {
 // The film
 
 void Exporter::export_film() {
-  if (workbench_.time_s() <= 0.0) {
+  if (workbench_.latest_s() <= 0.0) {
     Q_EMIT said(tr("There is no run to show: run the world first."));
     return;
   }
@@ -77,14 +77,18 @@ void Exporter::write_film(const QString& file) {
   }
   film_ = std::make_unique<Film>(file, kFilmRate);
   film_file_ = file;
-  film_until_s_ = workbench_.time_s();
-  progress_ =
-      new QProgressDialog(tr("Writing '%1'").arg(file), tr("Cancel"), 0,
-                          static_cast<int>(std::lround(film_until_s_ * kFilmRate)), window_);
+  progress_ = new QProgressDialog(tr("Writing '%1'").arg(file), tr("Cancel"), 0, 0, window_);
   progress_->setObjectName("film_progress");
   progress_->setWindowModality(Qt::WindowModal);
   connect(progress_, &QProgressDialog::canceled, this, [this] { end_film(false); });
-  add_frame(0);
+  // The engine knows how far the run has gone, whatever is shown.
+  workbench_.ask({{"do", "at"}, {"time_s", 0.0}}, [this](const Json& answer) {
+    if (film_) {
+      film_until_s_ = answer.value("to_s", 0.0);
+      progress_->setMaximum(static_cast<int>(std::lround(film_until_s_ * kFilmRate)));
+      add_frame(0);
+    }
+  });
 }
 
 void Exporter::add_frame(int number) {
@@ -133,8 +137,8 @@ void Exporter::end_film(bool is_wanted) {
 // Recordings and commands
 
 void Exporter::record() {
-  const QString file =
-      ask_for_file(tr("Record the next run"), "run.mcap", tr("Recordings (*.mcap *.csv)"));
+  const QString file = ask_for_file(tr("Record the next run: 10 samples for each simulated second"),
+                                    "run.mcap", tr("Recordings (*.mcap *.csv)"));
   if (!file.isEmpty()) {
     record_into(file);
   }

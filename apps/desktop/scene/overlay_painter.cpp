@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "engine/elements.h"
-
 namespace elsie::desktop {
 namespace {
 
@@ -98,28 +96,22 @@ void OverlayPainter::views() const {
 }
 
 void OverlayPainter::names() const {
-  const QFontMetricsF metrics(painter_.font());
-  for (const Stage::Body& body : stage_.bodies()) {
-    if (!body.is_present || !body.is_robot()) {
-      continue;
-    }
-    if (const auto at = camera_.project(body.frame.point({0.0, 0.0, 0.15}), size_)) {
-      const QString name = robot_id(body.path);
-      note({at->x() - 0.5 * metrics.horizontalAdvance(name) - 3.0, at->y() - 6.0}, name);
-    }
+  for (const Label& each : labels_of(stage_, camera_, size_, QFontMetricsF(painter_.font()))) {
+    note(each);
   }
 }
 
 void OverlayPainter::note(const QPointF& at, const QString& text) const {
-  const QFontMetricsF metrics(painter_.font());
-  const QRectF box(at.x(), at.y() - metrics.height(), metrics.horizontalAdvance(text) + 6.0,
-                   metrics.height());
+  note({text, label_box(QFontMetricsF(painter_.font()), at, text)});
+}
+
+void OverlayPainter::note(const Label& label) const {
   painter_.setPen(Qt::NoPen);
   painter_.setBrush(kPaper);
-  painter_.drawRoundedRect(box, 3.0, 3.0);
+  painter_.drawRoundedRect(label.box, 3.0, 3.0);
   painter_.setPen(kInk);
   painter_.setBrush(Qt::NoBrush);
-  painter_.drawText(box, Qt::AlignCenter, text);
+  painter_.drawText(label.box, Qt::AlignCenter, label.text);
 }
 
 }  // namespace elsie::desktop

@@ -5,6 +5,7 @@
 #include <QSize>
 
 #include "scene/camera.h"
+#include "scene/labels.h"
 #include "scene/stage.h"
 
 namespace elsie::desktop {
@@ -25,11 +26,14 @@ class OverlayPainter {
   void beams() const;
   /// The pyramids that cameras see.
   void views() const;
+  /// The names of robots.
   void names() const;
   /// A box with a text; `at`: its lower left corner.
   void note(const QPointF& at, const QString& text) const;
 
  private:
+  void note(const Label& label) const;
+
   QPainter& painter_;
   const Stage& stage_;
   const OrbitCamera& camera_;

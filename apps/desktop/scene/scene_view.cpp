@@ -7,6 +7,7 @@
 
 #include "elsie/render/renderer.h"
 
+#include "paint/padlock.h"
 #include "scene/overlay_painter.h"
 
 namespace elsie::desktop {
@@ -85,11 +86,25 @@ void SceneView::toggle_locked(const QStringList& paths) {
     if (!locked_.remove(path)) locked_.insert(path);
   }
   update();
+  Q_EMIT locks_changed();
+}
+
+void SceneView::unlock_all() {
+  locked_.clear();
+  update();
+  Q_EMIT locks_changed();
+}
+
+std::vector<Label> SceneView::labels() const {
+  return labels_of(stage_, camera_, size(), QFontMetricsF(font()));
 }
 
 void SceneView::rename(const QString& from, const QString& to) {
   if (followed_ == from) followed_ = to;
-  if (locked_.remove(from)) locked_.insert(to);
+  if (locked_.remove(from)) {
+    locked_.insert(to);
+    Q_EMIT locks_changed();
+  }
 }
 
 void SceneView::set_tool(Tool tool) {
@@ -215,6 +230,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
   if (overlays_.beams) over.beams();
   if (overlays_.names) over.names();
   if (with_handles) {
+    paint_locks(painter);
     paint_selection(painter, over);
     paint_tape(painter, over);
     const double line = QFontMetricsF(font()).height();
@@ -337,6 +353,23 @@ void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) c
     painter.drawEllipse(*foot, kHandle, kHandle);
     painter.drawLine(*foot - QPointF(5.0, 0.0), *foot + QPointF(5.0, 0.0));
     painter.drawLine(*foot - QPointF(0.0, 5.0), *foot + QPointF(0.0, 5.0));
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void SceneView::paint_locks(QPainter& painter) const {
+  const double side = QFontMetricsF(font()).height();
+  for (const QString& path : locked_) {
+    const auto frame = stage_.place_of(path);
+    const auto at =
+        frame ? camera_.project({frame->origin.x, frame->origin.y, 0.0}, size()) : std::nullopt;
+    if (at) {
+      const QRectF area(at->x() + 0.8 * side, at->y(), side, side);  // the thing stays in sight
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(QColor(255, 255, 255, 215));
+      painter.drawEllipse(area.adjusted(-3.0, -3.0, 3.0, 3.0));
+      draw_padlock(painter, area, QColor(25, 25, 25));
+    }
   }
   painter.setBrush(Qt::NoBrush);
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "scene/camera.h"
+#include "scene/labels.h"
 #include "scene/stage.h"
 #include "scene/trails.h"
 #include "scene/typed_drag.h"
@@ -53,7 +54,8 @@ class SceneView : public QWidget {
   void set_selection(const QStringList& paths);
   /// Mouse and keys move what is locked no more; others are locked, those that are, unlocked.
   void toggle_locked(const QStringList& paths);
-  void unlock_all() { locked_.clear(); }
+  void unlock_all();
+  const QSet<QString>& locked() const { return locked_; }
   /// Something is called otherwise now.
   void rename(const QString& from, const QString& to);
 
@@ -74,6 +76,8 @@ class SceneView : public QWidget {
 
   /// The view as it is, without handles.
   QImage picture();
+  /// The names that are drawn: those nearest to the camera, as far as there is room for them.
+  std::vector<Label> labels() const;
   /// What draws: "llvmpipe ...", or "" for outlines by Qt, when there is no OpenGL.
   QString device() const;
   /// Where something of the world is in the widget: for tests and tutorials.
@@ -86,6 +90,7 @@ class SceneView : public QWidget {
  Q_SIGNALS:
   void selected(const QStringList& paths);
   void said(const QString& sentence);
+  void locks_changed();
   void edit_wished(const QString& path, const QPoint& global);
   /// Of the floor at that point, m.
   void menu_wished(const QPoint& global, double x, double y);
@@ -121,6 +126,7 @@ class SceneView : public QWidget {
   void draw_solids();
   void paint(QPainter& painter, bool with_handles);
   void paint_selection(QPainter& painter, const OverlayPainter& over) const;
+  void paint_locks(QPainter& painter) const;
   void paint_ghost(QPainter& painter, const OverlayPainter& over, const Stage::Solid& solid) const;
   void paint_tape(QPainter& painter, const OverlayPainter& over) const;
   void camera_moved();

@@ -257,15 +257,6 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
       stop_drag();
       set_tool(Tool::move);
       break;
-    case Qt::Key_7:
-      look_from_top();
-      break;
-    case Qt::Key_1:
-      look_from_front();
-      break;
-    case Qt::Key_3:
-      look_from_side();
-      break;
     case Qt::Key_Space:
       if (!event->isAutoRepeat()) {
         Q_EMIT run_wished();
@@ -279,16 +270,6 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
       break;
     case Qt::Key_S:
       begin_typed(TypedDrag::Kind::resize);
-      break;
-    case Qt::Key_M:
-      set_tool(Tool::measure);
-      break;
-    case Qt::Key_F:
-      if (event->modifiers() & Qt::ShiftModifier) {
-        follow(selection_.isEmpty() ? QString() : selection_.front());
-      } else {
-        frame_selection();
-      }
       break;
     case Qt::Key_Left:
       nudge(-1.0, 0.0);

@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
-#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 
@@ -60,13 +59,14 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   if (workbench.file().isEmpty() || workbench.is_borrowed()) {
     auto* where =
         new QLabel(tr("The world has no file of its own yet: its weights go to the "
-                      "folder of your data. Save it first to have them beside it."));
+                      "folder of your data, and are copied beside the world when it is saved."));
     where->setObjectName("where_weights_go");
     where->setWordWrap(true);
     column->addRow(where);
   }
   progress_ = new QLabel;
   progress_->setObjectName("training_progress");
+  progress_->setWordWrap(true);
   column->addRow(progress_);
   curve_ = new LearningCurve;
   curve_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -95,7 +95,7 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   connect(&trainer_, &Trainer::trained, this, [this](const Json& report) {
     show_report(report);
     set_busy(false);
-    Q_EMIT trained(text_of(report, "warning"));
+    Q_EMIT trained(text_of(report, "warning"), member(report, "below_threshold") == true);
   });
 }
 
@@ -113,11 +113,21 @@ void TrainingPage::show_report(const Json& report) {
   }
   const double presentations = number_of(report, "presentations");
   curve_->show_all(points, presentations > 1.0 ? presentations : 1.0);
-  progress_->setText(tr("Mean error %1 after %2 samples")
+  progress_->setText(tr("Mean error %1 after %2 samples.")
                          .arg(number_text(number_of(report, "error")),
                               std::isfinite(presentations)
                                   ? QLocale::c().toString(presentations, 'f', 0)
                                   : number_text(presentations)));
+}
+
+void TrainingPage::say_more(const QString& sentence) {
+  progress_->setText(progress_->text() + ' ' + sentence);
+}
+
+void TrainingPage::keep_weights() {
+  weights_file_.clear();
+  set_busy(true);  // nothing is left to choose
+  progress_->setText(tr("The network is loaded. %1").arg(progress_->text()));
 }
 
 void TrainingPage::remove_weights() {
@@ -226,20 +236,13 @@ bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
 void TrainingPage::choose_weights() {
   const bool has_file = !workbench_.file().isEmpty() && !workbench_.is_borrowed();
   const QString folder =
-      has_file ? QFileInfo(workbench_.file()).absolutePath()
-               : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/weights";
+      has_file ? QFileInfo(workbench_.file()).absolutePath() : Workbench::kept_folder();
   if (!has_file) {
     QDir().mkpath(folder);
   }
-  const QString robot = robot_id(coordinator_);
-  for (int i = 1;; ++i) {
-    const QString name = robot + (i == 1 ? QString() : '-' + QString::number(i)) + ".weights";
-    weights_file_ = folder + '/' + name;
-    if (!QFileInfo::exists(weights_file_)) {
-      weights_ = has_file ? name : weights_file_;
-      return;
-    }
-  }
+  const QString name = free_name(folder, robot_id(coordinator_) + ".weights");
+  weights_file_ = folder + '/' + name;
+  weights_ = has_file ? name : weights_file_;
 }
 
 void TrainingPage::train(const QStringList& edits, bool has_seed) {

@@ -43,13 +43,16 @@ class TrainingPage : public QWidget {
   bool cancel();
   /// The file that was written, as the world calls it.
   QString weights() const { return weights_; }
-  /// A world uses the weights now; otherwise their file goes with this page.
-  void keep_weights() { weights_file_.clear(); }
+  /// A sentence after what is said of the training.
+  void say_more(const QString& sentence);
+  /// A world uses the weights now, and the page says so; otherwise their file goes with it.
+  void keep_weights();
 
  Q_SIGNALS:
   void hidden_wished(const QString& hidden);
-  /// `warning`: a sentence why the network is of little use; "" if it is good.
-  void trained(const QString& warning);
+  /// `warning`: a sentence why the network is of little use; "" if it is good. `has_reached_goal`:
+  /// its error is below the threshold at which the training was to end.
+  void trained(const QString& warning, bool has_reached_goal);
   void failed(const QString& sentence);
 
  private:

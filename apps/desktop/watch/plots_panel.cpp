@@ -80,10 +80,16 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   auto* save_button = new QToolButton(this);
   save_button->setObjectName(QStringLiteral("plots_save"));
   save_button->setText(tr("Save..."));
-  save_button->setToolTip(tr("Save the plot as PNG or SVG, or its numbers as CSV"));
+  save_button->setToolTip(
+      tr("Save the plot as PNG or SVG, or its numbers as CSV: the samples that came to the window, "
+         "at most 30 a second on the clock. 'Record the next run' writes samples at equal times."));
   connect(save_button, &QToolButton::clicked, this, [this] {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save plot"), {},
-                                                      tr("Pictures or tables (*.png *.svg *.csv)"));
+    QFileDialog dialog(this, tr("Save plot: %1").arg(sampling()), {},
+                       tr("Pictures or tables (*.png *.svg *.csv)"));
+    dialog.setObjectName("save_plot_dialog");
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    const bool is_agreed = dialog.exec() == QDialog::Accepted;
+    const QString file = is_agreed ? dialog.selectedFiles().front() : QString();
     if (const QString why = file.isEmpty() ? QString() : save(file); !why.isEmpty()) {
       QMessageBox::warning(this, tr("Save plot"),
                            tr("The plot was not saved as '%1': %2").arg(file, why));

@@ -287,6 +287,10 @@ QStringList ElementDialog::edits() const {
 }
 
 void ElementDialog::reject() {
+  if (has_learned_) {
+    QDialog::accept();  // nothing is left to cancel
+    return;
+  }
   if (training_ && training_->cancel()) {
     set_busy(false);
     return;
@@ -331,10 +335,9 @@ void ElementDialog::accept() {
   buttons_->setEnabled(false);
   workbench_.edit(made, name, {}, this, [this](const Problems& problems) {
     buttons_->setEnabled(true);
-    if (problems.empty()) {
-      if (training_) {
-        training_->keep_weights();
-      }
+    if (problems.empty() && training_ && training_->is_wished()) {
+      show_learned();
+    } else if (problems.empty()) {
       QDialog::accept();
     } else {
       refusal_->say(problems.front().message);

@@ -43,6 +43,7 @@ class ElementDialog : public QDialog {
   /// Shows the form of this kind. False if there is none of that name.
   bool choose(const QString& kind);
 
+  /// After a training it stays open, with the learning curve and the button Close.
   void accept() override;
   /// While a network is trained: ends that, and stays open.
   void reject() override;
@@ -65,6 +66,7 @@ class ElementDialog : public QDialog {
   bool has_all();
   void offer_training(const Kind& kind, Form* form, const QString& coordinator);
   bool trains_first();
+  void show_learned();
   void set_busy(bool is_busy);
   void add_waypoint(const Kind& kind);
   void offer_headings(const Kind& kind);
@@ -83,6 +85,8 @@ class ElementDialog : public QDialog {
   QTabWidget* tabs_;
   Fan* fan_ = nullptr;                // of a new sensor with a heading
   TrainingPage* training_ = nullptr;  // of a coordinator that learns
+  QString shortcoming_;               // a sentence on the last training; "": it is good
+  bool has_learned_ = false;          // the robot has the network: there is only Close
   QCheckBox* at_once_;
   WarningLabel* refusal_;
   QDialogButtonBox* buttons_;

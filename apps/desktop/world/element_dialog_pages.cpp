@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "engine/workbench.h"
 #include "paint/quiet_wheel.h"
@@ -22,6 +23,12 @@ namespace {
 
 constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
 constexpr int kFirstFan = 5;                // range sensors that a robot without any is offered
+
+QString default_of(const Kind& kind, const QString& name) {
+  const auto field = std::find_if(kind.fields.begin(), kind.fields.end(),
+                                  [&name](const Field& each) { return each.name == name; });
+  return field == kind.fields.end() ? QString() : field->default_text;
+}
 
 }  // namespace
 
@@ -128,14 +135,22 @@ void ElementDialog::offer_training(const Kind& kind, Form* form, const QString& 
     set_busy(false);
     refusal_->say(sentence);
   });
-  connect(training_, &TrainingPage::trained, this, [this](const QString& warning) {
-    set_busy(false);
-    if (warning.isEmpty()) {
-      accept();
-    } else {
-      refusal_->say(tr("%1 OK uses it nevertheless.").arg(warning));
-    }
-  });
+  connect(training_, &TrainingPage::trained, this,
+          [this, value, kind](const QString& warning, bool has_reached_goal) {
+            set_busy(false);
+            const QString goal = value("threshold");
+            shortcoming_ = warning;
+            if (!has_reached_goal) {
+              training_->say_more(tr("The training has used up its presentations and stopped short "
+                                     "of its goal, a mean error below %1.")
+                                      .arg(goal.isEmpty() ? default_of(kind, "threshold") : goal));
+            }
+            if (warning.isEmpty()) {
+              accept();
+            } else {
+              refusal_->say(tr("%1 OK uses it nevertheless.").arg(warning));
+            }
+          });
 }
 
 // True while the network has to learn before this dialog can end.
@@ -160,6 +175,18 @@ bool ElementDialog::trains_first() {
     changes_[path_]["weights"] = training_->weights();
   }
   return false;
+}
+
+// The curve is there to be looked at: only the user closes the dialog.
+void ElementDialog::show_learned() {
+  has_learned_ = true;
+  training_->keep_weights();
+  set_busy(true);
+  at_once_->hide();
+  buttons_->setStandardButtons(QDialogButtonBox::Close);
+  buttons_->button(QDialogButtonBox::Close)->setDefault(true);
+  buttons_->button(QDialogButtonBox::Close)->setFocus();
+  refusal_->say(shortcoming_);
 }
 
 void ElementDialog::set_busy(bool is_busy) {

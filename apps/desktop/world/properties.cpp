@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <cmath>
@@ -61,6 +62,11 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   filter_->setClearButtonEnabled(true);
   column->addWidget(filter_);
   setFocusProxy(filter_);
+  add_ = new QPushButton;
+  add_->setObjectName("add_to_list");
+  add_->hide();
+  connect(add_, &QPushButton::clicked, this, [this] { Q_EMIT add_wished(path_, list_); });
+  column->addWidget(add_, 0, Qt::AlignLeft);
   form_ = new Form;
   form_->setObjectName("form");
   auto* scroll = new QScrollArea;
@@ -95,13 +101,41 @@ void Properties::change(const QString& path, const QString& name, const QString&
 }
 
 void Properties::show_element(const QString& path) {
-  if (path != path_) {
+  if (path != path_ || !list_.isEmpty()) {
     form_->finish();  // for the thing that it was typed for
     form_->drop_typed();
     path_ = path;
+    list_.clear();
     pose_timer_.stop();
     refresh();
   }
+}
+
+void Properties::show_list(const QString& holder, const QString& list) {
+  show_element(holder);
+  list_ = list;
+  refresh();
+}
+
+void Properties::refresh_list() {
+  const ElementPlace place = list_at(workbench_.tree(), path_, list_);
+  if (!place.element) {
+    list_.clear();
+    refresh();
+    return;
+  }
+  int count = 0;
+  visit_children(place, [&count](const ElementPlace&) { ++count; });
+  const auto kind = workbench_.catalog().element(list_);
+  title_->setText(path_.isEmpty() ? list_
+                                  : tr("%1 of %2").arg(list_, title_at(workbench_.tree(), path_)));
+  const QString elements = count == 1 ? tr("one element") : tr("%1 elements").arg(count);
+  about_->setText(kind ? tr("%1: %2").arg(kind->description, elements) : elements);
+  form_->show_fields({}, Json::object());
+  add_->setText(list_ == "behaviors"     ? tr("Behaviours...")
+                : list_ == "coordinator" ? tr("Coordinator...")
+                                         : tr("Add %1...").arg(member_word(list_)));
+  add_->setVisible(list_ == "behaviors" || !workbench_.catalog().members(list_).empty());
 }
 
 void Properties::rename(const QString& from, const QString& to) {
@@ -146,6 +180,12 @@ void Properties::show_number(const QString& name, double value, int digits) {
 }
 
 void Properties::refresh() {
+  filter_->setVisible(list_.isEmpty());
+  add_->hide();
+  if (!list_.isEmpty()) {
+    refresh_list();
+    return;
+  }
   const auto described = described_at(workbench_, path_);
   if (!described) {
     title_->setText(workbench_.tree().is_object() ? tr("Nothing is chosen") : tr("No world"));

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace elsie::desktop {
 
@@ -23,6 +24,8 @@ class Properties : public QWidget {
 
   /// Of the element at the path; "" is the world.
   void show_element(const QString& path);
+  /// What the list ("sensors") of the element at `holder` holds, and a button that adds to it.
+  void show_list(const QString& holder, const QString& list);
   /// What is shown is called otherwise now.
   void rename(const QString& from, const QString& to);
   /// What the chosen thing has now, from a `state` event: a behaviour the weight that its
@@ -33,20 +36,26 @@ class Properties : public QWidget {
   const QString& path() const { return path_; }
   Form& form() { return *form_; }
 
+ Q_SIGNALS:
+  void add_wished(const QString& holder, const QString& list);
+
  private:
   void refresh();
+  void refresh_list();
   void change(const QString& path, const QString& name, const QString& edit);
   void show_last_pose();
   void show_number(const QString& name, double value, int digits);
 
   Workbench& workbench_;
   QString path_;
+  QString list_;  // of the element at the path; "": that itself
   QLabel* title_;
   QLabel* about_;
   std::array<double, 3> pose_{};
   QTimer pose_timer_;
   QLineEdit* filter_;
   Form* form_;
+  QPushButton* add_;
 };
 
 /// What is at a path, also of a part that every world has and that its file does not name.

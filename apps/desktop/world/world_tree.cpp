@@ -11,8 +11,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "engine/workbench.h"
+#include "paint/padlock.h"
 
 namespace elsie::desktop {
 namespace {
@@ -83,6 +85,10 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
     if (!is_showing_) {
       chosen_ = selection();
       Q_EMIT selected(chosen_);
+      const QList<QTreeWidgetItem*> rows = tree_->selectedItems();
+      if (rows.size() == 1 && rows.front()->data(0, kIsList).toBool()) {
+        Q_EMIT list_selected(rows.front()->data(0, kPath).toString(), rows.front()->text(0));
+      }
     }
   });
   // Not itemActivated: on some desktops that comes with a single click.
@@ -287,10 +293,25 @@ void WorldTree::show_item(QTreeWidgetItem& item, const ElementPlace& place) {
   QFont font = tree_->font();
   font.setItalic(is_inherited);
   item.setFont(0, font);
-  item.setToolTip(0, is_inherited
-                         ? tr("It comes from the robot's template; what is changed here is "
-                              "written into the robot's own element.")
-                         : QString());
+  const bool is_locked = place.list.isEmpty() && locked_.contains(place.path);
+  item.setIcon(0, is_locked ? padlock_icon(palette().color(QPalette::Text)) : QIcon());
+  QStringList tips;
+  if (is_locked) tips << tr("Locked against the mouse (Ctrl+L).");
+  if (is_inherited) {
+    tips << tr(
+        "It comes from the robot's template; what is changed here is written into the "
+        "robot's own element.");
+  }
+  item.setToolTip(0, tips.join('\n'));
+}
+
+void WorldTree::show_locked(const QSet<QString>& paths) {
+  for (const QString& path : std::exchange(locked_, paths) + paths) {
+    const ElementPlace place = place_of(workbench_.tree(), path);
+    if (QTreeWidgetItem* found = item(path); found && place.element) {
+      show_item(*found, place);
+    }
+  }
 }
 
 void WorldTree::set_selection(const QStringList& paths) {

@@ -32,12 +32,17 @@ class WorldTree : public QWidget {
   QTreeWidget* tree() { return tree_; }
   QTreeWidgetItem* item(const QString& path) const;
 
+  /// These have the mark of what is locked against the mouse.
+  void show_locked(const QSet<QString>& paths);
+
   /// Numbers beside the behaviours of the robots in it: the priority that a network gives them now.
   /// Other robots have their own details again.
   void show_weights(const Json& state);
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
+  /// The only row that is chosen is the list of that name of the element at `holder`.
+  void list_selected(const QString& holder, const QString& list);
   void edit_wished(const QString& path);
   void add_wished(const QString& holder, const QString& list);
   void behaviors_wished(const QString& holder);
@@ -69,6 +74,7 @@ class WorldTree : public QWidget {
   QStringList chosen_;                      // in the window; the tree may have none of them
   QHash<QString, QTreeWidgetItem*> items_;  // of elements, by path
   QSet<QString> with_weight_;               // paths
+  QSet<QString> locked_;                    // paths
   bool is_showing_ = false;
 };
 

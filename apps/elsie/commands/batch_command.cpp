@@ -4,9 +4,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
-#include <sched.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -35,6 +35,7 @@ Examples:
   elsie batch experiments/top_speed.xml
   elsie batch experiments/top_speed.xml --workers 4 --database speed.sqlite
   elsie batch experiments/top_speed.xml --resume
+  elsie batch experiments/top_speed.xml --extend
   elsie batch experiments/top_speed.xml --shard 2/5 --database part2.sqlite
   elsie batch experiments/top_speed.xml --cluster slurm --shards 100 --sbatch=--partition=short
 
@@ -42,21 +43,15 @@ Exit codes: 0 all runs ended normally, 2 bad input (nothing was begun), 3 a plug
 some run, 4 interrupted, or an error.
 )";
 
-/// The number of processors that this process may use.
-std::size_t processors() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof(set), &set) == 0 && CPU_COUNT(&set) > 0) {
-    return static_cast<std::size_t>(CPU_COUNT(&set));
-  }
-  return 1;
-}
-
-ResultsDatabase opened(const BatchOptions& options, const fs::path& file, const Plan& plan) {
+ResultsDatabase opened(const BatchOptions& options, const fs::path& file, Plan plan) {
   if (!options.resume || results::is_vacant(file)) {
-    return ResultsDatabase::create(file, plan);
+    return ResultsDatabase::create(file, std::move(plan));
   }
-  ResultsDatabase database = ResultsDatabase::resume(file, plan);
+  ResultsDatabase database = options.extend ? ResultsDatabase::extend(file, std::move(plan))
+                                            : ResultsDatabase::resume(file, std::move(plan));
+  if (options.extend && !options.quiet && !options.json) {
+    out() << "runs that were added to the experiment: " << database.added_runs() << '\n';
+  }
   if (options.again) {
     const std::int64_t count = database.redo_failed();
     if (!options.quiet && !options.json) {
@@ -103,6 +98,9 @@ int run(BatchOptions options) {
     throw BadInput("EXPERIMENT: the name of a file is missing");
   }
   options.experiment = world::find_document(options.experiment, data_directories());
+  if (options.extend) {
+    options.resume = true;
+  }
   if (options.again && !options.resume) {
     throw BadInput("--again needs --resume and an existing database");
   }
@@ -120,21 +118,25 @@ int run(BatchOptions options) {
       throw BadInput("--progress: expected a name that ends in .json, but '" + *options.progress +
                      "' does not");
     }
-    require_replaceable(*options.progress, "--progress", "progress of a batch");
+    require_replaceable(*options.progress, "--progress", "progress file");
   }
   const batch::Shard shard = shard_of(options);
   const fs::path file = database_of(options, shard);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
+  if (options.extend && results::is_vacant(file)) {
+    throw BadInput("--extend: there is no database '" + file.string() +
+                   "'; begin it without --extend, or name another --database");
+  }
   if (!options.resume && !results::is_vacant(file)) {
     throw BadInput("there is a file '" + file.string() +
                    "' already; continue it with --resume, or choose another --database");
   }
-  const Plan plan = plan_of(options, shard);
+  Plan plan = plan_of(options, shard);
   const StopSignals signals;  // before anything is created
   const bool is_new = results::is_vacant(file);
-  std::optional<ResultsDatabase> made(opened(options, file, plan));
+  std::optional<ResultsDatabase> made(opened(options, file, std::move(plan)));
   if (is_new && signals.is_waiting()) {
     made.reset();
     fs::remove(fs::weakly_canonical(file));
@@ -143,14 +145,14 @@ int run(BatchOptions options) {
   }
   ResultsDatabase& database = *made;
   const ProgressFile progress_file(options, database);
-  BatchReport report(plan, database, resume_command(options, file));
+  BatchReport report(database.plan(), database, resume_command(options, file));
   if (database.pending().empty() && options.resume) {
     report.all_done_already();
   } else {
     const bool bar = !options.quiet && !options.json && isatty(STDERR_FILENO);
     report.begin(bar);
     try {
-      const bool complete = batch::carry_out(plan, database,
+      const bool complete = batch::carry_out(database,
                                              {.worker = {"/proc/self/exe", kWorkerCommand},
                                               .workers = options.workers.value_or(processors()),
                                               .stop_descriptor = signals.descriptor()},
@@ -198,6 +200,9 @@ void add_batch_command(CLI::App& program, Job& job) {
       ->type_name("FILE.sqlite");
   command->add_flag("--resume", options->resume,
                     "Continue with an existing database: do only pending runs; without one, begin");
+  command->add_flag("--extend", options->extend,
+                    "Add to an existing database what the experiment has more: seeds, repetitions, "
+                    "levels, worlds. Then continue it as --resume does");
   command->add_flag("--again", options->again, "With --resume: repeat the runs that failed, too");
   command
       ->add_option("--shard", options->shard,

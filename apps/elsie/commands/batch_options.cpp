@@ -1,5 +1,7 @@
 #include "batch_options.h"
 
+#include <sched.h>
+
 #include "elsie/experiment/reader.h"
 #include "elsie/process/shell_word.h"
 #include "elsie/results/hash.h"
@@ -14,11 +16,20 @@ namespace fs = std::filesystem;
 using batch::Plan;
 using process::shell_word;
 
+std::size_t processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (sched_getaffinity(0, sizeof(set), &set) == 0 && CPU_COUNT(&set) > 0) {
+    return static_cast<std::size_t>(CPU_COUNT(&set));
+  }
+  return 1;
+}
+
 batch::Shard shard_of(const BatchOptions& options) {
   const auto shard = batch::parse_shard(options.shard);
   if (!shard) {
     throw BadInput("--shard: '" + options.shard +
-                   "' is no part of an experiment; expected K/N with K from 1 to N, such as 2/5");
+                   "' is not a shard; expected K/N with K from 1 to N, such as 2/5");
   }
   return *shard;
 }

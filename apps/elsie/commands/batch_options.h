@@ -1,4 +1,4 @@
-// The options of `elsie batch`, and what they name.
+// The options of `elsie batch`, and the plan and database that they name.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +20,7 @@ struct BatchOptions {
   std::optional<std::string> database;
   bool resume = false;
   bool again = false;
+  bool extend = false;
   std::string shard = "1/1";
   std::optional<std::string> progress;
   std::optional<std::string> cluster;
@@ -30,7 +31,10 @@ struct BatchOptions {
   bool quiet = false;
 };
 
-/// Throws BadInput for a text that is no shard.
+/// The number of processors that this process may use.
+std::size_t processors();
+
+/// Throws BadInput if the text is not a shard.
 batch::Shard shard_of(const BatchOptions& options);
 
 /// The path of the database.
@@ -42,7 +46,7 @@ batch::Plan plan_of(const BatchOptions& options, const batch::Shard& shard);
 /// The command line that resumes a batch.
 std::string resume_command(const BatchOptions& options, const std::filesystem::path& database);
 
-/// Does the batch as a job array of a cluster and follows it to its end; returns the exit code.
+/// Runs the batch as a job array of a cluster and follows it to its end; returns the exit code.
 int run_on_cluster(const BatchOptions& options);
 
 }  // namespace elsie::program

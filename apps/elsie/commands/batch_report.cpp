@@ -34,7 +34,7 @@ struct Total {
   std::int64_t done = 0;
   std::int64_t failed = 0;
   std::int64_t successes = 0;
-  std::int64_t with_goals = 0;  // runs of these that ended
+  std::int64_t with_goals = 0;  // runs in worlds with goals that ended
 };
 
 Total total(const std::vector<CellCount>& cells, const std::set<std::string>& without_goals) {
@@ -50,8 +50,8 @@ Total total(const std::vector<CellCount>& cells, const std::set<std::string>& wi
   return sum;
 }
 
-/// The success rate of the runs that ended; a failed run is no success. In a world without goals a
-/// run can neither succeed nor fail.
+/// The success rate of the runs that ended; a failed run is not a success. In a world without goals
+/// a run can neither succeed nor fail.
 std::string rate(const Total& of) {
   if (of.with_goals > 0) {
     return base::fixed_text(
@@ -96,7 +96,7 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const batch::Progress& progress) {
-  // On a cluster there may be no runs left, while tasks have yet to end.
+  // On a cluster, all runs may be done before all tasks have ended.
   const double part = progress.runs > 0
                           ? static_cast<double>(progress.ended) / static_cast<double>(progress.runs)
                           : 1.0;
@@ -105,8 +105,8 @@ std::string progress_line(const batch::Progress& progress) {
   if (progress.failed > 0) {
     line += ", " + std::to_string(progress.failed) + " failed";
   }
-  if (const double left = progress.left_s(); left > 0.0) {
-    line += ", " + duration_text(left) + " left";
+  if (progress.left_s) {
+    line += ", " + duration_text(*progress.left_s) + " left";
   }
   return line;
 }
@@ -142,6 +142,12 @@ std::set<std::string> BatchReport::without_goals() const {
   return labels;
 }
 
+std::string BatchReport::complete_seeds() {
+  const batch::SeedCount seeds = database_.seeds();
+  return std::to_string(seeds.complete) + " of " +
+         base::counted(static_cast<std::uint64_t>(seeds.all), "seed") + " complete";
+}
+
 std::string BatchReport::table() {
   const std::vector<CellCount> cells = database_.cells();
   const std::set<std::string> aimless = without_goals();
@@ -153,6 +159,9 @@ std::string BatchReport::table() {
                          : "all " + base::counted(sum.runs, "run") + " are done already";
   } else {
     out += base::counted(last_.ended, "run") + " in " + duration_text(last_.elapsed_s);
+  }
+  if (sum.pending > 0) {
+    out += "; " + complete_seeds();
   }
   if (plan_.shard.of > 1) {
     out += "; shard " + plan_.shard.text() + " of " + base::counted(plan_.all_runs, "run");
@@ -208,6 +217,9 @@ std::string BatchReport::json() {
   object["done"] = sum.done;
   object["failed"] = sum.failed;
   object["to_do"] = sum.pending;
+  const batch::SeedCount seeds = database_.seeds();
+  object["seeds"] = seeds.all;
+  object["seeds_complete"] = seeds.complete;
   object["successes"] = aimless.size() == cells.size() ? Json(nullptr) : Json(sum.successes);
   object["interrupted"] = interrupted_;
   object["wall_s"] = last_.elapsed_s;
@@ -239,8 +251,8 @@ std::string BatchReport::json() {
 std::string BatchReport::interruption() {
   const Total sum = total(database_.cells(), {});
   return "elsie: interrupted; " + std::to_string(sum.pending) + " of " +
-         base::counted(sum.runs, "run is", "runs are") + " still to be done. Continue with\n  " +
-         resume_ + '\n';
+         base::counted(sum.runs, "run is", "runs are") + " still to be done, " + complete_seeds() +
+         ". Continue with\n  " + resume_ + '\n';
 }
 
 int BatchReport::exit_code() {

@@ -1,4 +1,4 @@
-// What `elsie batch` prints during its work and at the end.
+// The output of `elsie batch` during its work and at the end.
 #pragma once
 
 #include <set>
@@ -33,6 +33,9 @@ class BatchReport {
  private:
   /// The labels of cells whose worlds have no goals.
   std::set<std::string> without_goals() const;
+
+  /// "5 of 20 seeds complete": how much of a batch that was stopped is a study of its own.
+  std::string complete_seeds();
 
   const batch::Plan& plan_;
   batch::ResultsDatabase& database_;

@@ -53,7 +53,7 @@ int build(const BuildOptions& options) {
   }
   require_writable(output, "--output");
   const auto built = compiled(options.source);
-  // A library that cannot be loaded is not kept.
+  // A library that cannot be loaded is not copied to the output.
   const LoadingLimit limit;
   const plugin::Host host({{built.library, "built", options.source}});
   const auto& file = host.report().directories.front().files.front();

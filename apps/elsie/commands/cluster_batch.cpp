@@ -34,7 +34,7 @@ using cluster::Task;
 namespace {
 
 constexpr std::size_t kDefaultShards = 16;
-// The scheduler is shared with others: it is asked often only in the beginning.
+// The scheduler is shared with others, so it is queried often only at the beginning.
 constexpr double kFirstPause_s = 0.5;
 constexpr double kLongestPause_s = 15.0;
 constexpr double kPauseGrowth = 1.2;
@@ -47,6 +47,11 @@ void require_sound(const BatchOptions& options) {
         "--shard is one part of an experiment, and --cluster does all of them; expected "
         "one of the two");
   }
+  if (options.extend) {
+    throw BadInput(
+        "--extend does not go with --cluster; extend the database that was merged from the shards "
+        "without --cluster");
+  }
   if (options.again) {
     throw BadInput(
         "--again does not go with --cluster; do the runs that failed again, without "
@@ -57,7 +62,7 @@ void require_sound(const BatchOptions& options) {
   }
   if (options.detach && options.json) {
     throw BadInput(
-        "--json tells how the runs ended, and --detach does not wait for that; expected "
+        "--json reports how the runs ended, and --detach does not wait for that; expected "
         "one of the two");
   }
 }
@@ -123,7 +128,7 @@ class ClusterBatch {
         base::counted(plan_.all_runs, "run") + " in all");
   }
 
-  /// Whether it is certain that submit(), which has failed, has left no task behind.
+  /// True if submit() failed and certainly left no task behind.
   bool nothing_begun() const {
     if (!asked_) {
       return true;
@@ -135,10 +140,10 @@ class ClusterBatch {
     }
   }
 
-  /// Whether submit() has asked Slurm to take tasks.
+  /// True if submit() has asked Slurm to take tasks.
   bool has_asked() const { return asked_; }
 
-  /// Waits until no task is left. False: this command was stopped before; the tasks continue.
+  /// Waits until no task is left. False if this command was stopped first; the tasks continue.
   bool follow() {
     using Clock = std::chrono::steady_clock;
     const StopSignals signals;
@@ -239,11 +244,16 @@ class ClusterBatch {
       }
     }
     const cluster::Count count = folder_.count();
-    draw_status(progress_line({.runs = count.runs - ended_before,
-                               .ended = count.ended - ended_before,
-                               .failed = count.failed,
-                               .elapsed_s = elapsed_s_}) +
-                note);
+    batch::Progress progress{.runs = count.runs - ended_before,
+                             .ended = count.ended - ended_before,
+                             .failed = count.failed,
+                             .elapsed_s = elapsed_s_};
+    if (progress.ended > 0 && progress.ended < progress.runs) {
+      // Only numbers of runs are known of tasks on other machines.
+      progress.left_s = elapsed_s_ * static_cast<double>(progress.runs - progress.ended) /
+                        static_cast<double>(progress.ended);
+    }
+    draw_status(progress_line(progress) + note);
   }
 
   void wipe() const {
@@ -277,7 +287,7 @@ ShardFolder folder_of(const BatchOptions& options, const fs::path& file, const P
   return folder;
 }
 
-/// Handles a batch whose databases were merged already; its folder may have been left by a kill.
+/// Handles a batch whose databases were already merged; a killed command may have left its folder.
 int already_there(const BatchOptions& options, const fs::path& file, const Plan& plan) {
   ResultsDatabase database = ResultsDatabase::resume(file, plan);
   if (!database.pending().empty()) {
@@ -288,7 +298,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
   if (fs::exists(ShardFolder::path_for(file), error)) {
     ShardFolder::open(file, plan).remove();
   }
-  BatchReport report(plan, database, resume_command(options, file));
+  BatchReport report(database.plan(), database, resume_command(options, file));
   report.all_done_already();
   if (options.json) {
     out() << report.json();
@@ -347,7 +357,7 @@ int run_on_cluster(const BatchOptions& options) {
     return kOtherFailure;
   }
   const ShardFolder::Turn turn(folder);
-  // Another command that follows it may have been first.
+  // Another command that follows the batch may have been first.
   if (!folder.exists() && !results::is_vacant(file)) {
     return already_there(options, file, plan);
   }

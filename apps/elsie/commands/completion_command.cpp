@@ -1,4 +1,4 @@
-// elsie completion: the script with which a shell completes the program's words.
+// elsie completion: the script with which a shell completes the words of a command line.
 #include <iostream>
 #include <memory>
 #include <string>

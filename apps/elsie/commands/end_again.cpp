@@ -27,7 +27,7 @@ using plugin::CallFacts;
 
 namespace {
 
-constexpr double kGrace = 2.0;  // s, for the present step
+constexpr double kGrace = 2.0;  // s, for the current step
 constexpr int kLimitSignal = SIGALRM;
 
 // A signal handler can only reach a global.
@@ -86,7 +86,7 @@ std::string place_of(const RunRecord& record) {
          (record.step ? " in step " + std::to_string(*record.step) : "");
 }
 
-/// The end of the sentence after "not the same" and the present state.
+/// The end of the sentence after "not the same" and the current state.
 std::string before_text(const RunRecord& record) {
   return record.state == RunState::hang
              ? ", before in " + place_of(record)

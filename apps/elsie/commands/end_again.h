@@ -1,4 +1,4 @@
-// Repeats a run that ended its process or met its wall limit.
+// Repeats a run that ended its process or exceeded its wall limit.
 #pragma once
 
 #include <atomic>
@@ -14,19 +14,19 @@
 
 namespace elsie::program {
 
-/// Thrown when a run has met its wall limit, but completes its step: it is slow and does not hang.
+/// Thrown when a run exceeds its wall limit but completes its step: it is slow and does not hang.
 class WallLimitMet {};
 
-/// Reports on standard output whether the run ends as before, where no other code can:
+/// Reports on standard output whether the run ends as before, if no other code can do that:
 ///
 /// - A crash: "the same" when it is the same signal in the same plugin, robot and step. The crash
 ///   report and exit code 3 are as usual.
-/// - The wall limit, when the same plugin is at work, of the same robot in the same step: "the
+/// - The wall limit, when the same plugin of the same robot is at work in the same step: "the
 ///   same", a report, and exit code 0.
 /// - Otherwise the run has two seconds to complete its step. If it does, WallLimitMet is thrown. If
 ///   not: the difference, a report, and exit code 1.
 ///
-/// To be made in the thread that runs; only one at a time.
+/// Must be made in the thread of the run; only one at a time.
 class EndAgain final : public simulation::Observer, private base::EmergencyWriter {
  public:
   /// `before` must outlive this. `wall_limit_s`: from now on; 0: none.

@@ -53,7 +53,7 @@ Examples:
 Trace read_recorded(const std::string& file) {
   if (base::why_unreadable(file).empty() && !mcap::may_be_mcap(file)) {
     throw BadInput("'" + file +
-                   "' is no recording with decisions; expected a file that `elsie run WORLD "
+                   "' is not a recording with decisions; expected a file that `elsie run WORLD "
                    "--record FILE.mcap` has written");
   }
   try {
@@ -63,8 +63,7 @@ Trace read_recorded(const std::string& file) {
   }
 }
 
-/// The robots that were asked for, by their places. A robot whose behaviours were edited has
-/// several.
+/// The indices of the requested robots. A robot whose behaviours were edited has several.
 std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::string>& ids) {
   std::vector<std::size_t> places;
   std::vector<std::string> known;
@@ -163,7 +162,7 @@ void add_explain_command(CLI::App& program, Job& job) {
                    "At most so many episodes for each coordinator; short ones are joined")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_flag("--all", options->all, "All episodes, none of them joined");
+  command->add_flag("--all", options->all, "Show all episodes, without joining short ones");
   command
       ->add_option("--picture", options->picture, "Draw who decided, shares and weights over time")
       ->type_name("FILE.png|FILE.svg");

@@ -10,7 +10,7 @@ using traces::Trace;
 using traces::TraceRobot;
 using Json = nlohmann::ordered_json;
 
-/// Sums of times carry rounding errors that nobody wants to read.
+/// Rounds a sum of times, which has rounding errors that nobody wants to read.
 double tidy(double value) {
   constexpr double kDecimals = 1e6;
   return std::abs(value) < 1e9 ? std::round(value * kDecimals) / kDecimals : value;

@@ -20,14 +20,14 @@ using traces::TraceEvent;
 using traces::TraceMember;
 using traces::TraceRobot;
 
-constexpr double kShort = 0.05;  // s; from there on, two decimals say too little
+constexpr double kShort = 0.05;  // s; from here on, two decimals are not enough
 
 std::string seconds(double time_s) { return base::fixed_text(time_s, 2); }
 
-/// As short as it says what is to be said: 0.5, 0.125.
+/// The number in as few digits as possible: 0.5, 0.125.
 std::string short_number(double value) { return base::number_text(value, 3); }
 
-/// Whether one decider had so much of the episode that the others need no names.
+/// True if one decider had so much of the episode that the others need no names.
 bool is_nearly_all(const Episode& episode) {
   constexpr double kNearlyAll = 0.95;
   return episode.parts[0].time_s >= kNearlyAll * episode.length_s();
@@ -38,7 +38,7 @@ std::string per_cent(double part, double whole) {
     return "-";
   }
   const double value = 100.0 * part / whole;
-  // What is not quite all or nothing is not rounded to it.
+  // A value close to 0 or 100 is not rounded to it.
   const bool at_border = (value > 0.0 && value < 0.1) || (value < 100.0 && value > 99.9);
   return (!at_border     ? base::fixed_text(value, 1)
           : value > 50.0 ? "99.9"
@@ -75,7 +75,7 @@ const CoordinatorAccount& coordinator_of(const ExplainedRobot& explained,
   });
 }
 
-/// "1" or, where it was changed, "1, 3, 0.5".
+/// "1" or, if it was changed, "1, 3, 0.5".
 std::string priorities_of(const TraceRobot& robot, const TraceMember& member,
                           const traces::TimeSpan& span) {
   std::string text;
@@ -132,7 +132,7 @@ std::string table(const ExplainedRobot& explained) {
 }
 
 std::string inhibitions(const ExplainedRobot& explained) {
-  constexpr std::size_t kNamed = 4;  // of those that silence one behaviour
+  constexpr std::size_t kNamed = 4;  // of the behaviours that silence another one
   const TraceRobot& robot = *explained.robot;
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < robot.members.size(); ++i) {
@@ -198,8 +198,8 @@ std::string who(const TraceRobot& robot, const Episode& episode) {
   return text + (episode.parts.size() > kNamed ? "..." : "") + changes;
 }
 
-/// "share 0.93, weight 2: largest output; mostly no other is active": why it began, and what its
-/// coordinator gave as its reason longest, if that is another.
+/// "share 0.93, weight 2: largest output; mostly no other is active": why the decider's time began,
+/// and the reason that its coordinator gave for the longest time, if that is another one.
 std::string why(const Trace& trace, const Episode& episode) {
   const Episode::Part& part = episode.parts[0];
   if (part.decider < 0 || !is_nearly_all(episode)) {
@@ -237,7 +237,7 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
                     base::fixed_text(episode.length_s(), is_short ? 3 : 2) + " s",
                     " " + who(robot, episode), why(trace, episode)});
   }
-  // Times stand to the right, names and reasons to the left: in two tables laid side by side.
+  // Numbers are right-aligned, names and reasons left-aligned: two tables side by side.
   std::vector<std::vector<std::string>> names;
   for (auto& row : rows) {
     names.push_back({row[4], row[5]});

@@ -18,10 +18,10 @@ struct ExplainedRobot {
   traces::RobotAccount account;
 };
 
-/// The run and how far the trace goes: one line, and more when the end is missing.
+/// The run and the length of its trace: one line, and more when the end is missing.
 std::string headlines(const traces::Trace& trace);
 
-/// "success after 12.3 s", or how far the trace goes.
+/// "success after 12.3 s", or the time at which the trace ends.
 std::string ending(const traces::Trace& trace);
 
 /// One robot: a table of its behaviours, who silenced them, and who decided when, in at most

@@ -70,7 +70,7 @@ void ImageSaver::stepped(const Simulation& simulation) {
   const std::uint64_t step = simulation.steps() - 1;
   const auto& physics = simulation.world().physics;
   if (simulation.decided()) {
-    // Counted, not added up; slightly early, so that rounding does not delay a picture by a step.
+    // Multiplied, not summed; slightly early, so that rounding does not delay a picture by a step.
     const double due_s = static_cast<double>(times_) * every_s_;
     if (simulation.step_began_s() >= due_s - 0.001 * physics.step) {
       save(simulation, step);

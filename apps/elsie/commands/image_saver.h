@@ -39,7 +39,7 @@ class ImageSaver final : public simulation::Observer {
 
   std::filesystem::path folder_;
   double every_s_;
-  std::uint64_t times_ = 0;  // how often pictures were saved
+  std::uint64_t times_ = 0;  // number of times that pictures were saved
   std::vector<bool> blind_;  // robots whose battery was empty before the step
 };
 

@@ -56,8 +56,8 @@ const world::Robot& robot_of(const world::World& world, const std::optional<std:
                                    list_of(ids));
 }
 
-/// The robot's coordinator at this place, to be changed. Sets `owner` to its name in messages and
-/// `stream` to the path of its random stream.
+/// The coordinator at this place of the robot, which the caller may change. Sets `owner` to its
+/// name in messages and `stream` to the path of its random stream.
 world::PluginUse& coordinator_at(world::Robot& robot, const std::string& behavior,
                                  std::string& owner, std::string& stream) {
   owner = "robot '" + robot.id + "'";

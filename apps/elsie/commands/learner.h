@@ -39,7 +39,7 @@ struct Learner {
   std::string stream;  // path of its random stream in a run
 };
 
-/// Makes the coordinator at this place, with `options` in place of the world's parameters and
+/// Makes the coordinator at this place, with `options` instead of the world's parameters and
 /// without the world's weights. Throws BadInput when there is none, it does not learn, or an option
 /// is refused; world::WorldError when the world does not fit the robot.
 Learner make_learner(const world::World& world, const plugin::Host& host, const LearnerPlace& place,

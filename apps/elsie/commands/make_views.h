@@ -14,7 +14,7 @@ namespace elsie::program {
 /// Throws BadInput for files that cannot be written.
 std::unique_ptr<RunViews> make_views(const ViewOptions& options);
 
-/// Completes what the help of a subcommand says about `--record` by the formats that there are.
+/// Adds the available formats to the help of a subcommand about `--record`.
 void describe_formats(CLI::App& command);
 
 }  // namespace elsie::program

@@ -1,4 +1,4 @@
-// What lib/elsie/elsie-commands.so exports.
+// The exports of lib/elsie/elsie-commands.so.
 #include <CLI/CLI.hpp>
 
 #include "elsie/batch/worker.h"

@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/base/write_whole.h"
 #include "elsie/plugin/kind_name.h"
 
 #include "command.h"
@@ -99,7 +100,7 @@ void check_name(const std::string& name) {
       });
   if (!sound) {
     throw BadInput("'" + name +
-                   "' is no name for a plugin; it should be a small letter followed by small "
+                   "' is not a name for a plugin; it should be a small letter followed by small "
                    "letters, digits and underscores, such as 'follow_wall'");
   }
   if (std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end()) {
@@ -163,13 +164,6 @@ fs::path template_folder(const std::string& kind) {
                  "); is Elsie installed whole?");
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << text << std::flush)) {
-    throw std::runtime_error("'" + file.string() + "' could not be written");
-  }
-}
-
 /// Writes all files or none.
 void write_project(const NewOptions& options, const fs::path& folder) {
   fs::path scratch = folder;
@@ -184,8 +178,8 @@ void write_project(const NewOptions& options, const fs::path& folder) {
       for (const auto& entry : fs::directory_iterator(template_folder(part))) {
         std::ifstream in(entry.path(), std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(in), {}};
-        write_file(scratch / filled_in(entry.path().filename().string(), options),
-                   filled_in(text, options));
+        base::write_whole_or_throw(scratch / filled_in(entry.path().filename().string(), options),
+                                   filled_in(text, options));
       }
     }
     fs::rename(scratch, folder);
@@ -245,7 +239,7 @@ void add_new_command(CLI::App& program, Job& job) {
                        [&](PluginKind kind) { return options->kind == plugin::kind_name(kind); })) {
         throw BadInput(
             "'" + options->kind +
-            "' is no kind of plugin; there are behavior, coordinator, sensor, measure and drive");
+            "' is not a plugin kind; there are behavior, coordinator, sensor, measure and drive");
       }
       return make_project(*options);
     };

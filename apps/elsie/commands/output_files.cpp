@@ -32,13 +32,13 @@ void require_writable(const fs::path& file, const char* option) {
 
 namespace {
 
-/// Devices such as /dev/stdout have no suffix, and nothing to lose.
+/// Devices such as /dev/stdout have no suffix, and no contents to lose.
 bool is_device(const fs::path& file) {
   std::error_code error;
   return fs::is_character_file(file, error) || fs::is_fifo(file, error);
 }
 
-/// The start of a file that is there already; empty when there is none.
+/// The start of an existing file; empty if there is none.
 std::string start_of(const fs::path& file) {
   std::error_code error;
   std::string start;
@@ -55,7 +55,7 @@ bool has(const std::string& start, std::string_view word) {
   return start.find(word) != std::string::npos;
 }
 
-/// Whether what a file begins with is what this program writes under such a name.
+/// True if a file that begins like this is one that this program writes with this suffix.
 bool is_what_its_name_says(const std::string& start, const std::string& suffix) {
   if (suffix == ".png") {
     return start.rfind("\x89PNG", 0) == 0;
@@ -89,7 +89,7 @@ void require_name(const fs::path& file, const char* option, std::string_view suf
 }
 
 [[noreturn]] void refuse_other(const fs::path& file, const char* option, const std::string& kind) {
-  throw BadInput(std::string(option) + ": '" + file.string() + "' is there already and is no " +
+  throw BadInput(std::string(option) + ": '" + file.string() + "' already exists and is not a " +
                  kind + "; remove it or choose another name");
 }
 

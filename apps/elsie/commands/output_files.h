@@ -10,9 +10,8 @@ void require_database_name(const std::filesystem::path& file, const char* option
 
 /// Checks, before any work is done, that a file can be written there. Throws BadInput.
 void require_writable(const std::filesystem::path& file, const char* option);
-/// The same, and a file that is there already must begin like a file of its suffix, so that a
-/// world, an experiment or a database is not overwritten by mistake. `kind`: for messages, such as
-/// "picture".
+/// The same. A file that exists must also begin like a file of its suffix, so that a world, an
+/// experiment or a database is not overwritten by mistake. `kind`: for messages, such as "picture".
 void require_replaceable(const std::filesystem::path& file, const char* option, const char* kind);
 /// The same for a recording: its name must have a suffix of recording::formats().
 void require_recording(const std::filesystem::path& file, const char* option);

@@ -1,4 +1,4 @@
-// elsie plugins and elsie describe: which plugins there are, and what one of them is.
+// elsie plugins and elsie describe: list the plugins, and describe one of them.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -46,7 +46,7 @@ struct DescribeOptions {
   bool declaration = false;
 };
 
-/// "<suppress>, <inhibit>": what may stand in a plugin's element.
+/// The elements that a plugin's element may contain: "<suppress>, <inhibit>".
 std::string contents_of(const Declaration& plugin) {
   std::string list;
   const auto add = [&list](const std::string& name) {
@@ -187,7 +187,7 @@ void add_plugins_command(CLI::App& program, Job& job) {
       "  elsie plugins --check --plugin-path build/my_plugins\n  elsie plugins --json\n");
   auto options = std::make_shared<PluginsOptions>();
   command->add_flag("--check", options->check,
-                    "For every file in every directory: what it is, or why it was refused");
+                    "Show for every file in every directory what it is, or why it was refused");
   command->add_flag("--json", options->json, "Print everything as one JSON object");
   command->add_flag("--names", options->names, "Print the names alone, a line each");
   options->plugins.add_to(*command);
@@ -206,7 +206,7 @@ PluginKind kind_of(const std::string& word) {
     return PluginKind::behavior;
   }
   throw CLI::ValidationError("--kind", "'" + word +
-                                           "' is no kind of plugin; there are sensor, "
+                                           "' is not a plugin kind; there are sensor, "
                                            "behavior, coordinator and measure");
 }
 
@@ -215,7 +215,7 @@ PluginKind kind_of(const std::string& word) {
 void add_describe_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "describe",
-      "Print what a plugin does, its parameters with defaults and ranges, what may stand in its "
+      "Print what a plugin does, its parameters with defaults and ranges, what may be inside its "
       "element, its events; or all events; or the vocabulary of world or experiment files");
   command->footer(
       "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n  elsie describe "

@@ -21,6 +21,7 @@
 #include "make_views.h"
 #include "replay_recording.h"
 #include "replay_run.h"
+#include "replay_runs.h"
 
 namespace elsie::program {
 
@@ -38,6 +39,7 @@ Examples:
   elsie replay speed.sqlite 17 --picture run.png --record run.mcap
   elsie replay speed.sqlite 17 --world run-17.xml
   elsie replay speed.sqlite 18 --wall-limit 60
+  elsie replay speed.sqlite --where "max_speed=0.2; outcome=failure" --record failures
 
 Exit codes for a run of a database: 0 the same result, or it hangs in the same plugin, robot and
 step; 1 another result; 2 bad input; 3 a plugin failed in another way than before, or it ended the
@@ -52,6 +54,9 @@ constexpr const char* kForRuns = "For runs of databases";
 struct ReplayOptions {
   std::string file;
   std::optional<std::int64_t> run;
+  std::optional<std::string> where;
+  bool table = false;
+  std::optional<std::size_t> workers;
   std::optional<std::string> picture;
   int width = 1000;
   std::optional<std::string> world;
@@ -104,6 +109,25 @@ void refuse(const CLI::App& command, const std::string& group, const std::string
   }
 }
 
+int replay_matching(const CLI::App& command, const ReplayOptions& options) {
+  if (options.run) {
+    throw BadInput("--where chooses runs, and a number names one; expected one of the two");
+  }
+  refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
+  if (options.picture || options.world) {
+    throw BadInput(std::string(options.picture ? "--picture" : "--world") +
+                   " is for one run; expected its number instead of --where");
+  }
+  return replay_runs({.plugins = options.again.plugins,
+                      .database = options.file,
+                      .where = *options.where,
+                      .record = options.again.views.record,
+                      .table = options.table,
+                      .workers = options.workers,
+                      .wall_limit_s = options.again.wall_limit_s,
+                      .quiet = options.again.quiet});
+}
+
 int replay(const CLI::App& command, const ReplayOptions& options) {
   require_content(options.file);
   const RecordingOptions recording{options.file, options.picture, options.world,
@@ -114,9 +138,16 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
     return replay_recording(recording);
   }
   const bool database = may_be_database(options.file);
+  if (options.where) {
+    return replay_matching(command, options);
+  }
+  if (options.table || options.workers) {
+    throw BadInput(std::string(options.table ? "--table" : "--workers") +
+                   " is for many runs of a database; it needs --where");
+  }
   if (database && !options.run) {
     throw BadInput("'" + options.file +
-                   "' is a database of many runs; expected the number of one after it");
+                   "' is a database of many runs; expected the number of one after it, or --where");
   }
   if (!options.run) {
     if (std::filesystem::is_regular_file(options.file)) {
@@ -177,6 +208,19 @@ void add_replay_command(CLI::App& program, Job& job) {
   RunAgainOptions& again = options->again;
   again.plugins.add_to(*command);
   const auto before = command->get_options().size();
+  command
+      ->add_option("--where", options->where,
+                   "Instead of RUN: repeat all runs that match, each in a process of its own, and "
+                   "record them in the folder that --record then names, by cell and seed. "
+                   "FACTOR=LEVEL|LEVEL; FACTOR=LEVEL, with \"*\" for any text; state, outcome and "
+                   "seed count as factors")
+      ->type_name("WHICH");
+  command->add_flag("--table", options->table,
+                    "With --where: write a table (.csv) beside each recording (.mcap)");
+  command
+      ->add_option("--workers", options->workers,
+                   "With --where: runs at the same time; default: one for each processor")
+      ->check(CLI::Range(1, 1024));
   again.views.record.add_to(*command);
   describe_formats(*command);
   command

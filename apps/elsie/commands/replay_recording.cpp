@@ -97,7 +97,7 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
   recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
 }
 
-/// Writes the world, and returns how it is run as it was.
+/// Writes the world, and returns the command that repeats the run.
 std::string write_world(const RecordedRun& run, const RecordingOptions& options) {
   if (run.start_xml.empty()) {
     throw BadInput("--world: there is no world in the recording");

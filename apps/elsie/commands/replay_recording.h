@@ -15,7 +15,7 @@ struct RecordingOptions {
   std::optional<std::string> world;  // file for the world with the run's edits
   std::optional<double> at;          // s; none: at the end
   int width = 1000;                  // of the picture, pixels
-  PluginOptions plugins;             // that draw and check the world
+  PluginOptions plugins;             // for drawing and checking the world
 };
 
 /// Prints its contents, draws it, and returns the exit code. Throws BadInput.

@@ -86,7 +86,7 @@ void tell_of(const StoredRun& run, const RunAgainOptions& options) {
   out().flush();  // a plugin may end the program
 }
 
-/// Prints and returns whether the result is the same.
+/// Prints whether the result is the same, and returns it.
 bool compare(const StoredRun& run, const RunResult& result, const RestoredRun& restored) {
   const std::string hash = "state hash " + simulation::hash_text(result.state_hash);
   constexpr const char* kNot = "not the same: ";
@@ -122,7 +122,7 @@ void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
   }
 }
 
-/// Writes the world of the run. Data files that have changed since are written beside it.
+/// Writes the world of the run. Data files that have changed since are written next to it.
 int write_world(const StoredRun& run, const RunAgainOptions& options) {
   require_new_world(*options.world);
   const std::filesystem::path beside = std::filesystem::path(*options.world).replace_extension() +=

@@ -16,13 +16,13 @@ struct RunAgainOptions {
   std::string database;
   std::int64_t run = 0;
   ViewOptions views;
-  std::optional<std::string> world;    // file for the world; the run is not made again then
-  std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was met
+  std::optional<std::string> world;    // file for the world; then the run is not repeated
+  std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was exceeded
   bool quiet = false;
 };
 
-/// Runs it again, says whether the result is the same, and returns the exit code. Throws BadInput,
-/// PluginFault and what else may go wrong in a run.
+/// Runs it again, reports whether the result is the same, and returns the exit code. Throws
+/// BadInput, PluginFault and all other errors of a run.
 int replay_run(const RunAgainOptions& options);
 
 }  // namespace elsie::program

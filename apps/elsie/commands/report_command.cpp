@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,8 +13,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "elsie/base/write_whole.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/report/figure_files.h"
+#include "elsie/report/formulas.h"
 #include "elsie/report/report.h"
 
 #include "command.h"
@@ -61,8 +62,8 @@ Exit codes: 0 everything is as expected; 1 an expectation is not met, a run ende
 is still to be done, or equal seeds gave different runs; 2 bad input; 4 anything else: a full disk.
 )";
 
-/// Checks that the file's folder takes new files, by creating the file before any work is done:
-/// permissions alone do not say so, for example on a read-only medium.
+/// Checks that the file's folder takes new files, by creating the file before any work is done.
+/// Permissions alone do not show that, for example on a read-only medium.
 void require_room(const std::string& file, const char* option) {
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(file, ignored))) {
@@ -97,27 +98,10 @@ void require_output(const std::optional<std::string>& file, const char* option, 
   require_room(*file, option);
 }
 
-/// Writes the file in one piece. Devices, links, and files in a folder that takes no new files are
-/// written directly.
 void write(const std::string& file, const std::string& text, const char* option) {
-  std::error_code error;
-  const fs::path folder = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
-  const bool regular = access(folder.c_str(), W_OK) == 0 &&
-                       (fs::symlink_status(file, error).type() == fs::file_type::not_found ||
-                        fs::symlink_status(file, error).type() == fs::file_type::regular);
-  const std::string part = regular ? file + ".part" : file;
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  if (out && regular) {
-    fs::rename(part, file, error);
-  }
-  if (!out || error) {
-    if (regular) {
-      fs::remove(part, error);
-    }
-    throw std::runtime_error(std::string(option) + ": '" + file +
-                             "' could not be written as a whole: is the disk full?");
+  if (const int error = base::write_whole(file, text); error != 0) {
+    throw base::Error(std::string(option) + ": '" + file +
+                      "' could not be written: " + std::generic_category().message(error));
   }
 }
 
@@ -127,10 +111,11 @@ std::size_t width() { return terminal_columns(out_descriptor(), 120); }
 Findings found(const ResultsFile& file) {
   report::Results results = file.results();
   const auto experiment = experiment::parse_outline(results.text, results.file);
-  report::Questions questions;
-  for (const auto& measure : experiment.measures) {
-    questions.measures.push_back(measure.name);
+  for (const std::string& sentence : report::add_formulas(results, experiment.measures)) {
+    std::cerr << "elsie: " << sentence << '\n';
   }
+  report::Questions questions;
+  questions.measures = experiment::shown_measures(experiment.measures);
   questions.expectations = experiment.expectations;
   return report::find(std::move(results), questions);
 }

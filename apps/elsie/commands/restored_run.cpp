@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
 
+#include "elsie/base/write_whole.h"
 #include "elsie/batch/plan.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/results/hash.h"
@@ -142,11 +142,7 @@ void RestoredRun::restore_data(const StoredRun& run) {
     const fs::path folder = folder_ / std::to_string(place++);
     const fs::path file = folder / fs::path(data.path).filename();
     fs::create_directory(folder);
-    std::ofstream out(file, std::ios::binary);
-    out << data.content;
-    if (!out.flush()) {
-      throw std::runtime_error("the file '" + file.string() + "' cannot be written");
-    }
+    base::write_whole_or_throw(file, data.content);
     files_[data.name] = file.string();
     differences_.push_back("'" + data.path + "' " + (now ? "has changed since" : "is gone") +
                            "; the run uses its stored content from the database" +

@@ -21,8 +21,8 @@ namespace elsie::program {
 class RestoredRun {
  public:
   /// Throws BadInput, and world::WorldError when a plugin cannot be found.
-  /// `kept`: a folder for restored data files, which is made when there are any and stays; none: it
-  /// goes with this.
+  /// `kept`: a folder for restored data files, which is created if there are any and stays; none: a
+  /// folder that is removed with this object.
   RestoredRun(const batch::StoredRun& run, const PluginOptions& plugins,
               std::optional<std::filesystem::path> kept = {});
   ~RestoredRun();

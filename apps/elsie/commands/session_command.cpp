@@ -13,7 +13,7 @@ namespace elsie::program {
 void add_session_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
       "session", "Edit and run a world for a window, which starts this by itself");
-  command->group("");  // not among those for users
+  command->group("");  // not listed for users
   auto options = std::make_shared<PluginOptions>();
   options->add_to(*command);
   command->callback([&job, options] {

@@ -22,12 +22,12 @@ struct RunToWrite {
 /// Throws BadInput if the file is there already or cannot be written.
 void require_new_world(const std::string& file);
 
-/// Writes the world whole or not at all, with names of files that lead to the same files from
-/// there, and returns the command that makes the run. Throws BadInput if the file cannot be
-/// written.
+/// Writes the world completely or not at all, changes names of files so that they lead to the same
+/// files from there, and returns the command that makes the run. Throws BadInput if the file cannot
+/// be written.
 ///
-/// Where files are no longer what the world needs, it is written as it was; whoever reads it says
-/// what is missing.
+/// If files no longer fit the world, it is written as it was; reading it then reports what is
+/// missing.
 std::string write_start_world(const RunToWrite& run, const plugin::Host& host,
                               const world::ReadOptions& reading, const PluginOptions& plugins,
                               const std::string& file);

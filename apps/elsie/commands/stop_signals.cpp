@@ -30,7 +30,7 @@ void stop(int number) {
     }
     case RepeatedRequest::Kind::echo:
       break;
-    case RepeatedRequest::Kind::second:  // the present work never ends
+    case RepeatedRequest::Kind::second:  // the current work never ends
       signal(number, SIG_DFL);
       raise(number);
       break;

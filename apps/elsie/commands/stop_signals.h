@@ -9,7 +9,7 @@ namespace elsie::program {
 
 /// While it lives, Ctrl-C (SIGINT), a request to terminate (SIGTERM) and a closed terminal (SIGHUP)
 /// make a descriptor readable. A second signal, at least half a second later, ends the process at
-/// once. Once a signal has come, this holds even after the object's end. Only one at a time.
+/// once, even if the object has been destroyed since the first one. Only one at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -18,7 +18,7 @@ class StopSignals {
   StopSignals& operator=(const StopSignals&) = delete;
 
   int descriptor() const { return ends_[0]; }
-  /// Whether a signal has come that was not read from the descriptor.
+  /// True if a signal has come that was not yet read from the descriptor.
   bool is_waiting() const;
 
  private:

@@ -67,7 +67,7 @@ void limit_memory(double megabytes) {
   }
 }
 
-/// Whether the name is that of a library or source rather than a plugin.
+/// True if the name is that of a library or source rather than a plugin.
 bool is_file(const std::string& name) {
   return name.find('.') != std::string::npos || name.find('/') != std::string::npos;
 }

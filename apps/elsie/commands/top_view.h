@@ -11,8 +11,8 @@
 
 namespace elsie::program {
 
-/// Draws the world in its present state, the robots with the beams of their range sensors and, with
-/// `tracks`, their ways so far; `bare`: see picture::TopView. Throws as picture::save_top_view().
+/// Draws the world in its current state, the robots with the beams of their range sensors and, with
+/// `tracks`, their paths so far; `bare`: see picture::TopView. Throws as picture::save_top_view().
 void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
           const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
           const picture::PathChoice& paths = {}, bool bare = false);

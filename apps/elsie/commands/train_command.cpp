@@ -87,7 +87,7 @@ void require_weights(const std::string& file) {
   if (std::filesystem::exists(file, error) &&
       (!std::filesystem::is_regular_file(file, error) || !neural::looks_like_weights(file))) {
     throw BadInput("--weights: '" + file +
-                   "' exists already and is no weight file; give another name, or remove it");
+                   "' already exists and is not a weight file; give another name, or remove it");
   }
 }
 
@@ -261,7 +261,7 @@ bool same_file(const std::string& a, const std::string& b) {
 }
 
 world::World read_world(const TrainOptions& options, const plugin::Host& host) {
-  const world::ReadOptions reading = read_options(options.overrides);
+  const world::ReadOptions reading = read_options(options.overrides, options.seed.value_or(1));
   if (!options.from_input) {
     return world::read_world(options.world, host, reading);
   }
@@ -340,7 +340,7 @@ void add_train_command(CLI::App& program, Job& job) {
   auto options = std::make_shared<TrainOptions>();
   command->add_option("WORLD", options->world, "World file")->required();
   command->add_flag("--stdin", options->from_input,
-                    "Read the text of the world from standard input; WORLD is its name, beside "
+                    "Read the text of the world from standard input; WORLD is its name, next to "
                     "which its files are searched");
   command->add_option("--robot", options->place.robot,
                       "Robot of the coordinator; optional if the world has only one robot");

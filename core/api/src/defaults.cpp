@@ -1,5 +1,4 @@
-// What a behaviour or a coordinator answers that does not say anything else: a bump around its
-// command.
+// The default answers of behaviours and coordinators: a bump around the command.
 #include <cmath>
 
 #include "elsie/api/behavior.h"
@@ -13,7 +12,7 @@ constexpr double kBumpWidth = 5.0;  // rad/s
 void rate_by_distance(const OwnState& self, Motion command, std::span<const Motion> candidates,
                       std::span<double> desirability) {
   if (!self.channels.lateral) {
-    command.lateral = 0.0;  // no candidate has what the drive cannot make
+    command.lateral = 0.0;  // candidates have no lateral speed either
   }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     desirability[i] = std::exp(-0.5 * self.wheels.distance_squared(candidates[i], command) /

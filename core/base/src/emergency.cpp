@@ -9,7 +9,7 @@
 namespace elsie::base {
 namespace {
 
-// Handlers of signals can reach nothing but globals.
+// Signal handlers can only use globals.
 std::array<std::atomic<EmergencyWriter*>, 512> writers;
 std::atomic<bool> is_cleaning{false};
 

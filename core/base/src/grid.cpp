@@ -6,7 +6,7 @@
 namespace elsie::base {
 namespace {
 
-// A few robots wide: a ray of a metre crosses few cells, and a cell holds few bodies.
+// A few robots wide, so that a ray of one metre crosses few cells and a cell holds few bodies.
 constexpr double kCellSize = 0.4;        // m
 constexpr double kMostCellsASide = 200;  // then the cells grow
 

@@ -17,7 +17,7 @@ std::string folded(std::string_view name) {
   return result;
 }
 
-/// Optimal string alignment distance: Damerau's, with no letter edited twice.
+/// Optimal string alignment distance: Damerau's distance where no letter is edited twice.
 std::size_t distance(std::string_view a, std::string_view b) {
   const std::size_t columns = b.size() + 1;
   std::vector<std::size_t> table((a.size() + 1) * columns);
@@ -40,7 +40,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return at(a.size(), b.size());
 }
 
-constexpr std::size_t kLongestName = 100;  // what is longer is no slip of a name
+constexpr std::size_t kLongestName = 100;  // longer texts are not misspelled names
 
 }  // namespace
 
@@ -57,7 +57,7 @@ std::optional<std::string_view> nearest_name(std::string_view name,
       continue;
     }
     const std::size_t here = distance(wanted, folded(candidate));
-    // With every letter changed, nothing is left that the two have in common.
+    // If every letter changed, the two names have nothing in common.
     if (here < limit && here < std::max(wanted.size(), candidate.size())) {
       nearest = candidate;
       limit = here;

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// With one decimal at most, rounded up: what is larger than a limit reads as larger.
+// Rounded up to at most one decimal, so that a size above a limit also reads as larger.
 std::string megabytes(std::uintmax_t bytes) {
   const std::uintmax_t tenths = bytes / 100'000 + (bytes % 100'000 > 0 ? 1 : 0);
   return std::to_string(tenths / 10) + (tenths % 10 > 0 ? "." + std::to_string(tenths % 10) : "") +

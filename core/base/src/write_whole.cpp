@@ -8,15 +8,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "elsie/base/error.h"
+
 namespace fs = std::filesystem;
 
 namespace elsie::base {
 namespace {
 
-constexpr mode_t kForAll = 0666;  // less the user's mask
+constexpr mode_t kForAll = 0666;  // minus the user's mask
 
-/// A new file that no one else has, so that two programs which write the same one do not meet. An
-/// error is in errno.
+/// Opens a new file with a unique name, so that two programs that write the same file do not
+/// collide. Sets errno on an error.
 fs::path open_beside(const fs::path& file, int& descriptor) {
   constexpr int kAttempts = 1000;
   fs::path part;
@@ -31,7 +33,7 @@ fs::path open_beside(const fs::path& file, int& descriptor) {
   return part;
 }
 
-/// Writes and closes; the error number.
+/// Writes and closes; returns the error number.
 int fill(int descriptor, std::string_view content, Durable durable) {
   int error = write_all(descriptor, content);
   if (error == 0 && durable == Durable::yes && ::fsync(descriptor) != 0 && errno != EINVAL) {
@@ -43,8 +45,8 @@ int fill(int descriptor, std::string_view content, Durable durable) {
   return error;
 }
 
-/// The permissions of the file that is replaced; the error number. Where they cannot be set, as on
-/// some mounted disks, those of a new file stay.
+/// Copies the permissions of the replaced file; returns the error number. Where they cannot be set,
+/// as on some mounted disks, the file keeps those of a new file.
 int keep_mode(const fs::path& file, int descriptor) {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) {
@@ -74,13 +76,13 @@ int write_all(int descriptor, std::string_view bytes) noexcept {
 }
 
 fs::path end_of_links(fs::path file) {
-  constexpr int kMostLinks = 40;  // as Linux has it
+  constexpr int kMostLinks = 40;  // the limit of Linux
   const fs::path first = file;
   std::error_code error;
   for (int links = 0; links < kMostLinks; ++links) {
     const fs::path target = fs::read_symlink(file, error);
     if (error) {
-      return file;  // it is no link
+      return file;  // it is not a link
     }
     file = file.parent_path() / target;
   }
@@ -111,6 +113,13 @@ int write_whole(const fs::path& file, std::string_view content, Durable durable)
     ::unlink(part.c_str());
   }
   return error;
+}
+
+void write_whole_or_throw(const fs::path& file, std::string_view content, Durable durable) {
+  if (const int error = write_whole(file, content, durable); error != 0) {
+    throw Error("'" + file.string() +
+                "' cannot be written: " + std::generic_category().message(error));
+  }
 }
 
 }  // namespace elsie::base

@@ -52,7 +52,7 @@ std::optional<std::pair<unsigned, unsigned>> version_of(std::string_view text) {
   return std::pair(major, minor);
 }
 
-/// What is wrong with the interface version of a library, or nothing.
+/// The problem with the interface version of a library; empty if there is none.
 std::string interface_difference(std::string_view host, std::string_view library) {
   const auto ours = version_of(host);
   const auto theirs = version_of(library);
@@ -63,7 +63,7 @@ std::string interface_difference(std::string_view host, std::string_view library
   if (*theirs > *ours) {
     return text + ", which is newer than this program's " + std::string(host);
   }
-  // Before 1.0 each minor version may break what the one before promised.
+  // Before 1.0, each minor version may break plugins of the one before.
   const bool is_too_old = theirs->first < ours->first || (ours->first == 0 && *theirs < *ours);
   return is_too_old ? text + ", which is older than this program's " + std::string(host) : "";
 }

@@ -18,16 +18,16 @@ const char* Arithmetic::difference_from(const Arithmetic& usual) const noexcept 
 #elif defined(__aarch64__)
   constexpr std::uint64_t kRounding = 3ULL << 22U;
   constexpr std::uint64_t kSmall = 1ULL << 24U;
-#else  // nothing is known of it
+#else  // unknown processor
   constexpr std::uint64_t kRounding = 0, kSmall = 0;
 #endif
-  constexpr unsigned kX87Rounding = 0x0c00;  // where there is none, x87_ is always zero
+  constexpr unsigned kX87Rounding = 0x0c00;  // x87_ is always zero on other processors
   const std::uint64_t changed = control_ ^ usual.control_;
   if ((changed & kRounding) != 0 || ((x87_ ^ usual.x87_) & kX87Rounding) != 0) {
     return "how results are rounded";
   }
   if ((changed & kSmall) != 0) {
-    return "that very small numbers are kept (it may be compiled with -ffast-math)";
+    return "how very small numbers are treated (it may be compiled with -ffast-math)";
   }
   return "the precision of results, or which errors in them raise a signal";
 }

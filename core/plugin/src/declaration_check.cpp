@@ -97,7 +97,7 @@ class Checker {
     for (const ElementDeclaration& element : declaration_.elements) {
       check_name("element", element.name);
       if (element.name == "behaviors" || element.name == "coordinator") {
-        fault("element '" + element.name + "' has the name of what behaviors may hold");
+        fault("element '" + element.name + "' has a name that is reserved for nested behaviors");
       }
       if (!element.clear || !element.append) {
         fault("element '" + element.name + "' is not bound to a list");
@@ -115,11 +115,11 @@ class Checker {
     }
   }
 
-  /// An element that stands in a list when a world gives none.
+  /// Checks an element of a default list.
   void check_default(const ElementValue& value) {
     const auto* const element = find_declared(declaration_.elements, value.element);
     if (!element) {
-      return;  // its name is another fault
+      return;  // the unknown name is reported elsewhere
     }
     for (const ParameterDeclaration& parameter : element->parameters) {
       const auto given = value.parameters.find(parameter.name);
@@ -130,9 +130,9 @@ class Checker {
         fault("in the default list of elements '" + value.element + "' " + *wrong);
       } else if (parameter.type == ParameterType::file &&
                  !std::get<std::string>(given->second).empty()) {
-        // Only files of elements that stand in the world are looked for.
+        // Only files of elements in the world are searched for.
         fault("the default list of elements '" + value.element + "' names the file '" +
-              std::get<std::string>(given->second) + "', which nobody would look for");
+              std::get<std::string>(given->second) + "', which is not searched for");
       }
     }
   }
@@ -150,7 +150,7 @@ class Checker {
     const std::string subject = "parameter '" + parameter.name + "' ";
     if (std::isnan(facts.min) || std::isnan(facts.above) || std::isnan(facts.max) ||
         facts.min > facts.max || facts.above >= facts.max) {
-      fault(subject + "has a range that no number is in");
+      fault(subject + "has an empty range");
       return;
     }
     if (!facts.choices.empty() && parameter.type != ParameterType::text) {

@@ -29,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A plugin in use. The declaration is made of the library's code: it is destroyed first, being the
-/// later member.
+/// A plugin in use. The declaration refers to the library's code, so it is the later member: it is
+/// destroyed first.
 struct Entry {
   std::shared_ptr<const Library> library;
   fs::path file;
@@ -40,7 +40,7 @@ struct Entry {
 using EntryRef = std::shared_ptr<const Entry>;
 using Registry = std::map<std::pair<PluginKind, std::string>, EntryRef>;
 
-/// A file that was loaded, with all its plugins, also those that are shadowed by others.
+/// A loaded file with all its plugins, including those that others shadow.
 struct LoadedFile {
   Fingerprint fingerprint;
   std::string abi_word;
@@ -49,7 +49,7 @@ struct LoadedFile {
 using LoadedFiles = std::map<fs::path, LoadedFile>;
 using FileId = std::pair<dev_t, ino_t>;  // the same whatever the path
 
-/// The plugins that the core registers itself: every host has them, and before all others.
+/// The plugins that the core registers itself: every host has them before all others.
 const std::vector<EntryRef>& built_in() {
   static const std::vector<EntryRef> entries = [] {
     std::vector<Declaration> declarations;
@@ -72,7 +72,7 @@ struct Host::State {
   std::map<fs::path, fs::path> sources;  // of libraries that were compiled from one file
   Report report;
   MakeCopy copy;
-  const State* before = nullptr;  // while it is renewed
+  const State* before = nullptr;  // only while a host is renewed
 
   const Entry* entry(PluginKind kind, std::string_view name) const {
     const auto at = registry.find({kind, std::string(name)});
@@ -100,8 +100,8 @@ struct Host::State {
   void enter(LoadedFile found, FileReport& file);
 };
 
-/// Lists the directory's files in the order of their names, or the one that it is itself; a
-/// sentence when that is not to be done.
+/// Lists the directory's files in the order of their names, or the entry itself if it is a library.
+/// Returns a sentence if it cannot or should not be listed.
 std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::path>& files) {
   struct stat status {};
   if (stat(directory.path.c_str(), &status) != 0) {
@@ -130,7 +130,7 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
   return error ? "cannot be read: " + error.message() : "";
 }
 
-/// The library that was in use of a place that is one library, whatever its name was; "": none.
+/// The old library at this place of the search path, if the place is one library; else "".
 fs::path Host::State::former_of(std::size_t place) const {
   if (!before || place >= before->report.directories.size()) {
     return {};
@@ -141,7 +141,7 @@ fs::path Host::State::former_of(std::size_t place) const {
   return is_library ? old.files[0].path : fs::path();
 }
 
-/// What is not in a directory any more, but is still in use.
+/// Keeps libraries in use that are no longer in the directory.
 void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
                             const fs::path& former) {
   if (!before) {
@@ -206,7 +206,7 @@ FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
   return file;
 }
 
-/// What the host before this one had loaded.
+/// The file if the previous host had loaded it, or null.
 const LoadedFiles::value_type* Host::State::known(const fs::path& file) const {
   if (!before) {
     return nullptr;
@@ -227,7 +227,7 @@ void Host::State::load(FileReport& file, const fs::path& former) {
   }
 }
 
-/// The file is not to be used, but the library that it was before still is.
+/// Keeps the old library in use, because the new file cannot be used.
 void Host::State::keep_old(FileReport& file, const LoadedFiles::value_type& old) {
   report.warnings.push_back(known_as(file.path).string() + ": " + file.sentence +
                             "; the library that was there before is still in use");
@@ -237,10 +237,10 @@ void Host::State::keep_old(FileReport& file, const LoadedFiles::value_type& old)
   enter(old.second, file);
 }
 
-/// None, and the reason in `file`, when it cannot be used.
+/// Loads a file. Returns none when it cannot be used, with the reason in `file`.
 std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
   LoadedFile found;
-  // Before it is read: what is written to it from now on makes another one of it.
+  // Taken before the file is read, so that later writes change the fingerprint.
   found.fingerprint = fingerprint_of(file.path).value_or(Fingerprint());
   Inspection inspection = inspect_file(file.path);
   file.abi_word = std::move(inspection.abi_word);
@@ -294,18 +294,18 @@ void Host::State::enter(LoadedFile found, FileReport& file) {
     add(ref);
     ++used;
   }
-  if (used > 0) {  // otherwise the library goes
+  if (used > 0) {  // otherwise the library is unloaded
     loaded.insert_or_assign(file.path, std::move(found));
   }
   file.status = used > 0 ? FileStatus::loaded : FileStatus::ignored;
-  file.sentence =
-      used > 0 ? "" : "has only plugins that other libraries have too, which come first";
+  file.sentence = used > 0 ? "" : "has only plugins that earlier libraries have, too";
 }
 
 void Release::operator()(Component* object) {
-  // An emptied pointer keeps its deleter, and must not keep the library with it.
+  // An empty pointer keeps its deleter, which must not keep the library loaded.
   const std::shared_ptr<const Library> last = std::move(library);
-  Call call({.library = last ? last->file().c_str() : nullptr, .doing = "while it went"});
+  Call call({.library = last ? last->file().c_str() : nullptr,
+             .doing = "while its object was destroyed"});
   call.start_clock();
   delete object;
 }
@@ -416,7 +416,7 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
   } catch (...) {
     problem = current_exception_text();
   }
-  // Thrown here, where nothing of the plugin's own exception is left.
+  // Thrown here, outside of the catch block, when the plugin's own exception is destroyed.
   const std::string file =
       entry->file.empty() ? "" : " (" + state_->known_as(entry->file).string() + ")";
   throw CreateError(title(kind, name) + file + " could not be made: " + *problem);
@@ -433,7 +433,7 @@ void Host::add(Declaration declaration) {
     throw PluginError(joined(faults, "; "));
   }
   if (find(declaration.kind, declaration.name)) {
-    throw PluginError(title(declaration.kind, declaration.name) + " is there already");
+    throw PluginError(title(declaration.kind, declaration.name) + " exists already");
   }
   state_->add(std::make_shared<const Entry>(Entry{nullptr, {}, std::move(declaration)}));
 }

@@ -43,8 +43,8 @@ struct Refusal {
   throw Refusal{FileKind::damaged, sentence};
 }
 
-/// Random access to the bytes of a file. It is not mapped into memory: a file that shrinks
-/// meanwhile would kill the program.
+/// Random access to the bytes of a file. It does not map the file: if a mapped file shrinks, the
+/// program crashes.
 class Source {
  public:
   explicit Source(const std::filesystem::path& file)
@@ -63,11 +63,11 @@ class Source {
     }
   }
   std::uint64_t size() const { return static_cast<std::uint64_t>(status_.st_size); }
-  /// Whether the file reaches that far.
+  /// Returns whether the file has these bytes.
   bool contains(std::uint64_t offset, std::uint64_t count) const {
     return offset <= size() && count <= size() - offset;
   }
-  /// False when there are not as many bytes there, or when they cannot be read.
+  /// Returns false when the file has fewer bytes, or when they cannot be read.
   bool read(std::uint64_t offset, void* to, std::size_t count) const {
     return contains(offset, count) &&
            pread(descriptor_, to, count, static_cast<off_t>(offset)) == static_cast<ssize_t>(count);
@@ -84,7 +84,7 @@ class Source {
 };
 
 constexpr const char* kCutShort =
-    "is a library that was cut short; build or copy it again, and mind the space on the disk";
+    "is a library that was cut short; build or copy it again, and check the free disk space";
 
 /// The file's header, if it is that of a shared library of this word size and byte order.
 Elf64_Ehdr read_header(const Source& file) {
@@ -130,7 +130,7 @@ std::vector<Elf64_Phdr> read_segments(const Source& file, const Elf64_Ehdr& head
   return segments;
 }
 
-/// Whether all that the loader is going to map is there.
+/// Checks that the file has everything that the loader will map.
 void check_segments(const Source& file, const std::vector<Elf64_Phdr>& segments) {
   bool has_code = false;
   bool has_symbols = false;
@@ -152,8 +152,8 @@ void check_segments(const Source& file, const std::vector<Elf64_Phdr>& segments)
   }
 }
 
-/// The linker writes the section headers last, so that they tell whether the end is there. (A
-/// library may do without any.)
+/// The linker writes the section headers last, so they show whether the file is complete. (A
+/// library may have none.)
 void check_end(const Source& file, const Elf64_Ehdr& header) {
   if (header.e_shoff == 0 || header.e_shnum == 0) {
     return;
@@ -190,8 +190,8 @@ std::string word_of(std::string_view text) {
   return std::string(text);
 }
 
-/// Adds the ABI words in a segment of notes. What does not look like a note ends the search: other
-/// tools' notes are not ours to judge.
+/// Adds the ABI words in a segment of notes. Stops at data that is not a valid note: notes of other
+/// tools are not checked.
 void find_words(std::string_view notes, std::uint64_t alignment, std::vector<std::string>& words) {
   std::uint64_t at = 0;
   Elf64_Nhdr note;
@@ -228,7 +228,7 @@ std::optional<std::string> read_word(const Source& file, const std::vector<Elf64
     return std::nullopt;
   }
   if (std::adjacent_find(words.begin(), words.end(), std::not_equal_to<>()) != words.end()) {
-    damaged("is put together from parts of different ABI words; rebuild it from scratch");
+    damaged("consists of parts with different ABI words; rebuild it from scratch");
   }
   return std::move(words.front());
 }
@@ -246,7 +246,7 @@ Inspection inspect_file(const std::filesystem::path& path) {
     check_end(file, header);
     const auto word = read_word(file, segments);
     if (!word) {
-      other("is a shared library, but no plugin library of Elsie");
+      other("is a shared library, but not a plugin library of Elsie");
     }
     result.abi_word = *word;
     if (header.e_machine != kMachine) {

@@ -43,7 +43,7 @@ Library::~Library() {
 
 namespace {
 
-/// What the loader says of its last failure, without the path that it begins with.
+/// The loader's message about its last failure, without the path at its beginning.
 std::string loader_message(const std::filesystem::path& file) {
   const char* const message = dlerror();
   std::string text = message ? demangled(message) : "the loader gives no reason";
@@ -54,8 +54,8 @@ std::string loader_message(const std::filesystem::path& file) {
   return text;
 }
 
-/// The entry point, if it is this library's own. A look-up by handle would find that of a library
-/// which this one depends on as well.
+/// The entry point, if it belongs to this library. A look-up by handle would also find the entry
+/// point of a library that this one depends on.
 PluginEntry own_entry(void* handle) {
   void* const symbol = dlsym(handle, ELSIE_PLUGIN_ENTRY);
   Dl_info info{};
@@ -68,7 +68,7 @@ PluginEntry own_entry(void* handle) {
   return reinterpret_cast<PluginEntry>(symbol);
 }
 
-/// Fills in the declarations; a sentence when that fails.
+/// Fills in the declarations; returns a sentence on failure.
 std::string read_declarations(void* handle, std::string_view abi_word,
                               std::vector<Declaration>& declarations) {
   const PluginEntry entry = own_entry(handle);
@@ -100,7 +100,7 @@ LoadedLibrary load_library(const std::filesystem::path& file, const std::string&
   namespace dll = boost::dll;
   LoadedLibrary loaded;
   Call call({.library = known_as.c_str(), .doing = "while it was loaded"});
-  call.start_clock();  // most are loaded at once: one that is not is at fault
+  call.start_clock();  // most libraries load fast: a Watchdog reports a slow one
   std::shared_ptr<const std::filesystem::path> copy;
   try {
     copy = make_copy ? make_copy(file) : nullptr;
@@ -111,8 +111,8 @@ LoadedLibrary load_library(const std::filesystem::path& file, const std::string&
   const std::filesystem::path path = copy ? *copy : file;
   auto system = std::make_unique<Library::System>();
   std::error_code error;
-  // All symbols are bound at once, so that a missing one is found here and not in the middle of a
-  // run; none is offered to libraries loaded later.
+  // All symbols are bound at once, so that a missing one is found here and not during a run; no
+  // symbol is visible to libraries that are loaded later.
   system->library.load(path, dll::load_mode::rtld_now | dll::load_mode::rtld_local, error);
   if (error) {
     loaded.problem = "cannot be loaded: " + loader_message(path) +

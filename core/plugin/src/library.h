@@ -16,7 +16,7 @@ namespace elsie::plugin {
 /// destroyed before.
 class Library {
  public:
-  struct System;  // what Boost.DLL knows of it
+  struct System;  // the library in Boost.DLL
 
   Library(std::unique_ptr<System> system, std::string file,
           std::shared_ptr<const std::filesystem::path> copy);
@@ -28,7 +28,7 @@ class Library {
   const std::string& file() const { return file_; }
 
  private:
-  std::shared_ptr<const std::filesystem::path> copy_;  // goes after what is loaded of it
+  std::shared_ptr<const std::filesystem::path> copy_;  // destroyed after the loaded library
   std::unique_ptr<System> system_;
   std::string file_;
 };
@@ -43,8 +43,8 @@ struct LoadedLibrary {
 };
 
 /// Loads a file that was inspected and found to be a plugin library with this ABI word, and has it
-/// declare its plugins. `known_as`: the file that crash reports name. `make_copy`: none, or makes
-/// what is loaded. Throws nothing because of what the library does, short of crashing.
+/// declare its plugins. `known_as`: the file that crash reports name. `make_copy`: makes the copy
+/// to load, or empty. Never throws because of the library; a library can still crash the process.
 LoadedLibrary load_library(const std::filesystem::path& file, const std::string& known_as,
                            std::string_view abi_word, const MakeCopy& make_copy);
 

@@ -7,7 +7,7 @@ namespace elsie::plugin {
 namespace fs = std::filesystem;
 
 const void* place_in_this_library() noexcept {
-  static const char here = 0;  // no other library has this one
+  static const char here = 0;  // its address is in this library
   return &here;
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What a type is in words, and which alternative of ParameterValue holds it.
+/// A type in words, and the alternative of ParameterValue that holds it.
 struct Type {
   const char* words;
   std::size_t alternative;
@@ -61,7 +61,7 @@ bool in_range(const ParameterFacts& facts, double value) {
   return value >= facts.min && value > facts.above && value <= facts.max;
 }
 
-/// Whether the member can hold the number.
+/// Returns whether the member can hold the number.
 bool is_holdable(const ParameterDeclaration& parameter, double value) {
   return value >= parameter.lowest && value <= parameter.highest;
 }
@@ -93,7 +93,7 @@ bool is_allowed(const ParameterDeclaration& parameter, const ParameterValue& val
 /// "above 0", "at most 50".
 std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
   const ParameterFacts& facts = parameter.facts;
-  // What the member's type rules out goes without saying, but for a sign.
+  // Limits of the member's type are not mentioned, except that it has no sign.
   const double min = parameter.lowest == 0.0 ? std::max(facts.min, 0.0) : facts.min;
   std::vector<std::string> limits;
   if (facts.above > -kInfinity && facts.above >= min) {
@@ -107,7 +107,7 @@ std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
   return limits;
 }
 
-/// Why numbers are refused, when allowed_values() does not say it.
+/// Why numbers are refused, if allowed_values() does not explain it.
 std::string refusal_of(const ParameterDeclaration& parameter, const ParameterValue& value) {
   const std::vector<double> numbers = numbers_of(value);
   const bool is_list = parameter.type == ParameterType::reals;
@@ -116,8 +116,8 @@ std::string refusal_of(const ParameterDeclaration& parameter, const ParameterVal
   }
   if (!is_list && !numbers.empty() && in_range(parameter.facts, numbers.front()) &&
       !is_holdable(parameter, numbers.front())) {
-    return ", which is beyond what the plugin can hold (" + number_text(parameter.lowest) + " to " +
-           number_text(parameter.highest) + ")";
+    return ", which does not fit its type in the plugin (" + number_text(parameter.lowest) +
+           " to " + number_text(parameter.highest) + ")";
   }
   return "";
 }
@@ -131,7 +131,7 @@ std::string did_you_mean(std::string_view name, const std::vector<Declared>& dec
   return base::did_you_mean(name, names);
 }
 
-/// Adds what is wrong with the names and values given to `whose` parameters.
+/// Adds errors for wrong names and values among the parameters of `whose`.
 void check_values(const std::string& whose, const std::vector<ParameterDeclaration>& declared,
                   const std::map<std::string, ParameterValue>& given,
                   std::vector<std::string>& errors) {
@@ -147,7 +147,7 @@ void check_values(const std::string& whose, const std::vector<ParameterDeclarati
   }
 }
 
-/// Held by a behaviour that is only tried out.
+/// An empty Coordination, for a behaviour that is only tried out.
 class NothingInside final : public Coordination {
  public:
   Response respond(const Perception&) override { return {}; }
@@ -157,7 +157,7 @@ class NothingInside final : public Coordination {
   CommandSets command_sets() override { return {}; }
 };
 
-/// All names are known and all values right.
+/// Requires that all names are known and all values are allowed.
 void set_elements(const Declaration& declaration, Component& object,
                   const std::vector<ElementValue>& elements) {
   std::set<std::size_t> cleared;

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 void DirectoryList::add(const fs::path& directory, const std::string& origin) {
   std::error_code ignored;
-  // Only for comparing: messages name what the user wrote.
+  // Only for comparison: messages contain the user's text.
   fs::path canonical = fs::weakly_canonical(directory, ignored);
   if (!canonical.has_filename()) {
     canonical = canonical.parent_path();  // it ends with a slash

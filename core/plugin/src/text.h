@@ -19,8 +19,8 @@ std::string title(PluginKind kind, std::string_view name);
 /// The text with every mangled C++ name (_Z...) in it made readable.
 std::string demangled(std::string_view text);
 
-/// To be called in a catch block: what() of the exception, or its type when it is no
-/// std::exception. A copy, which may outlive the library that the exception comes from.
+/// Call this in a catch block: returns what() of the exception, or its type when it is not a
+/// std::exception. The copy may outlive the library that threw the exception.
 std::string current_exception_text();
 
 }  // namespace elsie::plugin

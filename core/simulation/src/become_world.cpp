@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 #include "elsie/world/ahead.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/reader.h"
@@ -23,7 +24,7 @@ bool same_part(const char* part, const world::World& a, const world::World& b) {
   return world::same_part(world::vocabulary(), part, &a, &b);
 }
 
-/// Those that are boxes, in the order in which the engine has them, behind all other boxes.
+/// The chargers that are boxes, in the order of the engine, which has them after all other boxes.
 std::vector<const world::Charger*> charger_boxes(const world::World& world) {
   std::vector<const world::Charger*> boxes;
   for (const world::Charger& charger : world.chargers) {
@@ -65,13 +66,13 @@ std::string text_of(std::span<const Change> edits) {
   return text;
 }
 
-/// What is wrong with a description that was edited.
+/// The problems of an edited description as text.
 std::string problem_of(const std::vector<base::Problem>& problems, const std::string& file) {
   const std::size_t more = problems.size() - 1;
   return world::without_lines(problems.front().message, file) +
          (more == 0 ? ""
-                    : "; there " + std::string(more == 1 ? "is " : "are ") + std::to_string(more) +
-                          " more such problem" + (more == 1 ? "" : "s"));
+                    : "; there " + std::string(more == 1 ? "is " : "are ") +
+                          base::counted(more, "more such problem"));
 }
 
 events::Changed event_of(const Change& edit) { return events::Changed::from(edit.text()).value(); }
@@ -86,7 +87,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
       pending_.push_back(one.text());
     }
     log_events();
-    // Of what is live, the physics warns of speeds only.
+    // Of edits in place, only those of speeds can cause warnings of the physics.
     if (std::any_of(changes.begin(), changes.end(),
                     [](const Change& one) { return one.path.ends_with("@max_speed"); })) {
       note_new_warnings(present(), time_s(), said_.notes);
@@ -99,7 +100,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   } catch (const ChangeRefused&) {
     throw;
   } catch (const PluginFault&) {
-    throw;  // of what was running; it ends the run
+    throw;  // from a running plugin; it ends the run
   } catch (const world::WorldError& error) {
     throw ChangeRefused(text_of(changes) + ": " + problem_of(error.problems(), world_.file));
   } catch (const std::exception& error) {
@@ -114,8 +115,8 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
                                                   std::vector<UnmadeChanges>& unmade) {
   std::vector<DueChanges> made;
   std::vector<ChangeRefused> refused;
-  std::vector<Change> in_place;       // all that come before the world becomes another one
-  std::optional<world::World> ahead;  // what it is by then
+  std::vector<Change> in_place;       // all changes before the first that needs a new world
+  std::optional<world::World> ahead;  // the world after that change
   const auto refuse_live = [&] {
     std::vector<ChangeRefused> live = changes_->refused(made, stage());
     std::move(live.begin(), live.end(), std::back_inserter(refused));
@@ -172,15 +173,15 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
   return made;
 }
 
-/// The world after these edits, with all that it has made once: a plugin may not fit the robot that
-/// it is added to. Throws ChangeRefused or WorldError.
+/// The world after these edits. Makes all its objects once, because a plugin may not fit its robot.
+/// Throws ChangeRefused or WorldError.
 world::World Simulation::Impl::tried(const world::World& from, std::span<const Change> edits) {
   world::World next = edited(from, edits, true);
   const Impl whole(next, *host_, options_);
   return next;
 }
 
-/// The world after these edits, checked as a file is. Throws ChangeRefused.
+/// The world after these edits, checked like a file. Throws ChangeRefused.
 world::World Simulation::Impl::edited(const world::World& from, std::span<const Change> edits,
                                       bool check_plugins) {
   std::vector<std::string> texts;
@@ -194,7 +195,7 @@ world::World Simulation::Impl::edited(const world::World& from, std::span<const 
   }
 }
 
-/// With what was put in place.
+/// The world with all edits that were made in place.
 world::World Simulation::Impl::present() { return reread(world_, pending_, false); }
 
 world::World Simulation::Impl::reread(const world::World& from,
@@ -218,8 +219,8 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
       if (place.field.name == "id") {
         becoming.said().notes.push_back({"", "changes",
                                          "An edit at " + becoming.time() + " sets " + edit.text() +
-                                             ": what has another id is another one, and begins "
-                                             "anew."});
+                                             ": an object with another id is a new object and "
+                                             "starts anew."});
       }
     }
     std::vector<std::string> robots = world::robots_at(was, edit.path);
@@ -343,7 +344,7 @@ void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming
 std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was,
                                                          Becoming& becoming) {
   std::vector<std::size_t> new_robots;
-  std::map<physics::Body, physics::Body> now;  // by what they were
+  std::map<physics::Body, physics::Body> now;  // new bodies by the old ones
   if (was.physics.engine != world_.physics.engine) {
     throw std::invalid_argument(
         "one engine cannot take over the bodies of another; set physics/@engine before the run");

@@ -14,7 +14,7 @@ EquippedRobot::~EquippedRobot() = default;
 Component& EquippedRobot::object(const world::PluginUse& use) {
   const PluginObject* const found = robot_->find_object(use);
   if (!found) {
-    throw std::invalid_argument("the plugin '" + use.plugin + "' is no part of the robot '" +
+    throw std::invalid_argument("the plugin '" + use.plugin + "' is not part of the robot '" +
                                 robot_->description().id + "'");
   }
   return *found->held;

@@ -34,8 +34,7 @@ std::string name_of(const world::World& world, const physics::Failure& failure) 
   return "the box '" + box.id + "'" + place_of(box.location);
 }
 
-/// The warning that explains best what happened to a body: one about it, about the physics as a
-/// whole, or about something else.
+/// The most likely cause of a failure: a warning about the body, else about the physics, else any.
 std::string likely_cause(const world::World& world, const physics::Failure& failure) {
   const std::vector<world::Warning> all = world::warnings(world);
   const auto explains = [&](About about, std::optional<std::size_t> index) {
@@ -57,7 +56,7 @@ std::string likely_cause(const world::World& world, const physics::Failure& fail
     case physics::Failure::Kind::outside:
       return "it climbed over the walls, or a moving box pressed it through them";
     case physics::Failure::Kind::below_floor:
-      return "more weight or force rests on it than contacts of this softness (cfm) hold";
+      return "more weight or force rests on it than contacts of this softness (cfm) can carry";
     default:
       return "masses, torques, speeds or places that are too extreme for this step";
   }
@@ -96,7 +95,7 @@ void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, 
                      "run again with softer contacts";
   if (give_ups.unsolved > 0) {
     text += "; in " + base::counted(give_ups.unsolved, "step") +
-            " that did not help, and a rougher solver took its place";
+            " that did not help, so a rougher solver was used";
   }
   const std::vector<world::Warning> all = world::warnings(world);
   text += all.empty() ? ". A smaller step, a larger cfm or less extreme masses may help."

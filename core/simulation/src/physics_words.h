@@ -1,4 +1,4 @@
-// What the simulator says of its physics.
+// Notes and errors about the physics.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace elsie::simulation {
 
-/// Appends a note for each setting of the world that the physics can hardly keep up with.
+/// Appends a note for each setting of the world that is difficult for the physics.
 void note_warnings(const world::World& world, std::vector<Note>& notes);
-/// The same after an edit, without those that are noted already.
+/// The same after an edit, without the notes that exist already.
 void note_new_warnings(const world::World& world, double time_s, std::vector<Note>& notes);
 /// Appends a note if the solver gave up in some of the steps.
 void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, std::uint64_t steps,
                    std::vector<Note>& notes);
-/// The fault that a failure in this step means, with the body's name in the world.
+/// The fault for a failure in this step, with the name of the body in the world.
 PhysicsFault fault_of(const world::World& world, const physics::Failure& failure,
                       std::uint64_t step);
 

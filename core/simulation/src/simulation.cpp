@@ -45,7 +45,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   auto next = schedule.cbegin();
   std::uint64_t scheduled = impl_->own_changes_;
   double made_until_s = 0.0;
-  std::size_t watching = 0;  // observers that heard of the start, and will hear of the end
+  std::size_t watching = 0;  // observers whose started() was called; ended() follows
   std::uint64_t heard_of = 0;
   const auto let_observers_know = [&] {
     for (Observer* observer : observers.first(watching)) {
@@ -56,8 +56,8 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     heard_of = impl_->renewals_;
   };
   const auto change_what_is_due = [&] {
-    if (impl_->own_changes_ != scheduled) {  // those of the world are others since
-      std::vector<UnmadeChanges> known;      // that was said
+    if (impl_->own_changes_ != scheduled) {  // World::changes was edited
+      std::vector<UnmadeChanges> known;      // reported already
       schedule = impl_->checked(still_to_come(world(), changes, made_until_s), changes, known);
       next = schedule.cbegin();
       scheduled = impl_->own_changes_;
@@ -98,7 +98,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     try {
       observer->ended(*this);
     } catch (...) {
-      failure = failure ? failure : std::current_exception();  // the first one counts
+      failure = failure ? failure : std::current_exception();  // keep the first one
     }
   }
   if (failure) {
@@ -138,7 +138,7 @@ RunResult Simulation::result() const {
   impl_->measuring_->list_late_notes(result.notes);
   const physics::GiveUps give_ups = impl_->engine_->give_ups();
   result.solver = {give_ups.steps, give_ups.unsolved, give_ups.first_s};
-  // A step that a fault ended is none of the steps.
+  // A step that ended with a fault is not counted in steps().
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
   result.curves = impl_->said_.curves;
   return result;
@@ -146,7 +146,7 @@ RunResult Simulation::result() const {
 
 std::vector<MeasuredValue> Simulation::measures() const { return impl_->figures().measures; }
 
-/// What can be said of a run by numbers.
+/// The numbers of a result.
 RunResult Simulation::Impl::figures() const {
   RunResult result;
   result.outcome = judgement_.outcome;

@@ -1,5 +1,5 @@
-// What a simulation is made of, and what happens in a step of it, in its order. The run, from its
-// start to its end, and what the public interface says of it, are in simulation.cpp.
+// The parts of a simulation and the order of work in a step. The run from start to end and the
+// functions of the public interface are in simulation.cpp.
 #pragma once
 
 #include <algorithm>
@@ -66,7 +66,7 @@ class Simulation::Impl {
     decided_ = false;
     step_began_s_ = 0.0;
     base_time_s_ = 0.0;
-    // A new engine: ODE keeps nothing from the last run then.
+    // A new engine, so that ODE keeps no state of the last run.
     engine_ = physics::make_engine(world_.arena, world_.physics);
     goal_starts_.assign(world_.goals.size(), {});
     pending_.clear();
@@ -139,7 +139,7 @@ class Simulation::Impl {
       throw refused.at(due.time_s, due.from);
     }
   }
-  /// Those that are made, in their order; `unmade` gets the others. `given`: those among them that
+  /// The changes that are made, in their order; `unmade` gets the others. `given`: the changes that
   /// are not the world's own. Throws ChangeRefused.
   std::vector<DueChanges> checked(std::span<const TimedChange> changes,
                                   std::span<const TimedChange> given,
@@ -164,7 +164,7 @@ class Simulation::Impl {
   double time_s() const {
     return base_time_s_ + static_cast<double>(steps_ - base_steps_) * world_.physics.step;
   }
-  /// Whether robots sense and decide in the next step.
+  /// Returns whether robots sense and decide in the next step.
   bool is_control_instant() const {
     return (steps_ - base_steps_) % static_cast<std::uint64_t>(world_.physics.control_steps) == 0;
   }
@@ -176,7 +176,7 @@ class Simulation::Impl {
   std::uint64_t seed_;
   const plugin::Host* host_;
   Options options_;
-  std::shared_ptr<const world::World> start_;  // none: the world is as at the start
+  std::shared_ptr<const world::World> start_;  // null: the world is unchanged since the start
   std::vector<std::shared_ptr<Robot>> robots_;
   std::shared_ptr<physics::Engine> engine_;
   std::uint64_t steps_ = 0;
@@ -186,20 +186,20 @@ class Simulation::Impl {
   Judgement judgement_;
   std::vector<EventRecord> events_;
   std::vector<TimedChange> given_;  // to run()
-  Statements said_;                 // before the first step
+  Statements said_;                 // notes and curves so far
   std::shared_ptr<Measuring> measuring_;
-  Tally departed_;                 // of robots that an edit has removed
-  std::uint64_t renewals_ = 0;     // how often objects were replaced or made anew
-  std::uint64_t own_changes_ = 0;  // how often those were edited that stand in the world
+  Tally departed_;                 // sums of robots that an edit removed
+  std::uint64_t renewals_ = 0;     // how often objects were replaced or recreated
+  std::uint64_t own_changes_ = 0;  // how often World::changes was edited
 
  private:
   struct MovingBox {
     std::size_t index;
     BoxPath path;
-    double since_s;  // when it set out
+    double since_s;  // start of its motion
   };
 
-  // Edits that are not put in place: see become_world.cpp.
+  // Edits that are not made in place: see become_world.cpp.
   void become(std::span<const Change> edits, Becoming& becoming);
   void become(const world::World& was, world::World next, Becoming& becoming);
   void become_robots(const world::World& was, Becoming& becoming);
@@ -235,7 +235,7 @@ class Simulation::Impl {
 
   Changes::Stage stage() { return {robots_, *engine_, *cameras_, time_s()}; }
 
-  /// Sense and decide, all robots from the same instant.
+  /// All robots sense and decide at the same instant.
   void control(double period_s) {
     const Instant now{time_s(), period_s, steps_};
     cameras_->take(*engine_);
@@ -257,13 +257,13 @@ class Simulation::Impl {
     }
   }
 
-  /// `decided`: in the step just made; `is_start`: there was none.
+  /// `is_start`: only measures that have not begun observe. See Measuring::observe().
   void observe(bool decided, bool is_start) {
     const std::uint64_t last_step = steps_ > 0 ? steps_ - 1 : 0;
     measuring_->observe(robots_, *engine_, time_s(), last_step, decided, is_start);
   }
 
-  /// Motors, physics.
+  /// Sets the motors and makes a step of the physics.
   void move() {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       engine_->set_joints(i, robots_[i]->wanted_joints());
@@ -290,10 +290,10 @@ class Simulation::Impl {
     Robot& robot = *robots_[index];
     const Pose& pose = robot.state().pose;
     robot.mates().clear();
-    // Who is heard is a matter of how far the other one calls.
+    // A mate is perceived if the mate's own coverage reaches this robot.
     for (const std::size_t i : neighbours_.near({pose.x, pose.y}, farthest_call_m_)) {
       const Pose& other = robots_[i]->state().pose;
-      // The rough test first: most are too far away.
+      // A rough test first, because most are too far away.
       const double reach = robots_[i]->state().coverage_m;
       if (i != index && std::abs(other.x - pose.x) <= reach &&
           std::abs(other.y - pose.y) <= reach && robots_[i]->team().name == robot.team().name &&
@@ -316,17 +316,17 @@ class Simulation::Impl {
 
   std::shared_ptr<Cameras> cameras_;
   std::optional<Changes> changes_;
-  std::vector<std::string> pending_;  // what was put in place since the world was described
-  // Views of their texts may be anywhere.
+  std::vector<std::string> pending_;  // edits made in place since the last description of the world
+  // Kept, because views of their texts may still exist.
   std::vector<std::shared_ptr<const world::World>> past_;
-  // When the length of a step or of a control period changed last.
+  // The last change of the length of a step or of a control period.
   std::uint64_t base_steps_ = 0;
   double base_time_s_ = 0.0;
   std::vector<MovingBox> moving_;
   std::vector<GoalStart> goal_starts_;  // of the world's goals
   Touches touches_;
-  Neighbours neighbours_{world_.arena};  // at the last control step
-  double farthest_call_m_ = 0.0;         // the largest coverage then
+  Neighbours neighbours_{world_.arena};  // positions at the last control step
+  double farthest_call_m_ = 0.0;         // the largest coverage of a robot then
 };
 
 }  // namespace elsie::simulation

@@ -31,7 +31,7 @@ std::vector<World> worlds_ahead(const World& world, const plugin::Host& host,
       worlds.push_back(parse_world(write_world(worlds.empty() ? world : worlds.back()), world.file,
                                    host, reading));
     } catch (const WorldError& error) {
-      // Every problem at the edit that it is about, or at the first of them.
+      // Each problem gets the place of the edit that causes it, or of the first edit.
       for (const Problem& problem : error.problems()) {
         const auto own = std::find_if(first, last, [&](const TimedEdit& edit) {
           return problem.file == "--set " + edit.text();

@@ -13,7 +13,7 @@ namespace elsie::world {
 
 namespace {
 
-// Those that the plugin declares for its element, or for one in it.
+// The parameters that the plugin declares for its element, or for a nested element.
 std::vector<ParameterDeclaration> parameters(const WorldTree::Meaning& meaning,
                                              const plugin::Host& host) {
   const Declaration* plugin = meaning.use ? host.find(*meaning.kind, meaning.use->plugin) : nullptr;
@@ -117,7 +117,7 @@ std::vector<std::string> robots_at(const World& world, std::string_view text) {
       }
     }
   } catch (const std::invalid_argument&) {
-    // It leads to nothing.
+    // The path leads to nothing.
   }
   return ids;
 }

@@ -1,4 +1,4 @@
-// What no body of a robot can be.
+// Checks whether a robot's body is possible.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ void require(bool holds, const Part& part, const char* what_it_must) {
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
-/// Whether the box around a shape is one that fits it.
+/// Whether the box around a shape fits the shape.
 bool is_sound(const Shape& shape) {
   const Vector3& size = shape.size;
   if (!is_positive(size.x) || !is_positive(size.y) || !is_positive(size.z)) return false;
@@ -34,13 +34,13 @@ bool is_sound(const Shape& shape) {
          (shape.kind == Shape::Kind::capsule && along > across);
 }
 
-/// Whether its axes are those of a frame: of length 1, at right angles.
+/// Whether the axes of a frame have length 1 and are at right angles.
 bool is_sound(const Frame& frame) {
   constexpr double kRounding = 1e-6;
   const std::array axes{frame.forward, frame.left, frame.up};
   for (std::size_t a = 0; a < axes.size(); ++a) {
     for (std::size_t b = a; b < axes.size(); ++b) {
-      // In this order, axes that are no numbers are refused.
+      // Written in this order, the comparison also rejects NaN.
       if (!(std::abs(dot(axes[a], axes[b]) - (a == b ? 1.0 : 0.0)) < kRounding)) return false;
     }
   }
@@ -82,7 +82,7 @@ void check_hitch(const HitchJoint& hitch, const Part& part) {
           "finite.");
 }
 
-/// Names are unique, and wheels that point as they are mounted are not in each other.
+/// Checks that names are unique, and that wheels at their mounted angles do not overlap.
 void check_pairs(const BodyPlan& plan) {
   const auto is_wheel = [](const Part& part) { return part.role == PartRole::wheel; };
   for (auto a = plan.parts.begin(); a != plan.parts.end(); ++a) {

@@ -31,8 +31,8 @@ std::string on_line(const Location& where, const Location& from) {
                                    : " (" + where.file + ":" + std::to_string(where.line) + ")";
 }
 
-// No two members of a list have the same id, to any depth; `spec` is the holder's. All boxes count
-// as one list.
+// Checks that no two members of a list have the same id, to any depth. `spec` describes the holder.
+// All boxes count as one list.
 void check_ids(const Element& holder, const ElementSpec& spec, const std::string& whose,
                Problems& problems) {
   std::map<std::string, std::map<std::string, Location>> first;  // by what it is of, and by id
@@ -114,7 +114,7 @@ void check_physics(const Element& root, const Physics& physics, Problems& proble
   }
 }
 
-// What the behaviours and coordinators of a robot need.
+// Checks the requirements of the behaviours and coordinators of a robot.
 class CoordinationCheck {
  public:
   CoordinationCheck(const Robot& robot, const plugin::Host& host, Problems& problems)
@@ -131,7 +131,7 @@ class CoordinationCheck {
   }
 
  private:
-  // Events that behaviours may raise, at any depth.
+  // Lists the events that behaviours may raise, at any depth.
   void list_events(const Coordination& coordination) {
     for (const BehaviorUse& use : coordination.behaviors) {
       if (const Declaration* declaration = host_.find(PluginKind::behavior, use.plugin)) {
@@ -145,8 +145,8 @@ class CoordinationCheck {
     }
   }
 
-  // That wishes are turned into a command, to any depth. `whose` and `where`: of what has them, the
-  // robot or a behaviour.
+  // Checks that a coordinator turns the responses into a command, at any depth. `whose` and `where`
+  // name the robot or the behaviour that holds the coordination.
   void check(const Coordination& coordination, const std::string& whose, const Location& where) {
     if (!coordination.behaviors.empty() && !coordination.coordinator) {
       problems_.add(where, whose + " has behaviours but no coordinator; add a <coordinator>");
@@ -184,7 +184,7 @@ class CoordinationCheck {
     }
   }
 
-  // That the robot's sensors make such readings.
+  // Checks that the robot's sensors make such readings.
   void check_need(const PluginUse& use, const ReadingDeclaration& need) {
     bool met = false;
     const SensorUse* other_version = nullptr;
@@ -232,7 +232,7 @@ class CoordinationCheck {
   std::vector<std::string> raised_;  // events
 };
 
-// Whether there is room for the wheels of the segments, and for their joints ahead of their axles.
+// Checks that there is room for the wheels of the segments, with joints ahead of the axles.
 void check_segments(const Robot& robot, Problems& problems) {
   const std::vector<Coupling> chain = couplings(driven_plan(robot), robot.segments);
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -258,7 +258,7 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
   const Robot& robot = reading.world.robots[index];
   const RobotBody& body = robot.body;
   if (reading.sound(robot.location)) {
-    // A robot that runs began with its energy, whatever its battery holds now.
+    // In a running world, `energy` is the value at the start; `battery` may have changed since.
     if (!is_running && robot.energy && *robot.energy > robot.battery) {
       problems.add(robot.location, in_words(robot) + " starts with energy " +
                                        number_text(*robot.energy) + ", but its battery holds " +
@@ -364,7 +364,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
     check_robot(reading, i, host, is_running, problems);
   }
-  // With any mistake in the file's sizes, what follows would be about defaults.
+  // After a mistake in the file's sizes, the following checks would be about default values.
   const auto is_sound = [&](const char* name) {
     const Element* element = root.child(name);
     return !element || reading.sound(element->where);

@@ -9,11 +9,11 @@ namespace elsie::world {
 
 namespace {
 
-// Below this difference between its channels a colour counts as a grey, which has no hue.
+// A colour counts as a grey, which has no hue, if its channels differ by less than this.
 constexpr int kLeastChroma = 24;
 
-/// The hue of a colour in degrees, in [0, 360), after the usual hexcone (Smith 1978); none of a
-/// grey.
+/// The hue of a colour in degrees, in [0, 360), by the usual hexcone model (Smith 1978). A grey has
+/// none.
 std::optional<double> hue_deg(const Colour& c) {
   const int high = std::max({c.red, c.green, c.blue}), low = std::min({c.red, c.green, c.blue});
   const double chroma = high - low;
@@ -26,7 +26,7 @@ std::optional<double> hue_deg(const Colour& c) {
   return hue < 0.0 ? hue + 360.0 : hue;
 }
 
-/// The colour of this hue, as bright and saturated as the red team's.
+/// The colour of this hue with the brightness and saturation of the red team's colour.
 Colour of_hue(double hue) {
   const double low = kRedTeam.blue, high = kRedTeam.red;
   const auto channel = [&](double middle) {
@@ -37,7 +37,7 @@ Colour of_hue(double hue) {
   return {channel(0.0), channel(120.0), channel(240.0)};
 }
 
-/// The middle of the widest gap on the circle; `hues` ascending, not empty.
+/// The middle of the widest gap on the circle. `hues` must be ascending and not empty.
 double farthest_from(const std::vector<double>& hues) {
   double widest = 0.0, middle = 0.0;
   for (std::size_t i = 0; i < hues.size(); ++i) {

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 fs::path data_below(const fs::path& prefix) { return prefix / "share" / "elsie"; }
 
-/// Of the installation that libelsie is in: its library folder is lib/ or, on Debian,
-/// lib/x86_64-linux-gnu/.
+/// The data directory of the installation that contains libelsie. The library folder is lib/ or, on
+/// Debian, lib/x86_64-linux-gnu/.
 fs::path data_of_installation(const fs::path& library) {
   const fs::path prefix = library.parent_path().parent_path();
   std::error_code error;
@@ -50,7 +50,7 @@ std::string find_document(const std::string& name,
   std::error_code error;
   if (name.empty() || fs::path(name).is_absolute() || data_directories.empty() ||
       fs::exists(fs::symlink_status(name, error))) {
-    return name;  // what is wrong with it, its reader says
+    return name;  // its reader reports what is wrong with it
   }
   const Files files(name, data_directories);
   if (auto found = files.find_data(name)) {

@@ -22,7 +22,7 @@ void Differential::build(const Chassis& chassis, BodyPlan& plan) {
   pair_ = wheels(chassis);
   add_wheels(plan.parts, Shape::wheel(chassis.wheel_radius, chassis.wheel_width), chassis.half_axle,
              chassis.wheel_mass, {.torque = chassis.wheel_torque});
-  // Two balls, in front and at the rear; light, so that their spin has no effect.
+  // Two balls, in front and at the rear. They are light, so that their spin has no effect.
   const double radius =
       std::min({0.5 * chassis.clearance, 0.125 * chassis.length, chassis.wheel_radius});
   const double half_base = 0.5 * chassis.length - 1.2 * radius;

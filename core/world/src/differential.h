@@ -1,4 +1,4 @@
-// The drive of a robot whose world names none: two driven wheels on one axle, and two casters.
+// The default drive of robots: two driven wheels on one axle, and two casters.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace elsie::world {
 
-/// Adds a pair of wheels on one axle, one to either side.
+/// Adds a pair of wheels on one axle, one on each side.
 void add_wheels(std::vector<Part>& parts, const Shape& wheel, double half_axle, double mass,
                 const WheelJoint& joint);
 
-/// Both wheels of a command are slowed by the same factor, so that an arc stays the arc it was.
+/// Slows both wheels by the same factor if a command is too fast, so that the arc does not change.
 class Differential final : public Drive {
  public:
   void build(const Chassis& chassis, BodyPlan& plan) override;

@@ -18,7 +18,7 @@ namespace {
 void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   const PluginUse& use = *robot.drive;
   const Declaration* const declaration = host.find(PluginKind::drive, use.plugin);
-  if (!declaration) return;  // a problem already
+  if (!declaration) return;  // reported already
   plugin::Call call({.plugin = use.plugin.c_str(),
                      .id = use.id.c_str(),
                      .file = use.location.file.c_str(),

@@ -4,12 +4,12 @@ namespace elsie::world {
 
 namespace {
 
-// What characters become, by their place in the list.
+// The characters to be replaced, in the same order as their replacements.
 constexpr std::string_view kCharacters = "&<>\"\r\n\t";
 constexpr std::string_view kReplaced[] = {"&amp;", "&lt;", "&gt;", "&quot;",
                                           "&#13;",  // a bare one would be read as a line feed
                                           "&#10;", "&#9;"};
-constexpr std::size_t kBetweenTags = 5;  // the others stay between tags
+constexpr std::size_t kBetweenTags = 5;  // between tags, only the first five are replaced
 
 std::string replaced(std::string_view text, std::string_view characters) {
   std::string result;

@@ -31,7 +31,7 @@ std::string Files::folder(const Location& from) const {
       .string();
 }
 
-// What is given on a command line may be meant from where the user stands.
+// A name on a command line may be relative to the current folder.
 bool Files::given_by_hand(const Location& from) const {
   return is_override(from) && overrides_from_.empty();
 }
@@ -78,7 +78,7 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
       return name;
     }
   }
-  // Both paths must be of one kind: as the user wrote them, or absolute.
+  // Both paths must be relative, as the user wrote them, or both absolute.
   const fs::path from = folder(Location{});
   for (const fs::path& name :
        {fs::path(found).lexically_relative(from.lexically_normal()),
@@ -113,7 +113,7 @@ std::string Files::places(const Location& from, const std::string& attribute,
 std::string Files::advice(const std::string& attribute, const std::string& value) const {
   const fs::path path = fs::path(value).lexically_normal();
   std::string advice;
-  fs::path end;  // longer with every turn; the longest that leads to a file is the best
+  fs::path end;  // gets longer in every iteration; the longest that leads to a file is the best
   for (auto part = path.end(); part != path.begin();) {
     --part;
     if (*part == ".." || *part == path.root_directory()) {

@@ -11,17 +11,17 @@ namespace {
 
 using base::number_text;
 
-constexpr double kTouching = 1e-6;  // m: this much overlap is none
-constexpr double kHair = 1e-9;      // m: what reaches past a chassis by rounding
+constexpr double kTouching = 1e-6;  // m: bodies that overlap by this much only touch
+constexpr double kHair = 1e-9;      // m: parts may extend beyond a chassis by rounding
 
-// A length in a message: to the tenth of a millimetre.
+// A length for a message, rounded to a tenth of a millimetre.
 std::string rounded(double metres) { return number_text(std::round(metres * 1e4) / 1e4); }
 
 /// Whether a disc overlaps a rectangle, seen from above.
 bool disc_overlaps(const Footprint& disc, const Footprint& rectangle) {
   const double c = std::cos(rectangle.heading_rad), s = std::sin(rectangle.heading_rad);
   const double dx = disc.x - rectangle.x, dy = disc.y - rectangle.y;
-  // From the nearest point of the rectangle.
+  // Distances from the nearest point of the rectangle.
   const double along = std::max(0.0, std::abs(c * dx + s * dy) - rectangle.half_length);
   const double across = std::max(0.0, std::abs(c * dy - s * dx) - rectangle.half_width);
   return std::hypot(along, across) < disc.half_length - kTouching;

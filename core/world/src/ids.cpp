@@ -8,7 +8,7 @@
 namespace elsie::world {
 namespace {
 
-// `numbered`: ids always have a number, that among all elements of the name.
+// `numbered`: ids always end in a number, which counts all elements of the same name.
 void number(Element& list, bool numbered) {
   std::set<std::string> taken;
   for (const Element& child : list.children) {
@@ -37,7 +37,7 @@ void number(Element& list, bool numbered) {
 }  // namespace
 
 void yield_ids(Element& world, const ElementSpec& spec) {
-  std::map<std::string, int> count;  // how often each value is given
+  std::map<std::string, int> count;  // the number of uses of each value
   for_each_element(world, [&](const Element& element) {
     for (const Attribute& attribute : element.attributes) {
       count[attribute.value] += attribute.completed ? 0 : 1;
@@ -61,8 +61,9 @@ void yield_ids(Element& world, const ElementSpec& spec) {
 
 void complete_ids(Element& element, const ElementSpec& spec) {
   for (const ElementSpec& group : spec.below()) {
-    Element* list = group.group ? element.child(group.name) : nullptr;
-    if (!list) {
+    Element* list = element.child(group.name);
+    if (list && !group.group && !group.plugins) complete_ids(*list, group);  // as in <scatter>
+    if (!list || !group.group) {
       continue;
     }
     const ElementSpec& member = group.children.front();

@@ -60,7 +60,7 @@ Element element_of(const tinyxml2::XMLElement& source, const std::string& file) 
       const std::string_view found = text->Value();
       const std::size_t begin = std::min(found.find_first_not_of(kBlanks), found.size());
       element.text = found.substr(begin, found.find_last_not_of(kBlanks) + 1 - begin);
-      element.text_line = text->GetLineNum();  // of the first that is not blank
+      element.text_line = text->GetLineNum();  // the line of the first non-blank text
     }
   }
   return element;

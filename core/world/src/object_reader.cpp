@@ -25,8 +25,8 @@ namespace {
 
 using plugin::find_declared;
 
-// Walks the tree and the vocabulary in parallel. What a plugin's element may hold is in the
-// plugin's declaration.
+// Walks the tree and the vocabulary in parallel. The declaration of a plugin says what its element
+// may hold.
 class ObjectReader {
  public:
   ObjectReader(const plugin::Host* host, const Files* files, bool check_plugins, Reading& reading,
@@ -37,7 +37,7 @@ class ObjectReader {
         reading_(reading),
         problems_(problems) {}
 
-  // The root element of a file, or one in it, without plugins.
+  // Reads the root element of a file, or an inner element, without plugins.
   void read_object(const ElementSpec& spec, const Element& element, void* object) {
     refuse_text(element);
     read_attributes(element, &spec, object);
@@ -48,14 +48,14 @@ class ObjectReader {
   bool sound() const { return sound_; }
 
  private:
-  // What a plugin declares for an element, and where it goes; see PluginUse.
+  // The parameters that a plugin declares, and the maps for their values and names of files.
   struct Declared {
     const std::vector<ParameterDeclaration>& parameters;
     std::map<std::string, ParameterValue>& values;
     std::map<std::string, FileName>& file_names;
   };
 
-  // A mistake of the element that is being read.
+  // Reports a mistake of the element that is being read.
   void refuse(const Location& where, std::string message, bool plugin_failed = false) {
     problems_.add(where, std::move(message), plugin_failed);
     sound_ = false;
@@ -65,7 +65,7 @@ class ObjectReader {
     refuse(attribute.where, in_words(attribute, element) + ": " + problem);
   }
 
-  // Such a text is no mistake in the element's object.
+  // Reports text between the tags. The element's object stays valid.
   void refuse_text(const Element& element) {
     if (!element.text.empty()) {
       const std::string line = element.text.substr(0, element.text.find_first_of("\r\n"));
@@ -101,7 +101,7 @@ class ObjectReader {
     }
   }
 
-  // Returns whether the element has no mistakes.
+  // Reads a child element; returns whether it has no mistakes.
   bool read_child(const ElementSpec& spec, const Element& element, void* parent) {
     const bool parent_sound = std::exchange(sound_, true);
     void* object = spec.make(parent, element.where);
@@ -119,7 +119,7 @@ class ObjectReader {
     return std::exchange(sound_, parent_sound);
   }
 
-  // The description of a child, or null and a problem when there may be no such child.
+  // The description of a child; null, with a problem, if such a child is not allowed.
   const ElementSpec* spec_of(const ElementSpec& parent, const Element& child) {
     if (!parent.children.empty() && parent.children.front().plugins) {
       return &parent.children.front();
@@ -135,14 +135,14 @@ class ObjectReader {
     return spec;
   }
 
-  // Either of what describes the element may be missing.
+  // Reads the attributes of an element. `spec` or `declared` may be null.
   void read_attributes(const Element& element, const ElementSpec* spec, void* object,
                        const Declared* declared = nullptr) {
     for (const Attribute& attribute : element.attributes) {
       const AttributeSpec* known = spec ? spec->attribute(attribute.name) : nullptr;
       const ParameterDeclaration* parameter =
           declared ? find_declared(declared->parameters, attribute.name) : nullptr;
-      // Editors associate the schema through these.
+      // Editors find the schema through these attributes.
       const bool is_of_schema =
           spec && spec->root &&
           (attribute.name == "xmlns:xsi" || attribute.name == "xsi:noNamespaceSchemaLocation");
@@ -231,8 +231,8 @@ class ObjectReader {
     }
   }
 
-  // Reads the elements in a plugin's element. Mistakes in what a behaviour holds do not count as
-  // its.
+  // Reads the elements in a plugin's element. Mistakes in behaviours inside a behaviour do not
+  // count as mistakes of the outer one.
   void read_inside(const ElementSpec& spec, const Declaration& declaration, const Element& element,
                    void* object) {
     PluginUse& use = const_cast<PluginUse&>(*spec.use(object));
@@ -293,7 +293,7 @@ class ObjectReader {
     declared.values[parameter.name] = path;
   }
 
-  // A default file is looked for in the data directories.
+  // Sets a default; a default file is searched in the data directories.
   void set_default(const ParameterDeclaration& parameter, const Element& element,
                    const Declared& declared) {
     if (parameter.type != ParameterType::file || parameter.facts.required ||
@@ -311,7 +311,7 @@ class ObjectReader {
     }
   }
 
-  // Makes the plugin's object once, so that it checks its parameters.
+  // Makes an object of the plugin once, so that it checks its parameters.
   void try_out(const Declaration& declaration, const Element& element, const PluginUse& use) {
     plugin::Call call({.plugin = use.plugin.c_str(),
                        .id = use.id.c_str(),

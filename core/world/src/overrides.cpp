@@ -35,7 +35,7 @@ Element element_of(const std::string& text, const Location& where) {
   return element;
 }
 
-// An override in the element that did not come with the element itself; or null.
+// The place of an override inside the element that is not part of the element itself; or null.
 const Location* set_in(const Element& root) {
   const Location* found = nullptr;
   const auto note = [&](const Location& where) {
@@ -55,8 +55,8 @@ const Location* set_in(const Element& root) {
   return found;
 }
 
-// It keeps its id, unless the new one brings another or the old one was only its name: then ids are
-// completed as in a file.
+// Replaces an element. It keeps its id, unless the new element has another id or the old id was
+// only its default: then ids are completed as in a file.
 void replace(Element& element, const Element& given) {
   if (const Location* lost = set_in(element)) {
     fail("this replaces the element in which '" + lost->file.substr(6) +
@@ -73,19 +73,19 @@ void replace(Element& element, const Element& given) {
   }
 }
 
-// `remove` in an element means what a template has under the same id; here there is no template.
+// `remove` in an element refers to a template's member with the same id; here is no template.
 void require_without_removals(const Element& given) {
   for_each_element(given, [](const Element& element) {
     if (element.find("remove")) {
-      fail("nothing stands under <" + element.name +
-           " remove=\"...\"> that could be taken away; to remove an element, end its path with "
+      fail("there is nothing that <" + element.name +
+           " remove=\"...\"> could remove; to remove an element, end its path with "
            "@remove=true");
     }
   });
 }
 
-// Members of lists can be removed, coordinators, and what a plugin declares; what every world or
-// robot has once cannot.
+// List members, coordinators and elements that a plugin declares can be removed. Elements that
+// every world or robot has exactly once cannot.
 void require_removable(const Place& place) {
   const ElementSpec& spec = *place.spec;
   const std::string tag = "<" + place.element->name + ">";
@@ -123,7 +123,7 @@ void mark(const std::vector<Place>& places, const std::string& value, const Loca
   }
 }
 
-// Takes an attribute out of the elements that have it.
+// Removes an attribute from the elements that have it.
 void take_out(const std::vector<Place>& places, const std::string& attribute,
               const std::string& value, bool is_running) {
   require_true_or_false(places, value);
@@ -138,8 +138,8 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
   const bool has_default = is_running && places.front().spec->attribute(attribute);
   if (found == 0 && !has_default) {
     const Element& first = *places.front().element;
-    fail("<" + first.name + "> is given no '" + attribute + "'" +
-         base::near_or_all(attribute, names_of(first.attributes), "it is given"));
+    fail("<" + first.name + "> does not set '" + attribute + "'" +
+         base::near_or_all(attribute, names_of(first.attributes), "it sets"));
   }
 }
 
@@ -156,9 +156,28 @@ Concern concern_of(const std::string& override) {
                                             : Concern::other;
     }
   } catch (const std::invalid_argument&) {
-    // apply_override() says why.
+    // apply_override() reports the reason.
   }
   return Concern::other;
+}
+
+bool is_about_layouts(const std::string& override) {
+  const std::string first = override.substr(0, override.find_first_of("[/="));
+  const ElementSpec& layouts = *vocabulary().child("layouts");
+  return first == layouts.name || first == layouts.members || layouts.child(first);
+}
+
+std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const std::string& path) {
+  const Path parsed = parse_path(path);
+  if (parsed.attribute.empty() || parsed.from_attribute) {
+    fail("the path '" + path + "' leads to no attribute; expected one at its end, as in " +
+         "robot[*]/@heading_deg");
+  }
+  std::vector<Element*> elements;
+  for (const Place& place : find_places(world, parsed)) {
+    elements.push_back(place.element);
+  }
+  return {elements, parsed.attribute};
 }
 
 void apply_override(Element& world, const std::string& override, bool is_running,

@@ -127,7 +127,7 @@ std::vector<Frame> in_line(const BodyPlan& plan) {
   std::vector<Frame> frames;
   double place = 0.0;
   for (const Part& part : plan.parts) {
-    if (part.vehicle < frames.size()) continue;  // not the first of its vehicle
+    if (part.vehicle < frames.size()) continue;  // not the first part of its vehicle
     if (const auto* hitch = std::get_if<HitchJoint>(&part.joint)) {
       place += hitch->behind + hitch->ahead;
     }

@@ -15,7 +15,7 @@
 
 namespace elsie::world {
 
-// Paths do not use declarations: they find the elements that exist.
+// Paths find existing elements, and do not use declarations.
 const ElementSpec& nested_element() {
   static const ElementSpec spec;
   return spec;
@@ -25,7 +25,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-// The children that a step of this name means: those of groups, too.
+// The children that a step of this name means, including those of groups.
 std::vector<Place> children(const Place& place, const std::string& name) {
   std::vector<Place> found;
   if (place.spec->group) {
@@ -58,18 +58,30 @@ std::vector<Place> children(const Place& place, const std::string& name) {
       }
     }
   }
-  // "coordinator/fusion_vector_summation": the coordinator, named once more.
+  // "coordinator/fusion_vector_summation" names the coordinator a second time.
   if (found.empty() && place.spec->plugins && place.element->name == name) {
     found.push_back(place);
   }
   return found;
 }
 
-// The names that a step may have here.
+// Adds what a world's layouts scatter, for a step of this name that means all.
+void add_scattered(const Place& world, const std::string& name, std::vector<Place>& found) {
+  for (const Place& scatter : children(world, "scatter")) {
+    for (Element& thing : scatter.element->children) {
+      for (const ElementSpec& group : world.spec->children) {
+        const ElementSpec* spec = group.group ? group.child(thing.name) : nullptr;
+        if (spec && (name == group.members || name == thing.name)) found.push_back({&thing, spec});
+      }
+    }
+  }
+}
+
+// The names that a step may have at this place.
 std::vector<std::string> names_at(const Place& place) {
   std::set<std::string> names;
   for (const ElementSpec& spec : place.spec->below()) {
-    // What a plugin's element may hold is known by what is there.
+    // Only existing elements of a plugin's element are known.
     if (place.spec->plugins && !place.element->child(spec.name)) {
       continue;
     }
@@ -89,7 +101,7 @@ std::vector<std::string> names_at(const Place& place) {
   return {names.begin(), names.end()};
 }
 
-// None if the whole text is no number.
+// The text as a number; none if it is not a number as a whole.
 std::optional<std::size_t> number_of(std::string_view text) {
   std::size_t number = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -101,7 +113,7 @@ std::string text_of(const PathStep& step) {
   return step.key.empty() ? step.name : step.name + "[" + step.key + "]";
 }
 
-// The one meant by the step's key.
+// The places that the key of the step selects.
 std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step) {
   if (step.key == "*") {
     return places;
@@ -129,7 +141,7 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   if (number || ids.empty()) {
     refuse("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
-  // Few ids are listed; of many, only the nearest.
+  // All ids are listed if they are few, else only the nearest.
   refuse("there is no " + text_of(step) +
          (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
                           : "; there are: " + base::listed(ids)));
@@ -144,6 +156,7 @@ Element empty_element(const std::string& name, const Place& parent) {
 
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
   std::vector<Place> found = children(place, step.name);
+  if (place.spec->root && step.key == "*") add_scattered(place, step.name, found);
   if (!found.empty()) {
     return chosen(found, step);
   }
@@ -156,24 +169,26 @@ std::vector<Place> step_from(const Place& place, const PathStep& step) {
   return {};
 }
 
-// How an element that is missing is added, if the path is that of an element.
+// A hint how to add a missing element, if the path leads to an element.
 std::string way_to_add(const Path& path, const PathStep& step) {
   return path.attribute.empty() && &step == &path.steps.back() && step.key.empty()
              ? "; to add one, write " + step.name + "[+] in the path"
              : "";
 }
 
-// A part of a robot, named without a robot: that of every robot.
+// A first step that names a part of a robot means that part of every robot.
 std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
   std::vector<Place> result;
-  for (const Place& robot : children(world, "robot")) {
+  std::vector<Place> robots = children(world, "robot");
+  add_scattered(world, "robot", robots);
+  for (const Place& robot : robots) {
     const auto found = step_from(robot, step);
     result.insert(result.end(), found.begin(), found.end());
   }
   return result;
 }
 
-// Whether a missing element may be in a template that could not be read, which has its own message.
+// Whether a missing element may be in an unreadable template, which has a message of its own.
 bool lacks_a_template(const std::vector<Place>& places) {
   return std::any_of(places.begin(), places.end(), [](const Place& place) {
     const auto robots = children(place, "robot");
@@ -183,7 +198,7 @@ bool lacks_a_template(const std::vector<Place>& places) {
   });
 }
 
-// What a step may call an element that is to be added to a place.
+// The names of elements that can be added to a place.
 std::vector<std::string> addable_at(const Place& place) {
   std::vector<std::string> names;
   for (const ElementSpec& spec :
@@ -193,7 +208,7 @@ std::vector<std::string> addable_at(const Place& place) {
   return names;
 }
 
-// Adds to the children of `holder`, as the n-th of those for which `counts` is true.
+// Inserts an element among the children of `holder`, as the n-th of those that `counts` accepts.
 void insert(Element& holder, const PathStep& step, const Element& given,
             const std::function<bool(const Element&)>& counts) {
   std::vector<std::size_t> counted;
@@ -224,7 +239,7 @@ void refuse_second(const Element& there, const std::string& held, const std::str
          "leave out the brackets: " + step + "=<...>");
 }
 
-// Whether a place may hold what the step names; if so, it is added.
+// Adds the element if the place may hold what the step names; returns whether it may.
 bool add_to(const Place& place, const PathStep& step, const Element& given) {
   const auto named_alike = [&](const Element& child) { return child.name == step.name; };
   if (place.spec->group) {
@@ -299,7 +314,7 @@ void add_element(Element& world, const Path& path, const Element& given) {
   for (const Place& place : places) {
     added += add_to(place, step, given) ? 1 : 0;
   }
-  if (added == 0 && parents.steps.empty()) {  // of every robot
+  if (added == 0 && parents.steps.empty()) {  // the element is a part of every robot
     for (const Place& robot : children(first, "robot")) {
       added += add_to(robot, step, given) ? 1 : 0;
     }

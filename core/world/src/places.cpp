@@ -25,7 +25,7 @@ struct Block {
   Location where;
 };
 
-// A robot, and its segments in line behind it if wanted.
+// The blocks of a robot and, if wanted, of its segments in line behind it.
 std::vector<Block> blocks_of(const Robot& robot, bool with_segments) {
   const std::string in_words = "the robot '" + robot.id + "'";
   const BodyPlan driven = driven_plan(robot);
@@ -57,13 +57,13 @@ class PlaceCheck {
   void check_point(const std::string& what, double x, double y, const Location& where) {
     report(outside(arena_, what, x, y), where);
   }
-  // Not outside, and not in a wall.
+  // Checks that a block is inside the arena and not in a wall.
   void check_free_of_walls(const Block& block) {
     report(outside(arena_, block.in_words, block.footprint), block.where);
   }
 
-  /// That the parts of a body overlap nothing that was put here before, in that order; then puts
-  /// the body here. `may_overlap` says whether it may overlap one that is there.
+  /// Checks that the parts of a body overlap nothing that was added before, in that order; then
+  /// adds the body. `may_overlap` says whether it may overlap an earlier one.
   template <class MayOverlap>
   void check_apart(std::span<const Block> body, MayOverlap may_overlap) {
     for (const Block& part : body) {
@@ -100,7 +100,7 @@ class PlaceCheck {
     return grid_.block(area.x - x, area.y - y, area.x + x, area.y + y);
   }
 
-  /// What shares a cell with the area, each once.
+  /// The bodies that share a grid cell with the area, each once.
   std::vector<base::Grid::Id> near(const Footprint& area) const {
     std::vector<base::Grid::Id> found;
     const base::Grid::Block block = cells(area);

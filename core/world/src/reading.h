@@ -1,4 +1,4 @@
-// A world that was read from a tree, with what its checks need, and the steps of reading.
+// The steps of reading a world from a tree, and the data that its checks need.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace elsie::world {
 
 class Files;
 
-/// An attribute that names a thing that must exist.
+/// An attribute that refers to an object that must exist.
 struct Mention {
   Reference kind = Reference::none;
   std::string id;
@@ -26,9 +26,9 @@ struct Mention {
 struct Reading {
   World world;
   std::vector<Mention> mentions;
-  /// Later checks must not judge the objects of these elements.
+  /// Later checks must ignore the objects of these elements.
   std::vector<Flawed> flawed;
-  /// Robots, by their places in World::robots, with a template or a plugin that could not be found.
+  /// The indices in World::robots of robots whose template or plugin could not be found.
   std::set<std::size_t> incomplete_robots;
 
   bool has_flaw(const Location& where, bool of_plugins = true) const {
@@ -45,22 +45,22 @@ struct Reading {
   }
 };
 
-/// `check_plugins`: ReadOptions::check_plugins.
+/// Reads the objects of a tree. `check_plugins`: ReadOptions::check_plugins.
 Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
                   bool check_plugins, Problems& problems);
 
-/// Asks the drives for the parts of their robots and sets Robot::driven. A problem for each that
-/// does not fit its chassis or makes an impossible body.
+/// Asks the drives for the parts of their robots and sets Robot::driven. Adds a problem for each
+/// drive that does not fit its chassis or makes an impossible body.
 void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems);
 
-/// Checks what concerns more than one attribute. `root` is the tree that the world was read from,
+/// Checks conditions on more than one attribute. `root` is the tree that the world was read from,
 /// after templates and overrides. `is_running`: ReadOptions::is_running.
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems);
 
-/// The part about places. Static obstacles may overlap each other and the walls, as in mazes, and
-/// moving ones may pass through them; robots, dynamic boxes and resources must not overlap
-/// anything.
+/// The part of check_world() about positions. Static obstacles may overlap each other and the
+/// walls, as in mazes, and moving obstacles may pass through them. Robots, dynamic boxes and
+/// resources must not overlap anything.
 void check_places(const Reading& reading, bool is_running, Problems& problems);
 
 }  // namespace elsie::world

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kAttributesOfItsElement =
     "; the parameters of a plugin are attributes of its element";
 
-// <sensors>, <behaviors>, <coordinator>, <measures>, <drive>.
+// The group of a kind of plugins: <sensors>, <behaviors>, <coordinator>, <measures>, <drive>.
 std::string group_of(PluginKind kind) {
   const std::string name(plugin::kind_name(kind));
   return kind == PluginKind::coordinator || kind == PluginKind::drive ? name : name + "s";

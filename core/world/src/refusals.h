@@ -1,4 +1,4 @@
-// Why an element or attribute may not stand where it does, as the end of a sentence.
+// Reasons why an element or attribute is not allowed at its place, as the end of a sentence.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ std::vector<std::string> names_of(const List& list) {
   }
   return names;
 }
-/// The same as tags: "<roam>".
+/// The names of elements as tags: "<roam>".
 template <class List>
 std::vector<std::string> tags_of(const List& list) {
   std::vector<std::string> tags = names_of(list);
@@ -32,10 +32,10 @@ std::vector<std::string> tags_of(const List& list) {
   return tags;
 }
 
-/// No plugin of this kind has this name: it is of another kind, or was not found.
+/// Explains that no plugin of this kind has this name: it is of another kind, or was not found.
 std::string explain_missing(const plugin::Host& host, PluginKind kind, const std::string& name);
 
-/// The plugin with this declaration may not hold `child`.
+/// Explains that the plugin with this declaration may not hold `child`.
 std::string explain_child(const plugin::Host& host, const Declaration& declaration,
                           const Element& child);
 

@@ -10,7 +10,7 @@ ElementSpec body() {
       .costs(Cost::body)
       .choice("shape", &RobotBody::round,
               {.choices = {"box", "round"},
-               .meaning = "of the chassis; one that is round is as long as it is wide"},
+               .meaning = "of the chassis; a round one has equal length and width"},
               "round")
       .attribute("length", &RobotBody::length, size("chassis, along the heading", 10))
       .attribute("width", &RobotBody::width, size("chassis, across", 10))
@@ -28,12 +28,12 @@ ElementSpec body() {
                  positive("N m", 1e4, "what the motor of each wheel can give"));
 }
 
-// A member of a list that a robot has from its template can be removed.
+// Adds the attribute with which a robot removes a list member of its template.
 template <class Member>
 Describe<Member> removable(Describe<Member> member) {
   return std::move(member).attribute_before_reading(
       "remove", ParameterType::boolean,
-      fact("takes away what the template has under this id; nothing else may be said then"));
+      fact("removes the template's member with this id; no other attribute is allowed then"));
 }
 
 ElementSpec segment() {
@@ -46,7 +46,7 @@ ElementSpec segment() {
           .attribute("width", &Segment::width, size("of the box and its wheels, across", 10))
           .attribute("height", &Segment::height, size("of the box", 10))
           .attribute("clearance", &Segment::clearance, size("from the floor to the box", 10))
-          .attribute("mass", &Segment::mass, mass("of all of it"))
+          .attribute("mass", &Segment::mass, mass("of the whole segment"))
           .attribute("wheel_radius", &Segment::wheel_radius, size("radius of its wheels", 10))
           .attribute("wheel_width", &Segment::wheel_width,
                      size("width of its wheels, which are flush with its sides", 10))
@@ -80,22 +80,22 @@ ElementSpec sensor() {
           .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
           .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
           .attribute("energy_cost", &SensorUse::energy_cost,
-                     range("units/s", 0, 1e12, "what it uses"),
+                     range("units/s", 0, 1e12, "the energy that it uses"),
                      kLive<&LiveRobot::set_energy_cost>));
 }
 
 ElementSpec behavior() {
   return removable(
       plugin_use<BehaviorUse>("behavior", "A behaviour", PluginKind::behavior, Cost::object,
-                              "its name among those beside it; by default the plugin's, with a "
+                              "its name in its list; by default the plugin's, with a "
                               "number if there are several")
           .holds(&BehaviorUse::inside)
           .attribute("priority", &BehaviorUse::priority,
-                     range("", -1e6, 1e6, "its weight or rank, as the coordinator takes it"),
+                     range("", -1e6, 1e6, "its weight or rank; the coordinator decides which"),
                      kLive<&LiveRobot::set_priority>));
 }
 
-// Of what there is one of.
+// The use of a plugin of which there is at most one.
 ElementSpec only_use(const char* name, const char* meaning, PluginKind kind, Cost cost) {
   return removable(
       plugin_use<PluginUse>(name, meaning, kind, cost, "its name; by default the plugin's"));
@@ -107,12 +107,12 @@ Describe<Coordination> behaviors() {
 }
 
 Describe<Coordination> coordinator() {
-  return Describe<Coordination>("coordinator", "What turns the behaviours' wishes into one command")
+  return Describe<Coordination>("coordinator", "Makes one command of the behaviours' responses")
       .optional(only_use("coordinator", "A coordinator", PluginKind::coordinator, Cost::object),
                 &Coordination::coordinator);
 }
 
-// What robots and templates of robots have in common.
+// Adds the attributes and elements that robots and robot templates share.
 ElementSpec with_robot_content(Describe<Robot> robot) {
   return std::move(robot)
       .attribute_before_reading(
@@ -128,10 +128,10 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
       .attribute("max_speed", &Robot::max_speed,
                  range("m/s", 0, 100, "no wheel rolls faster than this"),
                  kLive<&LiveRobot::set_max_speed>)
-      .attribute("coverage", &Robot::coverage,
-                 range("m", 0, 1e4,
-                       "communication radius: robots of its team perceive it from as far off"),
-                 kLive<&LiveRobot::set_coverage>)
+      .attribute(
+          "coverage", &Robot::coverage,
+          range("m", 0, 1e4, "communication radius, within which robots of its team perceive it"),
+          kLive<&LiveRobot::set_coverage>)
       .attribute("leader", &Robot::leader, fact("whether it leads its team"),
                  kLive<&LiveRobot::set_leader>)
       .attribute("battery", &Robot::battery, positive("units", 1e12, "its battery when full"),
@@ -142,10 +142,10 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
       .one(body(), &Robot::body)
       .group(
           Describe<Robot>("drive",
-                          "What moves the robot; by default two wheels on one axle "
+                          "The drive of the robot; by default two wheels on one axle "
                           "(differential)")
               .optional(only_use("drive", "A drive", PluginKind::drive, Cost::body), &Robot::drive))
-      .group(Describe<Robot>("segments", "What the robot pulls behind it, from the front backwards")
+      .group(Describe<Robot>("segments", "The boxes that the robot pulls, from front to back")
                  .each(segment(), &Robot::segments))
       .group(Describe<Robot>("sensors", "The robot's sensors").each(sensor(), &Robot::sensors))
       .group(behaviors())
@@ -170,7 +170,7 @@ const ElementSpec& template_vocabulary() {
 
 const ElementSpec& coordination_vocabulary() {
   static const ElementSpec table =
-      Describe<Coordination>("coordination", "Behaviours and what coordinates them")
+      Describe<Coordination>("coordination", "Behaviours and their coordinator")
           .group(behaviors())
           .group(coordinator());
   return table;

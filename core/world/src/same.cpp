@@ -16,7 +16,7 @@ bool same_attributes(const ElementSpec& spec, const void* a, const void* b, Cost
       });
 }
 
-/// The most that anything in such an element costs.
+/// The highest cost of any change in such an element.
 Cost most(const ElementSpec& spec) {
   Cost cost = spec.cost;
   for (const AttributeSpec& attribute : spec.attributes) cost = std::max(cost, attribute.cost);

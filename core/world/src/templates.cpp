@@ -115,7 +115,7 @@ class Templates {
     return result ? &*result : nullptr;
   }
 
-  // What a template says below what the robot or the use of a plugin says, which `spec` describes.
+  // Merges a template's element under the robot's own element; `spec` describes both.
   void overlay(const ElementSpec& spec, Element& own, const Element& base) {
     inherit_attributes(own, base);
     const Declaration* declaration = spec.plugins ? host_.find(*spec.plugins, own.name) : nullptr;
@@ -151,7 +151,7 @@ class Templates {
       drop_removals(group, own);  // another plugin replaces the template's
       return;
     }
-    // There is one, whatever it is called: by default as in the template.
+    // There is only one, whatever its id; by default it has the id in the template.
     Element renamed = base;
     Element& inherited = renamed.children.front();
     if (only.value("id") == only.name) {
@@ -197,8 +197,8 @@ class Templates {
                          std::make_move_iterator(merged.end()));
   }
 
-  // Takes out the entries of a list that have remove="true", to any depth, and all such attributes.
-  // Here there is nothing that they could remove.
+  // Removes the entries of a list that have remove="true", to any depth, and all such attributes,
+  // because there is nothing that they could remove.
   void drop_removals(const ElementSpec& group, Element& list) {
     std::erase_if(list.children, [&](Element& entry) {
       drop_removals_in(group.children.front(), entry);
@@ -229,7 +229,7 @@ class Templates {
   const plugin::Host& host_;
   const Files& files_;
   Problems& problems_;
-  std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: has problems
+  std::map<std::string, std::optional<Element>> loaded_;  // by absolute path; none: with problems
   std::vector<std::string> open_;                         // being loaded, outermost first
 };
 
@@ -241,6 +241,11 @@ void merge_templates(Element& world, const plugin::Host& host, const Files& file
   if (Element* robots = world.child("robots")) {
     for (Element& robot : robots->children) {
       templates.merge(robot);
+    }
+  }
+  if (Element* layouts = world.child("layouts")) {
+    for (Element& scatter : layouts->children) {
+      if (Element* robot = scatter.child("robot")) templates.merge(*robot);
     }
   }
 }

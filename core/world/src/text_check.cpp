@@ -11,7 +11,7 @@ namespace elsie::world {
 namespace {
 
 constexpr std::size_t kDeepest = 50;          // levels: all later steps use recursion
-constexpr std::size_t kMostAttributes = 500;  // of an element: each is compared with the rest
+constexpr std::size_t kMostAttributes = 500;  // of an element: each is compared with all others
 
 bool is_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -103,7 +103,7 @@ class Scanner {
 
   void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
 
-  // Of XML's own, or a character reference.
+  // Allows the entities of XML itself, and character references.
   void check_entity() const {
     if (text_[at_] != '&') {
       return;
@@ -138,7 +138,7 @@ class Scanner {
     return found;
   }
 
-  // A tag, with which an element begins or ends.
+  // Reads a start tag or an end tag.
   void tag() {
     ElementSpan span;
     span.begin = at_++;
@@ -236,7 +236,7 @@ class Scanner {
     spans_.push_back(std::move(span));
   }
 
-  // Every element is closed by its own tag.
+  // Checks that every element is closed by its own tag.
   void close(const std::string& name, std::size_t begin) {
     if (open_.empty()) {
       fail("</" + name + "> closes nothing", begin);

@@ -9,20 +9,20 @@
 namespace elsie::world {
 namespace {
 
-/// The angle at which a corner, `half_width` m aside of the joint's line and `back` m behind the
-/// joint, reaches a face that lies `front` m before the joint and across the line.
+/// The angle at which a corner, `half_width` m to the side of the joint's line and `back` m behind
+/// the joint, reaches a face across the line that is `front` m ahead of the joint.
 double angle_of_touch(double half_width, double back, double front) {
   const double radius = std::hypot(half_width, back);
-  if (front >= radius) return 0.5 * std::numbers::pi;  // it passes
+  if (front >= radius) return 0.5 * std::numbers::pi;  // the corner passes the face
   return std::atan2(back, half_width) + std::asin(front / radius);
 }
 
-/// The same for a disc in front: its middle lies `middle` m before the joint, and the corner is one
-/// of a face `back` m behind the joint. The disc may also meet that face between its corners.
+/// The same for a disc in front, whose middle is `middle` m ahead of the joint. The corner is one
+/// of a face `back` m behind the joint. The disc may also touch that face between its corners.
 double angle_of_touch_with_disc(double radius, double middle, double half_width, double back) {
   const double square_angle = 0.5 * std::numbers::pi;
   const double reach = std::hypot(half_width, back);
-  // Where the corner is on the disc's edge, by the law of cosines.
+  // The angle at which the corner is on the disc's edge, by the law of cosines.
   const double at_corner =
       (radius * radius - middle * middle - reach * reach) / (2.0 * middle * reach);
   double angle = at_corner > -1.0
@@ -36,12 +36,12 @@ double angle_of_touch_with_disc(double radius, double middle, double half_width,
   return std::clamp(angle, 0.0, square_angle);
 }
 
-/// How far the two can turn against each other until they touch.
+/// The angle by which the two bodies can turn against each other until they touch.
 double free_angle(const Coupling& joint, const Vector3& front, double front_radius,
                   const Vector3& own) {
   const double ahead_of_face = joint.ahead - own.x;
   if (front_radius > 0.0) {
-    // Its wheels may stand out further to the sides than the segment is away.
+    // The wheels may extend further to the sides than the distance to the segment.
     front_radius = std::min(front_radius, joint.behind + ahead_of_face);
     return angle_of_touch_with_disc(front_radius, joint.behind, own.y, ahead_of_face);
   }

@@ -5,6 +5,7 @@
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/facts.h"
+#include "elsie/world/layouts.h"
 
 namespace elsie::world {
 
@@ -18,7 +19,7 @@ ElementSpec arena() {
       .attribute("wall_height", &Arena::wall_height, size("height of the walls", 100))
       .attribute("wall_thickness", &Arena::wall_thickness,
                  size("thickness of the walls, outside of the area", 100))
-      .attribute("walls", &Arena::walls, fact("whether there are walls around it"));
+      .attribute("walls", &Arena::walls, fact("whether the arena has walls"));
 }
 
 ElementSpec physics() {
@@ -47,7 +48,7 @@ ElementSpec physics() {
 }
 
 ElementSpec team() {
-  return Describe<Team>("team", "A team of robots; \"red\" and \"blue\" are there by themselves")
+  return Describe<Team>("team", "A team of robots; \"red\" and \"blue\" always exist")
       .attribute("id", &Team::id, fact("its name"), kRequiredId)
       .attribute(
           "colour", &Team::colour,
@@ -55,7 +56,7 @@ ElementSpec team() {
                "in the world"));
 }
 
-// What all boxes have in common.
+// The attributes that all boxes have.
 Describe<Box> box(const char* name, const char* meaning) {
   return Describe<Box>(name, meaning)
       .costs(Cost::engine)
@@ -81,7 +82,7 @@ ElementSpec waypoint() {
       .attribute("y", &Vector2::y, metres("north"), kRequired);
 }
 
-ElementSpec static_box() { return box("static_box", "An obstacle that nothing moves: a brick"); }
+ElementSpec static_box() { return box("static_box", "An obstacle that never moves"); }
 
 ElementSpec dynamic_box() {
   return box("dynamic_box", "An obstacle that can be pushed")
@@ -90,14 +91,13 @@ ElementSpec dynamic_box() {
 
 ElementSpec moving_box() {
   return box("moving_box",
-             "An obstacle that follows a path of its own, whatever pushes it: from where it "
-             "stands through its waypoints")
+             "An obstacle that moves from its start through its waypoints; robots cannot push it")
       .attribute("speed", &Box::speed, positive("m/s", 100, "along its path"))
       .choice(
           "path", &Box::round_trip,
           {.choices = {"round", "to_and_fro"},
-           .meaning = "whether it goes from the last waypoint straight to its start or back the "
-                      "way it came"},
+           .meaning = "how it returns from the last waypoint: straight to its start, or back the "
+                      "same way"},
           "round")
       .each(waypoint(), &Box::waypoints);
 }
@@ -106,7 +106,7 @@ ElementSpec resource() {
   return box("resource", "A box that a robot collects by touching it")
       .attribute("team", &Box::team, fact("whose robots may take it; by default any"), kTeam)
       .attribute("energy", &Box::energy,
-                 range("units", 0, 1e12, "what the collector's battery gains"), kCheap);
+                 range("units", 0, 1e12, "the energy that the collector gains"), kCheap);
 }
 
 ElementSpec charger() {
@@ -116,19 +116,19 @@ ElementSpec charger() {
       .attribute("team", &Charger::team, fact("whose robots may charge; by default any"), kTeam)
       .attribute("x", &Charger::x, metres("its middle, east"))
       .attribute("y", &Charger::y, metres("its middle, north"))
-      .attribute("radius", &Charger::radius, size("how near a robot must be"), kCheap)
-      .attribute("rate", &Charger::rate, positive("units/s", 1e12, "what a robot's battery gains"),
+      .attribute("radius", &Charger::radius, size("how close a charging robot must be"), kCheap)
+      .attribute("rate", &Charger::rate, positive("units/s", 1e12, "the energy that a robot gains"),
                  kCheap)
       .attribute("seen_by_range_sensors", &Charger::seen_by_range_sensors,
-                 fact("then it is a box of 0.1 m edge instead of a mark"));
+                 fact("true: a box of 0.1 m edge, which these sensors see; false: a mark"));
 }
 
 Describe<World> goals() {
-  const auto radius = size("how near is near enough");
+  const auto radius = size("the largest distance that counts");
   const auto robot = fact("which one; by default every robot");
   return Describe<World>("goals",
-                         "What makes a run a success. All goals to reach must be met, no goal to "
-                         "keep may be broken")
+                         "A run succeeds if all goals to reach are met and no goal to keep is "
+                         "broken")
       .members("goal")
       .each_of(Describe<CollectGoal>("collect", "To reach: all resources are collected")
                    .attribute("team", &CollectGoal::team, fact("only those of this team"), kTeam),
@@ -176,7 +176,7 @@ Describe<World> goals() {
 
 ElementSpec measure() {
   return plugin_use<PluginUse>("measure", "A measure", PluginKind::measure, Cost::object,
-                               "what its values are called after; by default the plugin's name, "
+                               "the name that its values get; by default the plugin's name, "
                                "with a number if there are several");
 }
 
@@ -190,9 +190,7 @@ ElementSpec change() {
                  kRequired)
       .attribute(
           "value", ParameterType::text,
-          fact(
-              "of the attribute at the end of the path; for an element, the element stands inside"),
-          {},
+          fact("of the attribute at the end of the path; a new element stands inside instead"), {},
           [](void* object, const ParameterValue& value) {
             static_cast<TimedEdit*>(object)->value = std::get<std::string>(value);
           },
@@ -203,7 +201,7 @@ ElementSpec change() {
 }
 
 ElementSpec limits() {
-  return Describe<Limits>("limits", "What ends a run that has not ended by itself")
+  return Describe<Limits>("limits", "Limits at which a run ends")
       .attribute("time", &Limits::time, positive("s", 1e9, "simulated time"))
       .attribute("wall_time", &Limits::wall_time, positive("s", 1e9, "time on the clock"));
 }
@@ -234,9 +232,9 @@ ElementSpec world() {
       .group(Describe<World>("chargers", "Where robots charge").each(charger(), &World::chargers))
       .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())
-      .group(Describe<World>("measures", "What is measured in a run, beside what every run tells")
+      .group(Describe<World>("measures", "Additional measures of a run")
                  .each(measure(), &World::measures))
-      .group(Describe<World>("changes", "What changes in the world while it runs")
+      .group(Describe<World>("changes", "Edits of the world while it runs")
                  .each(change(), &World::changes))
       .one(limits(), &World::limits);
 }
@@ -259,6 +257,7 @@ std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_o
     const void* object) const {
   std::vector<std::pair<DescribedObject, const ElementSpec*>> found;
   for (const ElementSpec& child : children) {
+    if (!child.parts) continue;  // it has no objects
     for (const DescribedObject& part : child.parts(object)) {
       found.push_back({part, &child});
     }
@@ -271,7 +270,7 @@ std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_o
 }
 
 const ElementSpec& vocabulary() {
-  static const ElementSpec table = world();
+  static const ElementSpec table = with_layouts(world());
   return table;
 }
 

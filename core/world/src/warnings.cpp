@@ -19,18 +19,18 @@ constexpr double kLeastCfm = 1e-8;
 constexpr double kLeastSlip = 1e-6;  // m/(s N)
 constexpr double kLeastErp = 0.01;
 constexpr double kGreatestErp = 0.8;
-constexpr double kDeepestSinking = 0.1;  // of a wheel's radius, or of a box' height
+constexpr double kDeepestSinking = 0.1;  // of a wheel's radius, or of a box's height
 constexpr double kStrongest = 10.0;      // times the torque that tips the robot over
 constexpr double kSpinUp = 100.0;        // times the highest wheel rate, in a step
 constexpr double kMassRatio = 1e4;
 constexpr double kFarthest = 0.5;  // of a body's length, in a step
-constexpr double kSteepest = 5.0;  // height of the middle over half the base
+constexpr double kSteepest = 5.0;  // ratio of the middle's height to half the base
 
 using base::number_text;
 
 std::string about(double value) { return number_text(value, 3); }
 
-/// A robot without its segments: what it weighs, and what it stands and drives on.
+/// The weight, base and motors of a robot without its segments.
 struct Stance {
   double mass = 0.0;        // kg
   double half_base = 0.0;   // m, of its wheels and casters, ahead and behind
@@ -52,7 +52,7 @@ Stance stance_of(const Robot& robot) {
   return stance;
 }
 
-/// What a warning is about.
+/// The subject of a warning.
 struct Subject {
   Warning::About about = Warning::About::physics;
   std::size_t index = 0;
@@ -130,8 +130,8 @@ class Search {
     }
   }
 
-  /// Contacts hold a weight by a depth that grows with their softness. They push no faster than
-  /// kMaxCorrectingSpeed, and what needs more than that sinks on and on.
+  /// The depth at which contacts hold a weight grows with their softness. They push at most at
+  /// kMaxCorrectingSpeed; a body that needs more sinks without end.
   void sinking(const Subject& body, double mass, double size) {
     const Physics& p = world_.physics;
     const double force = mass * gravity_ / kSupports;
@@ -171,7 +171,7 @@ class Search {
     const double mass = stance.mass;
     sinking(subject, mass, std::min(body.wheel_radius, body.clearance));
     crossing(subject, robot.max_speed, std::min(body.length, body.width));
-    // What each motor may give.
+    // The torque that each motor may have.
     const double holds = mass * gravity_ * stance.half_base / std::max(stance.motors, 1);
     if (body.wheel_torque > kStrongest * holds) {
       warn(whose + " has motors of " + number_text(body.wheel_torque) +
@@ -210,11 +210,10 @@ class Search {
   void ratio(const Subject& body, const std::string& what, double mass, const std::string& other,
              double other_mass) {
     if (std::max(mass, other_mass) > kMassRatio * std::min(mass, other_mass)) {
-      add(body,
-          what + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
-              " kg: masses so unlike are too much for the solver's precision where they touch; "
-              "expected a ratio of at most " +
-              number_text(kMassRatio));
+      add(body, what + " weighs " + about(mass) + " kg and " + other + " " + about(other_mass) +
+                    " kg: contacts of such different masses exceed the solver's precision; "
+                    "expected a ratio of at most " +
+                    number_text(kMassRatio));
     }
   }
 
@@ -238,7 +237,7 @@ class Search {
 
   static double unlike(double mass, double other) { return std::abs(std::log(mass / other)); }
 
-  /// Nothing stops a moving box: it presses what stands between it and a wall through the wall.
+  /// Nothing stops a moving box: it presses a body between itself and a wall through the wall.
   void reaching(const Box& box, const Subject& subject) {
     if (!world_.arena.walls) {
       return;
@@ -254,7 +253,7 @@ class Search {
         add(subject,
             subject.name + " reaches into a wall at (" + number_text(place.x) + ", " +
                 number_text(place.y) +
-                "), and presses what stands between through it; expected a path that leaves room "
+                "), and presses bodies in between through it; expected a path that leaves room "
                 "for a robot beside the wall");
         return;
       }

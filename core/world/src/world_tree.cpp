@@ -11,12 +11,12 @@ namespace elsie::world {
 
 namespace {
 
-// "robot[r1]/sensor[2]", where the brackets are needed.
+// Joins steps of a path, "robot[r1]/sensor[2]", with brackets where they are needed.
 std::string joined(const std::string& path, const std::string& step, const std::string& key) {
   return (path.empty() ? "" : path + "/") + step + (key.empty() ? "" : "[" + key + "]");
 }
 
-// The parameters that are given to a plugin, or to an element in its own.
+// The parameters that are set for a plugin, or for an element nested in its element.
 template <class Use>
 void add_parameters(Element& element, const Use& use) {
   for (const auto& [name, value] : use.parameters) {
@@ -29,7 +29,7 @@ void add_parameters(Element& element, const Use& use) {
   }
 }
 
-// "" when it says nothing: everything is as it would be without it.
+// The text of an element; "" if the element can be left out without a change of meaning.
 std::string text_of(const Element& element, const WorldTree& tree, std::size_t depth) {
   const std::string indent(2 * depth, ' ');
   std::string content;

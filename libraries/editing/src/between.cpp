@@ -32,7 +32,7 @@ Element without_id(Element element) {
   return element;
 }
 
-/// How much speaks for two elements being one; 0: they are not.
+/// How likely it is that two elements are the same one; 0: they are not.
 int likeness(const Element& a, const Element& b, bool may_be_renamed) {
   const std::string id = a.value("id");
   if (id != b.value("id")) {
@@ -43,8 +43,8 @@ int likeness(const Element& a, const Element& b, bool may_be_renamed) {
   return is_same ? 4 : !id.empty() ? 3 : a.name == b.name ? 2 : 0;
 }
 
-/// For each element of the second list its place in the first, ascending: the longest common
-/// subsequence, weighted by likeness.
+/// The ascending index in the first list of each element of the second, if it has one: the longest
+/// common subsequence, weighted by likeness.
 Places matched(const Elements& a, const Elements& b, bool may_be_renamed) {
   Places places(b.size());
   std::size_t begin = 0;
@@ -93,8 +93,8 @@ Places matched(const Elements& a, const Elements& b, bool may_be_renamed) {
   return places;
 }
 
-/// Numbers in paths mean the same whether removed elements still count or not: what is added comes
-/// first, what is removed last and from the end on.
+/// Adds elements first, and removes elements last, starting from the end. So numbers in paths have
+/// the same meaning whether or not removed elements still count.
 class Between {
  public:
   Between(WorldTree& from, WorldTree& to, bool may_be_renamed)
@@ -134,7 +134,7 @@ class Between {
     for (const std::string& name : lists) {
       differ(all(a, name), all(b, name), meaning, name);
     }
-    std::size_t k = 0;  // what is not in a list is in both, in the same order
+    std::size_t k = 0;  // children outside of lists are in both, in the same order
     for (const Element& child : a.children) {
       if (lists.contains(child.name)) {
         continue;
@@ -168,11 +168,11 @@ class Between {
       }
     }
     if (const Attribute* id = b.find("id")) {
-      set(*id);  // all other paths have the old one
+      set(*id);  // all other paths use the old id
     }
   }
 
-  /// Two lists with one holder, in which paths call a member `name`.
+  /// Compares two lists of the same holder, whose members paths call `name`.
   void differ(const Elements& a, const Elements& b, const Meaning& holder,
               const std::string& name) {
     const auto is_only = [](const Elements& list, const WorldTree& tree) {
@@ -190,7 +190,7 @@ class Between {
         differ(*a[*places[j]], *b[j]);
       }
     }
-    std::vector<std::size_t> place(a.size());  // among all, with those that were added
+    std::vector<std::size_t> place(a.size());  // the index among all elements, including added ones
     std::size_t count = 0, next = 0;
     const auto pass_until = [&](std::size_t end) {
       for (; next < end; ++next) {
@@ -198,7 +198,7 @@ class Between {
       }
     };
     std::set<std::string> ids;
-    std::size_t last = 0;  // the end of what is not only added
+    std::size_t last = 0;  // the end of the elements that are also in `a`
     for (std::size_t j = 0; j < b.size(); ++j) {
       last = places[j] ? j + 1 : last;
     }
@@ -238,7 +238,7 @@ class Between {
     return found;
   }
 
-  /// What an element has besides lists: if that differs, it is another one.
+  /// The parts of an element besides lists. Elements with different parts are not the same one.
   static std::vector<std::string> parts(const Element& element, const WorldTree& tree) {
     std::vector<std::string> names;
     for (const Element& child : element.children) {
@@ -252,7 +252,7 @@ class Between {
 
   std::string markup(const Element& element) const { return markup_of(pruned(element)); }
 
-  /// Without the groups and elements that say nothing.
+  /// The element without groups and elements that have no content.
   Element pruned(const Element& element) const {
     Element copy = element;
     copy.children.clear();
@@ -276,7 +276,7 @@ bool lead_to(const World& to, const World& from, const std::vector<std::string>&
              const plugin::Host& host, ReadOptions options) {
   options.found = nullptr;
   options.check_plugins = false;
-  options.is_running = true;  // there is no need to find again what is wrong with `to`
+  options.is_running = true;  // fewer checks: `to` has been checked already
   options.overrides = edits;
   try {
     const World there = world::parse_world(world::write_world(from), from.file, host, options);

@@ -13,6 +13,7 @@
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
+#include "elsie/world/layouts.h"
 #include "elsie/world/tree.h"
 #include "elsie/world/values.h"
 
@@ -39,7 +40,7 @@ constexpr int kMostAttempts = 8;
   throw WorldError({{"--set " + edit, 0, message}});
 }
 
-// Puts what an element holds once into the order of the vocabulary: in a file, any order will do.
+// Sorts elements that may occur only once in the order of the vocabulary; files may have any order.
 void put_in_order(Element& element, const ElementSpec& spec = world::vocabulary()) {
   const bool of_plugins = spec.group && spec.children.front().plugins;
   const auto& below = spec.below();
@@ -59,8 +60,8 @@ void put_in_order(Element& element, const ElementSpec& spec = world::vocabulary(
   }
 }
 
-// The element with that number. Elements are numbered as they stand in the text: an element, then
-// all in it. Null if there is none.
+// The element with that number; null if there is none. Elements are numbered in the order of their
+// start tags in the text.
 const Element* element_of(const Element& tree, std::size_t object) {
   const Element* found = tree.object <= object ? &tree : nullptr;
   while (found && found->object != object) {
@@ -73,13 +74,13 @@ const Element* element_of(const Element& tree, std::size_t object) {
   return found;
 }
 
-// Compares an edited tree with what was read from its text.
+// Compares an edited tree with the tree that was read from its text.
 class Comparison {
  public:
   Comparison(Element& wanted, Additions& additions, const std::string& edit,
              const plugin::Host& host)
       : additions_(additions), edit_(edit), host_(host) {
-    // What may be a use of a name, or another thing with that name.
+    // Texts that may refer to a name, and other elements with that name.
     world::for_each_element(wanted, [&](const Element& element) {
       for (const Attribute& attribute : element.attributes) {
         if (!attribute.completed) {
@@ -89,8 +90,8 @@ class Comparison {
     });
   }
 
-  // If they differ, notes what the text must say besides, in the additions or as attributes of
-  // `wanted`: defaults that override a template.
+  // If they differ, notes what else the text must contain: in the additions, or as attributes of
+  // `wanted` (defaults that override a template).
   bool equal(Element& wanted, const Element& found) {
     misnamed_.clear();
     if (!equal(wanted, found, Meaning::of_world())) {
@@ -157,7 +158,7 @@ class Comparison {
     return false;
   }
 
-  // Whether they may be the same element, with its name changed by its place.
+  // Whether they may be the same element with another position, and so another default name.
   static bool are_one(const Element& a, const Element& b) {
     const Attribute* const first = a.find("id");
     const Attribute* const second = b.find("id");
@@ -165,7 +166,7 @@ class Comparison {
                                 (first->completed && second->completed));
   }
 
-  // The element must stand elsewhere.
+  // Notes that the element must be at another place.
   void note_place(const Element& element) {
     const Attribute* id = element.find("id");
     if (id && id->completed) {
@@ -176,12 +177,12 @@ class Comparison {
     }
   }
 
-  // What the template says of an attribute shows where the robot's own element says nothing.
+  // The template's value applies if the robot's own element does not have the attribute.
   void set_default(Element& wanted, const std::string& attribute, const Meaning& meaning) {
     const auto field = meaning.field(attribute);
     if (!field || !field->default_value) {
       refuse(edit_, "<" + wanted.name + "> has its '" + attribute +
-                        "' from the robot's template, and a file has no word for its default; give "
+                        "' from the robot's template, and a file cannot restore its default; give "
                         "it a value instead");
     }
     wanted.set(attribute, world::format_value(*field->default_value), {edit_, 0});
@@ -191,10 +192,10 @@ class Comparison {
   const std::string& edit_;
   const plugin::Host& host_;
   std::set<std::string> used_;
-  std::vector<const Element*> misnamed_;  // elements with a name that means another one
+  std::vector<const Element*> misnamed_;  // elements whose name refers to another element
 };
 
-// The only piece in which two texts differ: what is in `from`.
+// The single piece in which two texts differ, as it is in `from`.
 Splice difference(const std::string& from, const std::string& to) {
   const std::size_t most = std::min(from.size(), to.size());
   std::size_t begin = 0;
@@ -212,7 +213,7 @@ Splice difference(const std::string& from, const std::string& to) {
 
 struct Edits::Restored {
   Splice splice;
-  std::size_t hash = 0;  // of the text in which it is made
+  std::size_t hash = 0;  // of the text that it applies to
   std::vector<std::string> inverse;
 };
 
@@ -298,7 +299,7 @@ class Document::Impl {
   }
 
   std::vector<std::string> apply_texts(const std::vector<std::string>& edits);
-  /// Empty if there are none: then only the text itself can be put back.
+  /// The edits from one world to another. If they are empty, only the text itself can be restored.
   std::vector<std::string> edits_from(const World& from, const World& to) const {
     try {
       return edits_between(from, to, host_, options_);
@@ -306,7 +307,7 @@ class Document::Impl {
       return {};
     }
   }
-  /// What the attribute at the end of a path may be; none if there is none in this world.
+  /// The field of the attribute at the end of a path; none if this world has no such attribute.
   std::optional<Field> field_at(const std::string& path) const {
     try {
       return world::Attributes(world_, host_, options_.data_directories).find(path).front().field;
@@ -316,6 +317,8 @@ class Document::Impl {
   }
   WorldText edited(const WorldText& from, const std::string& edit, Element& wanted,
                    std::vector<std::string>& inverse) const;
+  /// The layout that has drawn what an edit is about; null if there is none.
+  const Element* layout_of(const Element& tree, const std::string& edit) const;
 
   std::string file_;
   const plugin::Host& host_;
@@ -325,11 +328,11 @@ class Document::Impl {
   World world_;
 };
 
-// Makes each edit in the text; all checks of the world come at the end.
+// Makes each edit in the text; the world is checked only at the end.
 std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::string>& edits) {
   WorldText text = now_;
   std::vector<std::string> inverse;
-  Element wanted;  // by the last edit
+  Element wanted;  // the tree after the last edit
   for (const std::string& edit : edits) {
     text = edited(text, edit, wanted, inverse);
   }
@@ -349,6 +352,34 @@ std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::stri
   return inverse;
 }
 
+// What a layout draws has the layout's place in the file.
+const Element* Document::Impl::layout_of(const Element& tree, const std::string& edit) const {
+  const Element* const layouts = tree.child("layouts");
+  Element drawn = tree;
+  std::optional<world::Drawn> seed;
+  Problems problems;
+  world::draw_layouts(drawn, file_, host_, files_, options_, seed, problems);
+  world::apply_override(drawn, edit, options_.is_running, problems);
+  if (!layouts || !problems.empty()) {
+    return nullptr;
+  }
+  const std::string by_edit = "--set " + edit;
+  for (const Element& list : drawn.children) {
+    for (const Element& member : list.children) {
+      bool is_edited = false;
+      world::for_each_element(member, [&](const Element& element) {
+        is_edited |= element.removed_by || element.where.file == by_edit ||
+                     std::any_of(element.attributes.begin(), element.attributes.end(),
+                                 [&](const Attribute& each) { return each.where.file == by_edit; });
+      });
+      for (const Element& layout : layouts->children) {
+        if (is_edited && layout.where.line == member.where.line) return &layout;
+      }
+    }
+  }
+  return nullptr;
+}
+
 WorldText Document::Impl::edited(const WorldText& from, const std::string& edit, Element& wanted,
                                  std::vector<std::string>& inverse) const {
   const bool is_raw = world::concern_of(edit) != Concern::other;
@@ -356,6 +387,11 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
   wanted = before;
   Problems problems;
   world::apply_override(wanted, edit, options_.is_running, problems);
+  if (const Element* layout = problems.empty() ? nullptr : layout_of(before, edit)) {
+    refuse(edit, "the layout '" + layout->value("id") +
+                     "' draws this, another one from each seed; edit what " + layout->name + "[" +
+                     layout->value("id") + "] says instead");
+  }
   problems.raise<WorldError>(file_);
   world::remove_overridden(wanted);
   put_in_order(wanted);
@@ -371,8 +407,8 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
     }
   }
   refuse(edit,
-         "the file cannot say this: the robot has other things from its template, which come first "
-         "and cannot be replaced by others with their ids; remove one and add another");
+         "a file cannot express this: the robot has other elements from its template, which come "
+         "first and cannot be replaced by new ones with their ids; remove one and add another");
 }
 
 Document::Document(std::string text, std::string file, const plugin::Host& host,
@@ -396,7 +432,7 @@ Edits Document::apply(const Edits& edits) { return impl_->apply(edits); }
 Edits Document::become(std::string text) { return impl_->become(std::move(text)); }
 std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }
 
-// Names of files in the text lead, from the other folder, to the same files.
+// Replaces names of files, so that they lead to the same files from the other folder.
 std::string Document::Impl::text_for(const std::string& folder) const {
   std::error_code error;
   if (!fs::is_directory(folder.empty() ? "." : folder, error)) {
@@ -404,7 +440,7 @@ std::string Document::Impl::text_for(const std::string& folder) const {
   }
   const std::string elsewhere = (fs::path(folder) / fs::path(file_).filename()).string();
   const Files there(elsewhere, options_.data_directories, elsewhere, {});
-  // The name there of the file that an attribute names; none if it names none.
+  // The new name of the file that an attribute names; none if it does not name a file.
   const auto renamed = [&](const Element& element, const std::string& name,
                            const Meaning& meaning) -> std::optional<std::string> {
     const auto field = element.name == "change" && name == "value" ? field_at(element.value("path"))
@@ -416,7 +452,7 @@ std::string Document::Impl::text_for(const std::string& folder) const {
     }
     const auto file = files_.find(value, element.where);
     if (!file) {
-      return std::nullopt;  // a schema that is not there
+      return std::nullopt;  // a schema that does not exist
     }
     return is_schema ? fs::path(Files::absolute(*file))
                            .lexically_relative(Files::absolute(folder.empty() ? "." : folder))

@@ -1,4 +1,4 @@
-// What the elements of a tree may hold: the core's vocabulary and plugins' declarations together.
+// The meanings of elements: combines the core's vocabulary with the declarations of plugins.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ class Meaning {
  public:
   static Meaning of_world() { return {&world::vocabulary(), nullptr, nullptr}; }
 
-  /// Of an element that stands by itself, as in a <change>; empty if nothing has its name.
+  /// The meaning of an element without a parent, as in a <change>; empty if its name is unknown.
   static Meaning of_name(const std::string& name, const plugin::Host& host,
                          const ElementSpec& among = world::vocabulary()) {
     for (const ElementSpec& each : among.children) {
@@ -36,7 +36,7 @@ class Meaning {
     return {};
   }
 
-  /// Of an element in this one; empty if nothing is known of it.
+  /// The meaning of an element inside this one; empty if it is unknown.
   Meaning child(const Element& child, const plugin::Host& host) const {
     if (!spec_) {
       return {};
@@ -67,10 +67,10 @@ class Meaning {
     return parameter ? std::optional(world::field_of(*parameter)) : std::nullopt;
   }
 
-  /// None for what a plugin declares.
+  /// Null for an element that a plugin declares.
   const ElementSpec* spec() const { return spec_; }
   bool is_use() const { return spec_ && spec_->plugins; }
-  /// Whether a plugin declares it.
+  /// Whether a plugin declares the element.
   bool is_declared() const { return element_ != nullptr; }
 
   Meaning() = default;

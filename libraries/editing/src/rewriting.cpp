@@ -29,13 +29,13 @@ class Layout {
     const std::size_t start = line_start(place);
     return start > 0 && text_.substr(start, place - start).find_first_not_of(kBlanks) == text_.npos;
   }
-  // Of the line of a place.
+  // The indentation of the line of a place.
   std::string indent(std::size_t place) const {
     const std::size_t start = line_start(place);
     const std::size_t end = std::min(text_.find_first_not_of(" \t", start), place);
     return std::string(text_.substr(start, end - start));
   }
-  // After the comments that end the line of a place, or the place.
+  // The place after the comments that end the line of a place, or the place itself.
   std::size_t after_comments(std::size_t place) const {
     std::size_t end = place;
     for (std::size_t at = place;;) {
@@ -51,7 +51,7 @@ class Layout {
       end = at = close + 3;
     }
   }
-  // An element with the line that it has for itself, or with the blanks in front of it.
+  // Removes an element with its line if it is alone there, else with the blanks before it.
   Splice removal(const ElementSpan& span) const {
     const std::size_t next = text_.find_first_not_of(kBlanks, span.end);
     if (!begins_line(span.begin)) {
@@ -73,7 +73,7 @@ class Rewriting {
   Rewriting(const WorldText& text, const Additions& additions, const plugin::Host& host)
       : text_(text), additions_(additions), host_(host), layout_(text.text) {}
 
-  // The element itself stands in the text.
+  // Changes an element that is in the text itself.
   void change(const Element& before, const Element& after, const Meaning& meaning) {
     const std::size_t self = *before.object;
     change_attributes(self, before, after);
@@ -154,7 +154,7 @@ class Rewriting {
     }
     const bool whole_lists = replaces_inherited(before, after, meaning);
     const auto is_inherited = [&](const Element& child) { return !text_.has(child); };
-    std::optional<std::size_t> last;  // own element before
+    std::optional<std::size_t> last;  // the previous element in the text
     auto old = before.children.begin();
     const auto is_gone = [&] {
       return old != before.children.end() && !(old->object && kept.contains(*old->object));
@@ -177,7 +177,7 @@ class Rewriting {
           ++old;
           continue;
         } else if (is_gone()) {
-          ++old;  // of the template, which the new one overrides
+          ++old;  // a template's member, which the new one overrides
         }
         add(self, last, child);
         continue;
@@ -206,7 +206,7 @@ class Rewriting {
     }
   }
 
-  // A new child. Where the text removes a member of the template with its id, it stands behind.
+  // Adds a child. If the text removes a template's member with its id, the child comes after that.
   void add(std::size_t self, std::optional<std::size_t>& last, const Element& child) {
     const auto removal = removal_in_text(self, child.value("id"));
     Element element = written(child);
@@ -237,7 +237,7 @@ class Rewriting {
     if (element.object == number) {
       return &element;
     }
-    const Element* holder = nullptr;  // the last child that begins before it
+    const Element* holder = nullptr;  // the last child that begins before the place
     for (const Element& child : element.children) {
       if (*child.object <= number && (!holder || *child.object > *holder->object)) {
         holder = &child;
@@ -246,7 +246,7 @@ class Rewriting {
     return holder ? raw(*holder, number) : nullptr;
   }
 
-  // Elements that a plugin declares replace those of the template, all at once.
+  // Elements that a plugin declares replace all those of the template together.
   bool replaces_inherited(const Element& before, const Element& after,
                           const Meaning& meaning) const {
     if (!meaning.is_use()) {
@@ -267,14 +267,14 @@ class Rewriting {
                        [](const Element* a, const Element* b) { return alike(*a, *b); });
   }
 
-  // Whether an addition concerns the element or one in it.
+  // Whether an addition concerns the element or one inside it.
   bool is_wanted(const Element& element) const {
     return additions_.removals.contains(&element) ||
            std::any_of(element.children.begin(), element.children.end(),
                        [&](const Element& child) { return is_wanted(child); });
   }
 
-  // What overrides an element of a template.
+  // The element that overrides an element of a template.
   Element overriding(const Element& before, const Element& after, const Meaning& meaning) const {
     Element own;
     own.name = after.name;
@@ -330,7 +330,7 @@ class Rewriting {
     return removal;
   }
 
-  // A new element without the ids that reading completes.
+  // A new element without default ids, which the reader adds.
   Element written(const Element& element) const {
     Element copy = element;
     if (!additions_.ids.contains(&element)) {
@@ -356,7 +356,7 @@ class Rewriting {
     return text + layout_.line_end() + indent + "</" + element.name + ">";
   }
 
-  // By how much an element stands further in than its parent.
+  // The additional indentation of an element inside its parent.
   std::string step_below(std::size_t holder) const {
     const std::size_t parent = span(holder).parent;
     const std::string inner = layout_.indent(span(holder).begin);
@@ -372,7 +372,7 @@ class Rewriting {
          lines(element, layout_.indent(span(self).begin), step_below(span(self).parent))});
   }
 
-  // Behind `last`, an own child of the holder, or in front of all of them.
+  // Inserts an element behind `last`, a child of the holder in the text, or before all children.
   void insert(std::size_t holder, std::optional<std::size_t> last, const Element& element) {
     const std::size_t first = holder + 1;
     const bool is_filled = first < text_.spans.size() && span(first).parent == holder;
@@ -394,7 +394,7 @@ class Rewriting {
                             lines(element, indent, step_below(holder))});
   }
 
-  // An element without elements gets its first ones.
+  // Adds the first elements to an element that has none.
   void fill(std::size_t holder, const std::vector<Element>& elements) {
     const ElementSpan& self = span(holder);
     const std::string indent = layout_.indent(self.begin);

@@ -1,4 +1,4 @@
-// Changes the text of a file so that it says what an edited tree says.
+// Changes the text of a file so that it matches an edited tree.
 #pragma once
 
 #include <map>
@@ -21,19 +21,19 @@ struct WorldText {
   std::string text;
   std::vector<ElementSpan> spans;
   Element raw;     // with complete ids
-  Element merged;  // with templates
+  Element merged;  // with the content of templates
 
   bool has(const Element& element) const {
     return element.object && *element.object < spans.size();
   }
 };
 
-/// What the text must say besides what has changed; elements are those of the edited tree.
+/// Additions to the text that go beyond the edit. The elements are those of the edited tree.
 struct Additions {
-  std::set<const Element*> ids;  // elements whose completed ids must be given
-  /// Members of templates that the lists must remove.
+  std::set<const Element*> ids;  // elements whose default ids must be written
+  /// The members of templates that each list must remove.
   std::map<const Element*, std::vector<Element>> removals;
-  /// New members that override those of templates which the text removes by now.
+  /// New members that override members of templates which the text removes so far.
   std::set<const Element*> in_place;
 };
 
@@ -45,14 +45,14 @@ struct Splice {
 };
 std::string spliced(std::string_view text, std::vector<Splice> splices);
 
-/// The value as it stands between these quotes.
+/// The value as it is written between these quotes.
 std::string quoted_value(const std::string& value, char quote);
 
-/// The text in which `before`, one of its trees, has become `after`.
+/// The text after a change from `before`, one of its trees, to `after`.
 std::string rewritten(const WorldText& text, const Element& before, const Element& after,
                       const Additions& additions, const plugin::Host& host);
 
-/// Whether two elements say the same.
+/// Whether two elements have equal contents.
 bool alike(const Element& a, const Element& b);
 
 }  // namespace elsie::editing

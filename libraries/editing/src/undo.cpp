@@ -43,7 +43,7 @@ class Undoing {
     }
   }
 
-  // Without ids that reading completes.
+  // The element without default ids, which the reader adds.
   static Element as_given(Element element) {
     std::erase_if(element.attributes, [](const Attribute& each) { return each.completed; });
     for (Element& child : element.children) {
@@ -54,13 +54,15 @@ class Undoing {
 
   static bool is_list(const Meaning& meaning) { return meaning.spec() && meaning.spec()->group; }
 
-  // The path of a child of `holder`, or of a new one in front of `number` others.
+  // The path of a child of `holder`, or of a new child before `number` others.
   std::string path_of(const Element& holder, const std::string& path, const Meaning& meaning,
                       std::size_t child, bool adds = false) const {
     const Element& element = holder.children[child];
     const Meaning below = meaning.child(element, host_);
     if (is_list(below)) {
-      return path;  // its members are called as if they stood in its holder
+      // Its members are named as if they were children of its holder, unless it has attributes.
+      return below.spec()->attributes.empty() ? path
+                                              : (path.empty() ? "" : path + "/") + element.name;
     }
     const bool single = !is_list(meaning) && below.spec() && below.spec()->at_most == 1;
     const std::string name = is_list(meaning) ? meaning.spec()->members : element.name;
@@ -108,7 +110,7 @@ class Undoing {
           const Element& replaced = before.children[old++];
           const Attribute* old_id = replaced.find("id");
           add(path_of(now, path, meaning, i), "=" + markup_of(as_given(replaced)));
-          if (id && !id->completed && old_id && old_id->completed) {  // the element has kept it
+          if (id && !id->completed && old_id && old_id->completed) {  // the element kept its name
             add(path_of(now, path, meaning, i), "/@id/@remove=true");
           }
         } else {
@@ -134,8 +136,8 @@ class Undoing {
     }
   }
 
-  // Whether a removed element that a plugin declares stood in front of one with another name: its
-  // number says where it stood among those with its name.
+  // Whether a removed element that a plugin declares was before one with another name. Its number
+  // only gives its position among those with its own name.
   bool loses_order(const Element& before, const std::set<std::size_t>& kept,
                    const Meaning& meaning) const {
     if (!meaning.is_use()) {
@@ -150,7 +152,7 @@ class Undoing {
     return false;
   }
 
-  // An element that an edit has added.
+  // Removes an element that an edit has added.
   void take_out(const Element& element, const Element& now, const std::string& path,
                 const Meaning& meaning, bool is_member) {
     if (is_list(meaning)) {

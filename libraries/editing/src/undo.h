@@ -1,4 +1,4 @@
-// The edits that undo others.
+// Computes the edits that undo others.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace elsie::editing {
 
-/// The edits that lead from a tree `after` back to `before`, to be made in this order. `after` is
-/// the result of an edit of `before`: Element::object says which elements they share. Paths lead
-/// through `now`, which is `after` as it was read from its text.
+/// The edits that lead from a tree `after` back to `before`, in this order. `after` is the result
+/// of an edit of `before`; elements that they share have the same Element::object. Paths refer to
+/// `now`, which is `after` as it was read from its text.
 std::vector<std::string> undoing(const world::Element& before, const world::Element& after,
                                  const world::Element& now, const plugin::Host& host);
 

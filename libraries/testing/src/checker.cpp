@@ -214,10 +214,10 @@ class Checker {
     if (as_given && !tried && told_.empty()) {
       const bool watches = declaration_.kind == PluginKind::measure;
       find("nothing", std::string("it refused every ") + (watches ? "world" : "robot") +
-                          " that it was offered, so nothing of it was tried: " + refusal_ +
+                          " that it was offered, so it could not be tested: " + refusal_ +
                           "; give the checker " +
                           (watches ? "scenes and settings" : "robots and members") +
-                          " that it takes");
+                          " that it accepts");
     }
   }
 
@@ -279,7 +279,7 @@ class Checker {
     }
     if (!same("objects",
               "two objects answer the same input differently: it has state that all objects share "
-              "(a static or a global), or goes by a clock, an address or random numbers other than "
+              "(a static or a global), or uses a clock, an address or random numbers other than "
               "now.random()",
               *first, run(*two))) {
       return;

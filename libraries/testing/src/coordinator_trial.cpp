@@ -74,7 +74,7 @@ class CoordinatorTrial final : public Trial {
     }
     if (row.inhibited_by < -1 || row.inhibited_by >= static_cast<int>(team_.size())) {
       throw Wrong("its trace says that member " + std::to_string(row.inhibited_by) +
-                  " inhibits another, but there is none of that number");
+                  " inhibits another, but there is no such member");
     }
     if (!row.reason) {
       throw Wrong("a reason in its trace is a null pointer; leave it alone where there is none");

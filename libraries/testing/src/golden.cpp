@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "elsie/base/words.h"
+#include "elsie/base/write_whole.h"
 
 #include "text.h"
 
@@ -232,11 +233,7 @@ Trace read_trace(const std::string& text, const std::string& file) {
 Verdict compare_with_golden(const Trace& trace, const std::string& file, double tolerance) {
   const char* const update = std::getenv(kUpdateVariable);
   if (update && std::string_view(update) == "1") {
-    std::ofstream out(file);
-    out << write_trace(trace);
-    if (!out.flush()) {
-      throw std::runtime_error("cannot write the golden trace " + file);
-    }
+    base::write_whole_or_throw(file, write_trace(trace));
     return {};
   }
   std::ifstream in(file);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "elsie/api/simulator_events.h"
+#include "elsie/base/words.h"
 
 namespace elsie::testing {
 namespace {
@@ -86,7 +87,7 @@ Image random_picture(int width, int height, Random& random) {
   return picture.image();
 }
 
-/// Every other one is round.
+/// Every second robot is round.
 world::Robot random_robot(int number, const Vector2& at, Random& random) {
   world::Robot robot;
   robot.id = "robot" + std::to_string(number);
@@ -194,12 +195,10 @@ InputMaker::Layout InputMaker::layout(int robot, Random& random) const {
       made.cameras = {{0, 30}};
     }
   }
-  const auto count = [](std::size_t n, const char* what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-  };
-  made.words = "a robot with " + count(made.beams.size(), "range sensor") + ", " +
-               count(made.switches.size(), "proximity sensor") + ", " +
-               count(made.cameras.size(), "camera") + " and " + count(made.mates, "mate");
+  made.words = "a robot with " + base::counted(made.beams.size(), "range sensor") + ", " +
+               base::counted(made.switches.size(), "proximity sensor") + ", " +
+               base::counted(made.cameras.size(), "camera") + " and " +
+               base::counted(made.mates, "mate");
   return made;
 }
 
@@ -217,8 +216,8 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
     });
     if (maker == sensors.end()) {
       throw std::runtime_error("it needs readings of the kind '" + need.kind +
-                               "', which no sensor makes that was found: nothing of it could be "
-                               "tried; put the sensor's library into the plugin path, or give the "
+                               "', but no sensor that was found makes them, so it could not be "
+                               "tested; put the sensor's library into the plugin path, or give the "
                                "checker add_readings");
     }
     // A sensor for each instant, so that its reading stays in place.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "elsie/base/words.h"
+
 #include "random_input.h"
 
 namespace elsie::testing {
@@ -114,8 +116,7 @@ Input InputMaker::make_watched(int number, Random& random) const {
   now.restart();
   const std::vector<Cast> casts = casts_of(now.observation());
   input.robot = given ? "world " + std::to_string(number + 1) + " of those given"
-                      : "a world with " + std::to_string(casts.size()) +
-                            (casts.size() == 1 ? " robot" : " robots");
+                      : "a world with " + base::counted(casts.size(), "robot");
   input.watched.push_back(now);
   for (std::size_t step = 0; step < kInstants; ++step) {
     now.step();

@@ -53,14 +53,14 @@ class BeamSteering : public elsie::Behavior, public elsie::Infers {
   /// For each wheel, the union of its controller's output sets over all beams.
   elsie::CommandSets command_sets(const elsie::Perception& now,
                                   const elsie::Response& given) const override;
-  /// Both controllers at the nearest beam.
+  /// Lists the inferences of both controllers at the nearest beam.
   void list_inferences(std::vector<elsie::Inference>& list) const override;
 
  protected:
   BeamSteering(const char* left, const char* right, bool nearest_counts_twice)
       : left_model{left}, right_model{right}, nearest_counts_twice_(nearest_counts_twice) {}
 
-  /// Whether obstacles in this direction are relevant; others do not change the activation.
+  /// True if obstacles in this direction are relevant; others do not change the activation.
   virtual bool concerns(double /*azimuth_rad*/) const { return true; }
 
  private:

@@ -13,7 +13,7 @@ class StuckWatch {
   struct Settings {
     double patience_s = 1.0;
     double collision_patience_s = 0.2;
-    double moving = 0.2;        // part of the commanded speed that counts as motion
+    double moving = 0.2;        // fraction of the commanded speed that counts as motion
     double least_speed = 0.02;  // m/s; slower commands are not expected to move it
     double progress_m = 0.1;
     double progress_time_s = 0.0;  // 0: progress is not watched
@@ -37,7 +37,7 @@ class StuckWatch {
     memory("anchored_s", anchored_s_);
   }
 
-  /// To be called once in every control period.
+  /// Must be called once in every control period.
   bool is_stuck(const elsie::Perception& now) {
     const double passed = last_s_ < 0.0 ? 0.0 : now.time_s() - last_s_;
     last_s_ = now.time_s();
@@ -57,10 +57,10 @@ class StuckWatch {
   }
 
  private:
-  static constexpr double kMemory = 1.0;     // s, of a collision
+  static constexpr double kMemory = 1.0;     // s; a collision is remembered for this time
   static constexpr double kRounding = 1e-9;  // s; times are sums of steps
 
-  /// The speed that is commanded, whatever its direction, m/s.
+  /// The commanded speed, whatever its direction, m/s.
   static double speed(const elsie::Motion& motion) {
     return std::hypot(motion.forward, motion.lateral);
   }
@@ -73,7 +73,7 @@ class StuckWatch {
     return std::max(speed(self.commanded), turning_speed(self)) >= settings_.least_speed;
   }
 
-  /// Whether the robot moves less than it should: along its way, or around when it turns on the
+  /// True if the robot moves less than it should: along its way, or around when it turns on the
   /// spot.
   bool is_held(const elsie::OwnState& self) const {
     const elsie::Motion& wish = self.commanded;

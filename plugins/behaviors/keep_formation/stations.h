@@ -10,8 +10,8 @@
 ///   line     1 and 2 to the left and right of the leader, 3 and 4 beyond them...
 ///   column   one behind the other
 ///   wedge    like the line, each pair one spacing farther back
-///   diamond  1 and 2 one spacing back to the left and right, 3 two back in the middle; each three
-///            more another diamond behind
+///   diamond  1 and 2 one spacing back to the left and right, 3 two back in the middle; every
+///            three more form another diamond behind
 inline elsie::Vector2 station(const std::string& formation, int slot, double spacing_m) {
   const int pair = (slot + 1) / 2;
   const double side = slot % 2 == 1 ? 1.0 : -1.0;

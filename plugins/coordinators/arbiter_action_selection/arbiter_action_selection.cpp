@@ -67,7 +67,7 @@ class ArbiterActionSelection final : public WinnerTakesAll, public elsie::Rememb
   }
 
  private:
-  /// The level by which a behaviour competes. One that its priority excludes is not asked.
+  /// The level at which a behaviour competes. One that its priority excludes is not asked.
   double level_of(elsie::Member& member) const {
     if (!by_priority) {
       return member.respond().activation;

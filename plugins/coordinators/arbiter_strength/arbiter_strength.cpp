@@ -56,7 +56,7 @@ class ArbiterStrength final : public elsie::Coordinator {
     bool full() const { return !exists || taken >= 1.0 - 1e-12; }
     double value() const { return taken > 0.0 ? sum / taken : 0.0; }
   };
-  /// One member's strengths in this step, and what it got of them.
+  /// One member's strengths in this step, and the parts of them that it received.
   struct Bid {
     std::array<double, kChannels> asked{};
     std::array<double, kChannels> taken{};

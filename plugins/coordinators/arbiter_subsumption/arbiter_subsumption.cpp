@@ -52,8 +52,7 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
   }
 
   std::vector<std::string> notes() const override {
-    // Links lead downwards: whether a layer's line leads to the motors is decided after all lines
-    // below.
+    // Links lead downwards, so all lines below are decided before a layer's own line.
     std::vector<bool> leads(layers_.size(), false);
     std::vector<std::string> notes;
     for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
@@ -315,7 +314,7 @@ ELSIE_COORDINATOR(
                      {.unit = "s",
                       .min = 0,
                       .meaning = "time constant of layers without links: how long their last "
-                                 "signal goes on suppressing"}),
+                                 "signal still suppresses"}),
     elsie::elements(
         &ArbiterSubsumption::suppressions,
         elsie::element<Link>(
@@ -340,5 +339,5 @@ ELSIE_COORDINATOR(
             elsie::parameter("hold", &Link::hold,
                              {.unit = "s",
                               .min = 0,
-                              .meaning = "time constant: how long it goes on once there is no "
+                              .meaning = "time constant: how long it still acts once there is no "
                                          "signal"}))));

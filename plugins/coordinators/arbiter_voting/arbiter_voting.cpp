@@ -216,7 +216,7 @@ ELSIE_COORDINATOR(
     elsie::parameter("activation", &ArbiterVoting::activation, activation_facts()),
     elsie::elements(&ArbiterVoting::listed,
                     elsie::element<Candidate>(
-                        "candidate", "a command to vote on; if any is given, there are no others",
+                        "candidate", "a command to vote on; if any is given, only these are used",
                         elsie::parameter("left", &Candidate::left,
                                          {.unit = "rad/s", .meaning = "rate of the left wheel"}),
                         elsie::parameter("right", &Candidate::right,

@@ -9,8 +9,8 @@
 
 #include "command_space.h"
 
-/// Candidate commands in rows and columns, perhaps in several layers, which have neighbours; and
-/// further ones without neighbours.
+/// Candidate commands: some in rows and columns, perhaps in several layers, which have neighbours,
+/// and further ones without neighbours.
 class Candidates {
  public:
   /// All pairs of wheel rates from -limit to limit, `steps` values each: rows are rates of the left
@@ -51,9 +51,9 @@ class Candidates {
     }
   }
 
-  /// The command at the tops of parabolas through the values of a candidate and its neighbours, one
-  /// along the row, one along the column and one across the layers: at most half a step away. The
-  /// candidate itself if it lacks two neighbours or is not higher than these.
+  /// The command at the tops of parabolas through the values of a candidate and its neighbours: one
+  /// along the row, one along the column and one across the layers. It is at most half a step away.
+  /// Returns the candidate itself if it lacks two neighbours or is not higher than these.
   elsie::Motion interpolated(std::size_t index, std::span<const double> values) const;
 
  private:

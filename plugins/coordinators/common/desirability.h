@@ -15,9 +15,9 @@
 class Desirability {
  public:
   /// The space of commands, and its largest effective coordinate, rad/s. A faster command is scaled
-  /// down as a whole, so that a command at the limit stands for all those beyond it on its ray: a
+  /// down as a whole, so a command at the limit stands for all faster ones in its direction: a
   /// behaviour that wishes for more rates it like the one of these nearest to its wish. Infinite by
-  /// default: for ratings that are passed outwards, the outermost coordinator scales commands.
+  /// default: ratings may be passed outwards, and then the outermost coordinator scales commands.
   void set_limit(const CommandSpace& space, double limit) {
     space_ = space;
     limit_ = limit;

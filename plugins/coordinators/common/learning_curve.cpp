@@ -19,7 +19,7 @@ elsie::Curve learning_curve(const elsie::neural::Training& training) {
   const auto first = static_cast<double>(points.front().presentations);
   const auto last = static_cast<double>(points.back().presentations);
   const double ratio = std::pow(last / first, 1.0 / (kMostPoints - 2.0));
-  double end = first;  // of the present step
+  double end = first;  // of the current step
   for (std::size_t i = 0; i < points.size();) {
     double sum = 0.0;
     const std::size_t begin = i;

@@ -63,7 +63,7 @@ bool has_camera(const Perception& example) {
   return !example.readings<elsie::VisionReading>().empty();
 }
 
-// With several cameras, all three inputs are about the same resource, which find_resource also
+// With several cameras, all three inputs are about the same resource, the one that find_resource
 // takes.
 double resource_seen(const Perception& now) { return elsie::most_nearly_ahead(now) ? 1.0 : 0.0; }
 

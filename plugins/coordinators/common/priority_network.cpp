@@ -46,7 +46,7 @@ Columns PriorityNetwork::columns() const {
           "one for each behaviour: " + joined(behaviors_, ", ")};
 }
 
-/// Of a network to be trained. Throws std::invalid_argument.
+/// The hidden layers of a network to be trained. Throws std::invalid_argument.
 std::vector<int> PriorityNetwork::hidden_layers() const {
   return parse_hidden_layers(hidden == kOwnHidden ? kTrainedHidden : hidden);
 }
@@ -105,7 +105,7 @@ void PriorityNetwork::equip(std::span<const elsie::Member> members,
   equipped_ = true;
 }
 
-/// Whether the network in use has the inputs and outputs that the robot needs.
+/// True if the network in use has the inputs and outputs that the robot needs.
 bool PriorityNetwork::fits_robot() const {
   return learned_ && learned_->network.inputs() == sensors_.size() &&
          learned_->network.outputs() == behaviors_.size();

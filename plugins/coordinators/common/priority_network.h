@@ -47,7 +47,7 @@ class PriorityNetwork : public elsie::neural::Trainable {
   std::vector<std::string> tell() const;
   std::vector<elsie::Curve> show() const;
 
-  /// The present priorities of all members. Valid until the next call. Does not allocate.
+  /// The current priorities of all members. Valid until the next call. Does not allocate.
   std::span<const double> priorities(const elsie::Perception& now);
 
  private:
@@ -65,11 +65,11 @@ class PriorityNetwork : public elsie::neural::Trainable {
   std::vector<std::string> sensors_;    // the names of the inputs
   std::vector<std::string> behaviors_;  // the names of the outputs
   bool equipped_ = false;
-  bool has_begun_ = false;                             // a run
-  std::optional<elsie::neural::TrainingSet> samples_;  // unless weights are given
+  bool has_begun_ = false;                             // true once a run has begun
+  std::optional<elsie::neural::TrainingSet> samples_;  // none if weights are given
   std::optional<elsie::neural::Weights> learned_;
   std::optional<elsie::neural::Workspace> workspace_;
-  bool fixed_ = false;  // whether every run uses the same network
+  bool fixed_ = false;  // true if every run uses the same network
   std::vector<std::string> notes_;
   std::vector<elsie::Curve> curves_;  // of the training of the network in use
   std::vector<double> readings_;

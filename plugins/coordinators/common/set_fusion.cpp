@@ -194,9 +194,9 @@ std::optional<Motion> SetFusion::settle(const WheelPair& wheels) const {
 }
 
 std::optional<Motion> SetFusion::centre_of_largest_area(const WheelPair& wheels) const {
-  // Computed separately, the wheels could pair one behaviour's left with another one's right. So
-  // pairs of regions are weighted by the wishes for both, and with the part of the lateral wish in
-  // a third.
+  // If they were computed separately, the wheels could pair one behaviour's left with another one's
+  // right. So pairs of regions are weighted by the wishes for both, and by the part of the lateral
+  // wish in a third.
   constexpr double kEqualAreas = 1e-9;
   std::optional<Motion> best;
   double most = 0.0;
@@ -216,7 +216,7 @@ std::optional<Motion> SetFusion::centre_of_largest_area(const WheelPair& wheels)
                        part_below(weighted_[i].lateral, lateral);
           sum += support[i];
         }
-        // In a tie, that of the first behaviour in the file.
+        // In a tie, the region of the first behaviour in the file.
         const bool equal = best && std::abs(sum - most) <= kEqualAreas * most;
         if (!best || (equal ? support > best_support : sum > most)) {
           most = sum;

@@ -1,5 +1,5 @@
-// Command fusion on fuzzy sets: the behaviours give their wishes for each wheel, and for the
-// lateral speed of drives that have it, as sets, the sets are combined, and the result is
+// Command fusion on fuzzy sets. Each behaviour gives its wishes as sets: one for each wheel, and
+// one for the lateral speed of drives that have it. The sets are combined, and the result is
 // defuzzified last.
 #pragma once
 

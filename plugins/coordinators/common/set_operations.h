@@ -19,7 +19,7 @@ enum class SetOperator {
 
 SetOperator set_operator_of(const std::string& name);
 
-/// Whether the operator means OR.
+/// True if the operator means OR.
 bool unites(SetOperator by);
 
 /// A degree with a weight in [0, 1]. With OR, a small weight lowers a degree: scaled, w a, or

@@ -6,8 +6,8 @@
 
 #include <elsie/api/coordinator.h>
 
-/// Inside of a behaviour, such an arbiter passes on the wishes of its winner: not a bump around the
-/// command, but the winner's own ratings and sets. Without a winner there is no wish: ratings of
+/// Inside another behaviour, such an arbiter passes on the wishes of its winner: the winner's own
+/// ratings and sets, not a bump around the command. Without a winner there is no wish: ratings of
 /// zero, empty sets.
 class WinnerTakesAll : public elsie::Coordinator {
  public:
@@ -28,7 +28,7 @@ class WinnerTakesAll : public elsie::Coordinator {
   }
 
  protected:
-  /// Nobody decides in this step, for this reason; returns the zero command.
+  /// Writes this reason to all traces: nobody decides in this step. Returns the zero command.
   elsie::Motion nobody(std::span<elsie::Member> members, const char* reason) {
     winner_.reset();
     for (elsie::Member& member : members) {

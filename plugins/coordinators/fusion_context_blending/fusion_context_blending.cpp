@@ -118,7 +118,7 @@ class FusionContextBlending final : public SetFusion,
   std::vector<const PerceptionInput*> lacking_;       // inputs that this robot cannot perceive
   std::vector<const PerceptionInput*> sources_;       // for each input
   std::vector<std::optional<std::size_t>> contexts_;  // for each member: its output
-  bool has_decided_ = false;  // since the model or the robot became another one
+  bool has_decided_ = false;                          // since the model or the robot changed
   std::vector<double> inputs_;
   std::vector<double> outputs_;
   std::vector<double> degrees_;  // for each member, in [0, 1]

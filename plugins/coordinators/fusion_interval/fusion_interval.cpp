@@ -1,10 +1,9 @@
 // Multi-objective command fusion: the command that is best for all behaviours together.
 //
 // Every behaviour is an objective function over the plane of wheel rates (and the lateral speed, if
-// the drive has it); the command maximises
-// their sum, weighted with the priorities. After the helm of MOOS-IvP, which solves this by
-// interval programming (Benjamin, 2002); here a grid finds promising regions, and a pattern search
-// (Hooke and Jeeves, 1961) finds their summits.
+// the drive has it); the command maximises their sum, weighted with the priorities. After the helm
+// of MOOS-IvP, which solves this by interval programming (Benjamin, 2002). Here a grid finds
+// promising regions, and a pattern search (Hooke and Jeeves, 1961) finds their summits.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -124,7 +123,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     }
   }
 
-  /// Within the wheels' limit: scaled as a whole, as drives do.
+  /// Scales a command as a whole to the wheels' limit, as drives do.
   Motion limited(const Motion& command) const {
     const double fastest = space_.fastest(command);
     return fastest > *built_for_ ? *built_for_ / fastest * command : command;
@@ -201,7 +200,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
     return at;
   }
 
-  /// In a tie, the nearest to the last command, or to standing still, then the first.
+  /// In a tie, the point nearest to the last command, or else to standing still, then the first.
   bool is_better(const Point& a, const Point& b) const {
     if (std::abs(a.value - b.value) > kEqual * std::max(a.value, b.value)) {
       return a.value > b.value;
@@ -226,7 +225,7 @@ class FusionInterval final : public elsie::Coordinator, public elsie::Remembers 
 
 ELSIE_COORDINATOR(
     FusionInterval, "fusion_interval",
-    "Does what is best for all together: the highest sum of desirability over all commands",
+    "Finds the best command for all: the highest sum of desirability over all commands",
     elsie::parameter(
         "steps", &FusionInterval::steps,
         {.min = 3, .max = 101, .meaning = "number of rates of each wheel on the first grid"}),

@@ -64,8 +64,8 @@ class Articulated final : public elsie::Drive {
     double v = asked.forward;
     double angle = angle_of(now.joints);
     if (std::abs(asked.turn) > tightest * std::abs(v)) {
-      // The foot of the perpendicular on the line of the tightest turn, with the arm as the
-      // measure.
+      // The foot of the perpendicular on the line of the tightest turn; the arm makes turns
+      // comparable with speeds.
       const double lever = tightest * arm_;
       v = std::copysign((std::abs(v) + lever * arm_ * std::abs(asked.turn)) / (1.0 + lever * lever),
                         v);
@@ -98,7 +98,7 @@ class Articulated final : public elsie::Drive {
       plan.parts.back().vehicle = vehicle;
     }
   }
-  /// Of the front half's path, 1 / m.
+  /// The curvature of the front half's path, 1/m.
   double curvature(double angle) const {
     return -std::sin(angle) / (arm_ * (1.0 + std::cos(angle)));
   }

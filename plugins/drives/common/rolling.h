@@ -15,13 +15,13 @@ namespace drives {
 
 /// The Jacobian of such a drive, and what follows from it.
 ///
-/// A wheel at p that rolls in the direction e, whose rollers lie along d at the angle g from e, is
-/// free across d. So what it holds is d . (v + w x p) = r rate cos g, one row of the matrix
-/// (Muir and Neuman, "Kinematic modeling of wheeled mobile robots", 1987). Tyres have g = 0 in the
-/// directions of this law; what they hold across it is not in there, and they glide.
+/// A wheel at p rolls in the direction e, and its rollers lie along d at the angle g from e. It is
+/// free across d, so it only fixes d . (v + w x p) = r rate cos g, one row of the matrix (Muir and
+/// Neuman, "Kinematic modeling of wheeled mobile robots", 1987). Tyres count as g = 0. Their grip
+/// across the rolling direction is not part of this law: there they slide.
 class Rolling {
  public:
-  /// From the wheels of a body.
+  /// Takes the wheels of a body.
   void take(const BodyPlan& plan) {
     std::vector<Eigen::RowVector3d> rows;
     for (const Part& part : plan.parts) {
@@ -41,7 +41,7 @@ class Rolling {
     motion_of_rates_ = rates_of_motion_.completeOrthogonalDecomposition().pseudoInverse();
   }
 
-  /// Sets the rates for a motion, slowed as a whole where a rim would be too fast; returns it.
+  /// Sets the rates for a motion and returns it, slowed as a whole where a rim would be too fast.
   elsie::Motion command(const elsie::Motion& asked, double max_speed,
                         std::span<elsie::JointSetting> joints) const {
     const Eigen::VectorXd rates =

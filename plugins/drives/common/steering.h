@@ -13,9 +13,9 @@
 
 namespace drives {
 
-/// The law of Ackermann for any number of wheels: the axles of all of them meet in one point, which
+/// The law of Ackermann for any number of wheels: the axles of all wheels meet in one point. It
 /// lies on a line across the body at `pivot`, ahead of its middle, at the distance 1 / k to the
-/// left of the body's axis. Where the body's axis crosses that line it moves straight ahead, at v,
+/// left of the body's axis. The point where the axis crosses that line moves straight ahead, at v,
 /// and the body turns at w = k v. A wheel at (x, y) then has
 ///     direction  atan2(k (x - pivot), 1 - k y)
 ///     rim speed  v hypot(k (x - pivot), 1 - k y).
@@ -58,11 +58,11 @@ class Steering {
     }
   }
 
-  /// 1 / m, of the narrowest curve.
+  /// The curvature of the tightest turn, 1/m.
   double tightest() const { return tightest_; }
 
-  /// Sets the wheels for the motion nearest to the one asked for, with the lever of the steering as
-  /// the measure of turns, as far as the steering comes until the next command; returns it.
+  /// Sets the wheels for the motion nearest to `asked` that the steering can reach until the next
+  /// command, and returns it. The lever of the steering makes turns comparable with speeds.
   elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
                         std::span<elsie::JointSetting> joints) const {
     double v = asked.forward;
@@ -108,16 +108,16 @@ class Steering {
   }
 
  private:
-  /// Of the body's middle, which is not on the pivot's line.
+  /// The motion of the body's middle, which is not on the pivot's line.
   elsie::Motion motion(double v, double k) const { return {v, -k * v * pivot_, k * v}; }
   double angle(const Wheel& wheel, double k) const {
     return std::atan2(k * (wheel.x - pivot_), 1.0 - k * wheel.y);
   }
-  /// Rim speed per speed of the body.
+  /// The speed of the rim divided by the speed of the body.
   double pace(const Wheel& wheel, double k) const {
     return std::hypot(wheel.steered ? k * (wheel.x - pivot_) : 0.0, 1.0 - k * wheel.y);
   }
-  /// The curvature that a wheel at this angle belongs to.
+  /// The curvature of the turn in which the wheel has this angle.
   double curvature_of(const Wheel& wheel, double angle) const {
     const double tangent = std::tan(std::clamp(angle, -kAlmostAcross, kAlmostAcross));
     return tangent / (wheel.x - pivot_ + wheel.y * tangent);
@@ -132,7 +132,7 @@ class Steering {
       ++at;
     }
   }
-  /// The mean of what the steered wheels say.
+  /// The mean curvature of the steered wheels.
   double curvature(std::span<const elsie::JointSetting> joints) const {
     double sum = 0.0, count = 0.0;
     for_each_steered(joints, [&](const Wheel& wheel, double at) {
@@ -141,12 +141,12 @@ class Steering {
     });
     return count > 0.0 ? std::clamp(sum / count, -tightest_, tightest_) : 0.0;
   }
-  /// No steered wheel gets further than its steering turns in a period.
+  /// Limits the curvature so that no steered wheel turns further than its steering can in a period.
   double within_reach(double wanted, const elsie::DriveState& now) const {
     const double most = limits_.rate_rad_s * now.period_s;
     double low = -tightest_, high = tightest_;
     for_each_steered(now.joints, [&](const Wheel& wheel, double at) {
-      // Within its own angles in the tightest curves; beyond them a wheel belongs to none.
+      // A wheel stays between its angles in the tightest turns; other angles belong to no turn.
       const auto [least, greatest] =
           std::minmax({angle(wheel, -tightest_), angle(wheel, tightest_)});
       const double a = curvature_of(wheel, std::clamp(at - most, least, greatest));
@@ -154,7 +154,7 @@ class Steering {
       low = std::max(low, std::min(a, b));
       high = std::min(high, std::max(a, b));
     });
-    // Wheels that do not agree: between them.
+    // If the limits of the wheels contradict each other: the middle between them.
     return low > high ? std::clamp(0.5 * (low + high), -tightest_, tightest_)
                       : std::clamp(wanted, low, high);
   }

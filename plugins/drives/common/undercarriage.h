@@ -1,4 +1,4 @@
-// What several drives share: wheels as parts, and limits of rim speeds.
+// Shared by several drives: wheels as parts, and limits of rim speeds.
 #pragma once
 
 #include <algorithm>
@@ -35,13 +35,13 @@ inline Part wheel(const std::string& name, const Chassis& chassis, double x, dou
           joint};
 }
 
-/// What is given, or else the length of the chassis, but never so short that wheels would be in
-/// each other. Axles below its ends keep a chassis from rearing up when it starts and stops.
+/// Returns `given`, or else the length of the chassis, but at least so much that wheels do not
+/// overlap. Axles below the ends of a chassis keep it from rearing up when it starts and stops.
 inline double wheelbase_or_default(double given, const Chassis& chassis) {
   return given > 0.0 ? given : std::max(chassis.length, 2.5 * chassis.wheel_radius);
 }
 
-/// Refuses wheels that are nearer to each other than `least`.
+/// Throws if two wheels are nearer to each other than `least`, m.
 inline void require_apart(const BodyPlan& plan, double least) {
   for (std::size_t a = 0; a < plan.parts.size(); ++a) {
     for (std::size_t b = a + 1; b < plan.parts.size(); ++b) {
@@ -55,7 +55,7 @@ inline void require_apart(const BodyPlan& plan, double least) {
   }
 }
 
-/// The room that a wheel needs which may point anywhere.
+/// The diameter of the circle that a wheel needs to point in any direction, m.
 inline double sweep(const Chassis& chassis) {
   return std::hypot(2.0 * chassis.wheel_radius, chassis.wheel_width);
 }

@@ -1,6 +1,6 @@
-// Four driven wheels, all of them steered: the rear ones as far as the front ones, to the other
-// side. With the wheelbase L and the angles f and -f of wheels in the middle of their axles, the
-// middle of the body moves at v, and
+// Four driven wheels, all of them steered: the rear ones by the angle of the front ones, to the
+// other side. With the wheelbase L and the angles f and -f of wheels in the middle of their axles,
+// the middle of the body moves at v, and
 //     w = 2 v tan(f) / L:
 // curves are half as wide as those of a car with the same limits.
 #include "steering.h"

@@ -1,6 +1,6 @@
 // Four wheels with rollers at 45 degrees on their rims (Ilon, US patent 3876255, 1975). Seen from
-// above, the rollers that touch the floor lie on the sides of a diamond, so that the four wheels
-// push in directions that no turn of the body can hide:
+// above, the rollers that touch the floor lie on the sides of a diamond, so that every turn of the
+// body turns the wheels:
 //     r w1 = vx - vy - (a + b) w    front left
 //     r w2 = vx + vy + (a + b) w    front right
 //     r w3 = vx + vy - (a + b) w    rear left

@@ -1,5 +1,5 @@
 // Three wheels on a circle, 120 degrees apart, one of them behind the middle. Each rolls along the
-// circle, and rollers on its rim let it glide across:
+// circle, and the rollers on its rim let it slide across:
 //     r w_i = -vx sin a_i + vy cos a_i + R w
 // for the wheel that stands at the angle a_i (Pin and Killough, "A new family of omnidirectional
 // and holonomic wheeled platforms for mobile robots", 1994).
@@ -34,7 +34,7 @@ class Omnidirectional final : public elsie::Drive {
   elsie::Motion odometry(std::span<const elsie::JointSetting> joints) const override {
     return rolling_.odometry(joints);
   }
-  /// Of a differential drive that turns alike: its wheels stand on the same circle.
+  /// The wheels of a differential drive that turns likewise: they stand on the same circle.
   elsie::WheelPair wheels(const elsie::Chassis& chassis) const override {
     return {chassis.wheel_radius,
             radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis))};

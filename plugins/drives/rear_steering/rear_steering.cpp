@@ -1,6 +1,6 @@
-// Two driven wheels in front, two steered ones behind, as a fork-lift truck has them: the law of a
-// car that drives backwards. With the wheelbase L and the steering angle f of a wheel in the
-// middle, to the left of the body's axis when positive, the front axle moves at v, and
+// Two driven wheels in front, two steered ones behind, as on a fork-lift truck: the law of a car
+// that drives backwards. With the wheelbase L and the steering angle f of a wheel in the middle, to
+// the left of the body's axis when positive, the front axle moves at v, and
 //     w = -v tan(f) / L.
 #include "steering.h"
 

@@ -1,6 +1,6 @@
-// Four driven wheels that cannot be steered: those of a side turn alike, and in a turn all of them
-// glide sideways. As long as the track is wider than the wheelbase the tyres hold along their
-// directions while they glide across, and the law is that of a differential drive:
+// Four driven wheels that cannot be steered. The wheels of a side turn alike, and in a turn all of
+// them slide sideways. If the track is wider than the wheelbase, the tyres hold along their
+// directions while they slide across, and the law is that of a differential drive:
 //     v = r (wl + wr) / 2,  w = r (wr - wl) / (2 b)
 // with half the track b. Longer vehicles need more force to turn than their tyres have.
 #include <array>

@@ -51,7 +51,7 @@ class Synchro final : public elsie::Drive {
  private:
   static constexpr const char* kNames[] = {"left_wheel", "rear_wheel", "right_wheel"};
 
-  /// The wheels differ by rounding at most, but perhaps across the back.
+  /// The angles of the wheels differ only by rounding, but may lie on both sides of the back.
   static double mean_angle(std::span<const elsie::JointSetting> joints) {
     double sum = 0.0;
     for (const elsie::JointSetting& joint : joints) {

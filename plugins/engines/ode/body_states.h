@@ -1,4 +1,4 @@
-// The states of bodies: before a step, to take it again; and as a hash, to compare two runs.
+// Saved states of bodies, to repeat a step; and their hash, to compare two runs.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ class BodyStates {
  public:
   void clear() { states_.clear(); }
   void add(dBodyID body);
-  /// Puts every body back to where it was when it was added, with the velocities that it had.
+  /// Puts every body back to where it was when it was added, with its velocities at that time.
   void restore() const;
 
  private:
@@ -24,7 +24,7 @@ class BodyStates {
   std::vector<State> states_;
 };
 
-/// Puts a body to exactly where another one is, at its velocities, whatever world it belongs to.
+/// Gives a body exactly the place and velocities of another one, which may be in another world.
 void copy_state(dBodyID from, dBodyID to);
 
 inline void add_numbers(base::Fnv1a& hash, const dReal* numbers, int count) {

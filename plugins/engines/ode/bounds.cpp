@@ -10,7 +10,7 @@
 namespace elsie::physics {
 namespace {
 
-constexpr double kCorrections = 2.0;  // m/s: of several that are put apart, one after the other
+constexpr double kCorrections = 2.0;  // m/s: of several bodies that are pushed apart in a row
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What the engine refuses to work with.
+// Checks of the engine's input.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace elsie::physics {
 
-/// Throws std::invalid_argument with the sentence unless it holds.
+/// Throws std::invalid_argument with the sentence if the condition does not hold.
 void require(bool holds, const std::string& sentence);
 
-// These throw std::invalid_argument with a sentence about the first thing that is impossible.
+// These throw std::invalid_argument with a sentence about the first impossible thing.
 
 void check(const world::Arena& arena, const world::Physics& physics);
 void check(const Pose& pose, double z);

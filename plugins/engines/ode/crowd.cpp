@@ -9,10 +9,10 @@
 namespace elsie::physics {
 namespace {
 
-// Twenty to and twenty fro carry a push through a row of as many robots.
+// Twenty sweeps in each direction carry a push through a row of twenty robots.
 constexpr int kSweeps = 40;
 
-/// An inverse inertia in the frame of these axes, in the world's.
+/// An inverse inertia given in the frame of these axes, in the world's frame.
 std::array<Vector3, 3> in_the_world(const std::array<Vector3, 3>& axes,
                                     const std::array<Vector3, 3>& inverse_inertia) {
   const auto row = [&](double x, double y, double z) {
@@ -29,7 +29,7 @@ std::array<Vector3, 3> axes_of(dBodyID body) {
   return {{{r[0], r[4], r[8]}, {r[1], r[5], r[9]}, {r[2], r[6], r[10]}}};
 }
 
-/// As ODE integrates a body with finite rotation.
+/// Moves a body as ODE does with finite rotation.
 void move(dBodyID body, const Vector3& velocity, const Vector3& turning, double step) {
   const Vector3 at = to_vector(dBodyGetPosition(body)) + step * velocity;
   dBodySetPosition(body, at.x, at.y, at.z);
@@ -159,7 +159,7 @@ void Crowd::add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_f
     solver_.add(row);
   }
   solver_.add(turn(cross(front_frame.up, frame.left)));  // no roll
-  // The nearer end of what the joint can turn.
+  // The stop at the nearer of the joint's two limits.
   const auto stop = [&](const Vector3& about, double angle, double limit) {
     Row row = turn((angle > 0.0 ? -1.0 : 1.0) * about);
     row.target = -(limit - std::abs(angle)) / physics_.step;
@@ -190,7 +190,7 @@ Crowd::Row Crowd::row_along(const FoundContact& contact, const Vector3& directio
     const Vector3& center = solver_.body(index).center;
     const Vector3 along = side * direction;
     if (place.glides) {
-      // A ball passes on what goes through its middle and nothing else.
+      // Only impulses through the middle of a ball act on its body.
       turn = cross(to_vector(dBodyGetPosition(body)) - center, along);
       return;
     }
@@ -206,7 +206,7 @@ Crowd::Row Crowd::row_along(const FoundContact& contact, const Vector3& directio
 }
 
 double Crowd::normal_speed(const Row& row) const {
-  // The velocities of bodies that give way have gravity's part of the step in them already.
+  // The velocities of movable bodies already contain gravity's part of the step.
   const auto velocity = [this](const ImpulseSolver::Body& body) {
     const double gained = body.inverse_mass > 0.0 ? physics_.step * physics_.gravity : 0.0;
     return body.velocity - Vector3{0.0, 0.0, gained};

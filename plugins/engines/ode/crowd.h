@@ -1,4 +1,4 @@
-// Bodies whose contacts are too many for ODE's solver.
+// Bodies with too many contacts for ODE's solver.
 #pragma once
 
 #include <unordered_map>
@@ -12,33 +12,33 @@
 
 namespace elsie::physics {
 
-/// Moves robots and boxes that touch each other in great numbers by a step.
+/// Moves robots and boxes by a step when very many of them touch each other.
 ///
-/// ODE's dWorldStep solves a dense system over everything that touches, whose cost grows with the
-/// cube of their number: a second of thirty robots that drive to one point takes it 1.8 s, of a
-/// hundred half a minute. Here it grows with their number. A robot's wheels and casters cannot move
-/// against its chassis but by turning, so a robot is one rigid body and its spinning wheels,
-/// without any row for their joints; the contacts and motors are rows of an iterative solver.
+/// ODE's dWorldStep solves a dense system over all bodies that touch, and its cost grows with the
+/// cube of their number: it takes 1.8 s for a second of thirty robots that drive to one point, and
+/// half a minute for a hundred. Here the cost grows with the number. The wheels and casters of a
+/// robot only turn against its chassis, so a robot is one rigid body with spinning wheels, without
+/// rows for their joints; the contacts and motors are rows of an iterative solver.
 ///
-/// Differences from ODE's step: a caster's own turning, and gyroscopic torques, are left out.
+/// Differences from ODE's step: the turning of casters and gyroscopic torques are left out.
 class Crowd {
  public:
   explicit Crowd(const world::Physics& physics) : physics_(physics) {}
 
   void clear();
   void add_robot(const OdeRobot& robot);
-  /// A box that can be pushed, or one that moves along a path of its own.
+  /// A box that can be pushed, or one that moves along its own path.
   void add_box(dBodyID box);
-  /// Between bodies that were added, or one of them and what stands fast.
+  /// A contact between two bodies that were added, or between one of them and a fixed body.
   void add_contact(const FoundContact& contact);
 
   bool empty() const { return places_.empty(); }
-  /// Gives the bodies the velocities after the step, and moves them. What hangs on a chassis is
-  /// left to OdeVehicle::settle().
+  /// Gives the bodies the velocities after the step, and moves them. OdeVehicle::settle() then
+  /// moves the parts that hang on a chassis.
   void step();
 
  private:
-  /// Where a body of ODE is in the solver.
+  /// The place of an ODE body in the solver.
   struct Place {
     int body = ImpulseSolver::kNone;
     int spin = ImpulseSolver::kNone;  // of a wheel
@@ -46,11 +46,11 @@ class Crowd {
     Vector3 axle;                     // of a wheel: a unit vector
     bool glides = false;              // a caster: a ball without friction
   };
-  /// A body of ODE that is moved.
+  /// An ODE body that is moved.
   struct Moved {
     dBodyID body;
     int index;
-    Vector3 middle;  // of the body, from the center of mass of what it is part of
+    Vector3 middle;  // of the body, from its vehicle's center of mass
   };
   struct Wheel {
     dBodyID body;
@@ -65,7 +65,7 @@ class Crowd {
   void add_motor(const OdeVehicle::Motor& motor, int carrier, int spin, const Vector3& axle);
   void add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_frame, int body);
   Row row_along(const FoundContact& contact, const Vector3& direction) const;
-  /// How fast the bodies part before the step, m/s.
+  /// The speed at which the bodies part before the step, m/s.
   double normal_speed(const Row& row) const;
 
   world::Physics physics_;

@@ -9,13 +9,13 @@
 
 namespace elsie::physics {
 
-/// Bodies, and rows that say how fast they may move against each other. solve() finds the
-/// impulses that make them true: projected Gauss-Seidel (Catto, "Iterative Dynamics with Temporal
-/// Coherence", 2005), over all rows in a fixed order, forwards and backwards in turn. A sweep costs
-/// as much time as there are rows, and the result depends on nothing but bodies and rows.
+/// Bodies, and rows that constrain their relative velocities. solve() finds the impulses that
+/// satisfy the rows: projected Gauss-Seidel (Catto, "Iterative Dynamics with Temporal Coherence",
+/// 2005), over all rows in a fixed order, forwards and backwards in turn. The time of a sweep is
+/// proportional to the number of rows, and the result depends only on bodies and rows.
 ///
-/// Impulses never leave their limits, so that a solution that is not exact yet is a little slow to
-/// stop bodies, but adds no energy.
+/// Impulses never leave their limits, so an inexact solution stops bodies a little too slowly, but
+/// adds no energy.
 class ImpulseSolver {
  public:
   static constexpr int kNone = -1;
@@ -25,11 +25,11 @@ class ImpulseSolver {
     Vector3 center;
     Vector3 velocity;                          // m/s, of the center
     Vector3 turning;                           // rad/s
-    double inverse_mass = 0.0;                 // 1/kg; 0: nothing moves it
+    double inverse_mass = 0.0;                 // 1/kg; 0: it cannot be moved
     std::array<Vector3, 3> inverse_inertia{};  // 1/(kg m2), rows, in the world's frame
   };
 
-  /// What turns about an axle that a body carries along: a wheel.
+  /// A wheel, which turns about an axle that a body carries along.
   struct Spin {
     double rate = 0.0;             // rad/s, about the axle, in the world's frame
     double inverse_inertia = 0.0;  // 1/(kg m2)
@@ -37,18 +37,18 @@ class ImpulseSolver {
 
   /// linear (v_a - v_b) + turn_a w_a + turn_b w_b + roll_a s_a + roll_b s_b
   ///   = target - softness impulse,
-  /// as far as the impulse stays within its limits.
+  /// unless the impulse would leave its limits.
   struct Row {
-    int a = kNone, b = kNone;  // bodies; none: it stands fast
+    int a = kNone, b = kNone;  // bodies; none: a fixed one
     int spin_a = kNone, spin_b = kNone;
     Vector3 linear, turn_a, turn_b;
     double roll_a = 0.0, roll_b = 0.0;
     double target = 0.0;                             // m/s or rad/s
     double softness = 0.0;                           // m/s per N s, or rad/s per N m s
     double lower = -kUnlimited, upper = kUnlimited;  // N s or N m s
-    int normal = kNone;  // friction: the row whose impulse, times mu, is the limit to both sides
+    int normal = kNone;  // friction: the row whose impulse, times mu, is the limit both ways
     double mu = 0.0;
-    double impulse = 0.0;  // found
+    double impulse = 0.0;  // the result
   };
 
   void clear();
@@ -65,7 +65,7 @@ class ImpulseSolver {
   const std::vector<Row>& rows() const { return rows_; }
 
  private:
-  /// How an impulse of a row moves what it acts on.
+  /// The effect of an impulse of a row on its bodies and spins.
   struct Response {
     Vector3 turn_a, turn_b;  // rad/s per N s
     double scale = 0.0;      // N s per m/s

@@ -1,4 +1,4 @@
-// Which robots and boxes are linked by contacts.
+// Groups of robots and boxes that are linked by contacts.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace elsie::physics {
 
-/// Members, of which some are linked; an island is what is linked directly or through others.
+/// Members, some of which are linked. An island is a whole linked group.
 class Islands {
  public:
-  /// As many members as this, none linked. Each counts 1, unless count() says otherwise.
+  /// Starts with so many members, none linked. Each counts 1, unless count() says otherwise.
   void reset(std::size_t members) {
     parents_.resize(members);
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
@@ -28,7 +28,7 @@ class Islands {
     sizes_[a] += sizes_[b];
     members_[a] += members_[b];
   }
-  /// The first of its members.
+  /// The first member of this member's island.
   std::size_t island(std::size_t member) {
     while (parents_[member] != member) {
       parents_[member] = parents_[parents_[member]];
@@ -36,9 +36,9 @@ class Islands {
     }
     return member;
   }
-  /// What all members of its island count together.
+  /// The sum of the counts of all members of its island.
   std::size_t size(std::size_t member) { return sizes_[island(member)]; }
-  /// How many members its island has.
+  /// The number of members of its island.
   std::size_t members(std::size_t member) { return members_[island(member)]; }
 
  private:

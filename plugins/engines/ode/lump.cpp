@@ -10,7 +10,7 @@ namespace {
 Eigen::Vector3d to_eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
 Vector3 from_eigen(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// About the middle of a part, along the axes of its frame, kg m2.
+/// The inertia of a part about its middle, along the axes of its frame, kg m2.
 Eigen::Matrix3d own_inertia(const Part& part) {
   const Vector3& size = part.shape.size;
   const double m = part.mass;
@@ -23,7 +23,7 @@ Eigen::Matrix3d own_inertia(const Part& part) {
   }
   const double r = part.shape.radius(), l = part.shape.length();
   if (part.shape.kind == Shape::Kind::capsule) {
-    // A cylinder between two halves of a ball, whose middles are 3/8 r away from it.
+    // A cylinder between two half balls, whose centers of mass are 3/8 r away from it.
     const double h = l - 2.0 * r;
     const double balls = m * 4.0 * r / (3.0 * h + 4.0 * r), between = m - balls;
     Eigen::Vector3d capsule =
@@ -33,7 +33,7 @@ Eigen::Matrix3d own_inertia(const Part& part) {
     return capsule.asDiagonal();
   }
   Eigen::Vector3d moments = Eigen::Vector3d::Constant(m * (3.0 * r * r + l * l) / 12.0);
-  // Spinning wheels keep this to themselves.
+  // Spinning wheels keep this part of the inertia for themselves.
   const bool spins = std::holds_alternative<WheelJoint>(part.joint);
   moments(static_cast<int>(part.shape.axis)) = spins ? 0.0 : 0.5 * m * r * r;
   return moments.asDiagonal();

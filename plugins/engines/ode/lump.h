@@ -8,8 +8,8 @@
 
 namespace elsie::physics {
 
-/// All parts of a vehicle together. What a wheel with a motor weighs when it turns about its axle
-/// is left to the wheel.
+/// All parts of a vehicle together, without the inertia of wheels with motors about their axles:
+/// that belongs to the wheels.
 struct Lump {
   double mass = 0.0;  // kg
   Vector3 center;     // m, from the middle of the chassis, in the vehicle's frame

@@ -10,11 +10,10 @@
 namespace elsie::physics {
 namespace {
 
-// A body that was stopped at a surface stands there to within rounding and the softness of
-// contacts.
+// A body that was stopped at a surface stands there, up to rounding and the softness of contacts.
 constexpr double kTouching = 2e-5;  // m
 
-// What reaches less than this above the bottom of a box passes below it.
+// A body that rises less than this above the bottom of a box passes below it.
 constexpr double kBelow = 1e-3;  // m
 
 // A body counts as upright up to about 6 degrees.
@@ -26,17 +25,17 @@ struct Span {
 
 Span height_of(const Solid& solid) {
   const OrientedBox& s = solid.shape;
-  // Of a wheel, the height of the cylinder; the box around it turns with the chassis, not with it.
+  // For a wheel, the height of the cylinder: its box turns with the chassis, not with the wheel.
   const double up = s.half.z * std::abs(s.axes[2].z);
   return {s.center.z - up, s.center.z + up};
 }
 
-/// Whether it meets others that are upright in the plane. A ball always does, a capsule never.
+/// True if it meets other upright bodies in the plane. A ball always does, a capsule never.
 bool is_upright(const Solid& solid) {
   return solid.kind != SolidKind::capsule && solid.shape.axes[2].z > kUpright;
 }
 
-/// Whether it stands out furthest at the height of its middle.
+/// True if it is widest at the height of its middle.
 bool bulges(const Solid& solid) {
   return solid.kind == SolidKind::wheel || solid.kind == SolidKind::ball;
 }
@@ -60,7 +59,7 @@ Vector3 velocity_at(const Solid& solid, const Vector3& point) {
                point - to_vector(dBodyGetPosition(solid.body)));
 }
 
-/// As fast as the two can come together anywhere.
+/// The highest speed at which any points of the two can approach each other, m/s.
 double greatest_closing_speed(const Solid& a, const Solid& b) {
   double speed = 0.0;
   for (const Solid* solid : {&a, &b}) {
@@ -86,8 +85,8 @@ bool meet_in_space(OdeContacts& contacts, const Solid& a, const Solid& b) {
 /// Two upright bodies side by side.
 bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const Span& common,
                    const PlanarManifold& manifold) {
-  // A wheel stands out furthest at the height of its axle. Upright faces meet along their whole
-  // height, so that neither tips over the other.
+  // A wheel reaches furthest at the height of its axle. Upright faces meet along their whole
+  // height, so that neither body tips over the other.
   std::array<double, 2> heights{common.lower, common.upper};
   std::size_t levels = common.upper - common.lower > 1e-3 ? 2 : 1;
   for (const Solid* solid : {&a, &b}) {
@@ -111,7 +110,7 @@ bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const 
   return touch;
 }
 
-/// Whether the wheels can meet what reaches up to this height.
+/// True if the wheels can meet a body that reaches up to this height.
 bool wheels_count(const Vehicle& vehicle, double top) {
   return !vehicle.wheels_inside || !is_upright(vehicle.chassis) ||
          top <= height_of(vehicle.chassis).lower + kBelow;
@@ -151,7 +150,7 @@ bool meet_solids(OdeContacts& contacts, const Solid& a, const Solid& b) {
       [&](const auto& from_a, const auto& from_b) { return meet(from_a, from_b, margin); },
       seen_from_above(a), seen_from_above(b));
   if (manifold.count == 0) return false;
-  // Further into each other from the side than from above: one stands on the other.
+  // The overlap is larger from the side than from above: one body stands on the other.
   const double depth = -std::min(manifold.points[0].gap,
                                  manifold.points[static_cast<std::size_t>(manifold.count) - 1].gap);
   const double lesser_height = std::min(of_a.upper - of_a.lower, of_b.upper - of_b.lower);
@@ -177,8 +176,8 @@ bool meet_vehicle_and_box(OdeContacts& contacts, const Vehicle& vehicle, const S
   if (wheels_count(vehicle, top)) {
     for (const Solid& wheel : vehicle.wheels) touch = meet_solids(contacts, wheel, box) || touch;
   }
-  // The casters lie below the chassis; only what passes below it, or lies under a robot that has
-  // been tipped over, meets them.
+  // The casters lie below the chassis. Only a body that passes below it, or lies under a robot that
+  // has tipped over, meets them.
   if (is_upright(vehicle.chassis) && top > height_of(vehicle.chassis).lower + kBelow) return touch;
   for (const Solid& caster : vehicle.casters) {
     touch = meet_in_space(contacts, caster, box) || touch;

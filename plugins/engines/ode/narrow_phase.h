@@ -6,8 +6,8 @@
 
 namespace elsie::physics {
 
-// These make the contacts of two bodies, at least one of which can give way, and say whether the
-// bodies touch; contacts of bodies that still are a gap apart are not touches.
+// These make the contacts of two bodies, of which at least one can move, and return true if the
+// bodies touch. Contacts across a gap do not count as touching.
 
 bool meet_solids(OdeContacts& contacts, const Solid& a, const Solid& b);
 bool meet_vehicles(OdeContacts& contacts, const Vehicle& a, const Vehicle& b);

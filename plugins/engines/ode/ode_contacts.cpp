@@ -8,15 +8,15 @@
 namespace elsie::physics {
 namespace {
 
-// Rubber tyres hold better than chassis and boxes glide, or else no robot could push a box of its
+// Rubber tyres have more grip than chassis and boxes; otherwise no robot could push a box of its
 // own weight.
 constexpr double kTyreGrip = 3.0;
 
-// Two contacts more than needed to carry a body share its weight by their softness.
+// If a body has two contacts more than it needs, their softness distributes its weight.
 constexpr double kLeastCfm = 1e-10;
 
 // ODE's solver gives up where two contacts of the same body reach their limits at the same instant,
-// as they do on anything symmetrical. So no two contacts that follow each other are quite equal.
+// as on symmetrical bodies. So two successive contacts are never quite equal.
 constexpr std::size_t kTies = 7;
 
 // The sine of a tilt up to which the end of a cylinder counts as level.
@@ -37,7 +37,7 @@ OdeContacts::OdeContacts(dWorldID world, const world::Physics& physics)
       bounce_threshold_(2.0 * gravity_ * step_) {}
 
 double OdeContacts::margin(double speed) const {
-  // What is to bounce must hit first.
+  // A body must hit before it can bounce.
   if (bounce_ > 0.0 && speed > bounce_threshold_) return 0.0;
   return kSlack + (std::max(0.0, speed) + gravity_ * step_) * step_;
 }
@@ -106,7 +106,7 @@ void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& whe
   dContact contact = on_floor(lowest, holds_ahead ? tyre_friction_ : 0.0);
   contact.surface.mode = dContactFDir1 | dContactSlip2;
   contact.surface.slip2 = slip_;
-  Vector3 glides = ahead;  // without friction, unless a motor holds it
+  Vector3 glides = ahead;  // no friction, unless a motor holds it
   if (holds_ahead) {
     contact.surface.mode |= dContactSlip1;
     contact.surface.slip1 = slip_;
@@ -129,10 +129,10 @@ void OdeContacts::caster_on_floor(dBodyID caster, const Vector3& lowest) {
   attach(caster, nullptr, contact, lowest.z);
 }
 
-/// How far above the floor a point of a body of this size may be that reaches it in this step.
+/// The height above the floor from which a point of a body of this size can reach it in this step.
 double OdeContacts::floor_reach(dBodyID body, const Vector3& half) const {
   const Vector3 w = to_vector(dBodyGetAngularVel(body));
-  // As fast as any corner can sink.
+  // The highest speed at which any corner can sink.
   const double size = half.x + half.y + half.z;
   return margin(-dBodyGetLinearVel(body)[2] + size * (std::abs(w.x) + std::abs(w.y)));
 }
@@ -144,7 +144,7 @@ void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
   const double lowest =
       box.center.z - std::abs(a.z) * half.x - std::abs(b.z) * half.y - std::abs(c.z) * half.z;
   if (lowest > reach) return;
-  // Of a flat box the upper corners come near the floor as well, but never first.
+  // The upper corners of a flat box come near the floor as well, but never first.
   const double highest = std::min(reach, box.center.z);
   for (const double x : {-half.x, half.x}) {
     for (const double y : {-half.y, half.y}) {
@@ -179,7 +179,7 @@ void OdeContacts::rims_on_floor(dBodyID body, const Shape& shape, const Oriented
                                 double highest) {
   const auto index = static_cast<std::size_t>(shape.axis);
   const Vector3& axis = box.axes[index];
-  // Down the slope of an end; anywhere if there is none.
+  // Down the slope of an end; anywhere if there is no slope.
   const Vector3 slope{axis.z * axis.x, axis.z * axis.y, axis.z * axis.z - 1.0};
   const double steepness = std::sqrt(dot(slope, slope));
   const Vector3 down = steepness > kLevel ? (1.0 / steepness) * slope : box.axes[(index + 1) % 3];

@@ -13,49 +13,48 @@
 
 namespace elsie::physics {
 
-/// A contact as ODE's joints take it. `b`, or `a`, may be null for a body that stands fast.
+/// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body.
 struct FoundContact {
   dBodyID a = nullptr;
   dBodyID b = nullptr;
   dContact contact{};
 };
 
-/// Collects the contacts of one step, and makes joints of them that live for it.
+/// Collects the contacts of one step, and makes joints of them that last for this step.
 ///
-/// A contact may be made while there is still a gap. It then only forbids the bodies to come closer
-/// in this step than to the surface: what rests on the floor does not lose touch with it and fall
-/// back for a step, and what comes fast stops at a wall instead of in it.
+/// A contact may be made across a gap. It then only keeps the bodies from coming closer in this
+/// step than to the surface. So a body at rest on the floor does not lose contact and fall back for
+/// a step, and a fast body stops at a wall instead of inside it.
 class OdeContacts {
  public:
   OdeContacts(dWorldID world, const world::Physics& physics);
 
-  /// Up to which gap, in m, a body that comes nearer at `speed` m/s needs a contact.
+  /// The gap, m, up to which a body that comes nearer at `speed` m/s needs a contact.
   double margin(double speed) const;
 
-  /// A wheel, whole or tipped over, that is `geom` of `body` and sinks with `sinking` m/s. One
-  /// without a motor rolls freely and only holds sideways; one with rollers only holds along their
-  /// axles.
+  /// A wheel, upright or tipped over, that is `geom` of `body` and sinks at `sinking` m/s. One
+  /// without a motor rolls freely and only has grip sideways; one with rollers only has grip along
+  /// their axles.
   void wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
                       const WheelJoint& joint, dGeomID floor);
-  /// A sphere that glides on the floor without friction.
+  /// A sphere that slides on the floor without friction.
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.
   void box_on_floor(dBodyID body, const OrientedBox& box);
-  /// The same for a body of any shape, of which `box` is the box around it: the rims of a cylinder
-  /// at their lowest points and at three more each, so that it can stand; the lowest points of
-  /// balls.
+  /// The same for a body of any shape, with `box` as its bounding box: the rims of a cylinder at
+  /// their lowest points and at three more each, so that it can stand; the lowest points of balls.
   void solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box);
-  /// Two bodies, of which `b` may be null for one that stands fast. `normal` points from b into a.
+  /// Two bodies, of which `b` is null if it is fixed. `normal` points from b into a.
   void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
-  /// The same as found by one of ODE's colliders.
+  /// The same for a contact from one of ODE's colliders.
   void between(dBodyID a, dBodyID b, const dContactGeom& found);
 
-  /// All of the step, in the order in which they were found.
+  /// All contacts of the step, in the order in which they were found.
   std::span<const FoundContact> found() const { return found_; }
   /// Makes a joint of a contact.
   void join(const FoundContact& contact);
 
-  /// Forgets the contacts of the step. Those made from now on are `softer` times as soft.
+  /// Forgets the contacts of the step. Later contacts are `softer` times as soft.
   void clear(double softer = 1.0);
 
  private:
@@ -77,7 +76,7 @@ class OdeContacts {
   double tyre_friction_;
   double slip_;
   double bounce_;
-  double bounce_threshold_;  // m/s: what rests shall not hop
+  double bounce_threshold_;  // m/s: bodies at rest must not hop
 };
 
 }  // namespace elsie::physics

@@ -25,15 +25,15 @@
 namespace elsie::physics {
 namespace {
 
-// How much further a body may come in a step than at its present speed, by being accelerated.
+// The additional distance that a body may move in a step because it is accelerated.
 constexpr double kSlack = 1e-3;  // m
 
-// Where ODE's solver gives up, the step is taken again with contacts softer by this factor, and by
-// more if need be.
+// When ODE's solver gives up, the step is repeated with contacts softer by this factor, and by more
+// if necessary.
 constexpr double kSofter = 3.0;
 constexpr int kMostAttempts = 4;
 
-/// Makes a body; what ODE says against it is the caller's mistake.
+/// Makes a body; an error from ODE means that the caller's data are wrong.
 template <class Make>
 void accept(const char* what, Make make) {
   try {
@@ -95,11 +95,11 @@ class OdeEngine final : public Engine {
     world::BoxKind kind = world::BoxKind::fixed;
     bool present = true;
     Scene::Id id = 0;
-    dBodyID body = nullptr;  // none for one that stands fast
+    dBodyID body = nullptr;  // null for a fixed body
     OdeGeom geom;
     OrientedBox shape;
-    bool stays_within = false;  // the arena's walls
-    // Of a moving box: where it is at the end of the next step.
+    bool stays_within = false;  // within the arena's walls
+    // For a moving box: its place at the end of the next step.
     bool driven = false;
     Vector3 target;
   };
@@ -132,7 +132,7 @@ class OdeEngine final : public Engine {
   world::Physics physics_;
   double time_ = 0.0;
   OdeWorld world_;
-  // Geometry goes before the world with the bodies that it is attached to.
+  // Geometry is destroyed before the world with the bodies that it is attached to.
   OdeContacts contacts_;
   OdeGeom floor_;
   Scene scene_;
@@ -141,13 +141,13 @@ class OdeEngine final : public Engine {
   std::vector<BoxBody> boxes_;
   std::vector<BoxBody> walls_;
   std::vector<Touch> touches_;
-  BodyStates before_;  // this step
+  BodyStates before_;  // at the start of this step
   Routing routing_;
   Bounds bounds_;
   GiveUps give_ups_;
-  std::vector<bool> stay_within_;     // the arena's walls: each robot
+  std::vector<bool> stay_within_;     // within the arena's walls: each robot
   std::vector<Scene::Id> mobile_;     // ascending
-  std::vector<Scene::Id> neighbors_;  // of the one at hand; kept to reuse its memory
+  std::vector<Scene::Id> neighbors_;  // of the current body; kept to reuse its memory
 };
 
 OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
@@ -158,7 +158,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
       routing_(physics),
       bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
-  // Joints take these over when they are made.
+  // Joints take these values when they are made.
   dWorldSetERP(world_.get(), physics.effective_erp());
   dWorldSetCFM(world_.get(), physics.effective_cfm());
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
@@ -175,7 +175,7 @@ std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double 
   return enter_robot(z + robots_.back().height());
 }
 
-/// The last of the robots. `top`: of its highest part, m.
+/// Enters the last of the robots. `top`: the height of its highest part, m.
 std::size_t OdeEngine::enter_robot(double top) {
   const std::size_t index = robots_.size() - 1;
   std::vector<Scene::Id>& ids = robot_ids_.emplace_back();
@@ -402,7 +402,7 @@ void OdeEngine::start_moving_boxes() {
       dBodySetLinearVel(box.body, 0.0, 0.0, 0.0);
       continue;
     }
-    // Back by the way of this step, so that it arrives with it.
+    // Moved back by the distance of this step, so that the box arrives with it.
     const Vector3 velocity = to_vector(dBodyGetLinearVel(box.body));
     box.shape.center = box.target - physics_.step * velocity;
     dBodySetPosition(box.body, box.shape.center.x, box.shape.center.y, box.shape.center.z);
@@ -423,7 +423,7 @@ void OdeEngine::find_contacts() {
     scene_.neighbors(id, neighbors_);
     for (const Scene::Id other : neighbors_) {
       const Body a = scene_.body(id), b = scene_.body(other);
-      if (other < id && is_mobile(b)) continue;  // met already
+      if (other < id && is_mobile(b)) continue;  // already met
       if (meet(id, other)) touches_.push_back(a < b ? Touch{a, b} : Touch{b, a});
     }
   }
@@ -460,8 +460,8 @@ bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
   return can_give && meet_solids(contacts_, solid(box_a), solid(box_b));
 }
 
-// Neighbours are kept apart by the limits of their joint. No contact is reported when a robot
-// touches itself.
+// The limits of their joint keep neighbours apart. No contact is reported when a robot touches
+// itself.
 bool OdeEngine::meet_own(const OdeRobot& robot, std::size_t a, std::size_t b) {
   if (std::max(a, b) - std::min(a, b) > 1) {
     meet_vehicles(contacts_, robot.vehicles()[a].solids(), robot.vehicles()[b].solids());

@@ -9,7 +9,7 @@
 namespace elsie::physics {
 namespace {
 
-// The only way in which ODE tells that its solver gave up is a message. It comes in the thread that
+// ODE reports only by a message that its solver gave up. The message comes in the thread that
 // steps.
 thread_local bool solver_gave_up = false;
 
@@ -21,8 +21,8 @@ void note_message(int, const char*, va_list) { solver_gave_up = true; }
   throw OdeFailure(text.data());
 }
 
-/// A scheduler with a job left in it cannot be freed: ODE would end the process. It is kept
-/// instead.
+/// A scheduler with a job left in it cannot be freed, because ODE would end the process. It is
+/// kept.
 void abandon(dThreadingImplementationID scheduler) {
   static std::mutex guard;
   static auto* const abandoned = new std::vector<dThreadingImplementationID>;
@@ -33,7 +33,7 @@ void abandon(dThreadingImplementationID scheduler) {
 bool start_ode() {
   if (!dInitODE2(0)) throw std::runtime_error("The physics library ODE could not be started.");
   dSetMessageHandler(note_message);
-  // Failed assertions come by the one, other errors by the other.
+  // ODE reports failed assertions through one handler, other errors through the other.
   dSetDebugHandler(fail);
   dSetErrorHandler(fail);
   return true;
@@ -42,7 +42,7 @@ bool start_ode() {
 }  // namespace
 
 void prepare_ode() {
-  // Once in a process, and never closed: engines may live to the very end of it.
+  // Once in a process, and never closed: engines may live until its very end.
   static const bool started = start_ode();
   static_cast<void>(started);
   thread_local const bool allocated = dAllocateODEDataForThread(dAllocateMaskAll) != 0;

@@ -11,10 +11,10 @@
 
 namespace elsie::physics {
 
-/// Makes ODE ready for the calling thread; to be called before any other use of ODE in it.
+/// Prepares ODE for the calling thread; must be called before any other use of ODE in it.
 void prepare_ode();
 
-/// What ODE says when it cannot go on. It would end the process otherwise.
+/// An error after which ODE cannot go on. ODE itself would end the process.
 class OdeFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -30,8 +30,8 @@ class OdeWorld {
 
   dWorldID get() const { return world_; }
 
-  /// Takes a step. False if ODE's solver gave up: then the world has moved, but bodies may have
-  /// been let through their contacts. Throws OdeFailure if it stopped half way; the world can then
+  /// Takes a step. Returns false if ODE's solver gave up: the world has moved, but bodies may have
+  /// passed through their contacts. Throws OdeFailure if it stopped half way; the world can then
   /// only be destroyed.
   bool step(double step);
 

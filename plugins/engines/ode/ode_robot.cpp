@@ -10,7 +10,7 @@
 namespace elsie::physics {
 namespace {
 
-/// The frame of a robot that stands there.
+/// The frame of a robot that stands at this pose.
 Frame standing(const Pose& pose, double z) {
   const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
   return {{pose.x, pose.y, z}, {c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}};

@@ -12,42 +12,41 @@
 
 namespace elsie::physics {
 
-/// A vehicle, and those that it pulls.
+/// A vehicle, and the vehicles that it pulls.
 class OdeRobot {
  public:
   OdeRobot(dWorldID world, const BodyPlan& plan, const Pose& pose, double z);
 
-  /// The same as another one, in its state.
+  /// A copy of another robot, in the same state.
   OdeRobot(dWorldID world, const OdeRobot& other);
 
-  /// Stands there at rest, its vehicles in line behind it.
+  /// Puts the robot at a pose, at rest, with its vehicles in line behind it.
   void put(const Pose& pose, double z);
-  /// Moves as another one does, as one rigid body.
+  /// Takes the velocity of another robot; the whole robot moves as one rigid body.
   void push(const OdeRobot& other);
   /// See Engine::set_joints().
   void set_joints(std::span<const JointSetting> settings);
-  /// Measured, one for each that can be set.
+  /// The measured settings, one for each joint that can be set.
   std::span<const JointSetting> joints() const { return joints_; }
   void begin_step(double step);
   void meet_floor(OdeContacts& contacts, dGeomID floor) const;
-  /// After a step of `step` s: joints to their places, and the new state. False if a number in it
-  /// is not finite.
+  /// After a step of `step` s: puts joints back in place and reads the new state. False if a number
+  /// in it is not finite.
   bool settle(double step);
 
   const RobotState& state() const { return state_; }
   SegmentState segment(std::size_t segment) const;
   const std::vector<OdeVehicle>& vehicles() const { return vehicles_; }
-  /// Of its highest part above the floor on which it stands, m.
+  /// The height of its highest part above the floor on which it stands, m.
   double height() const { return height_; }
-  /// The highest speed of any of its parts that these rates of its wheels can bring about, m/s: see
-  /// bounds.h.
+  /// The highest speed that any of its parts can reach with these wheel rates, m/s; see bounds.h.
   double most_speed(std::span<const JointSetting> settings) const;
-  /// Where a vehicle is, for sensors and neighbours.
+  /// Puts a vehicle into the scene, for sensors and neighbours.
   void place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const {
     vehicles_[vehicle].place_in(scene, id, step);
   }
 
-  /// Calls it with every dBodyID, always in the same order.
+  /// Calls `call` with every dBodyID, always in the same order.
   template <class Call>
   void for_each_body(Call call) const {
     for (const OdeVehicle& vehicle : vehicles_) vehicle.for_each_body(call);
@@ -57,7 +56,7 @@ class OdeRobot {
   void read_state();
 
   BodyPlan plan_;
-  // Where it was made: the places of its joints on its bodies follow from that, with rounding.
+  // The pose at the start: the places of the joints on the bodies follow from it, with rounding.
   Pose made_at_;
   double made_z_;
   std::vector<OdeVehicle> vehicles_;
@@ -65,7 +64,7 @@ class OdeRobot {
   RobotState state_;
   double height_ = 0.0;
   double lever_ = 1.0;
-  std::vector<double> radii_;  // of the joints that can be set; 0 for one that is no wheel
+  std::vector<double> radii_;  // of the joints that can be set; 0: not a wheel
 };
 
 }  // namespace elsie::physics

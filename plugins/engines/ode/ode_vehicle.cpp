@@ -13,8 +13,8 @@ namespace {
 // ODE's solver gives up where two motors of equal strength reach their limits at the same instant.
 constexpr double kTieBreaker = 1e-6;
 
-// How far before its limit ODE's stop of a joint stands, so that a joint that was put to its limit
-// is beyond the stop whatever the rounding.
+// ODE's stop of a joint stands before the joint's limit by this angle, so that a joint at its limit
+// is beyond the stop despite rounding.
 constexpr double kStopSlack = 1e-6;  // rad
 
 // A wheel that is flush with the side of the chassis is inside.
@@ -124,7 +124,7 @@ SolidKind kind_of(const Shape& shape) {
   }
 }
 
-/// Towards a value, by no more than `most`.
+/// Moves a value towards another one by at most `most`.
 double approach(double from, double to, double most) {
   return std::abs(to - from) <= most ? to : from + std::copysign(most, to - from);
 }
@@ -293,7 +293,7 @@ void OdeVehicle::push(const Vector3& velocity, const Vector3& turning, const Vec
   }
 }
 
-/// Where a wheel points in the vehicle's frame, rad.
+/// The direction of a wheel in the vehicle's frame, rad.
 double OdeVehicle::heading_of(const Wheel& wheel) { return wheel.rest_rad + wheel.now.angle_rad; }
 
 void OdeVehicle::turn_wheel(const Wheel& wheel, const dQuaternion chassis) const {
@@ -307,7 +307,7 @@ void OdeVehicle::turn_wheel(const Wheel& wheel, const dQuaternion chassis) const
   dBodySetQuaternion(wheel.motor->body, q);
 }
 
-/// A wheel without a body of its own.
+/// Turns the geometry of a wheel without a body of its own.
 void OdeVehicle::turn_geom(const Wheel& wheel) const {
   dQuaternion along_axle, turned;
   dQFromAxisAndAngle(along_axle, 1.0, 0.0, 0.0, 0.5 * std::numbers::pi);
@@ -408,7 +408,7 @@ void OdeVehicle::steer(Wheel& wheel, double step) {
 }
 
 void OdeVehicle::begin_hitch(double step) {
-  // ODE's angles of this joint count the other way round: of the front against the one behind.
+  // ODE counts the angles of this joint the other way round: of the front against the one behind.
   const dJointID joint = hitch_state_.joint;
   if (hitch_->torque > 0.0) {
     const double off = hitch_state_.wanted_yaw_rad - hitch_state_.yaw_rad;
@@ -499,7 +499,7 @@ void OdeVehicle::carry(dBodyID body, const Vector3& at) const {
 bool OdeVehicle::settle_at_hitch(const Frame& front) {
   const Vector3 joint = front.point({-hitch_->behind, 0.0, hitch_->height});
   const dReal* r = dBodyGetRotation(chassis_);
-  // Its transverse axis stays at right angles to the vertical of the body in front: no roll.
+  // The transverse axis stays at right angles to the vertical of the body in front: no roll.
   const Vector3 left{r[1], r[5], r[9]};
   frame_.left = unit(left - dot(left, front.up) * front.up, left);
   const Vector3 forward{r[0], r[4], r[8]};
@@ -520,7 +520,7 @@ void OdeVehicle::limit_hitch(const Frame& front) {
   HitchState& state = hitch_state_;
   const double yaw =
       std::atan2(dot(frame_.forward, front.left), dot(frame_.forward, front.forward));
-  // From where it was, so that it does not come round the back.
+  // Relative to the last angle, so that it does not jump by a full turn.
   const double turned = state.yaw_rad + wrap_angle(yaw - state.yaw_rad);
   const double pitch = std::asin(std::clamp(dot(frame_.forward, front.up), -1.0, 1.0));
   state.yaw_rad = std::clamp(turned, -hitch_->max_yaw_rad, hitch_->max_yaw_rad);
@@ -532,7 +532,7 @@ void OdeVehicle::limit_hitch(const Frame& front) {
   frame_.up = limited.up;
 }
 
-/// Where ODE has the chassis, from which all else follows.
+/// Reads the frame of the chassis from ODE; everything else follows from it.
 void OdeVehicle::read_frame() {
   const dReal* r = dBodyGetRotation(chassis_);
   frame_.forward = {r[0], r[4], r[8]};

@@ -16,49 +16,49 @@
 
 namespace elsie::physics {
 
-/// A chassis; wheels with motors, which are bodies on hinges; wheels without, which have neither
-/// mass nor spin of their own: each is a contact that holds its place sideways and lets it roll
-/// freely; and casters on ball joints. One that is pulled has a universal joint at its front.
+/// A chassis, wheels with motors (bodies on hinges), wheels without, and casters on ball joints. A
+/// wheel without a motor has no mass or spin of its own: it is a contact that has grip sideways and
+/// rolls freely. A vehicle that is pulled has a universal joint at its front.
 ///
 /// The chassis is the master: after every step the wheels and casters are put back to where their
-/// joints hold them, with the velocities that go with that, and keep only the turning of the wheels
-/// as their own. ODE moves each body along a straight line in a step; a wheel of a robot that turns
-/// in place at 11 rad/s would leave its circle by a millimetre in a step of 0.02 s, and the
-/// joint's error reduction would only pull it back by a fifth of that. Steered wheels are turned at
-/// the rate of their steering, whatever they touch: that motor is as strong as it must be.
+/// joints hold them, with the matching velocities. Only the spin of the wheels is their own. ODE
+/// moves each body along a straight line in a step; a wheel of a robot that turns in place at 11
+/// rad/s would leave its circle by a millimetre in a step of 0.02 s, and the joint's error
+/// reduction would correct only a fifth of that. Steered wheels turn at the rate of their steering,
+/// whatever they touch: the steering motor is as strong as necessary.
 ///
-/// Of a vehicle that is pulled the one in front is the master: it is put back to where its joint
-/// holds it, and turned no further than the joint's limits. It keeps its velocity, unlike a wheel:
-/// it may be heavier than the robot, and a velocity that follows from the robot's would add
-/// momentum from nowhere. ODE brings the velocities together in the next step. Three points of
-/// support are never one too many, and the solver has a dozen rows less for each segment than with
-/// wheels on hinges, none of which could drift apart.
+/// The master of a pulled vehicle is the one in front: the pulled one is put back to where its
+/// joint holds it, and turned no further than the joint's limits. Unlike a wheel it keeps its
+/// velocity: it may be heavier than the robot, and a velocity computed from the robot's would add
+/// momentum. ODE brings the velocities together in the next step. Three points of support are never
+/// redundant, the solver has a dozen rows fewer per segment than with wheels on hinges, and no
+/// wheel can drift off.
 class OdeVehicle {
  public:
   /// `parts` are those of one vehicle, the chassis first.
   OdeVehicle(dWorldID world, std::span<const Part> parts);
 
-  /// Puts it there, upright and at rest, its steering straight ahead.
+  /// Puts the vehicle there, upright and at rest, its steering straight ahead.
   void put(const Frame& frame, double heading_rad);
-  /// Links wheels and casters to the chassis, and the chassis to that in front, if there is one.
-  /// All stand where they belong; `frame` is where it was put.
+  /// Links wheels and casters to the chassis, and the chassis to the vehicle in front, if there is
+  /// one. All must be in place; `frame` is where the vehicle was put.
   void link(dWorldID world, dBodyID front, const Frame& frame);
 
-  /// Puts it into the state of another one that was made of the same parts.
+  /// Takes the state of another vehicle that was made of the same parts.
   void take(const OdeVehicle& other);
-  /// Moves with the velocity of a body that turns about `middle`.
+  /// Takes the velocity of a body that turns about `middle`.
   void push(const Vector3& velocity, const Vector3& turning, const Vector3& middle);
-  /// One for each joint of the plan that can be set (Engine::set_joints()), in order; returns those
-  /// of the vehicles behind.
+  /// Sets the joints of the plan that can be set (Engine::set_joints()), in order; returns the
+  /// settings of the vehicles behind.
   std::span<const JointSetting> set(std::span<const JointSetting> settings);
-  /// Before a step of this length: steering turns; a hitch that the step would bring past its limit
-  /// is stopped there. ODE notices a limit of a joint in the step after it was passed, which at
-  /// 10 rad/s may be 10 degrees later.
+  /// Before a step of this length: turns the steering, and stops a hitch at its limit if the step
+  /// would bring it past that. ODE notices the limit of a joint only in the step after it was
+  /// passed, which at 10 rad/s may be 10 degrees later.
   void begin_step(double step);
-  /// Contacts of all parts with the floor, of which `floor` is the geometry.
+  /// Makes the contacts of all parts with the floor, whose geometry is `floor`.
   void meet_floor(OdeContacts& contacts, dGeomID floor) const;
-  /// After a step of `step` s: joints to their places, and the new state. `front` is the frame of
-  /// the vehicle in front. False if a number is not finite.
+  /// After a step of `step` s: puts joints back in place and reads the new state. `front` is the
+  /// frame of the vehicle in front. False if a number is not finite.
   bool settle(double step, const Frame* front);
   void place_in(Scene& scene, Scene::Id id, double step) const;
 
@@ -72,8 +72,8 @@ class OdeVehicle {
     WheelJoint joint;
     std::optional<Motor> motor;
     OdeGeom geom;
-    double about_axle = 0.0;  // kg m2, of one with a motor
-    double rest_rad = 0.0;    // where it points when it is not steered, in the vehicle's frame
+    double about_axle = 0.0;  // kg m2, with a motor
+    double rest_rad = 0.0;    // direction when it is not steered, in the vehicle's frame
     JointSetting wanted;
     JointSetting now;     // rates and angles, measured
     double turned = 0.0;  // rad, about its axle, in [-pi, pi]
@@ -89,15 +89,15 @@ class OdeVehicle {
   const std::vector<Cylinder>& wheel_shapes() const { return wheel_shapes_; }
   std::span<const dBodyID> casters() const { return casters_; }
   const std::optional<HitchJoint>& hitch() const { return hitch_; }
-  /// Where its joint is.
+  /// The place of its hitch joint.
   Vector3 hitch_place() const { return frame_.point({hitch_->ahead, 0.0, hitch_->height}); }
-  /// How fast its motor is to turn the hitch in this step, rad/s.
+  /// The rate at which the motor turns the hitch in this step, rad/s.
   double hitch_rate() const { return hitch_state_.rate; }
-  /// All that moves as one with the chassis.
+  /// All parts that move as one with the chassis.
   const Lump& lump() const { return lump_; }
   const Vehicle& solids() const { return solids_; }
 
-  /// Calls it with every dBodyID, always in the same order.
+  /// Calls `call` with every dBodyID, always in the same order.
   template <class Call>
   void for_each_body(Call call) const {
     call(chassis_);

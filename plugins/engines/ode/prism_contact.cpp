@@ -6,8 +6,8 @@
 namespace elsie::physics {
 namespace {
 
-// A face of b must be better by this much than one of a to be taken, so that rounding does not make
-// the contact jump between them.
+// A face of b is taken only if it is better than one of a by this much, so that rounding does not
+// make the contact jump between them.
 constexpr double kPreference = 1e-7;  // m
 
 double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
@@ -52,7 +52,7 @@ PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin) {
   const Rectangle& standing = face_of_b ? b : a;
   const Rectangle& coming = face_of_b ? a : b;
 
-  // The edge of the other one that faces this face most.
+  // The edge of the other rectangle that faces this face most directly.
   const Vector2 side = left_of(coming.along);
   const double to_front = dot(coming.along, face.normal), to_side = dot(side, face.normal);
   const bool by_front = std::abs(to_front) > std::abs(to_side);

@@ -1,9 +1,9 @@
-// Where two upright prisms or cylinders meet, gaps included.
+// Contacts of two upright prisms or cylinders, also across a gap.
 //
-// Nearly everything in a world stands upright: walls, boxes, the chassis and wheels of a robot. Two
-// of these meet in the plane. Unlike a collider for boxes in space this one also tells of bodies
-// that are still a gap apart, so that they can be stopped at the surface instead of behind it, and
-// never mistakes the top of a low box for its side.
+// Nearly everything in a world stands upright: walls, boxes, and the chassis and wheels of a robot.
+// Two such bodies meet in the plane. Unlike a collider for boxes in space, this one also finds
+// contacts across a gap, so bodies can be stopped at the surface instead of behind it. It never
+// mistakes the top of a low box for its side.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace elsie::physics {
 /// A rectangle seen from above.
 struct Rectangle {
   Vector2 center;
-  Vector2 along;  // unit vector; the other edge is at its left
+  Vector2 along;  // unit vector; the other edge is to its left
   double half_length = 0.0;
   double half_width = 0.0;
 };
@@ -41,8 +41,8 @@ struct PlanarManifold {
 /// Points of contact with a gap of at most `margin` m (separating axes, then clipping of the facing
 /// edges).
 PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin);
-/// The same for the nearest points of a disc and another shape; a disc whose middle is inside of a
-/// rectangle leaves it by the nearest face.
+/// The same for the nearest points of a disc and another shape. A disc whose middle is inside a
+/// rectangle is pushed out through the nearest face.
 PlanarManifold meet(const Disc& a, const Rectangle& b, double margin);
 PlanarManifold meet(const Rectangle& a, const Disc& b, double margin);
 PlanarManifold meet(const Disc& a, const Disc& b, double margin);

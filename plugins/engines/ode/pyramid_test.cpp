@@ -17,7 +17,7 @@ class Shadow {
  public:
   void add(const Vector2& point) { points_[count_++] = point; }
 
-  /// Whether their convex hull comes within this distance of the origin.
+  /// True if their convex hull comes within this distance of the origin.
   bool comes_within(double radius) {
     const auto corners = static_cast<std::ptrdiff_t>(hull());
     if (corners == 0) return false;
@@ -78,7 +78,7 @@ PyramidTest::PyramidTest(const Pyramid& pyramid) {
   const Frame& frame = pyramid.frame;
   const double across = std::tan(0.5 * pyramid.horizontal_fov_rad);
   const double upward = std::tan(0.5 * pyramid.vertical_fov_rad);
-  // Directions to the corners, round the axis.
+  // Directions to the corners, around the axis.
   const std::array<Vector3, 4> corners{
       frame.direction({1.0, across, upward}), frame.direction({1.0, -across, upward}),
       frame.direction({1.0, -across, -upward}), frame.direction({1.0, across, -upward})};

@@ -1,4 +1,4 @@
-// Whether a body reaches into the volume of a proximity sensor.
+// Tests whether a body reaches into the volume of a proximity sensor.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ class PyramidTest {
   const Aabb& bounds() const { return bounds_; }
   /// Exact test by separating axes (Gottschalk, Lin and Manocha 1996). Touching counts.
   bool meets(const OrientedBox& box) const;
-  /// Exact as well: what of the pyramid lies between the planes of the cylinder's ends is a convex
-  /// polygon when seen along the axis, and the cylinder a disc.
+  /// Exact as well: the part of the pyramid between the planes of the cylinder's ends is a convex
+  /// polygon when seen along the axis, and the cylinder is a disc.
   bool meets(const Cylinder& cylinder) const;
 
  private:

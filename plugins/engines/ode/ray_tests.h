@@ -1,4 +1,4 @@
-// Where a ray meets a body. Inline: these are the inner loop of every range sensor.
+// Intersections of rays with bodies. Inline: they are the inner loop of every range sensor.
 //
 // A body is met where the ray enters it; a ray that starts inside meets it at distance 0. Surfaces
 // belong to the body.
@@ -23,8 +23,8 @@ struct Ray {
       : origin(from), direction(along), inverse{1.0 / along.x, 1.0 / along.y, 1.0 / along.z} {}
 };
 
-/// Whether the ray comes through the bounds within `range`. Bounds that serve here are a little
-/// larger than the body, so that rounding never hides it.
+/// True if the ray passes through the bounds within `range`. Bounds are a little larger than the
+/// body, so that rounding never hides it.
 inline bool meets_bounds(const Ray& ray, const Aabb& box, double range) {
   double enter = 0.0, leave = range;
   const auto clip = [&](double lower, double upper, double origin, double inverse) {
@@ -95,7 +95,7 @@ inline double distance_to_ball(const Ray& ray, const Vector3& center, double rad
 }
 
 /// Distance at which the ray enters the capsule within this cylinder, or kMiss. If the cylinder is
-/// as long as it is wide: the ball.
+/// as long as it is wide, the capsule is a ball.
 inline double distance_to_capsule(const Ray& ray, const Cylinder& around) {
   Cylinder between = around;  // the two balls
   between.half_length = std::max(0.0, around.half_length - around.radius);

@@ -6,8 +6,8 @@
 namespace elsie::physics {
 namespace {
 
-// ODE's solver takes what touches each other up to this size: six robots. A segment, and a box, has
-// about half as many equations as a robot.
+// ODE's solver takes islands up to this size: six robots. A segment or a box has about half as many
+// equations as a robot.
 constexpr std::size_t kRobotSize = 2;
 constexpr std::size_t kMostForOde = 6 * kRobotSize;
 
@@ -33,7 +33,7 @@ void Routing::add_box(dBodyID box) {
 
 void Routing::add(Member member) {
   members_.push_back(std::move(member));
-  // From 1: a body of ODE that has no data has 0.
+  // Numbers start at 1, because an ODE body without data has 0.
   const auto number = static_cast<std::uintptr_t>(members_.size());
   for (const dBodyID body : members_.back().bodies) {
     dBodySetData(body, reinterpret_cast<void*>(number));
@@ -50,7 +50,7 @@ void Routing::divide(OdeContacts& contacts, std::span<const OdeRobot> robots, Od
   }
   crowd_.clear();
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    // What touches no other is small however many segments it pulls.
+    // A member without contacts is small, however many segments it pulls.
     const bool small = islands_.members(i) == 1 || islands_.size(i) <= kMostForOde;
     if (takes == OdeTakes::nothing || !small) take_out(members_[i], robots);
   }

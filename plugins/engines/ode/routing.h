@@ -1,4 +1,4 @@
-// Who is moved by ODE in a step, and who by the crowd's solver.
+// Decides which bodies ODE moves in a step, and which the crowd's solver moves.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace elsie::physics {
 
-/// Divides the robots and boxes that can be moved by the contacts of a step: islands that are small
-/// enough are left to ODE, the others are taken out of its step and given to the crowd.
+/// Divides movable robots and boxes by the contacts of a step: small islands are left to ODE, the
+/// others are taken out of its step and given to the crowd.
 class Routing {
  public:
   enum class OdeTakes { small_islands, nothing };
@@ -26,29 +26,29 @@ class Routing {
   void add_robot(const OdeRobot& robot);
   /// A box that can be pushed, or one that moves along a path of its own.
   void add_box(dBodyID box);
-  /// Before the body is destroyed.
+  /// Must be called before the body is destroyed.
   void remove_box(dBodyID box);
 
-  /// Makes joints of the contacts within islands that ODE takes; what is in others is disabled in
-  /// ODE, and added to the crowd with its contacts. `robots` are all that were added.
+  /// Makes joints of the contacts within islands that ODE takes. Disables other bodies in ODE, and
+  /// adds them to the crowd with their contacts. `robots` are all that were added.
   void divide(OdeContacts& contacts, std::span<const OdeRobot> robots, OdeTakes takes);
-  /// Enables in ODE what divide() disabled.
+  /// Enables in ODE the bodies that divide() disabled.
   void wake();
-  /// Moves by a step what the last divide() gave to the crowd.
+  /// Moves the bodies that the last divide() gave to the crowd by a step.
   void step_crowd() { crowd_.step(); }
 
  private:
   struct Member {
-    std::optional<std::size_t> robot;  // its number; none: a box
-    std::size_t size = 1;              // as islands count it
-    std::vector<dBodyID> bodies;       // none: a box that is gone
+    std::optional<std::size_t> robot;  // its number; none for a box
+    std::size_t size = 1;              // its count for the islands
+    std::vector<dBodyID> bodies;       // none: a removed box
     bool in_crowd = false;             // in this step
   };
 
   void add(Member member);
   void take_out(Member& member, std::span<const OdeRobot> robots);
 
-  std::vector<Member> members_;  // a body of ODE has as its data the place of its member, from 1
+  std::vector<Member> members_;  // the data of an ODE body is the place of its member, from 1
   std::size_t robots_ = 0;
   Islands islands_;
   Crowd crowd_;

@@ -126,7 +126,7 @@ std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& dire
   best.distance = max_range;
   bool found = false;
   if (direction.z < 0.0) {
-    // The floor is seen from above; from below it, at once.
+    // The floor is seen from above; a ray from below hits it at once.
     const double distance = std::max(0.0, -origin.z / direction.z);
     if (distance <= max_range) {
       best = {distance, {}, true};

@@ -1,5 +1,5 @@
-// Where all bodies are: finds those near each other, and answers the questions of sensors. Knows
-// nothing of dynamics.
+// The places of all bodies: finds bodies near each other, and answers the queries of sensors. It
+// contains no dynamics.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ namespace elsie::physics {
 /// A chassis as sensors see it.
 struct SensedSolid {
   Shape::Kind kind = Shape::Kind::box;
-  OrientedBox box;  // around it
-  Cylinder round;   // of all but a box; that of a ball or capsule is around it, too
+  OrientedBox box;  // bounding box
+  Cylinder round;   // unused for a box; for a ball or capsule, the cylinder around it
 };
 
 class Scene {
@@ -29,8 +29,8 @@ class Scene {
 
   explicit Scene(const world::Arena& arena);
 
-  /// A new part of a body, nowhere yet: of a robot, 0, and from 1 on its segments. Only what is
-  /// `sensed` takes part in rays and pyramids.
+  /// Adds a part of a body, still without a place: part 0 is the robot, 1 and above its segments.
+  /// Only `sensed` parts take part in rays and pyramids.
   Id add(Body body, bool sensed, std::size_t part = 0);
   /// Puts a box somewhere. `reach` is how far it may come in the next step, m.
   void place_box(Id id, const OrientedBox& box, double reach);
@@ -44,7 +44,7 @@ class Scene {
   std::size_t part(Id id) const { return entries_[id].part; }
   double reach(Id id) const { return entries_[id].reach; }
 
-  /// All others whose bounds come within both reaches; ascending, each once.
+  /// All other parts whose bounds come within both reaches; ascending, each once.
   void neighbors(Id id, std::vector<Id>& found) const;
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
@@ -53,7 +53,7 @@ class Scene {
 
  private:
   struct Entry {
-    Aabb bounds;  // of the body; a hair larger, so that rounding never hides it
+    Aabb bounds;  // of the body; slightly larger, so that rounding never hides it
     double reach = 0.0;
     Body body;
     std::size_t part = 0;

@@ -16,7 +16,7 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
 struct OrientedBox {
   Vector3 center;
   std::array<Vector3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // unit vectors
-  Vector3 half;                                                    // half the edges along the axes
+  Vector3 half;                                                    // half edge lengths along axes
 };
 
 struct Cylinder {

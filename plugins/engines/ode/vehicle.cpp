@@ -7,10 +7,10 @@
 namespace elsie::physics {
 namespace {
 
-// How much further it may come in a step than at its present speed, by being accelerated.
+// The additional distance that it may move in a step because it is accelerated.
 constexpr double kRobotSlack = 1e-3;  // m
 
-/// As range sensors see it, with the sensor deck.
+/// The chassis as range sensors see it, with the sensor deck.
 SensedSolid sensed_chassis(const Shape& shape, const OrientedBox& box) {
   SensedSolid sensed{shape.kind, box, {}};
   const bool is_flat = shape.kind == Shape::Kind::box ||
@@ -31,10 +31,10 @@ void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3
                    const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step) {
   const Frame& frame = motion.frame;
   const OrientedBox chassis{middle, {frame.forward, frame.left, frame.up}, 0.5 * shape.size};
-  // From the floor to the deck, and as wide and long as chassis and wheels together.
+  // From the floor to the deck, as wide and long as chassis and wheels together.
   double top = dot(chassis.center - frame.origin, frame.up) + chassis.half.z + kSensorDeck;
   double half_length = chassis.half.x, half_width = chassis.half.y;
-  double radius = shape.radius();  // of what is round
+  double radius = shape.radius();  // of a round chassis
   for (const Cylinder& wheel : wheels) {
     const Vector3 at = wheel.center - frame.origin;
     const double along = std::abs(dot(wheel.axis, frame.forward));  // 0: it rolls straight ahead

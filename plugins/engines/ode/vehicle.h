@@ -10,30 +10,30 @@
 
 namespace elsie::physics {
 
-/// A wheel is a cylinder on its side, a pillar one that stands upright.
+/// A wheel is a cylinder on its side; a pillar is an upright cylinder.
 enum class SolidKind { box, wheel, pillar, ball, capsule };
 
-/// One convex part of a body. `shape` is the box around it; of a wheel the axle lies along its
-/// second axis, and that of a ball stands upright however the ball is turned.
+/// One convex part of a body. `shape` is its bounding box. The axle of a wheel lies along the
+/// second axis; the box of a ball stays upright however the ball turns.
 struct Solid {
-  dBodyID body = nullptr;  // none: it stands fast
+  dBodyID body = nullptr;  // null: a fixed body
   dGeomID geom = nullptr;
   SolidKind kind = SolidKind::box;
   OrientedBox shape;
 };
 
-/// A chassis on wheels, and perhaps casters below the chassis.
+/// A chassis on wheels, perhaps with casters below it.
 struct Vehicle {
   Solid chassis;
   std::vector<Solid> wheels;
-  /// Whether the wheels are within the outline of the chassis, so that what is higher than its
+  /// True if the wheels are within the outline of the chassis, so that anything higher than its
   /// bottom meets it before them.
   bool wheels_inside = false;
   std::vector<Solid> casters;
 };
 
-/// Sensors at the top of the chassis look level over it. So that robots of one size see each other,
-/// range sensors see a chassis that is flat on top higher by what a sensor on it would stand out.
+/// Sensors on top of a chassis look level over it. So that robots of one size see each other, range
+/// sensors see a flat-topped chassis as higher by the height of such a sensor.
 inline constexpr double kSensorDeck = 0.02;  // m
 
 /// How a vehicle moves.
@@ -43,8 +43,8 @@ struct VehicleMotion {
   Vector3 turning;   // rad/s
 };
 
-/// Puts a vehicle where it is, for sensors and neighbours: a chassis of this shape with its middle
-/// there, and wheels. It may come as far as its speed carries it in a step.
+/// Puts a vehicle into the scene, for sensors and neighbours: a chassis of this shape with its
+/// middle there, and wheels. Its reach is how far its speed carries it in a step.
 void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
                    const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step);
 

@@ -1,4 +1,4 @@
-// How many resources robots collected, and when they had the last of them.
+// The number of resources that robots collected, and the time of the last one.
 #include "chosen_robots.h"
 
 namespace {

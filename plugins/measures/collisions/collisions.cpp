@@ -1,4 +1,4 @@
-// How often robots collided, and when they first did.
+// The number of collisions of robots, and the time of the first one.
 #include "chosen_robots.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// How much of the arena robots visited, in cells of a grid.
+// The part of the arena that robots visited, in cells of a grid.
 #include <algorithm>
 #include <cmath>
 #include <sstream>

@@ -1,4 +1,4 @@
-// The energy that robots took from their batteries, and what is left.
+// The energy that robots took from their batteries, and the energy that is left.
 #include "chosen_robots.h"
 
 namespace {
@@ -34,5 +34,5 @@ class Energy final : public elsie::Measure, public ChosenRobots {
 
 }  // namespace
 
-ELSIE_MEASURE(Energy, "energy", "What robots took from their batteries, and what is left in them",
+ELSIE_MEASURE(Energy, "energy", "Energy that robots took from their batteries, and that is left",
               CHOSEN_ROBOTS_PARAMETERS);

@@ -1,4 +1,4 @@
-// When a team had gathered around its leader, and its extent at the end.
+// The time at which a team had gathered around its leader, and its extent at the end.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -49,7 +49,7 @@ class GroupGathered final : public elsie::Measure {
     bool all_near = true;
     for (const std::size_t i : group_) {
       if (led && now.robots[i].is_leader) {
-        continue;  // it is where it should be
+        continue;  // the group gathers around it
       }
       const double off = to_its_nearest(i, now, led);
       farthest = std::max(farthest, off);

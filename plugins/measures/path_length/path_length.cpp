@@ -1,4 +1,4 @@
-// How far robots drove.
+// The distance that robots drove.
 #include "chosen_robots.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// When a robot reached a place, and its least distance from it.
+// The time at which a robot reached a place, and its least distance from it.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -71,7 +71,7 @@ class PlaceReached final : public elsie::Measure {
 }  // namespace
 
 ELSIE_MEASURE(
-    PlaceReached, "place_reached", "When a robot came to a place, and how near it ever was",
+    PlaceReached, "place_reached", "When a robot reached a place, and its least distance from it",
     elsie::parameter("robot", &PlaceReached::robot,
                      {.meaning = "id of the robot", .required = true}),
     elsie::parameter("x", &PlaceReached::x, {.unit = "m", .meaning = "the place, east"}),

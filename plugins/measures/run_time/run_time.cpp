@@ -1,4 +1,4 @@
-// How long the run took, simulated.
+// The simulated time that the run took.
 #include <elsie/api/measure.h>
 
 namespace {

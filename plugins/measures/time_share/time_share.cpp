@@ -1,4 +1,4 @@
-// Which behaviours decided, for how long, and their mean shares in the command.
+// The time for which each behaviour decided, and its mean share in the command.
 #include <algorithm>
 #include <cmath>
 
@@ -89,7 +89,7 @@ class TimeShare final : public elsie::Measure, public ChosenRobots {
   /// Rounded to three decimals, as in traces.
   static double rounded(double share) { return std::round(1000.0 * share); }
 
-  /// Whether its share is larger than those of all behaviours next to it.
+  /// True if its share is larger than those of all behaviours next to it.
   static bool decides(std::span<const elsie::ObservedBehavior> behaviors, std::size_t which) {
     const double share = rounded(behaviors[which].share);
     if (!(share > 0.0)) {

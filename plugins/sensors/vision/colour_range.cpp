@@ -69,7 +69,7 @@ std::vector<HsvRange> ranges_of(std::span<const elsie::Colour> colours, const Ma
     if (grey && low[2] <= kBrightestSurroundings) {
       throw std::invalid_argument(
           "it cannot look for the colour " + text(colour) +
-          ", a grey like those of floor, walls and sky; give what it is to find a colour with a "
+          ", a grey like those of floor, walls and sky; give the objects to find a colour with a "
           "hue, or white (the resource, or its team), or give the sensor a pipeline of its own");
     }
     if (!grey) {
@@ -103,7 +103,7 @@ std::vector<elsie::Colour> parse_colours(std::string_view text) {
     if (word.size() != 7 || word[0] != '#' || error != std::errc() ||
         stop != word.data() + word.size()) {
       throw std::invalid_argument("colours is '" + all + "', in which '" + std::string(word) +
-                                  "' is no colour like '#d03030'; write colours with spaces "
+                                  "' is not a colour like '#d03030'; write colours with spaces "
                                   "between them");
     }
     colours.push_back({static_cast<std::uint8_t>(value >> 16U),

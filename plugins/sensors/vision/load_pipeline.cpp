@@ -12,7 +12,7 @@ namespace vision {
 
 namespace {
 
-/// It lies beside libelsie. This plugin itself may have been loaded from a copy elsewhere.
+/// The library is next to libelsie. This plugin itself may have been loaded from a copy elsewhere.
 MakePipeline load() {
   const auto file = elsie::plugin::file_of_this_library().parent_path() / "libelsie-vision.so";
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -8,6 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "elsie/base/words.h"
+
 #include "colour_range.h"
 
 namespace vision {
@@ -113,7 +115,7 @@ class Assembler {
     }
   }
 
-  /// Converts from the picture's present space.
+  /// Converts from the picture's current space.
   void convert(const Space& to) {
     if (kind_.space == &to) {
       return;
@@ -155,8 +157,8 @@ class Assembler {
     const std::size_t channels = kind_.channels();
     if (step.low.size() != channels || step.high.size() != channels) {
       fail("threshold", "low is '" + numbers(step.low) + "' and high is '" + numbers(step.high) +
-                            "', but " + kind_.text() + " has " + std::to_string(channels) +
-                            (channels == 1 ? " channel" : " channels") +
+                            "', but " + kind_.text() + " has " +
+                            elsie::base::counted(channels, "channel") +
                             "; give as many numbers for each");
     }
     cv::Scalar low, high;
@@ -175,7 +177,7 @@ class Assembler {
     // The default of 255 means no limit.
     for (const double value : {low, high}) {
       if (!(value >= 0.0 && value <= 255.0) || (hue && value > 180.0 && value < 255.0)) {
-        fail("threshold", numbers({value}) + " is no value of channel " +
+        fail("threshold", numbers({value}) + " is not a value of channel " +
                               std::to_string(channel + 1) + ", which counts from 0 to " +
                               (hue ? "180: hue in half degrees" : "255"));
       }

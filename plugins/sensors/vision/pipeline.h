@@ -20,9 +20,9 @@ class Pipeline {
   virtual std::optional<FoundBlob> run(const elsie::Image& picture, elsie::Image& mask) = 0;
 };
 
-/// Loads libelsie-vision, and OpenCV with it, at the first call: worlds without cameras do without.
-/// `resource_colours`: the default of <match_colour>. Throws std::invalid_argument with a sentence
-/// for steps that do not fit together, std::runtime_error when the library cannot be loaded.
+/// Loads libelsie-vision, and OpenCV with it, at the first call: worlds without cameras do not need
+/// it. `resource_colours`: the default of <match_colour>. Throws std::invalid_argument with a
+/// sentence for steps that do not fit together, std::runtime_error if it cannot be loaded.
 std::unique_ptr<Pipeline> make_pipeline(const std::vector<Step>& steps,
                                         std::span<const elsie::Colour> resource_colours);
 

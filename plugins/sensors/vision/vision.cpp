@@ -52,9 +52,8 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
   }
 
  private:
-  /// Normal noise for every channel of every pixel. Ten cameras need a tenth of a million numbers:
-  /// so the noise is the number of ones among 64 random bits, with mean 32 and standard deviation
-  /// 4.
+  /// Normal noise for every channel of every pixel. Ten cameras need more than 100,000 numbers, so
+  /// the noise is the number of ones among 64 random bits, with mean 32 and standard deviation 4.
   void add_noise(std::vector<std::uint8_t>& bytes, elsie::Random& random) const {
     const double scale = 255.0 * error / 4.0;
     for (std::uint8_t& byte : bytes) {

@@ -13,7 +13,7 @@
 namespace elsie::simulation {
 namespace {
 
-/// Whether values differ that are settled before a run.
+/// Returns whether parameters differ that cannot change during a run.
 bool differ_for_good(const std::vector<ParameterDeclaration>& declared,
                      const std::map<std::string, ParameterValue>& a,
                      const std::map<std::string, ParameterValue>& b) {
@@ -90,7 +90,7 @@ std::vector<Member> Controller::copied_members() {
   return copies;
 }
 
-/// Members stay where they are as long as there are as many.
+/// Members keep their addresses if their number does not change.
 void Controller::take_members(std::vector<Member> members) {
   if (members.size() == members_.size()) {
     std::move(members.begin(), members.end(), members_.begin());
@@ -103,7 +103,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
                         const std::string& path, Becoming& becoming) {
   Undo& undo = becoming.undo();
   const std::string& robot = setting_.guard.robot();
-  // Before the slots that they are of: undone after them.
+  // Added before the slots of the members, so it is undone after them.
   const auto members = std::make_shared<std::vector<Member>>(copied_members());
   undo.add([this, members, reasons = reasons_] {
     take_members(std::move(*members));
@@ -113,7 +113,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   const auto slots = slots_;
   const auto reasons = reasons_;
   slots_.clear();
-  std::vector<std::size_t> places;  // among those before; or their number
+  std::vector<std::size_t> places;  // index among the old slots; their number if new
   for (const world::BehaviorUse& use : next.behaviors) {
     const std::size_t place = place_of(was.behaviors, use.id);
     const bool is_known = place < slots.size();
@@ -169,7 +169,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
   const bool same_sensors =
       same_body && world::same_part(world::robot_spec(), "sensors", &was, &next);
-  // Undone last of all.
+  // Added first, so it is undone last.
   undo.add([this, again = becoming.begin_robot()] {
     guard_.forgive();
     group_readings();
@@ -239,7 +239,7 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
   for (const world::SensorUse& use : description_->sensors) {
     const std::size_t place = place_of(was.sensors, use.id);
     const bool is_known = place < slots.size();
-    // Where it is mounted follows from the body, by default.
+    // The default mounting depends on the body.
     if (is_known && same_body && world::same(was.sensors[place], use, world::Cost::object) &&
         becoming.keeps(*slots[place], was.sensors[place], use)) {
       SensorSlot& slot = *sensors_.emplace_back(slots[place]);
@@ -254,7 +254,7 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
   }
 }
 
-/// What may be changed in place.
+/// Takes over attributes that can be changed in place.
 void Robot::take_live(bool has_new_drive, bool has_new_energy) {
   if (has_new_drive || state_.max_speed_m_s != description_->max_speed) {
     set_max_speed(description_->max_speed);

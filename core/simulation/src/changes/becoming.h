@@ -1,4 +1,4 @@
-// What a running world needs in order to become another one.
+// The state of an edit that turns a running world into a new one.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 namespace elsie::simulation {
 
-/// The place of the one with this id; that of the end when there is none.
+/// The index of the element with this id; the size when there is none.
 template <class Things>
 std::size_t place_of(const Things& things, const std::string& id) {
   const auto at =
@@ -32,7 +32,7 @@ std::size_t place_of(const Things& things, const std::string& id) {
   return static_cast<std::size_t>(at - things.begin());
 }
 
-/// One edit on its way: what it has made, what is wrong with it, and how to undo it.
+/// An edit in progress: its new objects, its problems, and how to undo it.
 class Becoming {
  public:
   Becoming(const plugin::Host& host, std::uint64_t seed, double time_s)
@@ -40,20 +40,19 @@ class Becoming {
 
   const plugin::Host& host() const { return host_; }
   std::uint64_t seed() const { return seed_; }
-  /// When it is made: "2.5 s".
+  /// The time of the edit: "2.5 s".
   const std::string& time() const { return time_; }
   Undo& undo() { return undo_; }
   std::vector<base::Problem>& problems() { return problems_; }
   Statements& said() { return said_; }
 
-  /// A new object takes the place of the one of this id.
+  /// Notes that a new object replaces the one with this id.
   void note_lost(const std::string& robot, const std::string& id) {
-    said_.notes.push_back({robot, id,
-                           "it was made anew by an edit at " + time_ +
-                               " and has lost what it remembered of the run"});
+    said_.notes.push_back(
+        {robot, id, "an edit at " + time_ + " replaced it, and it lost its memory of the run"});
   }
 
-  /// An edit asks for this value, even if it is described already.
+  /// Notes that an edit sets this value, even if the description already has it.
   void ask(const world::AttributePlace& place) {
     if (place.use) {
       asked_uses_.insert(place.use);
@@ -68,18 +67,18 @@ class Becoming {
   /// in place. If it stays, `next` becomes its description, and it gets the new parameters when it
   /// is equipped again.
   bool keeps(PluginObject& object, const world::PluginUse& was, const world::PluginUse& next);
-  /// Makes `next` its description and drops the parameters set since.
+  /// Makes `next` the object's description and drops the parameters that were set during the run.
   void describe(PluginObject& object, const world::PluginUse& next);
   /// Notes that the object must be equipped again.
   void note_other_equipment(const PluginObject& object) { again_with_.try_emplace(&object); }
   /// Returns whether the object itself must be equipped again.
   bool has_other(const PluginObject& object) const { return again_with_.contains(&object); }
 
-  /// From here on, objects of one robot are equipped again. Returns how that is undone once all
-  /// that they look at is as it was.
+  /// Begins to equip objects of one robot again. Returns the actions that undo this; call them
+  /// after everything that the objects look at was restored.
   using Actions = std::vector<std::function<void()>>;
   std::shared_ptr<const Actions> begin_robot() { return again_ = std::make_shared<Actions>(); }
-  /// Equips an object that stays, and sets parameters that differ; it keeps what it remembers.
+  /// Equips an object that stays and sets the parameters that differ; it keeps its memory.
   void equip_again(PluginObject& object, const Perception& example);
 
  private:
@@ -91,7 +90,7 @@ class Becoming {
   Statements said_;
   std::set<std::pair<std::string, std::string>> asked_;  // of robots
   std::set<const world::PluginUse*> asked_uses_;
-  struct Tuned {  // none: its parameters are the same
+  struct Tuned {  // none: the parameters do not change
     std::optional<Setup> before, now;
   };
   std::map<const PluginObject*, Tuned> again_with_;

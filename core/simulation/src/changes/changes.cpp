@@ -51,8 +51,8 @@ struct Placed {
 };
 using Setups = std::map<const PluginObject*, Setup>;
 
-/// Changes that are made together. Plans that of one attribute of a robot at a time; the robot
-/// itself stays as it is.
+/// Plans changes that are made together, one attribute of a robot at a time, without changing the
+/// robot.
 class Plan final : public world::LiveRobot {
  public:
   /// `setups`: parameters that earlier changes of the schedule will have set.
@@ -155,8 +155,8 @@ void check_tuned(const Tuned& tuned, const Cameras& cameras) {
     refuse(tuned.text, what_was_thrown());
   }
   if (camera.has_value() != tuned.object->camera.has_value()) {
-    refuse(tuned.text, "the sensor would " + std::string(camera ? "begin" : "cease") +
-                           " to look through a camera; replace the whole element instead");
+    refuse(tuned.text, "the sensor would " + std::string(camera ? "gain" : "lose") +
+                           " a camera; replace the whole element instead");
   }
   if (const auto problem = camera ? cameras.problem_of(*camera) : std::nullopt) {
     refuse(tuned.text, *problem);
@@ -205,7 +205,7 @@ void check_room(const std::vector<Placed>& places, const world::World& world,
   }
 }
 
-/// All of them or none.
+/// Sets all parameters or none.
 void set_up(const std::vector<Tuned>& tunings) {
   Undo undo;
   for (const Tuned& tuned : tunings) {
@@ -319,7 +319,7 @@ void Changes::make(std::span<const Change> changes, const Stage& stage,
   const Plan plan = plan_of(changes, world_, attributes_, stage, none);
   check_room(plan.places, world_, stage.engine);
   set_up(plan.tunings);
-  // From here on nothing is refused.
+  // Nothing is refused after this point.
   for (const auto& set : plan.settings) {
     set();
   }

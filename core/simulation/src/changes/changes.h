@@ -1,4 +1,4 @@
-// What a user changes while a world runs: checked first, then made as a whole.
+// Changes by a user during a run: first all are checked, then all are made.
 #pragma once
 
 #include <cstdint>
@@ -19,36 +19,36 @@
 
 namespace elsie::simulation {
 
-/// Changes that are to be made together, before a step.
+/// Changes to make together before a step.
 struct DueChanges {
-  double time_s = 0.0;  // as it was asked for
+  double time_s = 0.0;  // as given
   std::vector<Change> changes;
   std::string from{};   // TimedChange::from of the first that has one
   std::string given{};  // the first that the user gave
 
-  /// Whether a step that begins now comes after them.
+  /// Returns whether they are due before a step that begins now.
   bool are_due(double now_s, double step_s) const { return now_s >= time_s - kRounding * step_s; }
-  /// Whether a run that ends then has such a step.
+  /// Returns whether a run with this end has such a step.
   bool come_before(double end_s, double step_s) const;
-  static constexpr double kRounding = 1e-6;  // of a step: 0.57 is not a little after 57 of 0.01 s
+  static constexpr double kRounding = 1e-6;  // of a step: 57 steps of 0.01 s make 0.57 s
 };
 
-/// One that stands in the world.
+/// A change from World::changes.
 TimedChange timed(const world::TimedEdit& edit);
 
-/// Those of the world, then the others.
+/// The changes of the world, then the others.
 std::vector<TimedChange> with_own(const world::World& world, std::span<const TimedChange> changes);
 
-/// The same without those that are made by this time.
+/// The same, without those that were made up to this time.
 std::vector<TimedChange> still_to_come(const world::World& world,
                                        std::span<const TimedChange> changes, double after_s);
 
-/// In the order of their times; those of one time in the order given.
+/// Sorts the changes by time; changes with the same time keep their order.
 std::vector<DueChanges> by_time(std::span<const TimedChange> changes);
 
 class Changes {
  public:
-  /// The run at this instant.
+  /// The state of the run at this instant.
   struct Stage {
     Robots robots;
     physics::Engine& engine;
@@ -56,21 +56,21 @@ class Changes {
     double time_s;
   };
 
-  /// Both stay where they are as long as this lives. Data files that a change names are looked for
-  /// as the options say.
+  /// The world and the host must outlive this object. The options say where to search for data
+  /// files.
   Changes(const world::World& world, const plugin::Host& host, const Options& options);
 
-  /// Returns whether the change needs no new world: it is made in place or refused.
+  /// Returns whether the change is made in place (or refused), without a new world.
   bool is_live(const Change& change) const;
-  /// The attributes that it sets; none if it edits an element, or if there are none.
+  /// The attributes that the change sets; none if it edits an element or matches none.
   std::vector<world::AttributePlace> places(const Change& change) const;
 
-  /// Makes all of them, or throws ChangeRefused and makes none. Adds an event for each attribute.
+  /// Makes all changes, or throws ChangeRefused and makes none. Adds an event for each attribute.
   void make(std::span<const Change> changes, const Stage& stage,
             std::vector<EventRecord>& events) const;
 
-  /// Those that could not be made, as far as that does not depend on what the run brings: only
-  /// whether there is room for a robot does.
+  /// The changes that cannot be made, except for lack of room for a robot, which depends on the
+  /// run.
   std::vector<ChangeRefused> refused(std::span<const DueChanges> schedule,
                                      const Stage& stage) const;
 

@@ -1,4 +1,4 @@
-// Whether there is room for a body somewhere, as things stand at this instant.
+// Checks whether there is room for a body at this instant.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,22 @@ class Room {
  public:
   Room(const world::World& world, const physics::Engine& engine);
 
-  /// Puts a robot elsewhere in here, and what it pulls in line behind it.
+  /// Moves a robot in this model, with its segments in line behind it.
   void place(std::size_t robot, const Pose& pose, double z);
-  /// A sentence when a robot is not where it could be: "the robot 'r1' overlaps the box 'b2'".
+  /// A sentence when a robot's place is not possible: "the robot 'r1' overlaps the box 'b2'".
   std::optional<std::string> problem_of(std::size_t robot) const;
-  /// Returns the problem of a box, by its place in World::boxes, or behind them a charger's.
+  /// The same for a box, by its index in World::boxes, or for a charger (indices after the boxes).
   /// Overlaps that a file allows are allowed here.
   std::optional<std::string> problem_of_box(std::size_t box) const;
-  /// A sentence when a body that moves is outside of the arena by more than it gives way at a wall.
+  /// A sentence when a body that can move is outside of the arena by more than a small tolerance.
   std::optional<std::string> problem_of_arena() const;
 
  private:
   struct Block {
     world::Footprint footprint;
     std::string in_words;
-    std::size_t owner = 0;  // boxes are counted first, then chargers, then robots
-    bool is_free = false;   // it may be pushed or taken away
+    std::size_t owner = 0;  // index: boxes first, then chargers, then robots
+    bool is_free = false;   // it may be pushed or removed
   };
 
   void add_robot(std::size_t robot, const std::vector<world::Footprint>& vehicles);
@@ -42,7 +42,7 @@ class Room {
 
   const world::World& world_;
   std::vector<Block> blocks_;    // boxes and chargers before robots and what they pull
-  std::size_t first_robot_;      // as an owner
+  std::size_t first_robot_;      // as index of an owner
   std::vector<BodyPlan> plans_;  // of the robots
 };
 

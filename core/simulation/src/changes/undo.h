@@ -1,4 +1,4 @@
-// What is put back when an edit cannot be made as a whole.
+// Undoes the parts of an edit that cannot be completed.
 #pragma once
 
 #include <functional>
@@ -12,24 +12,24 @@ class Undo {
   Undo() = default;
   Undo(const Undo&) = delete;
   Undo& operator=(const Undo&) = delete;
-  /// Undoes all in reverse order, unless it was settled.
+  /// Undoes everything in reverse order, unless settle() was called.
   ~Undo() {
     while (!actions_.empty()) {
       try {
         actions_.back()();
-      } catch (...) {  // of a plugin that does not take back what it had; the rest counts
+      } catch (...) {  // a plugin refuses its old values; continue with the rest
       }
       actions_.pop_back();
     }
   }
 
   void add(std::function<void()> action) { actions_.push_back(std::move(action)); }
-  /// Puts these back to what they are now.
+  /// Will restore the present values of these variables.
   template <class... Values>
   void keep(Values&... values) {
     (add([&values, before = values] { values = before; }), ...);
   }
-  /// From here on nothing is undone.
+  /// Keeps all changes made so far.
   void settle() { actions_.clear(); }
 
  private:

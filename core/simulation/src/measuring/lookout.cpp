@@ -85,7 +85,7 @@ Lookout::Lookout(const world::World& world) {
   now_.teams = teams_;
 }
 
-// A world that was not read from a file need not list them.
+// A world that was not read from a file may not list all its teams.
 void Lookout::add_team(std::string_view team) {
   if (!team.empty() && std::find(teams_.begin(), teams_.end(), team) == teams_.end()) {
     teams_.push_back(team);
@@ -107,7 +107,7 @@ void Lookout::describe(const world::Robot& robot) {
   seen.behaviors = behaviors;
 }
 
-// In the order of Robot::trace(): each before those inside it.
+// In the order of Robot::trace(): each behaviour before those inside it.
 void Lookout::describe(const world::Coordination& coordination, const std::string& path, int parent,
                        std::vector<ObservedBehavior>& behaviors) {
   for (const world::BehaviorUse& use : coordination.behaviors) {

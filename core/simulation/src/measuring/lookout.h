@@ -16,20 +16,19 @@ namespace elsie::simulation {
 
 class Lookout {
  public:
-  /// The world must stay where it is: ids are views of it.
+  /// The world must outlive this object and must not move: ids are views of it.
   explicit Lookout(const world::World& world);
   Lookout(const Lookout&) = delete;
   Lookout& operator=(const Lookout&) = delete;
 
-  /// As the world's file says, until the first look.
+  /// The last observation; before the first look(), the world of the file.
   const Observation& now() const { return now_; }
 
-  /// Whether it shows robots, behaviours and boxes of the same names at the same places, by which
-  /// measures count them.
+  /// True if robots, behaviours and boxes have the same names and indices, which measures use.
   bool has_cast_of(const Lookout& other) const;
 
-  /// `robots`: those of the world. `decided`: in the step that led here; `is_start`: there was
-  /// none. Allocates nothing.
+  /// Updates now(). `decided`: robots decided in the last step; `is_start`: as in Observation.
+  /// Allocates nothing.
   void look(Robots robots, const physics::Engine& engine, double time_s, bool decided,
             bool is_start);
 
@@ -43,7 +42,7 @@ class Lookout {
   std::deque<std::string> paths_;  // of behaviours
   std::vector<std::vector<ObservedBehavior>> behaviors_;
   std::vector<ObservedRobot> robots_;
-  std::vector<ObservedBox> all_boxes_;  // as they stand at the start
+  std::vector<ObservedBox> all_boxes_;  // at the start
   std::vector<ObservedBox> boxes_;
   std::vector<std::string_view> teams_;
 };

@@ -16,7 +16,7 @@ bool may_be_in_a_name(char c) {
          c == '-' || c == '.' || c == '/';
 }
 
-/// What a measure says that it reports, under full names. Throws std::invalid_argument.
+/// The quantities of a measure with their full names. Throws std::invalid_argument.
 std::vector<Quantity> full_names(const world::PluginUse& use, std::vector<Quantity> quantities) {
   if (quantities.empty()) {
     throw std::invalid_argument("it has no values to report in this world");
@@ -44,10 +44,10 @@ double sum(const RunResult& result, double (*of)(const RobotResult&)) {
 std::vector<Quantity> measures_of_every_run() {
   return {{"success", "", "1 when the goals were reached, else 0"},
           {"time_s", "s", "simulated time"},
-          {"path_length_m", "m", "driven, all robots together"},
-          {"collected", "", "resources, all robots together"},
-          {"collisions", "", "of all robots; one of two robots counts for both"},
-          {"energy_left", "units", "in the batteries at the end, all together"}};
+          {"path_length_m", "m", "distance driven by all robots"},
+          {"collected", "", "resources collected by all robots"},
+          {"collisions", "", "collisions of all robots; one between two robots counts twice"},
+          {"energy_left", "units", "energy left in all batteries at the end"}};
 }
 
 void measure_every_run(RunResult& result, const Tally& departed) {
@@ -63,7 +63,7 @@ void measure_every_run(RunResult& result, const Tally& departed) {
   std::size_t i = 0;
   for (Quantity& quantity : measures_of_every_run()) {
     const double value = values[i++];
-    // A physics engine that failed may leave what is no number.
+    // A physics engine that failed may leave values that are not finite.
     result.measures.push_back({std::move(quantity.name), std::move(quantity.unit),
                                std::move(quantity.meaning),
                                std::isfinite(value) ? std::optional(value) : std::nullopt});
@@ -100,7 +100,7 @@ Measuring::Measuring(const world::World& world, const plugin::Host& host, const 
   check_names(problems);
 }
 
-/// Each value has a name of its own.
+/// Checks that all values have different names.
 void Measuring::check_names(std::vector<base::Problem>& problems) const {
   std::set<std::string> of_every_run;
   for (const Quantity& quantity : measures_of_every_run()) {
@@ -228,8 +228,8 @@ void Measuring::list_replaced(const plugin::Host& host, std::vector<std::string>
     const Declaration* const now = host.find(PluginKind::measure, slot->use->plugin);
     if (now != slot->declaration) {
       notes.push_back("the measure '" + slot->use->id +
-                      "' stays as it was when the world was made; a new one would not know what "
-                      "has been so far");
+                      "' stays as it was when the world was made; a new one would not know the "
+                      "run so far");
       slot->declaration = now;
     }
   }

@@ -21,39 +21,39 @@ namespace elsie::simulation {
 
 class Measuring {
  public:
-  /// Makes and equips the plugin objects; adds to `problems` what they refuse. The world must stay
-  /// where it is.
+  /// Makes and equips the plugin objects; adds what they refuse to `problems`. The world must
+  /// outlive this object and must not move.
   Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
             std::vector<base::Problem>& problems);
 
   bool empty() const { return slots_.empty(); }
-  /// What they report, under the names that it has in results.
+  /// The values that the measures report, with their names in results.
   std::vector<Quantity> quantities() const;
 
   void reset(std::uint64_t seed);
-  /// Gathers what the measures say once they are reset.
+  /// Collects the notes and curves of the measures after a reset.
   void ask(Statements& said);
-  /// What the measures did to the program since the run began.
+  /// Appends notes on what the measures changed in the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
 
-  /// Goes on with what `before` has of measures that are described as they were, if they find the
-  /// same robots and boxes; `was` describes those.
+  /// Takes over the measures of `before` whose descriptions are unchanged, if robots and boxes are
+  /// the same; `was` has the old descriptions.
   void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
-  /// Resets what was not taken, which begins with the next instant, and gathers what it says.
+  /// Resets the measures that were not taken over, and collects their notes and curves.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);
 
-  /// Whether all have seen the start of what they measure.
+  /// Returns whether all measures have had their first observation.
   bool has_begun() const;
-  /// Shows them the instant after the step of this number; `is_start`: only those that have not
-  /// begun, without that step. Throws PluginFault.
+  /// Calls observe() of the measures after the step with this number. `is_start`: the first call,
+  /// only of measures that have not begun. Throws PluginFault.
   void observe(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step,
                bool decided, bool is_start);
-  /// Appends the values so far. Throws PluginFault; once a measure has failed, all values are none
-  /// and nothing is asked any more.
+  /// Appends the values so far. Throws PluginFault; after a failure all values are none, and
+  /// measures are not called any more.
   void report(const RunEnd& end, std::vector<MeasuredValue>& values);
 
-  /// Measures stay what they are when plugins are replaced: a sentence for each of which `host` has
-  /// another one.
+  /// Measures are not replaced with their plugins: appends a sentence for each that differs in
+  /// `host`.
   void list_replaced(const plugin::Host& host, std::vector<std::string>& notes);
 
  private:
@@ -72,7 +72,7 @@ class Measuring {
   bool has_failed_ = false;
 };
 
-/// Adds the values that every run has. `departed`: what robots did that an edit has removed.
+/// Adds the values that every run has. `departed`: the sums of robots that an edit removed.
 void measure_every_run(RunResult& result, const Tally& departed);
 
 }  // namespace elsie::simulation

@@ -8,7 +8,7 @@
 
 #include "elsie/base/number_text.h"
 
-// Of the address sanitizer, which has an allocator of its own; null without it.
+// A function of the address sanitizer, which has its own allocator; null without it.
 // NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" __attribute__((weak)) std::size_t __sanitizer_get_current_allocated_bytes();
 
@@ -17,7 +17,7 @@ namespace {
 
 std::string short_text(double value) { return base::number_text(value, 4); }
 
-/// What is allocated on the heap of the process, bytes. Takes a microsecond or so.
+/// Memory allocated on the heap of the process, bytes. Takes about a microsecond.
 std::int64_t heap_bytes() {
   if (__sanitizer_get_current_allocated_bytes) {
     return static_cast<std::int64_t>(__sanitizer_get_current_allocated_bytes());
@@ -34,7 +34,7 @@ std::string what_was_thrown() {
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {
-    return "it threw something that is no std::exception";
+    return "it threw something that is not a std::exception";
   }
 }
 

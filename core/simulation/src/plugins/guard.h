@@ -18,10 +18,10 @@
 
 namespace elsie::simulation {
 
-/// What the exception that is being handled says.
+/// The text of the exception that is being handled.
 std::string what_was_thrown();
 
-/// What the action returns, or an empty value if it returns nothing.
+/// Returns the result of the action, or an empty value if it returns nothing.
 template <class Action>
 auto value_of(Action& action) {
   if constexpr (std::is_void_v<decltype(action())>) {
@@ -32,28 +32,28 @@ auto value_of(Action& action) {
   }
 }
 
-/// What the calls of one object have left on the heap since the run began.
+/// Heap memory that the calls of one object have left allocated since the run began.
 struct Heap {
   std::int64_t bytes = 0;
   std::uint64_t calls = 0;
 };
 
-/// Runs code of a robot's plugins while the simulation runs: whatever it throws becomes a
-/// PluginFault that names the plugin, the robot and the step. The first fault is kept: a
-/// coordinator may swallow what a behaviour threw, but the run does not.
+/// Runs code of a robot's plugins during a simulation: any exception becomes a PluginFault that
+/// names the plugin, the robot and the step. The first fault is kept: it ends the run even if a
+/// coordinator catches the exception of a behaviour.
 class Guard {
  public:
   /// `robot`: "" for measures.
   Guard(std::string robot, const Budget& budget) : robot_(std::move(robot)), budget_(budget) {}
 
-  /// A call that may take its time: before the run, or once in a while.
+  /// A call without a budget: before the run, or a rare one.
   template <class Action>
   auto run(const world::PluginUse& use, Action action) {
     plugin::Call call(facts(use));
     return caught(use, call, action);
   }
 
-  /// A call of a PluginObject that belongs to the step: it has to keep to the budget.
+  /// A call of a PluginObject within a step: the budget applies.
   template <class Object, class Action>
   auto step(Object& object, Action action) {
     plugin::Call call(facts(*object.use));
@@ -87,13 +87,13 @@ class Guard {
     arithmetic_.clear();
   }
   void begin_step(std::uint64_t step) { step_ = step; }
-  /// The plugins that have changed how the processor computes, since the run began: a note on each.
+  /// Appends a note for each plugin that has changed the floating-point settings in this run.
   void list_notes(std::vector<Note>& notes) const;
-  /// As if there had been no fault: what failed is undone.
+  /// Forgets the fault, because what failed is undone.
   void forgive() { fault_.reset(); }
 
  private:
-  /// How often a plugin has changed the processor's way of computing.
+  /// How often a plugin has changed the floating-point settings.
   struct ChangedArithmetic {
     std::string id;
     std::string what;
@@ -115,13 +115,13 @@ class Guard {
       settle(use, call);
       return result;
     } catch (const PluginFault&) {
-      throw;  // of another plugin, which this one had called
+      throw;  // from another plugin that this one called
     } catch (...) {
       fail(use, what_was_thrown());
     }
   }
 
-  /// After a call: what it did to the process and must not.
+  /// Checks after a call whether it changed the process.
   void settle(const world::PluginUse& use, plugin::Call& call) {
     if (const char* const changed = call.restore_arithmetic()) [[unlikely]] {
       note_arithmetic(use, changed);
@@ -145,8 +145,8 @@ class Guard {
   std::vector<ChangedArithmetic> arithmetic_;
 };
 
-/// While a robot is put together, what a plugin object refuses is a fault of the world file: it is
-/// added to `problems`, and the result is an empty one.
+/// While a robot is made, an exception of a plugin object is an error of the world file: it is
+/// added to `problems`, and the result is empty.
 template <class Action>
 auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, Action action)
     -> decltype(value_of(action)) {
@@ -165,7 +165,7 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
       blame(std::string("it changed ") + changed + " for the whole program", true);
     }
     return result;
-  } catch (const plugin::PluginError& problem) {  // which names the plugin
+  } catch (const plugin::PluginError& problem) {  // its text names the plugin
     problems.push_back({use.location.file, use.location.line, problem.what(),
                         problem.exit_code() == base::kPluginFailed});
   } catch (...) {

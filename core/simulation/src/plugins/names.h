@@ -1,4 +1,4 @@
-// Texts that outlive the plugins that they come from.
+// Texts that outlive the plugins that gave them.
 #pragma once
 
 #include <functional>
@@ -8,14 +8,13 @@
 
 namespace elsie::simulation {
 
-/// Names of events and reasons in traces are literals of plugins, which go with their library. Here
-/// each is kept once, for as long as the robot lives: there are as many as there are literals, so
-/// this grows only when plugins are replaced, by what the new ones say otherwise. A text that is
-/// put together in each step has no place in a trace (elsie/api/coordinator.h), and would be kept
-/// too.
+/// Names of events and reasons in traces are literals of plugins, which vanish with their library.
+/// This class keeps one copy of each while the robot lives. Their number is bounded by the number
+/// of literals, so it only grows when new plugins bring new texts. Plugins must not build such
+/// texts in each step (elsie/api/coordinator.h): they would be kept, too.
 class Names {
  public:
-  /// The same text, for as long as this lives.
+  /// A copy of the text that lives as long as this object.
   const char* keep(std::string_view text) {
     const auto known = names_.find(text);
     return (known == names_.end() ? names_.emplace(text).first : known)->c_str();

@@ -51,7 +51,7 @@ Setup PluginObject::completed(Setup setup, const Setup& now) const {
 }
 
 void PluginObject::set(Setup setup, const Perception& example) {
-  // Noted first: what the plugin refuses may have been set in part.
+  // Stored first, because a plugin that refuses parameters may have set some of them.
   changed = completed(std::move(setup), this->setup());
   apply(*held, *changed, example);
   if (camera) {
@@ -91,7 +91,7 @@ void Statements::ask(const PluginObject& object, const std::string& path, Guard&
                                 (!name || other.curve.name == *name);
                        });
   };
-  // A behaviour and a coordinator beside it may have one id.
+  // A behaviour and a coordinator may have the same id.
   std::string called = path + use.id;
   for (int number = 2; has(0, called, nullptr); ++number) {
     called = path + use.id + "_" + std::to_string(number);

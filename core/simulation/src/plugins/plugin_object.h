@@ -20,8 +20,7 @@
 
 namespace elsie::simulation {
 
-/// What the world says of an object's parameters, or what was said since. All others have their
-/// defaults.
+/// Parameters of an object, from the world or set during the run. All others have their defaults.
 struct Setup {
   std::map<std::string, ParameterValue> parameters;
   std::vector<ElementValue> elements;
@@ -29,10 +28,10 @@ struct Setup {
 
 Setup as_described(const world::PluginUse& use);
 
-/// What an object remembers of the run; nothing if its class does not derive from Remembers.
+/// The memory of an object; empty if its class does not derive from Remembers.
 Memory memory_of(Component& object);
 
-/// One plugin object, and what the simulator keeps of it.
+/// One plugin object and the simulator's data about it.
 class PluginObject {
  public:
   PluginObject(PluginKind of_kind, const world::PluginUse& described, const plugin::Host& host)
@@ -41,28 +40,28 @@ class PluginObject {
   PluginObject& operator=(const PluginObject&) = delete;
   virtual ~PluginObject() = default;
 
-  /// Makes and configures the object. There is none, and a problem more, when that fails.
+  /// Makes and configures the object. If that fails, adds a problem; then there is no object.
   void make(const plugin::Host& host, std::vector<base::Problem>& problems);
-  /// The same for another object, with these parameters. Throws what the plugin throws.
+  /// Returns another object with these parameters. Passes on exceptions of the plugin.
   plugin::Object<Component> made(const plugin::Host& host, const Setup& setup);
 
   /// Returns its present parameters.
   Setup setup() const { return changed ? *changed : as_described(*use); }
   /// Returns `setup` plus the default of every parameter that only `now` sets.
   Setup completed(Setup setup, const Setup& now) const;
-  /// Sets the parameters, and keeps what the object remembers. Throws what the plugin throws; they
-  /// must be set back then.
+  /// Sets the parameters; the object keeps its memory. Passes on exceptions of the plugin; the
+  /// caller must then restore the parameters.
   void set(Setup setup, const Perception& example);
-  /// Has another object of the plugin take the parameters. Throws what that throws. Of a sensor:
-  /// the camera that it would look through.
+  /// Tries the parameters on another object of the plugin. Passes on its exceptions. Returns the
+  /// camera that a sensor would then have.
   std::optional<Camera> try_out(const Setup& setup, const Perception& example) const;
 
-  /// Tells an object of this plugin, this one or another, what the robot has; see
-  /// Behavior::equipped(). Throws what the plugin throws.
+  /// Calls equipped() of this object or of another one of its plugin; see Behavior::equipped().
+  /// Passes on exceptions of the plugin.
   virtual void equip(Component& /*object*/, const Perception& /*example*/) const {}
-  /// The camera that an object of this plugin looks through, if it does.
+  /// The camera of an object of this plugin, if it has one.
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
-  /// Resets the object, with the random stream of this path from its start.
+  /// Resets the object, with the random stream of this path at its start.
   void reset(std::uint64_t seed, const std::string& path);
   /// Clears the last answer of an object that was replaced.
   virtual void forget_answers(Undo& /*undo*/) {}
@@ -72,8 +71,8 @@ class PluginObject {
   const Declaration* declaration;  // null: there is no such plugin
   plugin::Object<Component> held;
   Random random;
-  std::optional<Setup> changed;  // its parameters, if they are not as the world says
-  std::optional<Camera> camera;  // that it looks through
+  std::optional<Setup> changed;  // its parameters, if they differ from the world's
+  std::optional<Camera> camera;  // its camera, if it has one
   Heap heap;
   bool is_new = true;  // until it is reset
 
@@ -84,7 +83,7 @@ class PluginObject {
   void apply(Component& object, const Setup& setup, const Perception& example) const;
 };
 
-/// One whose class is known.
+/// A plugin object of a known class.
 template <class Kind, PluginKind kKind>
 class ObjectOf : public PluginObject {
  public:
@@ -99,21 +98,21 @@ class ObjectOf : public PluginObject {
   }
 };
 
-/// What plugin objects say once they are reset, gathered for the result of a run.
+/// Notes and curves of plugin objects after a reset, for the result of a run.
 struct Statements {
   std::vector<Note> notes;
   std::vector<LearningCurve> curves;
 
-  /// Asks an object of the guard's robot, or a measure. `path`: what stands before the object's id
-  /// where it is inside a behaviour, "explore/", else "". Throws PluginFault.
+  /// Collects those of an object of the guard's robot, or of a measure. `path`: the prefix of the
+  /// object's id inside a behaviour, "explore/", else "". Throws PluginFault.
   void ask(const PluginObject& object, const std::string& path, Guard& guard);
 };
 
-/// What is done to each of a robot's objects. `path` names it on the robot:
-/// "behavior[explore]/behavior[roam]"; `within` says what it is inside of: "explore/", or "".
+/// A function called for each of a robot's objects. `path` names the object on the robot:
+/// "behavior[explore]/behavior[roam]"; `within` is the prefix of its id: "explore/", or "".
 using Visit =
     std::function<void(PluginObject&, const std::string& path, const std::string& within)>;
-/// Whether a behaviour comes before those inside it, or after them.
+/// The order of visits: a behaviour before those inside it, or after them.
 enum class Order { outer_first, inner_first };
 
 }  // namespace elsie::simulation

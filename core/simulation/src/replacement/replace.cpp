@@ -1,4 +1,4 @@
-// The parts of robots that put new plugin objects in the places of old ones.
+// The functions of robots that replace old plugin objects by new ones.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 namespace elsie::simulation {
 namespace {
 
-/// As far as the joints that a drive sets depend on it.
+/// Compares only what matters for the joints that a drive sets.
 bool same_body(const BodyPlan& a, const BodyPlan& b) {
   return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
                     [](const Part& one, const Part& other) {
@@ -29,7 +29,7 @@ bool same_body(const BodyPlan& a, const BodyPlan& b) {
 
 void Robot::replace(Swap& swap, const Cameras& cameras) {
   swap.begin_robot(description_->id);
-  swap.undo().add([this] { group_readings(); });  // last of all, once the old sensors are back
+  swap.undo().add([this] { group_readings(); });  // undone last, after the old sensors
   for (const auto& slot : sensors_) {
     replace_sensor(swap, *slot, cameras);
   }
@@ -56,12 +56,11 @@ void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras)
   if (kind != slot.object().kind().name) {
     swap.refuse(path, "it makes readings of the kind '" + std::string(slot.object().kind().name) +
                           "' now, and made some of the kind '" + kind +
-                          "' before; replace its element by an edit, or run the world anew");
+                          "' before; replace its element by an edit, or start a new run");
   }
   if (slot.camera.has_value() != had_camera) {
-    swap.refuse(path, "it would " + std::string(had_camera ? "cease" : "begin") +
-                          " to look through a camera; replace its element by an edit, or run the "
-                          "world anew");
+    swap.refuse(path, "it would " + std::string(had_camera ? "lose" : "gain") +
+                          " a camera; replace its element by an edit, or start a new run");
   }
   if (const auto problem = slot.camera ? cameras.problem_of(*slot.camera) : std::nullopt) {
     swap.refuse(path, *problem);
@@ -83,8 +82,8 @@ void Robot::replace_drive(Swap& swap) {
   });
   if (!same_body(plan, world::driven_plan(*description_))) {
     swap.refuse("drive",
-                "it would build another body now; replace its element by an edit, or run the world "
-                "anew");
+                "it would build another body now; replace its element by an edit, or start a new "
+                "run");
   }
 }
 
@@ -103,9 +102,10 @@ void Robot::check_needs() const {
         throw ReplacementRefused(
             "robot '" + description_->id + "', " + path + ": it needs readings of the kind '" +
             need.kind + "', " +
-            (other ? "of which its sensors have another size; build the plugins of both with the "
-                     "same header"
-                   : "which no sensor of the robot makes"));
+            (other
+                 ? "but its sensors make them with another size; build all these plugins with the "
+                   "same header"
+                 : "which no sensor of the robot makes"));
       }
     }
   });

@@ -13,7 +13,7 @@ namespace {
 
 using plugin::find_declared;
 
-/// Removes what the declaration does not have; calls `removed` for each.
+/// Removes parameters and elements that are not declared; calls `removed` for each.
 template <class Elements>
 void strip(const Declaration& declaration, std::map<std::string, ParameterValue>& parameters,
            Elements& elements, const std::function<void(const std::string&)>& removed) {
@@ -49,8 +49,8 @@ void require(const std::vector<ParameterDeclaration>& declared,
   }
 }
 
-/// Those parameters that name a file by default and are not given, with that file, which is looked
-/// for as when the world was read.
+/// The default files of parameters that are not given, with their paths. They are searched for as
+/// when the world was read.
 std::map<std::string, std::string> default_files(const Declaration& declaration,
                                                  const std::map<std::string, ParameterValue>& given,
                                                  const world::Files& files) {
@@ -80,7 +80,7 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
   if (static_cast<bool>(fresh->hold) != static_cast<bool>(object.declaration->hold)) {
     refuse(path,
            std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +
-               "; replace its element by an edit, or run the world anew");
+               "; replace its element by an edit, or start a new run");
   }
   if (fresh == object.declaration) {
     return false;
@@ -101,11 +101,11 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
   return true;
 }
 
-/// Fits the parameters, the world's and later ones, to the new declaration.
+/// Adapts the parameters, from the world and set later, to the new declaration.
 void Swap::fit(PluginObject& object, const std::string& path) {
   const Declaration& declaration = *object.declaration;
   const world::Files files("", data_directories_);
-  // The world is the simulation's own; everything else only looks at it.
+  // The simulation owns the world; all others only read it.
   auto& use = const_cast<world::PluginUse&>(*object.use);
   undo_.keep(use.parameters, use.elements, use.file_names, object.changed);
   strip(declaration, use.parameters, use.elements, [&](const std::string& what) {
@@ -147,7 +147,7 @@ void Swap::hand_over(const Perception& example) {
     const Random there = object.random;
     object.random = Random(seed_, "robot[" + robot_ + "]/" + said.path);
     object.held->reset(object.random);
-    object.random = there;  // the stream goes on where it was, whatever reset() drew
+    object.random = there;  // the stream continues, whatever reset() drew
     auto* const now = dynamic_cast<Remembers*>(object.held.get());
     if (now && dynamic_cast<Remembers*>(&before)) {
       Memory memory = memory_of(before);

@@ -1,4 +1,4 @@
-// New plugin objects in the places of old ones.
+// Replaces old plugin objects by new ones.
 #pragma once
 
 #include <string>
@@ -15,37 +15,37 @@
 
 namespace elsie::simulation {
 
-/// All that is exchanged at one time. Undone by its destructor unless it was settled.
+/// All exchanges of one replacement. The destructor undoes them unless settle() was called.
 class Swap {
  public:
-  /// `host`: where the new objects come from. Files that new parameters name by default are looked
-  /// for in `data_directories`.
+  /// `host` makes the new objects. Files that are defaults of new parameters are searched for in
+  /// `data_directories`.
   Swap(const plugin::Host& host, std::uint64_t seed, std::vector<std::string> data_directories)
       : host_(host), seed_(seed), data_directories_(std::move(data_directories)) {}
 
-  /// What else has to be put back when this is not settled.
+  /// Further actions for the case that this is not settled.
   Undo& undo() { return undo_; }
 
-  /// The robot that the next exchanges are about.
+  /// Sets the robot of the next exchanges.
   void begin_robot(const std::string& id) {
     robot_ = id;
     first_ = exchanged_.size();
   }
-  /// Whether it has a new object.
+  /// Returns whether this robot has a new object.
   bool concerns_robot() const { return exchanged_.size() > first_; }
 
-  /// Puts a new object in the place of the one of this name if its plugin has changed; whether it
-  /// did. The parameters are the old ones as far as there are such, in the world's description,
-  /// too. Throws ReplacementRefused.
+  /// Replaces the object if its plugin has changed; returns whether it did. The new object gets the
+  /// old parameters that it still declares; the world's description drops the others, too. Throws
+  /// ReplacementRefused.
   bool exchange(PluginObject& object, const std::string& path);
 
-  /// Runs code of an object that was exchanged; what it throws becomes a ReplacementRefused.
+  /// Runs code of an exchanged object; its exceptions become a ReplacementRefused.
   template <class Action>
   void run(const PluginObject& object, const std::string& path, Action action) const {
     const plugin::Call call({.plugin = object.use->plugin.c_str(),
                              .id = object.use->id.c_str(),
                              .robot = robot_.c_str(),
-                             .doing = "while it was put in the place of an older one"});
+                             .doing = "while it replaced an older object"});
     try {
       action();
     } catch (...) {
@@ -53,10 +53,10 @@ class Swap {
     }
   }
 
-  /// Equips the robot's new objects, resets them, and hands over what the old ones remember.
+  /// Equips and resets the robot's new objects, and gives them the memory of the old ones.
   void hand_over(const Perception& example);
 
-  /// From here on nothing is undone, and the old objects go. Returns what was done.
+  /// Keeps the exchanges and destroys the old objects. Returns the exchanges.
   Replacement settle();
 
   [[noreturn]] void refuse(const std::string& path, const std::string& problem) const {
@@ -75,8 +75,8 @@ class Swap {
   std::uint64_t seed_;
   std::vector<std::string> data_directories_;
   std::string robot_;
-  std::size_t first_ = 0;             // exchanged on this robot
-  std::vector<Exchanged> exchanged_;  // as many as replacement_ has objects
+  std::size_t first_ = 0;             // index of this robot's first exchange
+  std::vector<Exchanged> exchanged_;  // one for each of replacement_.objects
   Replacement replacement_;
   Undo undo_;
 };

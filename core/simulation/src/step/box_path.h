@@ -1,4 +1,4 @@
-// The way of a moving obstacle.
+// The path of a moving obstacle.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace elsie::simulation {
 
-/// Where a moving box is at a time: at constant speed from its start through the waypoints, and
-/// then straight back to the start (a round trip) or the same way back (to and fro), for ever.
+/// The position of a moving box over time. It moves at constant speed from its start through the
+/// waypoints, then straight to the start (a round trip) or back the same way (to and fro), forever.
 class BoxPath {
  public:
   explicit BoxPath(const world::Box& box);
@@ -17,8 +17,8 @@ class BoxPath {
   Vector2 position(double time_s) const;
 
  private:
-  std::vector<Vector2> corners_;   // closed: the last is the first again
-  std::vector<double> distances_;  // along the way, from the start to each corner
+  std::vector<Vector2> corners_;   // closed: the last equals the first
+  std::vector<double> distances_;  // along the path, from the start to each corner
   double speed_;
 };
 

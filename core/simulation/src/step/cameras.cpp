@@ -6,7 +6,7 @@
 namespace elsie::simulation {
 namespace {
 
-/// What is wrong with a camera where pictures may have so many pixels in width and height.
+/// The problem of a camera, if pictures may be at most this wide and high, px.
 std::optional<std::string> problem_with(const Camera& camera, int largest) {
   if (camera.width < 1 || camera.height < 1 || camera.width > largest || camera.height > largest) {
     return "its camera takes pictures of " + std::to_string(camera.width) + " x " +

@@ -1,4 +1,4 @@
-// The cameras of all robots, and what they see.
+// The cameras of all robots and their pictures.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,20 @@
 
 namespace elsie::simulation {
 
-/// Takes the pictures of all sensors that look through a camera, of one instant in one go. Without
-/// such a sensor it does nothing, and asks nothing of the machine.
+/// Takes the pictures of all sensors with a camera, of one instant in one batch. Without such a
+/// sensor it does nothing and needs no OpenGL.
 class Cameras {
  public:
-  /// For these robots, which live as long. What is wrong with a camera, or with the machine, is
-  /// added to `problems`, with the sensor's place in the world file; also when
-  /// there are cameras and no renderer.
+  /// The robots must outlive this object. Adds problems of cameras, of the machine, and of a
+  /// missing renderer to `problems`, with the sensor's place in the world file.
   Cameras(const world::World& world, const std::vector<std::shared_ptr<Robot>>& robots,
           const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems);
 
-  /// What is wrong with a camera that one of these sensors is to look through from now on; none
-  /// when nothing is.
+  /// The problem with a new camera for one of these sensors; none when it can be used.
   std::optional<std::string> problem_of(const Camera& camera) const;
 
-  /// Hands every sensor with a camera the picture of what is before it now, except those of robots
-  /// whose battery is empty. Throws base::Error.
+  /// Takes the present picture for every sensor with a camera, except on robots with an empty
+  /// battery. Throws base::Error.
   void take(const physics::Engine& engine);
 
  private:

@@ -1,4 +1,4 @@
-// The world as one robot's sensors may ask it.
+// The queries of one robot's sensors.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace elsie::simulation {
 
 using Robots = std::span<const std::shared_ptr<Robot>>;
 
-/// One robot as another one sees it.
+/// One robot as perceived by another one.
 inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other) {
   const Pose& from = robots[observer]->state().pose;
   const OwnState& state = robots[other]->state();
@@ -63,7 +63,7 @@ class Carrier final : public Surroundings {
     return robots_[robot_]->resource_colours();
   }
 
-  /// The last volume that was asked about since the last call, for viewers.
+  /// The volume of the last query since the last call, for viewers.
   std::optional<Pyramid> take_volume() const { return std::exchange(volume_, std::nullopt); }
 
  private:

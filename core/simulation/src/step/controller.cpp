@@ -15,7 +15,7 @@ std::string text(const Motion& motion) {
          std::to_string(motion.lateral) + " m/s, turn " + std::to_string(motion.turn) + " rad/s";
 }
 
-/// Faults the plugin if these are no fuzzy sets.
+/// Faults the plugin if these are not fuzzy sets.
 void require_sets(const CommandSets& sets, const world::PluginUse& use, Guard& guard) {
   for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
     double last = -std::numeric_limits<double>::infinity();
@@ -158,9 +158,9 @@ Response Controller::respond(const Perception& now) {
   double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, lateral = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const TraceRow& trace = members_[i].trace;
-    const Response& answer = slots_[i]->response;  // not of this step, and no matter, if not asked:
+    const Response& answer = slots_[i]->response;  // of an earlier step if not asked now; harmless:
     const double share = std::max(0.0, trace.share);
-    const double share_of_strength = share * trace.strength;  // that is zero then
+    const double share_of_strength = share * trace.strength;  // zero then
     shares += share;
     activation += share * trace.activation;
     strength += share_of_strength;
@@ -173,7 +173,7 @@ Response Controller::respond(const Perception& now) {
   };
   response.activation = ratio(activation, shares);
   response.strength = ratio(strength, shares);
-  if (strength > 0.0) {  // factors of it: so that their products are the means of the products
+  if (strength > 0.0) {  // factors: strength times factor is the mean of such products
     response.speed_strength = ratio(speed, strength);
     response.lateral_strength = ratio(lateral, strength);
     response.turn_strength = ratio(turn, strength);
@@ -212,7 +212,7 @@ const Response& Controller::run(Member& member) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
   setting_.guard.step(slot, [&] {
-    // In here, so that what the last answer held counts as freed.
+    // Assigned here, so that memory of the last answer counts as freed.
     slot.response = slot.object().respond(now_->with_random(slot.random));
   });
   if (setting_.measure_time) {
@@ -280,7 +280,7 @@ void Controller::check_trace() {
     const TraceRow& trace = member.trace;
     if (trace.inhibited_by >= static_cast<int>(members_.size())) {
       fail("its trace says that member " + std::to_string(trace.inhibited_by) +
-           " inhibits another, but there is none of that number");
+           " inhibits another, but there is no such member");
     }
     if (!std::isfinite(trace.weight) || !std::isfinite(trace.share)) {
       fail("a weight or share in its trace is not finite");

@@ -1,5 +1,5 @@
-// Behaviours and their coordinator at run time: those of a robot, and those inside a behaviour that
-// holds others, to any depth.
+// Behaviours and their coordinator at run time: those of a robot, or those inside a behaviour that
+// holds others, at any depth.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace elsie::simulation {
 
 class Becoming;
 
-/// What behaviours want of their robot besides the command.
+/// What behaviours request from their robot besides the command.
 class Wishes {
  public:
   virtual void raise(const Event& event) = 0;
@@ -37,7 +37,7 @@ class Wishes {
 
 class Controller final : public Coordination, private Member::Runner {
  public:
-  /// What all controllers of one robot share.
+  /// Objects that all controllers of one robot share.
   struct Setting {
     Guard& guard;
     Wishes& wishes;
@@ -45,19 +45,19 @@ class Controller final : public Coordination, private Member::Runner {
     bool measure_time;
   };
 
-  /// Makes the plugin objects; adds to `problems` what they refuse.
+  /// Makes the plugin objects; adds what they refuse to `problems`.
   Controller(const world::Coordination& description, const plugin::Host& host,
              const Setting& setting, std::vector<base::Problem>& problems);
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// Visits all objects, at every depth. `path` and `within` are what stands before their names.
+  /// Visits all objects, at every depth. `path` and `within` are prefixes of their names.
   void for_each(Order order, const std::string& path, const std::string& within,
                 const Visit& visit) const;
-  /// Before a run: priorities are those of the description.
+  /// Called before a run: sets priorities to those of the description.
   void begin_run();
 
-  /// Before each decision: forgets the last answers, at every depth.
+  /// Called before each decision: forgets the last answers, at every depth.
   void begin_step();
   /// The command of the coordinator, checked; zero when there is none. Throws PluginFault.
   Motion decide(const Perception& now);
@@ -66,7 +66,7 @@ class Controller final : public Coordination, private Member::Runner {
   void rate(std::span<const Motion> candidates, std::span<double> desirability) override;
   CommandSets command_sets() override;
 
-  /// Becomes what `next` describes; `was` is what it is now. What is described as before stays.
+  /// Becomes what `next` describes; `was` is the present description. Unchanged objects stay.
   void become(const world::Coordination& was, const world::Coordination& next,
               const std::string& path, Becoming& becoming);
 
@@ -75,10 +75,10 @@ class Controller final : public Coordination, private Member::Runner {
   void set_priority(const world::PluginUse& use, double priority);
 
   std::span<const Member> members() const { return members_; }
-  /// Appends what was inferred in the last decision. `path` as in list_members().
+  /// Appends the inferences of the last decision. `path` as in list_members().
   void list_inferences(const std::string& path, std::vector<MadeInference>& list) const;
-  /// Appends all members, each followed by those inside it. `path` is what stands before their
-  /// names; they stay where they are for the life of the controller.
+  /// Appends all members, each followed by those inside it. `path` is the prefix of their names.
+  /// Their addresses stay valid for the life of the controller.
   void list_members(const std::string& path, int depth, int parent,
                     std::vector<TracedMember>& list) const;
 
@@ -88,7 +88,7 @@ class Controller final : public Coordination, private Member::Runner {
     void equip(Component& object, const Perception& example) const override {
       static_cast<Behavior&>(object).equipped(example);
     }
-    void forget_answers(Undo& undo) override {  // whose events are named by the old library
+    void forget_answers(Undo& undo) override {  // the old library holds the names of its events
       undo.keep(response);
       forget();
     }
@@ -132,9 +132,9 @@ class Controller final : public Coordination, private Member::Runner {
   Setting setting_;
   std::vector<std::shared_ptr<Slot>> slots_;
   std::vector<Member> members_;
-  std::vector<const char*> reasons_;    // of each member's trace, kept
+  std::vector<const char*> reasons_;    // of each member's trace; kept copies
   std::shared_ptr<Chief> coordinator_;  // or none
-  std::optional<Perception> now_;  // of the last decision: members may be asked later in a step
+  std::optional<Perception> now_;  // of the last decision: members may be asked again in a step
   Motion command_;                 // of the last decision
 };
 

@@ -11,7 +11,7 @@
 namespace elsie::simulation {
 namespace {
 
-/// Times are sums of steps: a limit of 600 s is met by 60000 steps of 0.01 s.
+/// Times are sums of steps: 60000 steps of 0.01 s reach a limit of 600 s.
 constexpr double kTimeTolerance = 1e-9;
 
 enum class Standing { open, reached, kept, broken };
@@ -104,8 +104,8 @@ struct Judge {
     return team.empty() || simulation.robot(i).description->team == team;
   }
   bool leads(std::size_t i) const { return simulation.robot(i).state->is_leader; }
-  /// Distance from a robot to the team's nearest leader (a leader is where it should be), or to its
-  /// nearest mate in a team without one, or of leaders only.
+  /// Distance from a robot to the team's nearest leader; 0 for a leader. In a team without leaders,
+  /// or of leaders only, the distance to the nearest mate.
   double nearest_to_gather_at(std::size_t robot, const std::string& team) const {
     bool has_leader = false, has_follower = false;
     for (std::size_t i = 0; i < simulation.robots(); ++i) {

@@ -12,21 +12,21 @@ namespace elsie::simulation {
 
 class Simulation;
 
-/// Where things stood when an edit brought a goal; that of the start is empty.
+/// The state when an edit added a goal; empty for goals from the start.
 struct GoalStart {
   struct Done {
     double distance_m = 0.0;
     int collisions = 0;
   };
   double time_s = 0.0;
-  std::map<std::string, Done> done;  // by the robot's id; without one it came later
+  std::map<std::string, Done> done;  // by the robot's id; a robot without an entry was added later
   Done of(const std::string& robot) const {
     const auto known = done.find(robot);
     return known == done.end() ? Done{} : known->second;
   }
 };
 
-/// Whether two goals ask for the same, as far as it matters when they came.
+/// Returns whether two goals are the same, so that the second keeps the start of the first.
 bool same_goal(const world::Goal& a, const world::Goal& b);
 
 struct Judgement {
@@ -36,7 +36,7 @@ struct Judgement {
 
 /// Failure when a goal to keep is broken; success when all goals to reach are met, or at the time
 /// limit when there are only goals to keep; else time_limit at the world's limit of simulated time.
-/// `starts`: of the goals, in their order.
+/// `starts`: one for each goal, in their order.
 Judgement judge(const Simulation& simulation, std::span<const GoalStart> starts);
 
 }  // namespace elsie::simulation

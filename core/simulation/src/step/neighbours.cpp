@@ -25,7 +25,7 @@ std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double re
   }
   const base::Grid::Block block =
       grid_.block(place.x - reach, place.y - reach, place.x + reach, place.y + reach);
-  // To look at a few robots takes less time than to look into many cells.
+  // A check of a few robots is faster than a search in many cells.
   const int cells = (block.x1 - block.x0 + 1) * (block.y1 - block.y0 + 1);
   if (all_.size() <= static_cast<std::size_t>(cells)) {
     return all_;

@@ -1,4 +1,4 @@
-// Which robots are near a place.
+// Finds robots near a place.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ class Neighbours {
  public:
   explicit Neighbours(const world::Arena& arena) : grid_(arena.length, arena.width) {}
 
-  /// Where a robot is now.
+  /// Sets the present position of a robot.
   void place(std::size_t robot, const Vector2& at);
-  /// All robots whose place is not farther off than this, m, along x and along y, and perhaps
-  /// others; in the order of their numbers. Valid until the next call.
+  /// All robots within `reach` of the place, m, along x and along y, and perhaps others, in the
+  /// order of their indices. Valid until the next call.
   std::span<const base::Grid::Id> near(const Vector2& place, double reach) const;
 
  private:

@@ -84,8 +84,8 @@ std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& us
   return slot;
 }
 
-/// Takes over what only an edit of the description changes, and what the robot has of its team: its
-/// place there, whether there is a charger, and the colours of the resources that it may collect.
+/// Copies what only an edit of the description changes, and data of the team: the robot's index,
+/// whether there is a charger, and the colours of the resources that it may collect.
 void Robot::take_membership(const world::World& world, std::size_t index) {
   const world::Robot& robot = *description_;
   state_.id = robot.id;
@@ -143,7 +143,7 @@ void Robot::carry_out(const Motion& motion) {
   if (!problem.empty()) guard_.fail(drive_use(), problem);
 }
 
-/// What may have changed since.
+/// Restores what a user may have changed during the run.
 void Robot::take_description() {
   state_.max_speed_m_s = description_->max_speed;
   state_.coverage_m = description_->coverage;
@@ -154,7 +154,7 @@ void Robot::take_description() {
 }
 
 void Robot::group_readings() {
-  // Readings of one kind stand together, in file order, so that a behaviour gets them as one view.
+  // Readings of one kind are adjacent, in file order, so that a behaviour gets them as one view.
   std::vector<ReadingKind> kinds;
   std::vector<ReadingKind> kind_of;
   for (const auto& slot : sensors_) {
@@ -324,7 +324,7 @@ void Robot::set_up(PluginObject& object, const Setup& setup) {
   }
 }
 
-/// The perception for plugins that get new parameters: what was perceived last.
+/// The last perception, for plugins that get new parameters.
 Perception Robot::example() {
   team_.mates = mates_;
   perception_.events = perceived_events_;

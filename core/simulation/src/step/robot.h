@@ -1,5 +1,4 @@
-// A robot at run time: its plugin objects, what it knows of itself, and one decision after the
-// other.
+// A robot at run time: its plugin objects, its own state, and its decisions.
 #pragma once
 
 #include <array>
@@ -37,7 +36,7 @@ struct Instant {
   std::uint64_t step = 0;
 };
 
-/// What a robot has done since the run began.
+/// Sums for one robot since the run began.
 struct Tally {
   double distance_m = 0.0;
   double energy_used = 0.0;  // taken from the battery, units
@@ -53,34 +52,34 @@ class Robot final : private Wishes {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  /// Before a run: as it is described, with fresh random streams, plugin objects reset.
+  /// Called before a run: returns to the description, restarts random streams, resets plugin
+  /// objects.
   void reset(std::uint64_t seed);
 
   /// Updates all sensors. Throws PluginFault.
   void sense(const Carrier& carrier, const Instant& now);
-  /// Asks the coordinator; its command is in asked() afterwards, what the drive makes of it in
-  /// command() and joints().
-  /// Throws PluginFault.
+  /// Asks the coordinator. Its command is then in asked(), the motion of the drive in command(),
+  /// the set points of the joints in wanted_joints(). Throws PluginFault.
   void decide(const Instant& now);
-  /// Discharges by what the sensors cost in a control period.
+  /// Subtracts the energy that the sensors use in a control period.
   void use_energy(double period_s);
-  /// Charges for a control period, once a behaviour asked for it, until full. `rate`: of the
-  /// charger where the robot is, units per second; 0 without one.
+  /// Charges for a control period if a behaviour asked for it, until full. `rate`: of the charger
+  /// at the robot's place, units per second; 0 without one.
   void charge(double period_s, double rate);
-  /// Takes over the body's state.
+  /// Copies the state of the body.
   void set_body(const physics::RobotState& state, std::span<const JointSetting> joints);
-  /// Takes over the body's state after a step, and counts the distance.
+  /// Copies the state of the body after a step, and adds up the distance.
   void moved(const physics::RobotState& state, std::span<const JointSetting> joints);
-  /// Adds energy of a collected resource, up to the capacity.
+  /// Adds the energy of a collected resource, up to the capacity.
   void collect(double energy);
 
-  // What a user changes between two steps, until the next reset.
+  // Changes by a user between two steps, until the next reset.
 
-  /// m/s; the motion that the drive is set to is limited to it at once.
+  /// m/s; the present motion of the drive is limited at once.
   void set_max_speed(double max_speed);
   void set_coverage(double metres) { state_.coverage_m = metres; }
   void set_leader(bool leader) { state_.is_leader = leader; }
-  /// Units, at most the battery's capacity; without any, the robot stops.
+  /// Units, at most the battery's capacity; at 0 the robot stops.
   void set_energy(double units);
   /// Units per second, of a sensor of this robot.
   void set_energy_cost(const world::PluginUse& sensor, double cost);
@@ -89,30 +88,30 @@ class Robot final : private Wishes {
   }
   /// Visits all its plugin objects: sensors, the drive, then behaviours and coordinators.
   void for_each(Order order, const Visit& visit) const;
-  /// The object that a use of a plugin stands for; null when it is not of this robot.
+  /// The object for a use of a plugin; null when it does not belong to this robot.
   PluginObject* find_object(const world::PluginUse& use) const;
-  /// Whether the plugin takes these: throws what it throws, and touches nothing. Of a sensor: the
-  /// camera that it would look through.
+  /// Checks whether the plugin accepts these parameters, without setting them; passes on its
+  /// exceptions. Returns the camera that a sensor would then have.
   std::optional<Camera> try_out(const PluginObject& object, const Setup& setup) {
     return object.try_out(setup, example());
   }
-  /// Sets them. Throws what the plugin throws; the object is as before then, or, when it does not
-  /// go back, PluginFault.
+  /// Sets them. Passes on exceptions of the plugin, with the old parameters restored; if it refuses
+  /// these, throws PluginFault.
   void set_up(PluginObject& object, const Setup& setup);
 
-  /// Puts new objects in the places of those whose plugins have changed. Throws ReplacementRefused.
+  /// Replaces the objects whose plugins have changed. Throws ReplacementRefused.
   void replace(Swap& swap, const Cameras& cameras);
 
-  /// Becomes the robot of this index; `was` is what it is now, with all that was changed. What is
-  /// described as before stays as it is. Problems are those of `becoming`.
+  /// Becomes the robot with this index; `was` is its present description, with all changes. Objects
+  /// with unchanged descriptions stay. Adds problems to `becoming`.
   void become(const world::Robot& was, const world::World& world, std::size_t index,
               Becoming& becoming);
 
-  /// Gathers what the plugins say after a reset. Throws PluginFault.
+  /// Collects notes and curves of the plugins after a reset. Throws PluginFault.
   void ask(Statements& said);
-  /// What its plugins did to the program since the run began.
+  /// Appends notes on what its plugins changed in the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
-  /// An event of the simulator for the next perception and for the log.
+  /// Adds an event of the simulator to the next perception and to the log.
   template <class Kind>
   void raise(Kind event) {
     static_assert(Kind::kFacts.is_perceived);
@@ -124,13 +123,13 @@ class Robot final : private Wishes {
   }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
   void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
-  /// What its plugins have inferred in the last decision. Throws PluginFault.
+  /// The inferences of its plugins in the last decision. Throws PluginFault.
   std::vector<MadeInference> inferences() const {
     std::vector<MadeInference> list;
     controller_->list_inferences("", list);
     return list;
   }
-  /// Appends to the log the events since the last call.
+  /// Appends the events since the last call to the log.
   void take_log(double time_s, std::vector<EventRecord>& log);
 
   const world::Robot& description() const { return *description_; }
@@ -139,14 +138,15 @@ class Robot final : private Wishes {
   std::span<const Colour> resource_colours() const { return resource_colours_; }
   std::vector<TeamMate>& mates() { return mates_; }
   bool empty() const { return empty_; }
-  /// What the coordinator commanded last.
+  /// The last command of the coordinator.
   const Motion& asked() const { return asked_; }
-  /// The same as the drive can make it.
+  /// The same, as the drive can make it.
   const Motion& command() const { return state_.commanded; }
-  /// What the drive makes of it, for the joints of the body that can be set.
+  /// The set points of the joints that can be set, for this command.
   std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
   std::span<const JointSetting> joints() const { return joints_; }
-  /// The parts of its drive, for Robot::driven of the description; once. None: of the default one.
+  /// The parts of its drive, for Robot::driven of the description; call it once. Empty for the
+  /// default drive.
   BodyPlan take_driven() { return std::move(driven_); }
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
@@ -154,9 +154,9 @@ class Robot final : private Wishes {
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->frame); }
-  /// The camera that a sensor looks through, if it does.
+  /// The camera of a sensor, if it has one.
   const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor]->camera; }
-  /// What that camera sees; to be filled before sense().
+  /// The picture of that camera; fill it before sense().
   Image& picture(std::size_t sensor) { return sensors_[sensor]->picture; }
 
  private:
@@ -176,7 +176,7 @@ class Robot final : private Wishes {
     Mounting mounting;
     Frame frame;  // in the robot's frame
     Image picture;
-    std::optional<Pyramid> volume;  // that it asked about last
+    std::optional<Pyramid> volume;  // of its last query
   };
   using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 
@@ -186,7 +186,7 @@ class Robot final : private Wishes {
   void ask_for_charge() override { charge_asked_ = true; }
   void replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras);
   void replace_drive(Swap& swap);
-  /// Throws ReplacementRefused when a behaviour needs readings that are not there.
+  /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.
   void check_needs() const;
   std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, const plugin::Host& host,
                                           std::vector<base::Problem>& problems) const;
@@ -203,18 +203,18 @@ class Robot final : private Wishes {
     return description_->drive ? *description_->drive : drive_use_;
   }
   void command(const Motion& asked);
-  /// Hands a motion to the drive; what it can make of it is the command then.
+  /// Commands the drive; the command is then the motion that it can make.
   void carry_out(const Motion& motion);
 
   const world::Robot* description_;
-  mutable Guard guard_;  // looking at a plugin's numbers can fail, too
+  mutable Guard guard_;  // reading a plugin's numbers can fail, too
   Names names_;
 
-  world::PluginUse drive_use_;  // of a world that names none
+  world::PluginUse drive_use_;  // of a world without <drive>
   std::shared_ptr<DriveSlot> drive_;
   BodyPlan driven_;
   std::vector<JointSetting> joints_;         // measured
-  std::vector<JointSetting> wanted_joints_;  // as many
+  std::vector<JointSetting> wanted_joints_;  // set points, one for each of joints_
   world::DriveCheck drive_check_;
   double period_s_ = 0.01;  // of the last decision
 
@@ -228,7 +228,7 @@ class Robot final : private Wishes {
   std::vector<TeamMate> mates_;
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
-  std::size_t logged_ = 0;                // how many of them the log has
+  std::size_t logged_ = 0;                // number of them that the log has
   OwnState state_;
   TeamState team_;
   std::vector<Colour> resource_colours_;

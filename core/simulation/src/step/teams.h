@@ -1,4 +1,4 @@
-// What a team's robots have in the world: chargers, and resources that they may collect.
+// The chargers and resources of a team.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace elsie::simulation {
 
-/// Returns the place of the nearest charger that serves the team.
+/// Returns the position of the nearest charger that serves the team.
 std::optional<Vector2> nearest_charger(const world::World& world, const std::string& team,
                                        const Vector2& place);
 /// Returns the charging rate for the team at a place, units per second, or 0.
 double charger_rate(const world::World& world, const std::string& team, const Vector2& place);
-/// Whether a robot of the team may collect the box.
+/// Returns whether a robot of the team may collect the box.
 bool may_collect(const std::string& team, const world::Box& box);
-/// Of the resources that a robot of this team may collect: each colour once, in file order.
+/// The colours of the resources that a robot of this team may collect, each once, in file order.
 std::vector<Colour> resource_colours(const world::World& world, const std::string& team);
 
 }  // namespace elsie::simulation

@@ -5,10 +5,10 @@
 namespace elsie::simulation {
 namespace {
 
-/// Bodies that touch again within this time are still the same collision.
+/// If two bodies touch again within this time, it is the same collision.
 constexpr double kSameCollision = 0.2;  // s
 
-/// Whether the touch is a robot's with a resource that it may take; then it does.
+/// If the robot may collect the touched body, collects it and returns true.
 bool collects(const world::World& world, Robot& robot, const physics::Body& other,
               physics::Engine& engine) {
   if (other.kind != physics::BodyKind::box || other.index >= world.boxes.size()) {

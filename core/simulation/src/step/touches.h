@@ -1,4 +1,4 @@
-// What comes of bodies that touch: collisions, and resources that are collected.
+// The effects of touching bodies: collisions and collected resources.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace elsie::simulation {
 
 class Touches {
  public:
-  /// Those of the last step, which ended at this time.
+  /// Handles the touches of the last step, which ended at this time.
   void handle(const world::World& world, Robots robots, physics::Engine& engine, double time_s);
-  /// The bodies have other numbers now: `now_of` gives none for one that is gone.
+  /// Renumbers the bodies; `now_of` returns none for a removed body.
   template <class NowOf>
   void renumber(NowOf now_of) {
     std::map<std::pair<physics::Body, physics::Body>, double> known;

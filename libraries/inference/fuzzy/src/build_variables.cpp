@@ -165,7 +165,7 @@ const char* tool_of(std::string_view word) {
   return has(kJFuzzyLogic) ? "jFuzzyLogic" : has(kFuzzylite) ? "fuzzylite" : nullptr;
 }
 
-/// Of points with the same x, only the first, the last and those that stand out matter.
+/// Reduces points with the same x to the first and the last, unless another is higher or lower.
 std::vector<FuzzySet::Point> ModelBuilder::without_repetitions(const ast::Term& term) {
   std::vector<FuzzySet::Point> kept;
   bool repeats = false;

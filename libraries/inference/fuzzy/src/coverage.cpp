@@ -214,8 +214,8 @@ class Search {
     return false;
   }
 
-  /// With the bounded difference, a rule fires depending on the degrees themselves: halves the box
-  /// until each part is decided.
+  /// With the bounded difference, the degrees themselves decide whether a rule fires: halves the
+  /// box until each part is decided.
   bool divide(int depth) {
     const Finding finding = look();
     if (finding != Finding::open) {

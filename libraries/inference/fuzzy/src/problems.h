@@ -1,4 +1,4 @@
-// What is wrong with a model's file, or untidy.
+// Errors and untidy statements in a model's file.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace elsie::fuzzy {
 
-/// Collects notes beside the problems.
+/// Collects notes in addition to problems.
 class Problems : public base::Problems {
  public:
   Problems(const std::string& file, std::size_t most) : base::Problems(file, most), file_(file) {}

@@ -61,8 +61,8 @@ FuzzySet combined(const FuzzySet& a, const FuzzySet& b, Combine combine, Stretch
   return result;
 }
 
-/// Where the lines from a0 to a1 and from b0 to b1 cross, as a fraction of the stretch; else a
-/// number outside of (0, 1).
+/// The crossing of the lines from a0 to a1 and from b0 to b1, as a fraction of the stretch; outside
+/// of (0, 1) if they do not cross.
 double crossing(double a0, double a1, double b0, double b1) {
   const double d0 = a0 - b0;
   const double d1 = a1 - b1;

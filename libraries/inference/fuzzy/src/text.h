@@ -12,7 +12,7 @@ namespace elsie::fuzzy {
 
 using base::number_text;
 
-/// Names of a model are shown whole.
+/// Quotes a name of a model in full length.
 inline std::string in_quotes(std::string_view name) {
   return base::in_quotes(name, std::string_view::npos);
 }

@@ -62,8 +62,8 @@ class Walk {
     }
   }
 
-  /// Where the conclusion's cut begins or ends, as a fraction of the cell; outside of (0, 1) if
-  /// nowhere.
+  /// The begin or end of the conclusion's cut, as a fraction of the cell; outside of (0, 1) if it
+  /// is not in the cell.
   static double split(const Active& active) {
     return (active.y0 < active.cut) != (active.y1 < active.cut)
                ? (active.cut - active.y0) / (active.y1 - active.y0)

@@ -90,7 +90,7 @@ std::string warning(const Assessment& assessment, std::span<const std::string> o
     text += (text.empty() ? "" : " ") + std::string("The network has not learned ") +
             std::to_string(assessment.missed) + " of " +
             counted(assessment.answers.size() / outputs.size(), "sample") +
-            ": an answer to it is more than " + rough_text(kMissed) + " away from what is wanted.";
+            ": an answer to it differs from its target by more than " + rough_text(kMissed) + ".";
   }
   return text;
 }

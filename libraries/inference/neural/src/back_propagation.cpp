@@ -11,7 +11,7 @@
 namespace elsie::neural {
 namespace {
 
-/// How a part of a layer passes on deltas.
+/// The way in which a part of a layer passes on deltas.
 enum class Passing {
   nothing,  // the network's inputs have no deltas
   whole,    // the part is the whole layer

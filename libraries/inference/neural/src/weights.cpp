@@ -87,9 +87,9 @@ class Reader {
              std::to_string(kWeightsVersion) + "' as its first line");
     }
     if (words_[2] != std::to_string(kWeightsVersion)) {
-      refuse("the file is of version " + neural::in_quotes(words_[2]) + ", but version " +
-             std::to_string(kWeightsVersion) +
-             " is what can be read here; write it anew with this version's elsie train");
+      refuse("the file has version " + neural::in_quotes(words_[2]) +
+             ", but this program reads version " + std::to_string(kWeightsVersion) +
+             "; write it again with this version's elsie train");
     }
   }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr int kMessages = 150;
 constexpr int kMemory = 151;
 constexpr std::size_t kLongestReport = 65'536;
-constexpr int kPatience_ms = 1000;  // with a process that is to end
+constexpr int kPatience_ms = 1000;  // time for a process to end
 
 /// A descriptor that is closed with its owner.
 class Descriptor {
@@ -50,7 +50,7 @@ class Descriptor {
                     "', cannot be started: " + std::strerror(error));
 }
 
-/// Reads what is there; false at the end.
+/// Reads all available text; false at the end.
 bool read_into(std::string& text, int descriptor) {
   std::array<char, 65'536> some;
   while (true) {
@@ -90,7 +90,7 @@ class Connection::Impl {
   }
 
   ~Impl() {
-    messages_ = Descriptor();  // at whose end it ends by itself
+    messages_ = Descriptor();  // closes the connection, which ends the process
     for (int waited_ms = 0; process_ > 0 && waited_ms < kPatience_ms; waited_ms += 10) {
       reap(WNOHANG);
       if (process_ > 0) {
@@ -170,6 +170,14 @@ class Connection::Impl {
     posix_spawn_file_actions_adddup2(&actions, their_output, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions, theirs, kMessages);
     posix_spawn_file_actions_adddup2(&actions, memory_.descriptor(), kMemory);
+    // A program that was started in the background may ignore the signal of quit().
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGQUIT);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     std::vector<std::string> words{program, "session"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -178,7 +186,8 @@ class Connection::Impl {
     }
     argv.push_back(nullptr);
     const int error =
-        posix_spawn(&process_, program.c_str(), &actions, nullptr, argv.data(), environ);
+        posix_spawn(&process_, program.c_str(), &actions, &attributes, argv.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       process_ = -1;
@@ -191,7 +200,7 @@ class Connection::Impl {
       const ssize_t count =
           ::send(messages_.get(), unsent_.data(), unsent_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (count < 0 && errno != EINTR) {
-        return;  // receive() meets the end, if it is one
+        return;  // receive() finds the end, if there is one
       }
       unsent_.erase(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }

@@ -9,7 +9,7 @@
 namespace elsie::server {
 namespace {
 
-// With a document: what of it stands in templates.
+// With a document, also marks elements of templates.
 Json element_json(const world::Element& element, const editing::Document* document) {
   Json attributes = Json::object(), children = Json::array();
   bool is_named_here = false;
@@ -66,7 +66,7 @@ Json catalog_json(const plugin::Host& host) {
 }
 
 Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const std::vector<std::string>& data_directories) {
+                const world::ReadOptions& options) {
   std::vector<base::Problem> problems;
   Json warnings = Json::array();
   const auto attempt = [&](const auto& check) {
@@ -79,11 +79,8 @@ Json check_json(const std::string& text, const std::string& file, const plugin::
     }
   };
   attempt([&] {
-    world::ReadOptions options;
-    options.data_directories = data_directories;
-    options.check_plugins = true;
     const world::World world = world::parse_world(text, file, host, options);
-    // Plugins are asked whether they fit, but not prepared for a run: networks are not trained.
+    // Checks that plugins fit, but does not prepare them for a run: networks are not trained.
     for (std::size_t i = 0; i < world.robots.size(); ++i) {
       attempt([&] { const simulation::EquippedRobot robot(world, i, host); });
     }

@@ -1,4 +1,4 @@
-// What messages say of documents and worlds.
+// Descriptions of documents and worlds for messages.
 #pragma once
 
 #include <span>
@@ -15,18 +15,18 @@ namespace elsie::server {
 
 Json problems_json(std::span<const base::Problem> problems);
 
-/// What the physics may not simulate well, as `elsie check` says it.
+/// The warnings of `elsie check` about settings that the physics may not simulate well.
 Json warnings_json(const world::World& world);
 
-/// The elements of the document's world; `inherited`: one stands in the template of a robot;
-/// `written`: a robot without what its template adds.
+/// The elements of the document's world. `inherited`: the element is in the template of a robot;
+/// `written`: a robot without the content of its template.
 Json tree_json(const editing::Document& document);
 
-/// The vocabulary of worlds, the plugins and the events.
+/// The vocabulary of worlds, all plugins and all events.
 Json catalog_json(const plugin::Host& host);
 
-/// What is wrong with a text, and what the physics may not simulate well, as `elsie check` says it.
+/// The errors and warnings of `elsie check` for a text.
 Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const std::vector<std::string>& data_directories);
+                const world::ReadOptions& options);
 
 }  // namespace elsie::server

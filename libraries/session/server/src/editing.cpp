@@ -23,22 +23,27 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
   return changes;
 }
 
-/// Whether plugins may have been made while this text was read: they leave threads behind.
+std::filesystem::path folder_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path();
+}
+
+/// Whether reading this text may have created plugins, which can leave threads behind.
 bool may_make_plugins(const std::string& text) {
   try {
     const world::Element root = world::parse_markup(text, "");
     return root.child("robots") || root.child("measures") || root.child("changes");
   } catch (const world::WorldError&) {
-    return false;  // nothing is made of what cannot be read
+    return false;  // no plugin is created for a text that cannot be read
   }
 }
 
 }  // namespace
 
-world::ReadOptions Server::Impl::reading() const {
+world::ReadOptions Server::Impl::reading(std::uint64_t seed) const {
   world::ReadOptions options;
   options.data_directories = options_.data_directories;
   options.check_plugins = true;
+  options.seed = seed;
   return options;
 }
 
@@ -46,7 +51,7 @@ void Server::Impl::open(const Json& message, Json& answer) {
   const std::uint64_t seed = message.value("seed", seed_);
   const auto text = message.at("text").get<std::string>();
   answer["made_plugins"] = may_make_plugins(text);
-  editing::Document document(text, message.value("file", std::string()), host(), reading());
+  editing::Document document(text, message.value("file", std::string()), host(), reading(seed));
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
   inverses_.clear();
@@ -79,33 +84,31 @@ void Server::Impl::text_for(const Json& message, Json& answer) {
   answer["text"] = document_->text_for(file.parent_path().string());
 }
 
-// The run goes on: nothing that it has read changes.
+// The run continues: the files that it has read do not change.
 void Server::Impl::move(const Json& message, Json& answer) {
   const auto file = message.at("file").get<std::string>();
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const std::string before = document_->text(), begun = repetition_.text();
   const std::string old_file = document_->file();
-  editing::Document moved(document_->text_for(folder), file, host(), reading());
+  const std::string text = message.contains("text") ? message.at("text").get<std::string>()
+                                                    : document_->text_for(folder);
+  editing::Document moved(text, file, host(), reading(seed_));
   document_ = std::move(moved);
   repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
-  inverses_.clear();  // they name other files as the old text did
+  inverses_.clear();  // they contain names of files as in the old text
   describe(answer);
 }
 
 std::string Server::Impl::from_elsewhere(const std::string& text, const std::string& file) const {
-  const auto folder_of = [](const std::string& name) {
-    return std::filesystem::path(name).parent_path();
-  };
   const std::filesystem::path here = folder_of(document_->file());
   return file.empty() || folder_of(file) == here
              ? text
-             : editing::Document(text, file, host(), reading()).text_for(here.string());
+             : editing::Document(text, file, host(), reading(seed_)).text_for(here.string());
 }
 
 void Server::Impl::check(const Json& message, Json& answer) {
   const std::string file = message.value("file", document_ ? document_->file() : "");
-  answer.update(
-      check_json(message.at("text").get<std::string>(), file, host(), options_.data_directories));
+  answer.update(check_json(message.at("text").get<std::string>(), file, host(), reading(seed_)));
 }
 
 void Server::Impl::ping(const Json&, Json&) {}
@@ -114,20 +117,26 @@ void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_js
 
 void Server::Impl::change(const std::function<editing::Edits()>& make,
                           std::vector<std::string> edits, Json& answer) {
-  std::optional<world::World> before;
+  std::optional<world::World> before, before_in_run;
   if (phase_ == Phase::under_way) {
     before = document_->world();
+    before_in_run = world_of_run();
   }
   editing::Edits inverse = make();
   try {
     if (phase_ != Phase::under_way) {
       restart(seed_);
     } else {
-      // In the document, edits are made one after the other, and what has no id is called by its
-      // place; to the run, they may mean something else.
-      const bool are_right =
-          !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading());
-      change_run(are_right ? std::move(edits) : edits_from(*before));
+      // The document makes edits one after the other, and names elements without ids by position.
+      // In the run, the same edits may have another meaning.
+      const bool are_right = !edits.empty() && editing::lead_to(document_->world(), *before, edits,
+                                                                host(), reading(seed_));
+      edits = are_right ? std::move(edits) : edits_from(*before, document_->world());
+      if (before_in_run) {
+        change_run(edits_from(*before_in_run, *world_of_run()), std::move(edits));
+      } else {
+        change_run(edits, edits);
+      }
     }
   } catch (...) {
     document_->apply(inverse);
@@ -138,21 +147,30 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
   describe(answer);
 }
 
-std::vector<std::string> Server::Impl::edits_from(const world::World& before) const {
+std::optional<world::World> Server::Impl::world_of_run() const {
+  const std::string folder = folder_of(run_file_).string();
+  if (folder_of(document_->file()) == folder) {
+    return std::nullopt;
+  }
+  return editing::Document(document_->text_for(folder), run_file_, host(), reading(seed_)).world();
+}
+
+std::vector<std::string> Server::Impl::edits_from(const world::World& before,
+                                                  const world::World& after) const {
   try {
-    return editing::edits_between(before, document_->world(), host(), reading());
+    return editing::edits_between(before, after, host(), reading(seed_));
   } catch (const world::WorldError&) {
     throw base::BadInput(
-        "no edits lead from the world that runs to this one; reset the run, and it begins with "
-        "this one");
+        "no edits lead from the running world to this one; reset the run to begin with this one");
   }
 }
 
-void Server::Impl::change_run(std::vector<std::string> edits) {
-  if (edits.empty()) {
+void Server::Impl::change_run(const std::vector<std::string>& edits_there,
+                              std::vector<std::string> edits) {
+  if (edits_there.empty()) {
     return;
   }
-  simulation_->change(changes_of(edits));
+  simulation_->change(changes_of(edits_there));
   ++epoch_;
   history_.rename(body_names(simulation_->world()));
   repetition_.add(simulation_->time_s(), simulation_->world().physics.step, std::move(edits));

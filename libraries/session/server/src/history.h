@@ -1,4 +1,4 @@
-// Where everything was: what a window shows when its time line is pulled back.
+// The earlier positions of all bodies, for a window that looks back in time.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace elsie::server {
 
-/// Samples of the poses of all bodies, one each kPeriod_s. When they take more than `most`
-/// bytes, every second one is dropped, and as many fewer are added from then on.
+/// Samples of the poses of all bodies, one per kPeriod_s. When they take more than `most` bytes,
+/// every second sample is dropped, and the period doubles.
 class History {
  public:
   struct Sample {
@@ -26,18 +26,18 @@ class History {
   static constexpr double kPeriod_s = 0.05;
   explicit History(std::size_t most = std::size_t{200} << 20) : most_(most) {}
 
-  /// A run from the beginning, with these bodies; the first sample is added at once.
+  /// Begins a new run with these bodies. The first sample must be added at once.
   void begin(std::vector<std::string> names);
-  /// The bodies from now on.
+  /// Sets the names of the bodies from now on.
   void rename(std::vector<std::string> names);
-  /// To be asked once for each time, in ascending order.
+  /// Whether a sample is due. Must be called once for each time, in ascending order.
   bool is_due(double time_s) { return sampling_.is_due(time_s); }
   void add(double time_s, std::uint64_t steps, std::vector<snapshots::BodyState> bodies);
 
   double from_s() const { return samples_.empty() ? 0.0 : samples_.front().time_s; }
   std::size_t size() const { return samples_.size(); }
-  /// The nearest sample; there must be one. Its bodies are the present ones: those that were not
-  /// there then are not present.
+  /// The nearest sample; at least one must exist. It lists the current bodies; those that did not
+  /// exist at that time have `present` = 0.
   Sample at(double time_s) const;
 
  private:

@@ -16,19 +16,19 @@ class Link {
  public:
   explicit Link(int descriptor) : descriptor_(descriptor) {}
 
-  /// Waits until a message or the end has come, for no longer than this; sends meanwhile what has
-  /// not left yet.
+  /// Waits until a message or the end arrives, but not longer than this. Meanwhile, sends messages
+  /// that are still waiting.
   void wait(std::chrono::microseconds most);
-  /// The next message; none if none is there.
+  /// The next message; none if none has arrived.
   std::optional<Json> next();
   /// Whether the other end has closed the connection.
   bool closed() const { return closed_; }
 
-  /// Sends a message, or keeps what does not fit: a window that is busy holds nothing up.
+  /// Sends a message, or keeps the part that does not fit, so that a busy window blocks nothing.
   void send(const Json& message);
   /// Whether the other end has read everything.
   bool is_idle();
-  /// What has not left yet.
+  /// The number of bytes that have not been sent yet.
   std::size_t waiting_bytes() const { return unsent_.size(); }
 
  private:

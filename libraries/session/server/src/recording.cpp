@@ -40,7 +40,7 @@ void Recording::choose(const Json& order) {
 
 void Recording::start() {
   std::vector<std::unique_ptr<simulation::Observer>> recorders;
-  for (const fs::path& file : std::exchange(files_, {})) {  // one that cannot be made is tried once
+  for (const fs::path& file : std::exchange(files_, {})) {  // each is tried only once
     recorders.push_back(recording::format_of(file)->recorder(file, options_));
   }
   for (auto& recorder : recorders) {

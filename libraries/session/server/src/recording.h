@@ -1,4 +1,4 @@
-// Recordings of the run that starts next.
+// Recordings of the next run.
 #pragma once
 
 #include <filesystem>
@@ -14,13 +14,13 @@ namespace elsie::server {
 
 class Recording {
  public:
-  /// From an order: `files`, `rate`, `images`. Throws base::BadInput for what no recording can be.
+  /// Reads an order: `files`, `rate`, `images`. Throws base::BadInput for impossible recordings.
   void choose(const Json& order);
-  /// Creates the files, once. Throws when one cannot be made; the next run is then not recorded.
+  /// Creates the files once. Throws if a file cannot be created; then the next run is not recorded.
   void start();
-  /// Who watches the run.
+  /// The observers of the run.
   const std::vector<simulation::Observer*>& observers() const { return observers_; }
-  /// Once the run has ended.
+  /// Finishes the files after the end of the run.
   void close();
 
  private:

@@ -28,11 +28,11 @@ Json Repetition::command(const std::vector<std::string>& options) const {
                                  std::to_string(seed_)};
   for (std::size_t i = 0; i < edits_.size(); ++i) {
     const Together& now = edits_[i];
-    std::size_t later = 0;  // times that something was edited before the same step
+    std::size_t later = 0;  // the number of later edits before the same step
     while (i + later + 1 < edits_.size() && edits_[i + later + 1].time_s == now.time_s) {
       ++later;
     }
-    // What has one time is edited together. Earlier by a little is after the step before, still.
+    // Edits with one time are made together; a slightly earlier time keeps earlier edits separate.
     const double earlier_s = 1e-3 * now.step_s * static_cast<double>(later);
     const std::string time = base::number_text(std::max(0.0, now.time_s - earlier_s)) + ":";
     for (const std::string& edit : now.edits) {

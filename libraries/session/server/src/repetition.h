@@ -12,16 +12,16 @@ namespace elsie::server {
 
 class Repetition {
  public:
-  /// Of a run of this text from the beginning.
+  /// Begins a new run of this text.
   void begin(std::string file, std::string text, std::uint64_t seed);
-  /// The world is in this file from now on, and the run began with this text of it.
+  /// The world has moved to this file, and `text` is the text there with which the run began.
   void move(std::string file, std::string text);
   const std::string& text() const { return text_; }
-  /// Edits made together, between two steps; `step_s`: the length of a step.
+  /// Adds edits that were made together between two steps. `step_s`: the length of a step.
   void add(double time_s, double step_s, std::vector<std::string> edits);
 
-  /// `text`: the command. `saved`: whether the file has the text that the run began with.
-  /// `options`: those of plugins.
+  /// An object with `text`, the command, and `saved`, whether the file has the text with which the
+  /// run began. `options`: the options for plugins.
   Json command(const std::vector<std::string>& options) const;
 
  private:

@@ -6,7 +6,7 @@
 namespace elsie::server {
 namespace {
 
-constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes; then news is held back
+constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes; beyond it, news must wait
 
 }  // namespace
 

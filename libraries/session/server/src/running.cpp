@@ -18,7 +18,7 @@ constexpr std::chrono::microseconds kBetweenSnapshots{16'000};
 constexpr std::chrono::microseconds kBetweenStates{33'000};
 constexpr std::chrono::microseconds kLongestNap{5'000};
 
-/// Ends a run that is not to go on.
+/// Thrown to end a run early.
 struct Left {};
 
 }  // namespace
@@ -34,7 +34,15 @@ std::unique_ptr<Simulation> Server::Impl::simulation_of(const world::World& worl
 }
 
 void Server::Impl::restart(std::uint64_t seed) {
-  auto simulation = simulation_of(document_->world(), seed, host());
+  const auto& drawn = document_->world().drawn;
+  std::optional<editing::Document> other;  // with the layouts that this seed draws
+  if (drawn && drawn->by_run && drawn->seed != seed) {
+    other.emplace(document_->text(), document_->file(), host(), reading(seed));
+  }
+  auto simulation = simulation_of((other ? other : document_)->world(), seed, host());
+  if (other) {
+    document_ = std::move(other);
+  }
   seed_ = seed;
   begin(std::move(simulation));
 }
@@ -55,6 +63,7 @@ void Server::Impl::begin(std::unique_ptr<Simulation> simulation) {
 
 void Server::Impl::take_next() {
   simulation_ = std::move(next_);
+  run_file_ = document_->file();
   recording_.close();
   repetition_.begin(document_->file(), document_->text(), seed_);
   told_events_ = told_notes_ = 0;
@@ -74,6 +83,7 @@ void Server::Impl::start(const Json& message, Json&) {
     pause_at_ = static_cast<std::uint64_t>(std::clamp(steps, 0.0, 1e15));
     is_pause_told_ = true;
   }
+  is_pause_paced_ = message.value("paced", false);
   running_ = true;
 }
 
@@ -90,9 +100,10 @@ void Server::Impl::pause(const Json&, Json&) { hold(); }
 
 void Server::Impl::step(const Json&, Json&) {
   get_ready();
-  // Orders that have not been carried out yet add up.
+  // Steps that have not been carried out yet add up.
   const auto period = static_cast<std::uint64_t>(simulation_->world().physics.control_steps);
   pause_at_ = pause_at_ ? *pause_at_ + period : simulation_->steps() + 1;
+  is_pause_paced_ = false;
   running_ = answers_later_ = true;
 }
 
@@ -168,7 +179,10 @@ void Server::Impl::between_decisions() {
     report_news();
     report_state();
     if (is_told) {
-      link_.send({{"event", "paused"}, {"time_s", simulation_->time_s()}});
+      link_.send({{"event", "paused"},
+                  {"time_s", simulation_->time_s()},
+                  {"steps", simulation_->steps()},
+                  {"state_hash", simulation::hash_text(simulation_->state_hash())}});
     }
   }
   const Clock::time_point now = Clock::now();
@@ -181,7 +195,7 @@ void Server::Impl::between_decisions() {
   if (now - heard_ >= kBetweenMessages) {
     hear();
   }
-  while (running_ && speed_ > 0.0 && !pause_at_ && !link_.closed()) {
+  while (running_ && speed_ > 0.0 && (!pause_at_ || is_pause_paced_) && !link_.closed()) {
     const double early =
         (simulation_->time_s() - paced_from_s_) / speed_ - seconds(Clock::now() - paced_from_);
     if (early <= 0.0) {

@@ -40,7 +40,7 @@ std::string path(const char* group, const std::string& id) {
   return std::string(group) + "[" + id + "]";
 }
 
-/// What a camera on a body sees, as a pyramid that has its apex in the frame's origin.
+/// The views of the cameras on a body, as pyramids with their apexes at the frames' origins.
 void list_views(const simulation::Simulation& simulation, std::size_t robot, int body,
                 Json& views) {
   for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {

@@ -1,4 +1,4 @@
-// What there is to draw: shapes on bodies, and where the bodies are.
+// Data for drawing: shapes on bodies, and the frames of the bodies.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace elsie::server {
 
-/// The shapes of a world, each with the body that carries it, and what cameras see of it. Bodies
-/// are the vehicles of all robots, each robot's in a row, then the boxes; body -1 is the arena.
+/// The shapes of a world, each with the body that carries it, and the views of cameras. The bodies
+/// are the vehicles of all robots, robot by robot, then the boxes; body -1 is the arena.
 Json scene_json(const simulation::Simulation& simulation);
 
-/// The bodies by name, in the same order: those of two worlds that have one name are one.
+/// The names of the bodies, in the same order. A name stands for the same body in two worlds.
 std::vector<std::string> body_names(const world::World& world);
 
-/// Where the bodies are now.
+/// Writes the current frames of the bodies.
 void place_bodies(const simulation::Simulation& simulation,
                   std::vector<snapshots::BodyState>& bodies);
-/// The rays of all range sensors, and the edges of the volumes that proximity sensors watch.
+/// Lists the rays of all range sensors, and the edges of the volumes that proximity sensors watch.
 void list_beams(const simulation::Simulation& simulation, std::vector<snapshots::BeamState>& beams);
 
 }  // namespace elsie::server

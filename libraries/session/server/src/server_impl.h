@@ -1,5 +1,5 @@
-// What a session is made of. server.cpp has its orders, editing.cpp the document, running.cpp the
-// run, reporting.cpp what the window hears and sees of it, renewing.cpp plugins that change.
+// The parts of a session: server.cpp has its orders, editing.cpp the document, running.cpp the run,
+// reporting.cpp the messages and snapshots to the window, renewing.cpp changes of plugins.
 #pragma once
 
 #include <chrono>
@@ -29,7 +29,7 @@ namespace elsie::server {
 using Clock = std::chrono::steady_clock;
 using simulation::Simulation;
 
-inline constexpr std::chrono::microseconds kLongestWait{200'000};  // then plugins are looked at
+inline constexpr std::chrono::microseconds kLongestWait{200'000};  // between checks of plugins
 
 inline double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -58,8 +58,8 @@ class Server::Impl {
   };
   static const std::map<std::string, KnownOrder>& orders();
 
-  /// Its answer has the message's id, and either what was asked for or `refused`: sentences. That
-  /// to a step comes when the step is done, that to a reset when the run has been left.
+  /// Carries out an order. The answer has the message's id, and either the result or `refused`
+  /// (sentences). It follows after the step for `step`, and after the end of the run for `reset`.
   void handle(const Json& message);
   void open(const Json& message, Json& answer);
   void edit(const Json& message, Json& answer);
@@ -83,15 +83,19 @@ class Server::Impl {
   // The document.
 
   const plugin::Host& host() const { return plugins_.host(); }
-  world::ReadOptions reading() const;
-  /// Changes the document; `make` returns the inverse. A run that is under way becomes what the
-  /// document is then, by `edits` or, if there are none, those that lead there.
+  world::ReadOptions reading(std::uint64_t seed) const;
+  /// Changes the document; `make` returns the inverse. A run that is under way is changed to the
+  /// new document by `edits` or, if there are none, by the edits that lead to it.
   void change(const std::function<editing::Edits()>& make, std::vector<std::string> edits,
               Json& answer);
-  std::vector<std::string> edits_from(const world::World& before) const;
-  /// A text that was written for another file, as it has to be in the document's.
+  std::vector<std::string> edits_from(const world::World& before, const world::World& after) const;
+  /// The document's world, with file names relative to the folder where the run began; none: the
+  /// document has not moved to another folder since then.
+  std::optional<world::World> world_of_run() const;
+  /// Adapts a text that was written for another file to the folder of the document's file.
   std::string from_elsewhere(const std::string& text, const std::string& file) const;
-  void change_run(std::vector<std::string> edits);
+  /// `edits_there`: with names of files as the run has them; `edits`: as the document has them.
+  void change_run(const std::vector<std::string>& edits_there, std::vector<std::string> edits);
   void describe(Json& answer);
 
   // The run.
@@ -99,32 +103,32 @@ class Server::Impl {
   std::unique_ptr<Simulation> simulation_of(const world::World& world, std::uint64_t seed,
                                             const plugin::Host& host) const;
   void restart(std::uint64_t seed);
-  /// For a run that starts or goes on.
+  /// Prepares for a run that starts or continues.
   void get_ready();
-  /// A run from the beginning. One that is under way is left first.
+  /// Begins a new run. A run that is under way is ended first.
   void begin(std::unique_ptr<Simulation> simulation);
   void take_next();
   void run();
-  /// Messages are heard here; while the run is paused, it stays here.
+  /// Reads messages; does not return while the run is paused.
   void between_decisions();
-  /// Shows where everything is, and ends steps that are not done.
+  /// Pauses the run: sends a snapshot, and the answers to unfinished steps.
   void hold();
   void answer_later();
   void hear();
   void start_clock();
 
-  // What the window sees and hears.
+  // Messages and snapshots to the window.
 
   void show();
-  /// Keeps where everything is for the history.
+  /// Adds the current positions to the history.
   void keep();
   void report_state();
-  /// Events and notes of the run, as they arise.
+  /// Sends new events and notes of the run.
   void report_news();
 
-  /// Takes plugins that have changed on disk, as `elsie run --watch` does.
+  /// Loads plugins that have changed on disk, as `elsie run --watch` does.
   void renew_plugins();
-  /// The document and its run have the plugins of this host from now on, or nothing changes.
+  /// Makes the document and its run use the plugins of this host; on failure, nothing changes.
   void use(const plugin::Host& host, Json& event);
 
   build::Watch& plugins_;
@@ -139,25 +143,27 @@ class Server::Impl {
 
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Simulation>
-      next_;  // takes its place once the run that is under way has been left
+      next_;  // replaces simulation_ after the end of the run that is under way
   Phase phase_ = Phase::ready;
   bool left_ = false;
   bool running_ = false;
-  bool answers_later_ = false;             // to the order at hand
-  std::optional<std::uint64_t> pause_at_;  // steps; until there it goes as fast as it can
-  bool is_pause_told_ = false;             // by an event
-  std::vector<Json> later_;                // answers that come later
+  bool answers_later_ = false;             // to the current order
+  std::optional<std::uint64_t> pause_at_;  // steps
+  bool is_pause_paced_ = false;            // until then the run keeps its speed; else full speed
+  bool is_pause_told_ = false;             // an event has reported the pause
+  std::vector<Json> later_;                // answers to be sent later
   std::uint64_t seed_ = 1;
   std::uint64_t epoch_ = 0;
 
   Watching watching_;
-  bool is_state_due_ = false;  // what is shown has changed while nothing runs
+  bool is_state_due_ = false;  // the shown state has changed while nothing runs
   std::size_t told_events_ = 0, told_notes_ = 0;
   History history_;
   Recording recording_;
   Repetition repetition_;
+  std::string run_file_;  // the document's when the run began
 
-  double speed_ = 0.0;  // 0: as fast as it goes
+  double speed_ = 0.0;  // simulated seconds per second; 0: as fast as possible
   Clock::time_point paced_from_;
   double paced_from_s_ = 0.0;
   Clock::time_point heard_, shown_, stated_;

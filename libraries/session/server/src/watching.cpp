@@ -82,7 +82,7 @@ Json sensors_json(const Simulation& simulation, std::size_t robot) {
   return sensors;
 }
 
-/// Three bytes a pixel, whatever the picture has.
+/// The picture with three bytes per pixel, whatever its own number of channels.
 std::string rgb_text(const Image& image) {
   const std::string_view bytes(reinterpret_cast<const char*>(image.bytes.data()),
                                image.bytes.size());
@@ -205,7 +205,7 @@ Json Watching::state(const Simulation& simulation, std::uint64_t epoch) const {
                 {"epoch", epoch},
                 {"time_s", simulation.time_s()},
                 {"robots", std::move(robots)}};
-  if (watches("measures")) {  // they begin with the first step
+  if (watches("measures")) {  // measures exist from the first step
     event["measures"] =
         simulation.steps() > 0 ? measures_json(simulation.measures()) : Json::object();
   }

@@ -1,4 +1,4 @@
-// What a window watches: the state of a run beyond where everything is.
+// The state of a run that a window watches, besides the positions of bodies.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ namespace elsie::server {
 
 class Watching {
  public:
-  /// From an order: `what` and `robots`. Throws base::BadInput.
+  /// Reads an order: `what` and `robots`. Throws base::BadInput.
   void choose(const Json& order);
   bool is_on() const { return !what_.empty(); }
 
-  /// The event. It only looks at the simulation. Throws simulation::PluginFault.
+  /// The event `state`. Does not change the simulation. Throws simulation::PluginFault.
   Json state(const simulation::Simulation& simulation, std::uint64_t epoch) const;
 
  private:
@@ -29,10 +29,10 @@ class Watching {
   std::set<std::string, std::less<>> robots_;  // none: all
 };
 
-/// The measures so far, by name.
+/// The present values of the measures, by name.
 Json measures_json(std::span<const simulation::MeasuredValue> measures);
 
-/// "r1, wander: ...", as `elsie run` prints it.
+/// A note as `elsie run` prints it: "r1, wander: ...".
 std::string text_of(const simulation::Note& note);
 
 }  // namespace elsie::server

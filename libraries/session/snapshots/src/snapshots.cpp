@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x656c73696530310a;
 constexpr std::uint32_t kBuffers = 3;
-constexpr std::uint32_t kFresh = 4;  // beside the number of the buffer that lies ready
+constexpr std::uint32_t kFresh = 4;  // a flag that is added to the number of the ready buffer
 constexpr std::size_t kPage = 4096;
 
-/// At the start of the memory; the buffers follow on pages of their own.
+/// The head of the memory; the buffers follow on pages of their own.
 struct Head {
   std::uint64_t magic = kMagic;
   std::uint64_t most = 0;               // bytes of a buffer
@@ -29,14 +29,14 @@ struct Head {
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && sizeof(Head) <= kPage);
 
-/// At the start of a buffer.
+/// The head of a buffer.
 struct Sizes {
   std::uint64_t bodies = 0;
   std::uint64_t beams = 0;
   SnapshotFacts facts;
 };
 
-/// Whether a buffer of `most` bytes has room for so many. No product overflows.
+/// Whether a buffer of `most` bytes has room for these numbers. No product overflows.
 bool fits(std::size_t bodies, std::size_t beams, std::size_t most) {
   return bodies <= most / sizeof(BodyState) && beams <= most / sizeof(BeamState) &&
          sizeof(Sizes) + bodies * sizeof(BodyState) + beams * sizeof(BeamState) <= most;
@@ -105,7 +105,7 @@ SharedMemory SharedMemory::open(int descriptor) {
   return memory;
 }
 
-// Not the number in the head, which the other process can write over.
+// Does not use the number in the head, which the other process can overwrite.
 std::size_t SharedMemory::most() const { return (bytes_ - kPage) / kBuffers; }
 
 SharedMemory::SharedMemory(int descriptor, bool owned, std::size_t bytes)
@@ -172,7 +172,7 @@ std::optional<Snapshot> Reader::take() {
   Sizes sizes;
   std::memcpy(&sizes, from, sizeof(sizes));
   if (!fits(sizes.bodies, sizes.beams, memory_.most())) {
-    return std::nullopt;  // a writer that went wild
+    return std::nullopt;  // the writer has written invalid data
   }
   const auto* bodies = reinterpret_cast<const BodyState*>(from + sizeof(sizes));
   const auto* beams = reinterpret_cast<const BeamState*>(bodies + sizes.bodies);

@@ -1,18 +1,30 @@
 #include "elsie/batch/batch.h"
 
-#include <algorithm>
 #include <chrono>
+#include <map>
+#include <stdexcept>
 #include <utility>
 
+#include "elsie/batch/estimate.h"
 #include "elsie/batch/worker_pool.h"
 
+#include "stages.h"
+
 namespace elsie::batch {
+
+namespace {
+
+// With many cells, an estimate takes milliseconds.
+constexpr auto kBetweenEstimates = std::chrono::milliseconds(500);
+
+}  // namespace
 
 Job job_of(const Plan& plan, const PlannedRun& run) {
   const PlannedCell& cell = plan.cells[run.cell];
   Job job;
   job.run = run.id;
-  job.world_text = cell.world_text;
+  const auto layout = cell.layouts.find(run.seed);
+  job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
   job.world_file = cell.world_file;
   for (const PlannedCell::Data& data : cell.data) {
     job.files[data.name] = plan.files[data.file].path;
@@ -23,29 +35,55 @@ Job job_of(const Plan& plan, const PlannedRun& run) {
   return job;
 }
 
-bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& options,
+namespace {
+
+/// The pending runs in the order in which they are done.
+std::vector<PlannedRun> ordered(ResultsDatabase& database) {
+  try {
+    return in_order(database.plan(), database.pending());
+  } catch (const std::out_of_range& run) {
+    throw DatabaseError(std::string(run.what()) + " of the database '" + database.file().string() +
+                        "' is not among those of the experiment");
+  }
+}
+
+Estimate estimate_of(ResultsDatabase& database, const std::vector<PlannedRun>& pending,
+                     std::size_t workers) {
+  std::vector<std::vector<std::string>> levels;
+  for (const PlannedCell& cell : database.plan().cells) {
+    levels.push_back(levels_of(cell));
+  }
+  std::vector<std::int64_t> counts(levels.size(), 0);
+  for (const PlannedRun& run : pending) {
+    ++counts[run.cell];
+  }
+  Estimate estimate(levels, std::move(counts), workers);
+  for (const CellTime& time : database.times()) {
+    estimate.add_known(time.cell, time.wall_s, time.runs);
+  }
+  return estimate;
+}
+
+}  // namespace
+
+bool carry_out(ResultsDatabase& database, const BatchOptions& options,
                const std::function<void(const Progress&)>& watch) {
   using Clock = std::chrono::steady_clock;
-  const std::vector<std::int64_t> pending = database.pending();
-  Progress progress{static_cast<std::int64_t>(pending.size()), 0, 0, 0.0};
+  const auto seconds = [](Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+  };
+  const Plan& plan = database.plan();
+  const std::vector<PlannedRun> pending = ordered(database);
+  Progress progress{.runs = static_cast<std::int64_t>(pending.size())};
+  Estimate estimate = estimate_of(database, pending, options.workers);
   FileCheck files(plan);
   const auto start = Clock::now();
   WorkerPool pool({.command = options.worker,
                    .workers = options.workers,
                    .wall_limit_s = plan.wall_limit_s,
                    .stop_descriptor = options.stop_descriptor});
-  const auto planned = [&](std::int64_t id) -> const PlannedRun& {
-    const auto run = std::lower_bound(
-        plan.runs.begin(), plan.runs.end(), id,
-        [](const PlannedRun& other, std::int64_t number) { return other.id < number; });
-    if (run == plan.runs.end() || run->id != id) {
-      throw DatabaseError("run " + std::to_string(id) + " of the database '" +
-                          database.file().string() + "' is not among those of the experiment");
-    }
-    return *run;
-  };
-  const auto require_unchanged = [&](const PlannedRun& run) {
-    if (const auto changed = files.changed(run.cell)) {
+  const auto require_unchanged = [&](std::size_t cell) {
+    if (const auto changed = files.changed(cell)) {
       throw FileChanged(
           "'" + *changed +
           "' has changed since the batch began, and the runs would no longer belong to "
@@ -53,25 +91,38 @@ bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& 
           "--database");
     }
   };
+  struct AtWork {
+    std::size_t cell;
+    Clock::time_point since;
+  };
+  std::map<std::int64_t, AtWork> at_work;  // by run
   auto at = pending.begin();
   const auto next = [&]() -> std::optional<Job> {
     if (at == pending.end()) {
       return std::nullopt;
     }
-    const PlannedRun& run = planned(*at);
-    require_unchanged(run);
+    require_unchanged(at->cell);
     database.require_in_place();
-    ++at;
-    return job_of(plan, run);
+    at_work[at->id] = {at->cell, Clock::now()};
+    return job_of(plan, *at++);
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
-    require_unchanged(planned(run));  // a file may have changed before the worker read it
+    const AtWork was = at_work.at(run);
+    require_unchanged(was.cell);  // a file may have changed before the worker read it
     database.write(run, record);
+    at_work.erase(run);
+    estimate.add_ended(was.cell, seconds(Clock::now() - was.since));
     ++progress.ended;
     progress.failed += record.state == RunState::done ? 0 : 1;
   };
+  auto estimated = start;
   const bool complete = pool.run(next, ended, [&] {
-    progress.elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+    const auto now = Clock::now();
+    progress.elapsed_s = seconds(now - start);
+    if (!progress.left_s || now - estimated >= kBetweenEstimates) {
+      progress.left_s = estimate.left_s();
+      estimated = now;
+    }
     if (watch) {
       watch(progress);
     }

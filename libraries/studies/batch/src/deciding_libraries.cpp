@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> deciding_libraries() {
   const fs::path own = plugin::file_of_this_library();
-  // A library that is not loaded yet lies beside this one.
+  // A library that is not loaded yet is in the same folder as this one.
   std::map<std::string, fs::path> files;  // by the name without its version
   const std::string version = own.filename().string().substr(std::string("libelsie").size());
   for (const std::string& name : {"libelsie-inference" + version, "libelsie-views" + version,
@@ -29,9 +29,12 @@ std::vector<fs::path> deciding_libraries() {
     try {
       plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
     } catch (const plugin::PluginError&) {
-      continue;  // one that cannot be loaded decides no run
+      continue;  // an engine that cannot be loaded affects no run
     }
     files["engine " + engine] = plugin::engine_file(engine);
+  }
+  if (fs::exists(plugin::layouts_file())) {
+    files["layouts"] = plugin::layouts_file();
   }
   dl_iterate_phdr(
       [](dl_phdr_info* library, std::size_t, void* found) {

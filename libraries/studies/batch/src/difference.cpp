@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
 #include "elsie/results/hash.h"
 
 namespace elsie::batch {
@@ -13,8 +15,11 @@ namespace {
 
 constexpr std::size_t kMostNamed = 5;
 
-// Changes in a few words each.
+// The changes, each in a few words.
 using Changes = std::vector<std::string>;
+
+// Cells of a plan with their ids in the database.
+using Matches = std::vector<std::pair<const PlannedCell*, std::size_t>>;
 
 // "1a2b3c4d, now 5e6f7a8b"
 std::string hashes(const std::string& before, const std::string& now) {
@@ -24,7 +29,7 @@ std::string hashes(const std::string& before, const std::string& now) {
 
 std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
-// Rows of a query: first column to second column.
+// Rows of a query, as a map from first to second column.
 std::map<std::string, std::string> pairs(sqlite::Connection& connection, const std::string& query) {
   std::map<std::string, std::string> found;
   sqlite::Statement rows(connection, query);
@@ -35,7 +40,8 @@ std::map<std::string, std::string> pairs(sqlite::Connection& connection, const s
 }
 
 // Compares data files and libraries, then the plugins' files.
-void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
+void compare_files(sqlite::Connection& connection, const Plan& plan, const Matches& cells,
+                   Changes& changes) {
   const auto known =
       pairs(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world' ORDER BY id");
   std::set<std::string> named;
@@ -83,12 +89,12 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& ch
     }
   }
   const auto data = pairs(connection,
-                          "SELECT cells.label || char(10) || name, files.sha256 FROM cell_files "
-                          "JOIN cells ON cells.id = cell_id JOIN files ON files.id = file_id");
-  for (const PlannedCell& cell : plan.cells) {
-    for (const PlannedCell::Data& one : cell.data) {
+                          "SELECT cell_id || char(10) || name, sha256 FROM cell_files "
+                          "JOIN files ON files.id = file_id");
+  for (const auto& [cell, id] : cells) {
+    for (const PlannedCell::Data& one : cell->data) {
       const PlannedFile& file = plan.files[one.file];
-      const auto before = data.find(cell.label + '\n' + one.name);
+      const auto before = data.find(std::to_string(id) + '\n' + one.name);
       if (before != data.end() && before->second != file.sha256 && named.insert(file.path).second) {
         changes.push_back("the data file " + in_quotes(file.path) + " (" +
                           hashes(before->second, file.sha256) + ")");
@@ -97,19 +103,15 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& ch
   }
 }
 
-// Compares the cells' worlds, with templates merged and settings made.
-void compare_worlds(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
-  const auto cells = pairs(connection, "SELECT label, sha256 FROM cells");
+// Compares the worlds of the cells, with templates merged and settings made.
+void compare_worlds(const StoredGrid& stored, const Matches& cells, Changes& changes) {
   std::map<std::string, std::pair<std::string, std::size_t>>
       changed;  // by file: hashes, number of cells
-  std::size_t added = 0;
-  for (const PlannedCell& cell : plan.cells) {
-    const auto before = cells.find(cell.label);
-    if (before == cells.end()) {
-      ++added;
-    } else if (before->second != cell.sha256) {
-      auto& [which, count] = changed[cell.world_file];
-      which = count == 0 ? hashes(before->second, cell.sha256) : which;
+  for (const auto& [cell, id] : cells) {
+    const std::string& before = stored.cells[id].sha256;
+    if (before != cell->sha256) {
+      auto& [which, count] = changed[cell->world_file];
+      which = count == 0 ? hashes(before, cell->sha256) : which;
       ++count;
     }
   }
@@ -119,42 +121,85 @@ void compare_worlds(sqlite::Connection& connection, const Plan& plan, Changes& c
         (what.second > 1 ? ", in the first of " + std::to_string(what.second) + " cells" : "") +
         ")");
   }
-  const std::size_t removed = cells.size() + added - plan.cells.size();
-  if (added > 0 || removed > 0) {
-    changes.push_back("the cells (" + std::to_string(cells.size()) + ", now " +
-                      std::to_string(plan.cells.size()) + "; new: " + std::to_string(added) +
-                      ", gone: " + std::to_string(removed) + ")");
+}
+
+// The cells that the plan and the database both have.
+Matches matches(const StoredGrid& stored, const Plan& plan) {
+  std::map<std::vector<std::string>, std::size_t> ids;
+  for (std::size_t id = 0; id < stored.cells.size(); ++id) {
+    ids[stored.cells[id].levels] = id;
   }
+  Matches found;
+  for (const PlannedCell& cell : plan.cells) {
+    if (const auto id = ids.find(levels_of(cell)); id != ids.end()) {
+      found.emplace_back(&cell, id->second);
+    }
+  }
+  return found;
 }
 
 }  // namespace
 
-std::string difference(sqlite::Connection& connection, const Plan& plan) {
+std::vector<std::string> losses(const StoredGrid& stored, const Plan& plan) {
+  Changes changes;
+  const Gone gone = gone_from(stored, plan);
+  if (!gone.cells.empty()) {
+    std::vector<std::string> quoted;
+    for (const std::string& cell : gone.cells) {
+      quoted.push_back(in_quotes(cell));
+    }
+    changes.push_back((quoted.size() == 1 ? "the cell " : "the cells ") + base::listed(quoted) +
+                      " (removed)");
+  }
+  if (!gone.seeds.empty()) {
+    changes.push_back((gone.seeds.size() == 1 ? "the seed " : "the seeds ") +
+                      seeds_text(gone.seeds) + " (removed)");
+  }
+  if (gone.repeats > 0) {
+    changes.push_back("the repetitions of each run (fewer)");
+  }
+  return changes;
+}
+
+std::string growth(const StoredGrid& stored, const Plan& plan) {
+  const Stage& last = stored.stages.back();
+  const Stage& now = plan.stages.back();
+  Changes more;
+  if (now.cells > last.cells) {
+    more.push_back(base::counted(now.cells - last.cells, "cell"));
+  }
+  if (now.seeds.size() > last.seeds.size()) {
+    more.push_back(base::counted(now.seeds.size() - last.seeds.size(), "seed"));
+  }
+  if (now.repeats > last.repeats) {
+    more.push_back(
+        base::counted(static_cast<std::uint64_t>(now.repeats - last.repeats), "repetition") +
+        " of each run");
+  }
+  return base::enumerated(more);
+}
+
+std::string difference(sqlite::Connection& connection, const StoredGrid& stored, const Plan& plan) {
   const std::string version = connection.text("SELECT elsie_version FROM about");
   if (version != plan.elsie_version) {
     return "it was begun with Elsie " + version + ", and this is " + plan.elsie_version;
   }
-  Changes changes;
-  compare_worlds(connection, plan, changes);
-  compare_files(connection, plan, changes);
-  const std::int64_t runs = connection.integer("SELECT runs FROM about");
-  if (runs != plan.all_runs) {
-    changes.push_back("the number of runs (" + std::to_string(runs) + ", now " +
-                      std::to_string(plan.all_runs) + ")");
+  if (stored.factors != plan.factors) {
+    return "its factors are " + base::enumerated(stored.factors) + ", and now " +
+           base::enumerated(plan.factors);
   }
-  std::set<std::int64_t> before, now;
-  sqlite::Statement seeds(connection, "SELECT DISTINCT seed FROM runs");
-  while (seeds.next()) {
-    before.insert(seeds.integer(0));
+  Changes changes = losses(stored, plan);
+  const Matches cells = matches(stored, plan);
+  compare_worlds(stored, cells, changes);
+  compare_files(connection, plan, cells, changes);
+  sqlite::Statement period(connection, "SELECT trajectory_period_s FROM about");
+  period.next();
+  if (period.number(0) != plan.trajectory_period_s) {
+    changes.push_back("the period of the trajectories (" + base::seconds_text(period.number(0)) +
+                      ", now " + base::seconds_text(plan.trajectory_period_s) + ")");
   }
-  for (const PlannedRun& run : plan.runs) {
-    now.insert(static_cast<std::int64_t>(run.seed));
-  }
-  if (before != now && connection.text("SELECT shard FROM about") == plan.shard.text()) {
-    changes.push_back("the seeds (" + std::to_string(before.size()) + ", now " +
-                      std::to_string(now.size()) + ")");
-  }
-  if (const std::string text = connection.text("SELECT text FROM about"); text != plan.text) {
+  if (const std::string text = connection.text("SELECT text FROM about");
+      changes.empty() && text != plan.text) {
     changes.push_back("the experiment file " + in_quotes(plan.file) + " (" +
                       hashes(results::sha256(text), results::sha256(plan.text)) + ")");
   }
@@ -165,9 +210,8 @@ std::string difference(sqlite::Connection& connection, const Plan& plan) {
   if (changes.size() > kMostNamed) {
     list += "; and " + std::to_string(changes.size() - kMostNamed) + " more";
   }
-  return list.empty()
-             ? "its plugins, their versions, its seeds, or the libraries of Elsie or ODE differ"
-             : "changed since it was begun: " + list;
+  return list.empty() ? "its plugins, their versions, or the libraries of Elsie or ODE differ"
+                      : "changed since it was begun: " + list;
 }
 
 }  // namespace elsie::batch

@@ -1,4 +1,4 @@
-// Whether a name still leads to the same file.
+// Checks whether a name still refers to the same file.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ struct FileIdentity {
   dev_t device = 0;
   ino_t inode = 0;
 
-  /// None: there is no such file.
+  /// None if there is no such file.
   static std::optional<FileIdentity> of(const std::filesystem::path& file);
   static std::optional<FileIdentity> of(int descriptor);
 
   friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
 };
 
-/// The current name of a file that this process has open; none: it was removed, or is not open.
+/// The current name of a file that this process has open; none if it was removed or is not open.
 std::optional<std::filesystem::path> name_of_open_file(const FileIdentity& file);
 
 }  // namespace elsie::batch

@@ -70,7 +70,7 @@ double number(const Json& array, std::size_t place) { return array.at(place).get
 Json parsed(std::string_view json, const char* what) {
   Json object = Json::parse(json, nullptr, false);
   if (!object.is_object()) {
-    throw std::runtime_error(std::string(what) + " is no JSON object");
+    throw std::runtime_error(std::string(what) + " is not a JSON object");
   }
   return object;
 }

@@ -21,10 +21,10 @@ struct LastWords {
   std::string signal;
 };
 
-/// The last such line in a worker's answer.
+/// Finds the last such line in a worker's answer.
 std::optional<LastWords> last_words_in(std::string_view answer);
 
-/// "SIGSEGV", or "signal 42".
+/// The name of a signal: "SIGSEGV", or "signal 42".
 std::string signal_name(int number);
 
 }  // namespace elsie::batch

@@ -22,7 +22,7 @@ std::string content_of(int descriptor) {
   return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : "another process";
 }
 
-/// Why a lock file cannot be created.
+/// The reason why a lock file cannot be created.
 std::string why_not(const std::filesystem::path& locked, const std::filesystem::path& lock,
                     int error) {
   const std::filesystem::path folder = locked.has_parent_path() ? locked.parent_path() : ".";
@@ -31,7 +31,7 @@ std::string why_not(const std::filesystem::path& locked, const std::filesystem::
     return "there is no folder '" + folder.string() + "'; make it first";
   }
   if (error == ENOENT || error == EACCES || error == EROFS || error == EPERM) {
-    return "no file can be made in the folder '" + folder.string() + "' (" +
+    return "no file can be created in the folder '" + folder.string() + "' (" +
            std::generic_category().message(error) + "); choose another folder";
   }
   return "its lock '" + lock.string() +
@@ -47,7 +47,7 @@ std::string me() {
 }  // namespace
 
 std::filesystem::path LockFile::path_for(const std::filesystem::path& file) {
-  // A link leads to the same database, and so to the same lock.
+  // A link refers to the same database, and so to the same lock.
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(file, error);
   return (error ? file : real).string() + "-lock";

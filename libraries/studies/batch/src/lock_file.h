@@ -11,17 +11,17 @@ namespace elsie::batch {
 /// killed process left behind holds no lock.
 class LockFile {
  public:
-  /// "results.sqlite-lock" for "results.sqlite", and for a link to it.
+  /// "results.sqlite-lock" for "results.sqlite", also for a link to it.
   static std::filesystem::path path_for(const std::filesystem::path& file);
 
-  /// Takes the lock. Throws DatabaseRefused when another process holds it, or the lock file cannot
-  /// be created.
+  /// Takes the lock. Throws DatabaseRefused if another process holds it, or the lock file cannot be
+  /// created.
   explicit LockFile(const std::filesystem::path& locked);
   ~LockFile();
   LockFile(LockFile&& other) noexcept;
   LockFile& operator=(LockFile&&) = delete;
 
-  /// The holder of a file's lock, "process 123 on host"; none: it is not locked.
+  /// The holder of a file's lock, "process 123 on host"; none if it is not locked.
   static std::optional<std::string> holder(const std::filesystem::path& locked);
 
  private:

@@ -19,12 +19,13 @@ namespace sqlite = results::sqlite;
 using sqlite::Connection;
 using sqlite::Statement;
 
-constexpr const char* kOfExperiment[] = {"about", "factors",     "files",        "plugins",
-                                         "cells", "cell_levels", "cell_plugins", "cell_files"};
+constexpr const char* kOfExperiment[] = {"about",      "factors", "stages",      "files",
+                                         "plugins",    "cells",   "cell_levels", "cell_plugins",
+                                         "cell_files", "layouts"};
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
 
-/// The states of a run; a later one wins over an earlier one.
+/// The states of a run, in ascending order of precedence.
 constexpr const char* kByWeight[] = {"pending", "error", "hang", "crash", "fault", "done"};
 
 /// Copies rows of a table with any columns.
@@ -64,7 +65,7 @@ std::string runs_query() {
          ", ended) FROM runs";
 }
 
-/// Of two databases' states of one run, the greater weight wins.
+/// If two databases have a run, the state with the greater weight wins.
 int weight(const std::string& state) {
   const auto* const begin = std::begin(kByWeight);
   return static_cast<int>(std::find(begin, std::end(kByWeight), state) - begin);
@@ -116,7 +117,7 @@ class Merger {
     if (known_.next()) {
       const int before = weight(known_.text(1)), here = weight(run.text(1));
       const bool same_end = known_.text(2) == run.text(2) && known_.text(3) == run.text(3);
-      // Equal weights: the lesser text wins, so that the order of databases does not matter.
+      // With equal weights the lesser text wins, so that the order of databases does not matter.
       const bool better = here > before || (here == before && run.text(4) < known_.text(4));
       while (known_.next()) {
       }
@@ -130,7 +131,7 @@ class Merger {
       if (!better) {
         return twice;
       }
-      forget_.bind(1, id).run();  // with all its rows in other tables
+      forget_.bind(1, id).run();  // including its rows in other tables
     }
     run_.copy(id);
     for (Copier& table : of_run_) {
@@ -148,7 +149,7 @@ class Merger {
   Statement forget_;
 };
 
-/// Refuses wrong names before anything is locked or created.
+/// Refuses invalid names before anything is locked or created.
 void require_apart(const fs::path& into, const std::vector<fs::path>& databases) {
   std::error_code ignored;
   for (auto file = databases.begin(); file != databases.end(); ++file) {
@@ -177,16 +178,31 @@ Connection opened(const fs::path& file) {
   return results::open_to_read(file);
 }
 
-/// Adds one database. Returns how many of its runs have ended in earlier ones too.
+/// The number of stages of a database; 0 if it cannot be read, which opened() reports.
+std::int64_t stages_in(const fs::path& file) {
+  try {
+    return Connection(file, Connection::Mode::read).integer("SELECT count(*) FROM stages");
+  } catch (const sqlite::Error&) {
+    return 0;
+  }
+}
+
+/// Whether one experiment is the other one, or was extended to it.
+bool is_part_of(Connection& from, Connection& to) {
+  Statement last(from, "SELECT id, fingerprint FROM stages ORDER BY id DESC LIMIT 1");
+  Statement same(to, "SELECT 1 FROM stages WHERE id = ? AND fingerprint = ?");
+  return last.next() && same.bind(1, last.integer(0)).bind(2, last.text(1)).next();
+}
+
+/// Adds one database. Returns how many of its runs have also ended in earlier ones.
 std::int64_t add(const fs::path& file, const fs::path& first, Connection& to) {
   Connection from = opened(file);
   if (file == first) {
     for (const char* table : kOfExperiment) {
       Copier(from, to, table).copy();
     }
-  } else if (from.text("SELECT fingerprint FROM about") !=
-             to.text("SELECT fingerprint FROM about")) {
-    throw DatabaseRefused("'" + file.string() + "' is of another experiment than '" +
+  } else if (!is_part_of(from, to)) {
+    throw DatabaseRefused("'" + file.string() + "' belongs to another experiment than '" +
                           first.string() +
                           "': their worlds, settings, seeds, files or plugins differ, or the "
                           "versions of Elsie");
@@ -199,9 +215,15 @@ Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
   sqlite::Transaction transaction(to);
   to.run("PRAGMA defer_foreign_keys = ON");
   results::make_schema(to);
-  for (const fs::path& file : databases) {
+  // First the one that was extended the most: it has the cells of all others.
+  std::vector<std::int64_t> stages;
+  std::transform(databases.begin(), databases.end(), std::back_inserter(stages), stages_in);
+  const auto most = std::max_element(stages.begin(), stages.end()) - stages.begin();
+  std::vector<fs::path> ordered = databases;
+  std::rotate(ordered.begin(), ordered.begin() + most, ordered.begin() + most + 1);
+  for (const fs::path& file : ordered) {
     try {
-      merged.duplicates += add(file, databases.front(), to);
+      merged.duplicates += add(file, ordered.front(), to);
     } catch (const sqlite::Error& error) {
       if (error.is_damage()) {  // the merged file is new, so the source is damaged
         throw results::damaged(file, error.what());

@@ -28,7 +28,7 @@ class StepTeller final : public simulation::Observer {
   void stepped(const simulation::Simulation& run) override { current_step = run.steps(); }
 };
 
-/// Everything that observes the run.
+/// All observers of the run.
 struct Watchers {
   explicit Watchers(double trajectory_period_s) : tracks(trajectory_period_s) {}
 
@@ -101,7 +101,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
     try {
       take(run, watchers, record);
     } catch (...) {
-      // A measure that cannot report; the fault that ended the run is reported instead.
+      // A measure cannot report; the fault that ended the run is reported instead.
     }
     throw;
   }
@@ -143,7 +143,7 @@ RunRecord perform(const Job& job) {
     record.message = error.what();
   } catch (...) {
     record.state = RunState::error;
-    record.message = "something was thrown that is no std::exception";
+    record.message = "something was thrown that is not a std::exception";
   }
   if (record.state != RunState::done) {
     record.outcome.reset();

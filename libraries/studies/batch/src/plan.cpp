@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <sys/stat.h>
@@ -18,6 +19,7 @@
 #include "elsie/world/writer.h"
 
 #include "plugins_in_use.h"
+#include "stages.h"
 
 namespace elsie::batch {
 namespace {
@@ -28,7 +30,7 @@ std::string absolute(const std::string& file) {
   return error ? std::filesystem::absolute(file).string() : path.string();
 }
 
-/// Absolute without following links: a library is recognized by the suffix of its name.
+/// Makes a path absolute without following links: a library is recognized by its name's suffix.
 std::string absolute_name(const std::filesystem::path& library) {
   return std::filesystem::absolute(library).lexically_normal().string();
 }
@@ -45,8 +47,9 @@ class Planner {
     for (const experiment::Cell& cell : experiment::cells(experiment_)) {
       add(cell);
     }
-    add_runs();
-    plan_.fingerprint = fingerprint();
+    plan_.stages.push_back({plan_.cells.size(), experiment_.seeds, experiment_.repeats, 0, {}});
+    number_runs(plan_);
+    plan_.fingerprint = plan_.stages.back().fingerprint = fingerprint_of(plan_, 1);
     return std::move(plan_);
   }
 
@@ -88,7 +91,7 @@ class Planner {
           {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
     }
     add_file(FileKind::world, planned.world_file);
-    world::World world = world_of(cell);
+    world::World world = world_of(cell, experiment_.seeds.front());
     Names names;
     std::vector<std::size_t> plugins;
     const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
@@ -118,8 +121,33 @@ class Planner {
     planned.world_text = world::write_world(world);
     planned.goals = !world.goals.empty();
     planned.sha256 = results::sha256(planned.world_text);
-    identities_.push_back(identity_of(planned, world, names));
+    planned.place = cell.index;
+    CellIdentity of = identity_of(planned, world, names);
+    if (world.drawn && world.drawn->by_run) {
+      of.sha256.clear();  // it depends on which seed is the first
+      add_layouts(cell, planned, names);
+    } else if (world.drawn) {
+      planned.layout_seed = world.drawn->seed;
+    }
+    planned.identity = identity(planned, of);
     plan_.cells.push_back(std::move(planned));
+  }
+
+  struct Names;
+
+  /// The worlds of the seeds, which differ in what their layouts have drawn.
+  void add_layouts(const experiment::Cell& cell, PlannedCell& planned, Names& names) {
+    for (const std::uint64_t seed : experiment_.seeds) {
+      world::World world = world_of(cell, seed);
+      for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
+        name_files(host_.find(kind, plugin.plugin), plugin, names);
+      });
+      PlannedCell of_seed = planned;
+      of_seed.world_text = world::write_world(world);
+      of_seed.sha256 = results::sha256(of_seed.world_text);
+      planned.layouts[seed] = {of_seed.world_text, of_seed.sha256,
+                               identity_of(of_seed, world, names).sha256};
+    }
   }
 
   /// The data files of a world's text.
@@ -128,7 +156,7 @@ class Planner {
     std::map<std::string, std::string> shared;  // by path: the name, if another file already has it
   };
 
-  /// What a cell adds to the fingerprint.
+  /// The contribution of a cell to the fingerprint.
   struct CellIdentity {
     std::string sha256;                       // of the world's text
     std::map<std::string, std::string> data;  // hashes, by name
@@ -167,15 +195,15 @@ class Planner {
     return identity;
   }
 
-  world::World world_of(const experiment::Cell& cell) const {
+  world::World world_of(const experiment::Cell& cell, std::uint64_t seed) const {
     experiment::ReadOptions options;
     options.data_directories = options_.data_directories;
-    world::World world = experiment::read_cell(experiment_, cell, host_, options);
+    world::World world = experiment::read_cell(experiment_, cell, host_, options, seed);
     world.limits.wall_time.reset();
     return world;
   }
 
-  /// What the world's edits bring. Gets the files that they name.
+  /// The worlds after each of the world's edits. Adds the files that the edits name to `found`.
   std::vector<world::World> worlds_ahead(const world::World& world,
                                          std::map<std::string, std::string>& found) const {
     world::ReadOptions options;
@@ -217,7 +245,7 @@ class Planner {
     return known->second;
   }
 
-  /// Makes the world's text name every file, and no two files alike.
+  /// Makes the world's text name every file, with different names for different files.
   static void name_files(const std::vector<ParameterDeclaration>& declared,
                          const std::map<std::string, ParameterValue>& parameters,
                          std::map<std::string, world::FileName>& file_names, Names& names) {
@@ -249,62 +277,32 @@ class Planner {
     }
   }
 
-  void add_runs() {
-    for (std::size_t cell = 0; cell < plan_.cells.size(); ++cell) {
-      for (const std::uint64_t seed : experiment_.seeds) {
-        for (int repetition = 1; repetition <= experiment_.repeats; ++repetition) {
-          ++plan_.all_runs;
-          if (plan_.shard.has(plan_.all_runs)) {
-            plan_.runs.push_back({plan_.all_runs, cell, seed, repetition});
-          }
-        }
-      }
-    }
-  }
-
-  std::string fingerprint() const {
+  /// Everything about a cell that affects its results.
+  std::string identity(const PlannedCell& cell, const CellIdentity& of) const {
     std::string all;
     const auto add = [&](const std::string& text) {
       all += std::to_string(text.size()) + ':' + text + '\n';  // different for different lists
     };
-    const auto end_list = [&] { all += ";\n"; };
-    add(plan_.elsie_version);
-    add(plan_.abi);
-    add(std::to_string(plan_.trajectory_period_s));
-    for (const std::string& factor : plan_.factors) {
-      add(factor);
+    add(of.sha256);
+    for (const PlannedLevel& level : cell.levels) {
+      add(level.label);
     }
-    end_list();
-    for (std::size_t i = 0; i < plan_.program_files; ++i) {
-      add(plan_.files[i].sha256);
+    std::set<std::vector<std::string>> plugins;  // in an order that other cells do not change
+    for (const std::size_t place : cell.plugins) {
+      const PlannedPlugin& plugin = plan_.plugins[place];
+      plugins.insert({plugin.kind, plugin.name, plugin.version,
+                      plugin.file ? plan_.files[*plugin.file].sha256 : ""});
     }
-    end_list();
-    for (std::size_t i = 0; i < plan_.cells.size(); ++i) {
-      const PlannedCell& cell = plan_.cells[i];
-      add(cell.label);
-      add(identities_[i].sha256);
-      for (const PlannedLevel& level : cell.levels) {
-        add(level.label);
+    for (const std::vector<std::string>& plugin : plugins) {
+      for (const std::string& part : plugin) {
+        add(part);
       }
-      end_list();
-      for (const std::size_t place : cell.plugins) {
-        const PlannedPlugin& plugin = plan_.plugins[place];
-        add(plugin.kind);
-        add(plugin.name);
-        add(plugin.version);
-        add(plugin.file ? plan_.files[*plugin.file].sha256 : "");
-      }
-      end_list();
-      for (const auto& [name, hash] : identities_[i].data) {
-        add(name);
-        add(hash);
-      }
-      end_list();
     }
-    for (const std::uint64_t seed : experiment_.seeds) {
-      add(std::to_string(seed));
+    all += ";\n";
+    for (const auto& [name, hash] : of.data) {
+      add(name);
+      add(hash);
     }
-    add(std::to_string(experiment_.repeats));
     return results::sha256(all);
   }
 
@@ -312,7 +310,6 @@ class Planner {
   const plugin::Host& host_;
   const PlanOptions& options_;
   Plan plan_;
-  std::vector<CellIdentity> identities_;  // parallel to Plan::cells
   std::map<std::pair<PluginKind, std::string>, std::size_t> plugin_places_;
   std::map<std::string, std::size_t> file_places_;
   std::map<std::string, std::size_t> ranks_;  // of the host's files
@@ -365,6 +362,31 @@ std::vector<std::string> Plan::libraries(const PlannedCell& cell) const {
 Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
                const PlanOptions& options) {
   return Planner(experiment, host, options).make();
+}
+
+std::vector<PlannedRun> in_order(const Plan& plan, const std::vector<std::int64_t>& runs) {
+  std::map<std::uint64_t, std::size_t> ranks;  // of seeds
+  for (const Stage& stage : plan.stages) {
+    for (const std::uint64_t seed : stage.seeds) {
+      ranks.try_emplace(seed, ranks.size());
+    }
+  }
+  std::vector<PlannedRun> ordered;
+  for (const std::int64_t id : runs) {
+    const auto run = std::lower_bound(
+        plan.runs.begin(), plan.runs.end(), id,
+        [](const PlannedRun& other, std::int64_t number) { return other.id < number; });
+    if (run == plan.runs.end() || run->id != id) {
+      throw std::out_of_range("run " + std::to_string(id));
+    }
+    ordered.push_back(*run);
+  }
+  const auto key = [&](const PlannedRun& run) {
+    return std::tuple(run.repetition, ranks.at(run.seed), plan.cells[run.cell].place);
+  };
+  std::sort(ordered.begin(), ordered.end(),
+            [&](const PlannedRun& a, const PlannedRun& b) { return key(a) < key(b); });
+  return ordered;
 }
 
 FileCheck::FileCheck(const Plan& plan) : plan_(plan), stamps_(plan.files.size()) {}

@@ -1,4 +1,4 @@
-// The plugins that a world uses, nested ones too.
+// The plugins that a world uses, including nested ones.
 #pragma once
 
 #include "elsie/api/declaration.h"

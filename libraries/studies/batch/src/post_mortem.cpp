@@ -41,7 +41,7 @@ std::string crash_message(const LastWords& words, const std::optional<std::strin
   }
   const std::string by_itself = words.plugin.empty() ? " ended by itself" : " ended the process";
   return culprit(words) +
-         (signal ? " was ended by " + *signal : by_itself + " by exit() or the like") +
+         (signal ? " was ended by " + *signal : by_itself + " by exit() or a similar call") +
          in_step(words) +
          (signal == "SIGKILL" ? "; somebody killed it, or the system did so because memory ran out"
                               : "");

@@ -15,8 +15,8 @@ inline constexpr std::size_t kLongestAnswer = 256U << 20U;
 
 struct WorkerEnd {
   int status = 0;                    // as from waitpid(2)
-  std::optional<LastWords> words{};  // none: it could not report
-  std::string problem{};             // the error in its answer; empty: none
+  std::optional<LastWords> words{};  // none if it could not report
+  std::string problem{};             // the error in its answer, or empty
   bool said_nothing = true;
   bool said_too_much = false;  // its answer exceeded kLongestAnswer
   bool overdue = false;        // it was ended at its wall limit

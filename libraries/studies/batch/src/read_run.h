@@ -9,7 +9,7 @@ namespace elsie::batch {
 
 namespace sqlite = results::sqlite;
 
-/// Everything that is needed to repeat a run; none: there is no such run.
+/// Reads all data needed to repeat a run; none if there is no such run.
 std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t id);
 
 }  // namespace elsie::batch

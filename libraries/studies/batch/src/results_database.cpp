@@ -8,6 +8,7 @@
 #include "file_identity.h"
 #include "lock_file.h"
 #include "read_run.h"
+#include "stages.h"
 #include "write_plan.h"
 #include "write_run.h"
 
@@ -16,12 +17,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void refuse(const fs::path& file, sqlite::Connection& connection,
+                         const StoredGrid& stored, const Plan& plan, bool extend) {
+  const std::string why = difference(connection, stored, plan);
+  throw DatabaseRefused(
+      "the database '" + file.string() +
+      (extend ? "' cannot be extended to '" + plan.file + "': " + why +
+                    "; levels, worlds and seeds may be added, and all others must stay as they are"
+              : "' belongs to another experiment than '" + plan.file + "' is now: " + why) +
+      "; choose another --database");
+}
+
+/// The plan with the numbers of a database. Throws DatabaseRefused, with what differs, when that is
+/// of another experiment or shard, or of a smaller experiment that is not to be extended.
+Plan continued(const fs::path& file, sqlite::Connection& connection, const StoredGrid& stored,
+               Plan plan, bool extend) {
+  if (stored.factors != plan.factors || !losses(stored, plan).empty()) {
+    refuse(file, connection, stored, plan, extend);
+  }
+  const std::string more = growth(stored, plan);
+  plan = continued(stored, std::move(plan));
+  if (fingerprint_of(plan, stored.stages.size()) != stored.stages.back().fingerprint) {
+    refuse(file, connection, stored, plan, extend);
+  }
+  const std::string shard = connection.text("SELECT shard FROM about");
+  if (shard != plan.shard.text()) {
+    throw DatabaseRefused("the database '" + file.string() + "' has the shard " + shard +
+                          " of the experiment, not " + plan.shard.text());
+  }
+  if (!extend && !more.empty()) {
+    throw DatabaseRefused("the experiment '" + plan.file + "' has " + more +
+                          " more than the database '" + file.string() +
+                          "'; add them with --extend, or choose another --database");
+  }
+  return plan;
+}
+
 }  // namespace
 
 class ResultsDatabase::Impl {
  public:
-  Impl(fs::path file, std::optional<LockFile> lock, sqlite::Connection connection)
-      : file_(std::move(file)),
+  Impl(fs::path file, std::optional<LockFile> lock, sqlite::Connection connection, Plan plan)
+      : plan_(std::move(plan)),
+        file_(std::move(file)),
         lock_(std::move(lock)),
         connection_(std::move(connection)),
         identity_(FileIdentity::of(file_)) {}
@@ -50,13 +88,13 @@ class ResultsDatabase::Impl {
     return *writer_;
   }
 
-  /// Throws DatabaseError when the file is no longer in its place.
+  /// Throws DatabaseError if the file was moved or removed.
   void require_in_place() {
     const auto now = FileIdentity::of(file_);
     if (now == identity_) {
       return;
     }
-    // The log's content goes into the file, wherever that is, while it is open.
+    // While the file is open, the log's content goes into it, wherever it is now.
     connection_.try_to_run("PRAGMA wal_checkpoint(TRUNCATE)");
     const std::int64_t ended = reading(
         [&] { return connection_.integer("SELECT count(*) FROM runs WHERE state <> 'pending'"); });
@@ -70,9 +108,11 @@ class ResultsDatabase::Impl {
         " while the batch wrote it; " +
         (elsewhere ? results + "in '" + elsewhere->string() +
                          "': put it back where it was before the batch continues"
-                   : results + "lost; the batch has to begin anew"));
+                   : results + "lost; the batch must start again"));
   }
 
+  const Plan plan_;
+  std::int64_t added_runs_ = 0;
   fs::path file_;
   std::optional<LockFile> lock_;  // released after the connection is closed
   sqlite::Connection connection_;
@@ -88,10 +128,14 @@ ResultsDatabase::~ResultsDatabase() = default;
 
 const fs::path& ResultsDatabase::file() const { return impl_->file_; }
 
-ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) {
+const Plan& ResultsDatabase::plan() const { return impl_->plan_; }
+
+std::int64_t ResultsDatabase::added_runs() const { return impl_->added_runs_; }
+
+ResultsDatabase ResultsDatabase::create(const fs::path& file, Plan plan) {
   LockFile lock(file);
   if (!results::is_vacant(file)) {
-    results::open_to_read(file);  // a file that is no database is reported as such
+    results::open_to_read(file);  // reports a file that is not a database
     throw DatabaseRefused("there is a database '" + file.string() +
                           "' already; continue it with --resume, or choose another --database");
   }
@@ -106,7 +150,8 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
       }
       results::prepare_for_writing(connection);
     });
-    return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
+    return ResultsDatabase(
+        std::make_unique<Impl>(file, std::move(lock), std::move(connection), std::move(plan)));
   } catch (...) {
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -115,39 +160,38 @@ ResultsDatabase ResultsDatabase::create(const fs::path& file, const Plan& plan) 
   }
 }
 
-ResultsDatabase ResultsDatabase::resume(const fs::path& file, const Plan& plan) {
+ResultsDatabase ResultsDatabase::continue_in(const fs::path& file, Plan plan, bool extend) {
   LockFile lock(file);
   sqlite::Connection connection = results::open_to_write(file);
   return results::guarded(file, "could not be written", [&] {
-    if (connection.text("SELECT fingerprint FROM about") != plan.fingerprint) {
-      throw DatabaseRefused("the database '" + file.string() + "' is of another experiment than '" +
-                            plan.file + "' is now: " + difference(connection, plan) +
-                            "; choose another --database to begin anew");
+    const StoredGrid stored = stored_grid(connection);
+    if (stored.stages.empty() || stored.stages.back().cells != stored.cells.size()) {
+      throw results::damaged(file, "`stages` does not have the cells");
     }
-    const std::string shard = connection.text("SELECT shard FROM about");
-    if (shard != plan.shard.text()) {
-      throw DatabaseRefused("the database '" + file.string() + "' has the shard " + shard +
-                            " of the experiment, not " + plan.shard.text());
-    }
+    plan = continued(file, connection, stored, std::move(plan), extend);
     results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);
+    renew_plan(connection, plan, stored.stages.size());
     add_runs(connection, plan);
-    // These may change without changing any run.
-    sqlite::Statement(connection,
-                      "UPDATE about SET experiment = ?, description = ?, text = ?, "
-                      "wall_limit_s = ?")
-        .bind(1, plan.experiment)
-        .bind(2, plan.description)
-        .bind(3, plan.text)
-        .bind(4, plan.wall_limit_s)
-        .run();
     transaction.commit();
-    return ResultsDatabase(std::make_unique<Impl>(file, std::move(lock), std::move(connection)));
+    auto impl =
+        std::make_unique<Impl>(file, std::move(lock), std::move(connection), std::move(plan));
+    impl->added_runs_ = impl->plan_.all_runs - stored.stages.back().runs;
+    return ResultsDatabase(std::move(impl));
   });
 }
 
+ResultsDatabase ResultsDatabase::resume(const fs::path& file, Plan plan) {
+  return continue_in(file, std::move(plan), false);
+}
+
+ResultsDatabase ResultsDatabase::extend(const fs::path& file, Plan plan) {
+  return continue_in(file, std::move(plan), true);
+}
+
 ResultsDatabase ResultsDatabase::open(const fs::path& file) {
-  return ResultsDatabase(std::make_unique<Impl>(file, std::nullopt, results::open_to_read(file)));
+  return ResultsDatabase(
+      std::make_unique<Impl>(file, std::nullopt, results::open_to_read(file), Plan{}));
 }
 
 std::vector<std::int64_t> ResultsDatabase::pending() {
@@ -167,7 +211,7 @@ void ResultsDatabase::require_in_place() { impl_->require_in_place(); }
 void ResultsDatabase::write(std::int64_t run, const RunRecord& record) {
   require_in_place();
   if (!impl_->writing([&] { return impl_->writer().write(run, record); })) {
-    throw DatabaseError("run " + std::to_string(run) + " is not to be done in the database '" +
+    throw DatabaseError("run " + std::to_string(run) + " is not pending in the database '" +
                         file().string() + "'; was it changed by another program?");
   }
 }
@@ -181,7 +225,7 @@ std::int64_t ResultsDatabase::redo_failed() {
                               "timelines", "notes"}) {
       connection.run("DELETE FROM " + std::string(table) + " WHERE run_id IN " + failed);
     }
-    // Of two assignments to `state` SQLite makes the last.
+    // Of two assignments to `state`, SQLite uses the last.
     connection.run("UPDATE runs SET " + results::field_names(" = NULL") +
                    ", ended = NULL, state = 'pending' "
                    "WHERE state NOT IN ('pending', 'done')");
@@ -198,12 +242,38 @@ std::vector<CellCount> ResultsDatabase::cells() {
         impl_->connection_,
         "SELECT label, sum(state = 'pending'), sum(state = 'done'), "
         "sum(coalesce(outcome = 'success', 0)), sum(state NOT IN ('pending', 'done')) "
-        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY cells.id");
+        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY place, "
+        "cells.id");
     while (query.next()) {
       cells.push_back(
           {query.text(0), query.integer(1), query.integer(2), query.integer(3), query.integer(4)});
     }
     return cells;
+  });
+}
+
+SeedCount ResultsDatabase::seeds() {
+  return impl_->reading([&] {
+    sqlite::Statement query(impl_->connection_,
+                            "SELECT count(*), coalesce(sum(pending = 0), 0) FROM (SELECT "
+                            "sum(state = 'pending') AS pending FROM runs WHERE repetition = 1 "
+                            "GROUP BY seed)");
+    query.next();
+    return SeedCount{query.integer(0), query.integer(1)};
+  });
+}
+
+std::vector<CellTime> ResultsDatabase::times() {
+  return impl_->reading([&] {
+    std::vector<CellTime> times;
+    sqlite::Statement query(impl_->connection_,
+                            "SELECT cell_id, avg(wall_s), count(*) FROM runs WHERE state = 'done' "
+                            "AND wall_s IS NOT NULL GROUP BY cell_id");
+    while (query.next()) {
+      times.push_back(
+          {static_cast<std::size_t>(query.integer(0)), query.number(1), query.integer(2)});
+    }
+    return times;
   });
 }
 

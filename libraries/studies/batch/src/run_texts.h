@@ -18,8 +18,8 @@ Trajectory trajectory_of(const std::string& robot, const traces::Track& track, d
 /// A learning curve, thinned to at most `most` >= 2 points.
 Curve curve_of(const simulation::LearningCurve& curve, std::size_t most);
 
-/// Who decided when, for each robot that ever was in the run: at most `most` episodes for each of
-/// the sets of behaviours that it had.
+/// The deciding behaviours over time, for each robot that was ever in the run: at most `most`
+/// episodes for each set of behaviours that it had.
 std::vector<Timeline> timelines_of(const traces::AccountRecorder& recorder, std::size_t most);
 
 }  // namespace elsie::batch

@@ -107,8 +107,8 @@ void asked_to_end(int, siginfo_t* request, void*) {
     return;
   }
   if (sender != getppid()) {
-    // A cluster that ends a task sends SIGTERM to all of its processes. The pool gets it, too: it
-    // ends its workers, and has no results of their runs. A result from here would be a wrong one.
+    // A cluster that ends a task sends SIGTERM to all of its processes. The pool also gets it, ends
+    // its workers, and stores no results of their runs. A result from here would be wrong.
     return;
   }
   if (!plugin::Call::innermost()) {
@@ -125,7 +125,7 @@ void handle_signals() {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   sigaction(SIGTERM, &action, nullptr);
-  sigset_t waiting;  // blocked since the worker began
+  sigset_t waiting;  // blocked since the worker started
   sigemptyset(&waiting);
   sigaddset(&waiting, SIGTERM);
   sigprocmask(SIG_UNBLOCK, &waiting, nullptr);
@@ -157,7 +157,7 @@ void send(std::string answer) {
   for (std::size_t sent = 0; sent < answer.size();) {
     const ssize_t written = write(kResultDescriptor, answer.data() + sent, answer.size() - sent);
     if (written < 0 && errno != EINTR) {
-      std::cerr << "elsie: the results of the run cannot be handed over\n";
+      std::cerr << "elsie: the results of the run cannot be sent\n";
       end(kOtherFailure);
     }
     sent += static_cast<std::size_t>(std::max<ssize_t>(written, 0));

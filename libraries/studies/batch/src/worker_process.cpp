@@ -59,7 +59,7 @@ Descriptor file_of(const Job& job) {
   return file;
 }
 
-/// Takes everything that is in a pipe now. Returns false at its end.
+/// Reads everything that is in a pipe now. Returns false at its end.
 template <class Take>
 bool drain(const Descriptor& from, const Take& take) {
   std::array<char, 64 * 1024> buffer;
@@ -79,9 +79,8 @@ bool drain(const Descriptor& from, const Take& take) {
 /// blocked, and the memory is the parent's.
 [[noreturn]] void become_worker(char* const* command, int job, int output, int answer,
                                 pid_t parent) {
-  setpgid(
-      0,
-      0);  // a group of its own: killed with its children, and not reached by the terminal's Ctrl-C
+  setpgid(0,
+          0);  // its own group: killed with its children, and not reached by the terminal's Ctrl-C
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) {
     _exit(127);  // the parent has ended already
@@ -89,7 +88,7 @@ bool drain(const Descriptor& from, const Take& take) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
     std::signal(number, SIG_DFL);
   }
-  // Only now, because the parent's handlers must not run here. SIGTERM waits for the worker's
+  // Not earlier, because the parent's handlers must not run here. SIGTERM waits for the worker's
   // handler.
   sigset_t blocked;
   sigemptyset(&blocked);
@@ -104,7 +103,7 @@ bool drain(const Descriptor& from, const Take& take) {
   _exit(127);
 }
 
-/// Blocks all signals in this thread while it lives.
+/// Blocks all signals in this thread during its lifetime.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -183,7 +182,7 @@ WorkerPool::Worker::~Worker() {
 /// Kills the process, if it still runs, and its children.
 void WorkerPool::Worker::reap() {
   kill(-process_, SIGKILL);
-  kill(process_, SIGKILL);  // it may not have a group of its own yet
+  kill(process_, SIGKILL);  // it may not have its own group yet
   while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
@@ -271,8 +270,8 @@ RunRecord WorkerPool::Worker::record() {
   if (crashed_beside) {
     record = {};
     problem =
-        "it had answered, but a thread of a plugin's own, or the unloading of a library, "
-        "ended the process in another way; the end of its output says more";
+        "it had answered, but a thread of a plugin, or the unloading of a library, ended the "
+        "process in another way; see the end of its output";
   }
   if (record.state == RunState::error && record.message.empty()) {
     record = post_mortem({.status = status_,

@@ -27,14 +27,14 @@ class WorkerPool::Worker {
   Worker& operator=(const Worker&) = delete;
 
   std::int64_t run() const { return run_; }
-  /// When overdue() is to be called.
+  /// The time at which to call overdue().
   Clock::time_point due() const { return due_; }
   /// The number of entries for poll(2).
   static constexpr std::size_t kPolled = 3;
   void list(std::vector<pollfd>& polled) const;
   /// Reads what the pipes hold.
   void read(const pollfd* polled);
-  /// Called when the wall limit or the time of grace is over.
+  /// Called when the wall limit or the grace period is over.
   void overdue(Clock::time_point now);
   bool has_ended() const { return ended_; }
   /// The record of a worker that has ended.

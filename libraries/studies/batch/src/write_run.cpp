@@ -7,7 +7,7 @@ RunWriter::RunWriter(sqlite::Connection& connection)
     : connection_(connection),
       run_(connection, "UPDATE runs SET " + results::field_names(" = ?") +
                            ", ended = ? WHERE id = ? AND state = 'pending'"),
-      // Which run is written first is chance: the same measure must come out of any order.
+      // Runs are written in any order: the result for a measure must not depend on it.
       measure_(connection,
                "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT (name) DO "
                "UPDATE SET unit = min(unit, excluded.unit), meaning = min(meaning, "

@@ -13,8 +13,7 @@ class RunWriter {
  public:
   explicit RunWriter(sqlite::Connection& connection);
 
-  /// Writes in a transaction of its own. Returns false, and writes nothing, when the run is not
-  /// pending.
+  /// Writes in its own transaction. Returns false, and writes nothing, if the run is not pending.
   bool write(std::int64_t run, const RunRecord& record);
 
  private:

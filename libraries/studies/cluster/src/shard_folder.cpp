@@ -26,19 +26,12 @@ namespace {
 using batch::DatabaseRefused;
 using Json = nlohmann::ordered_json;
 
-void write_file(const fs::path& file, const std::string& text) {
-  if (const int error = base::write_whole(file, text); error != 0) {
-    throw std::runtime_error("'" + file.string() +
-                             "' cannot be written: " + std::generic_category().message(error));
-  }
-}
-
 Json read_json(const fs::path& file) {
   std::ifstream in(file);
   return in ? Json::parse(in, nullptr, false) : Json(Json::value_t::discarded);
 }
 
-/// A number of an object, 0 if it is missing.
+/// A number in a JSON object; 0 if it is missing.
 std::int64_t number(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_number_integer()
              ? object[key].get<std::int64_t>()
@@ -58,7 +51,7 @@ std::string script_text(const ShardFolder& folder, const std::vector<std::string
 }  // namespace
 
 void write_count(const fs::path& file, const Count& count) {
-  write_file(
+  base::write_whole_or_throw(
       file,
       Json{{"runs", count.runs}, {"ended", count.ended}, {"failed", count.failed}}.dump() + "\n");
 }
@@ -87,7 +80,7 @@ ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& pla
                                       "--resume, or choose another --database");
   }
   try {
-    write_file(folder.script(), script_text(folder, command));
+    base::write_whole_or_throw(folder.script(), script_text(folder, command));
     folder.write();
   } catch (...) {
     folder.remove();
@@ -108,13 +101,13 @@ ShardFolder ShardFolder::open(const fs::path& database, const batch::Plan& plan)
   const std::int64_t shards = number(stored, "shards");
   if (!fingerprint || !job || shards < 1) {
     throw DatabaseRefused("'" + (path / "cluster.json").string() +
-                          "' is missing or damaged; remove the folder to begin anew");
+                          "' is missing or damaged; remove the folder to start again");
   }
   if (*fingerprint != plan.fingerprint) {
-    throw DatabaseRefused("'" + path.string() +
-                          "' was begun with another experiment: a world, a model, a plugin, a seed "
-                          "or Elsie itself has changed since; put it back, or remove the folder to "
-                          "begin anew");
+    throw DatabaseRefused(
+        "'" + path.string() +
+        "' was begun with another experiment: a world, a model, a plugin, a seed "
+        "or Elsie itself has changed since; put it back, or remove the folder to start again");
   }
   ShardFolder folder(path, plan.fingerprint, static_cast<std::size_t>(shards), plan.all_runs);
   folder.job_ = *job;
@@ -135,8 +128,9 @@ void ShardFolder::set_job(const std::string& job) {
 }
 
 void ShardFolder::write() const {
-  write_file(path_ / "cluster.json",
-             Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
+  base::write_whole_or_throw(
+      path_ / "cluster.json",
+      Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
 }
 
 std::int64_t ShardFolder::runs(std::size_t shard) const {

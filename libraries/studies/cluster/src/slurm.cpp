@@ -101,7 +101,7 @@ std::vector<Task> unfinished(const std::string& name) {
     const std::size_t second = line.find('|', first + 1);
     if (second == std::string::npos ||
         std::from_chars(line.data(), line.data() + first, task.number).ptr != line.data() + first) {
-      throw ClusterSilent("squeue says what is no task of a job array: " + one_line(line));
+      throw ClusterSilent("the output of squeue is not a task of a job array: " + one_line(line));
     }
     const std::string state = line.substr(first + 1, second - first - 1);
     task.running = state == "R" || state == "CG";

@@ -19,17 +19,17 @@ struct CellMeasures {
   std::vector<std::string> warnings;         // Experiment::warnings
 };
 
-/// Reads the world of every cell and puts it together. Mistakes in a setting become problems on its
-/// line, with the levels that cause them; so do equal cells. `files` are the worlds' files as
-/// messages name them; `lists` are the factors whose levels are in values="A; B". The result is
-/// complete only if there were no problems.
+/// Reads and builds the world of every cell. Errors in a setting become problems on its line, with
+/// the levels that cause them; so do equal cells. `files` are the worlds' files as messages name
+/// them; `lists` are the factors whose levels are in values="A; B". The result is complete only if
+/// there were no problems.
 CellMeasures check_cells(const Experiment& experiment, const std::vector<Cell>& grid,
                          const std::vector<std::string>& files, const std::set<std::size_t>& lists,
                          const plugin::Host& host, const ReadOptions& options,
                          base::Problems& problems);
 
-/// Checks that a name means the same quantity in all cells, that some cell has each measure to
-/// show, and that every cell of an expectation has its measures.
+/// Checks that a name means the same quantity in all cells, that each measure to show exists in
+/// some cell, and that every cell of an expectation has its measures.
 void check_measures(const Experiment& experiment, const std::vector<Cell>& grid,
                     const CellMeasures& measures, base::Problems& problems);
 

@@ -1,4 +1,6 @@
 // The grid of cells.
+#include <algorithm>
+
 #include "elsie/experiment/experiment.h"
 #include "elsie/world/values.h"
 
@@ -19,6 +21,20 @@ std::string label_of(const Experiment& experiment, const Cell& cell) {
     }
   }
   return label.empty() ? id : label;
+}
+
+bool has_any(const Where& where, const std::optional<std::string>& label) {
+  return label && std::any_of(where.levels.begin(), where.levels.end(),
+                              [&](const std::string& pattern) { return matches(pattern, *label); });
+}
+
+bool is_excluded(const Experiment& experiment, const Cell& cell) {
+  return std::any_of(
+      experiment.exclusions.begin(), experiment.exclusions.end(), [&](const Exclusion& exclusion) {
+        return std::all_of(exclusion.where.begin(), exclusion.where.end(), [&](const Where& where) {
+          return has_any(where, level_of(experiment, cell, where.factor));
+        });
+      });
 }
 
 }  // namespace
@@ -65,19 +81,22 @@ std::vector<Cell> cells(const Experiment& experiment) {
     std::vector<std::size_t> levels(experiment.factors.size(), 0);
     bool more = true;
     while (more) {
-      Cell& cell = grid.emplace_back();
-      cell.index = grid.size() - 1;
+      Cell cell;
+      cell.index = grid.size();
       cell.world = world;
       cell.levels = levels;
-      cell.label = label_of(experiment, cell);
-      for (const Setting& setting : settings_of(experiment, cell)) {
-        if (setting.at_s) {
-          cell.changes.push_back(setting);
-        } else {
-          cell.overrides.push_back(override_of(setting));
+      if (!is_excluded(experiment, cell)) {
+        cell.label = label_of(experiment, cell);
+        for (const Setting& setting : settings_of(experiment, cell)) {
+          if (setting.at_s) {
+            cell.changes.push_back(setting);
+          } else {
+            cell.overrides.push_back(override_of(setting));
+          }
         }
+        grid.push_back(std::move(cell));
       }
-      // The next cell, as an odometer counts.
+      // Advances to the next cell like an odometer.
       more = false;
       for (std::size_t i = levels.size(); i > 0 && !more; --i) {
         more = ++levels[i - 1] < experiment.factors[i - 1].levels.size();
@@ -91,12 +110,8 @@ std::vector<Cell> cells(const Experiment& experiment) {
 }
 
 std::uint64_t number_of_runs(const Experiment& experiment) {
-  std::uint64_t runs = experiment.worlds.size() * experiment.seeds.size() *
-                       static_cast<std::uint64_t>(experiment.repeats);
-  for (const Factor& factor : experiment.factors) {
-    runs *= factor.levels.size();
-  }
-  return runs;
+  return cells(experiment).size() * experiment.seeds.size() *
+         static_cast<std::uint64_t>(experiment.repeats);
 }
 
 std::optional<std::string> level_of(const Experiment& experiment, const Cell& cell,

@@ -59,6 +59,10 @@ struct SeedsDraft {
   Location location;
 };
 
+struct LayoutsDraft : SeedsDraft {
+  std::string rule = "crossed";
+};
+
 struct LimitsDraft {
   std::optional<double> time;  // s, simulated
   double wall_time = 600.0;    // s
@@ -69,8 +73,14 @@ struct TrajectoriesDraft {
   double period = 0.5;  // s, simulated
 };
 
+struct ExclusionDraft {
+  std::string where;
+  Location location;
+};
+
 struct MeasureDraft {
   std::string name;
+  std::optional<std::string> formula, unit, meaning;
   Location location;
 };
 
@@ -90,11 +100,14 @@ struct ExpectationDraft {
 struct ExperimentDraft {
   std::optional<std::string> name;
   std::string description;
+  std::optional<std::int64_t> max_runs;
   std::vector<WorldDraft> worlds;
   std::vector<SettingDraft> settings;
   std::vector<AtDraft> changes;
   std::vector<FactorDraft> factors;
+  std::vector<ExclusionDraft> exclusions;
   std::optional<SeedsDraft> seeds;
+  std::optional<LayoutsDraft> layouts;
   std::optional<LimitsDraft> limits;
   std::optional<TrajectoriesDraft> trajectories;
   std::vector<MeasureDraft> measures;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 
-#include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
 #include "elsie/experiment/grid.h"
+#include "elsie/experiment/where.h"
 #include "elsie/world/values.h"
 
 #include "factors.h"
@@ -26,51 +25,9 @@ std::string number(double value) { return world::format_value(ParameterValue(val
 constexpr const char* kStatistics[] = {"mean",    "median",  "standard_deviation",
                                        "minimum", "maximum", "rate"};
 
-std::vector<std::string> factor_names(const Experiment& experiment) {
-  std::vector<std::string> names{kWorldFactor};
-  for (const Factor& factor : experiment.factors) {
-    names.push_back(factor.name);
-  }
-  return names;
-}
-
-// "coordinator=fusion|arbitration; layers=2 2". Throws std::invalid_argument with a sentence.
-std::vector<Where> parse_where(const std::string& text, const Experiment& experiment) {
-  std::vector<Where> all;
-  std::set<std::string> named;
-  for (const std::string& part : split(text, ';')) {
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos) {
-      fail("expected FACTOR=LEVEL, several of them separated by \";\", found '" + part + "'");
-    }
-    Where where;
-    where.factor = trimmed(part.substr(0, equals));
-    const std::vector<std::string> names = factor_names(experiment);
-    if (std::find(names.begin(), names.end(), where.factor) == names.end()) {
-      fail("there is no factor '" + where.factor + "'" +
-           base::near_or_all(where.factor, names, "there are"));
-    }
-    if (!named.insert(where.factor).second) {
-      fail("'" + where.factor + "' stands there twice; one of several levels is " + where.factor +
-           "=A|B");
-    }
-    const std::vector<std::string> labels = labels_of(experiment, where.factor);
-    where.levels = split(part.substr(equals + 1), '|');
-    for (const std::string& level : where.levels) {
-      if (std::none_of(labels.begin(), labels.end(),
-                       [&](const std::string& label) { return matches(level, label); })) {
-        fail("'" + where.factor + "' has no level '" + level + "'" +
-             base::near_or_all(level, labels, "it has"));
-      }
-    }
-    all.push_back(std::move(where));
-  }
-  return all;
-}
-
 std::vector<LevelOf> parse_reference(const std::string& text, const Experiment& experiment) {
   std::vector<LevelOf> all;
-  for (const Where& where : parse_where(text, experiment)) {
+  for (const Where& where : parse_where(text, labels_of(experiment))) {
     if (where.levels.size() > 1 || where.levels[0].find('*') != std::string::npos) {
       fail("each cell is compared with one other; expected one level of '" + where.factor + "'");
     }
@@ -81,7 +38,7 @@ std::vector<LevelOf> parse_reference(const std::string& text, const Experiment& 
 
 void check_bounds(const ExpectationDraft& draft, const Expectation& expectation) {
   if (!draft.at_least && !draft.at_most && !draft.about) {
-    fail("<expect> says nothing; expected at_least, at_most, or about with a tolerance");
+    fail("<expect> has no bound; expected at_least, at_most, or about with a tolerance");
   }
   if (draft.about && (draft.at_least || draft.at_most)) {
     fail("<expect> has both about and at_least or at_most; expected one or the other");
@@ -93,8 +50,8 @@ void check_bounds(const ExpectationDraft& draft, const Expectation& expectation)
   if (draft.confidence && (expectation.statistic == Statistic::minimum ||
                            expectation.statistic == Statistic::maximum)) {
     fail(
-        "<expect> asks for confidence in the least or the largest value: a few runs say nothing of "
-        "how far others may go; expected another statistic, or no confidence");
+        "<expect> asks for confidence in a minimum or maximum: a few runs do not show how far "
+        "others may go; expected another statistic, or no confidence");
   }
   const double tolerance = draft.tolerance.value_or(0.0);
   if (draft.about && tolerance <= 0.0) {
@@ -137,7 +94,9 @@ Expectation expectation_from(const ExpectationDraft& draft, const Experiment& ex
     result.statistic = Statistic::rate;
   }
   result.runs = draft.runs == "successes" ? Runs::successes : Runs::all;
-  const auto to_where = [&](const std::string& text) { return parse_where(text, experiment); };
+  const auto to_where = [&](const std::string& text) {
+    return parse_where(text, labels_of(experiment));
+  };
   const auto to_levels = [&](const std::string& text) { return parse_reference(text, experiment); };
   if (draft.where) {
     result.where = parsed("where", *draft.where, to_where);
@@ -166,6 +125,20 @@ Expectation expectation_from(const ExpectationDraft& draft, const Experiment& ex
   return result;
 }
 
+// A cell's reference is missing only because it is excluded.
+void check_references(const Expectation& expectation, const Grid& grid,
+                      const std::vector<Cell>& cells) {
+  if (expectation.relation == Relation::none) {
+    return;
+  }
+  for (const std::size_t cell : grid.cells_of(expectation)) {
+    if (!grid.reference_of(expectation, cell)) {
+      fail("<expect> compares the cell '" + cells[cell].label +
+           "' with one that is excluded; expected `where` without it");
+    }
+  }
+}
+
 }  // namespace
 
 std::string in_words(const Expectation& expectation) {
@@ -179,7 +152,7 @@ std::string in_words(const Expectation& expectation) {
   text += ":";
   const char* before = " ";
   const bool difference = expectation.relation == Relation::difference;
-  // A difference below 0 is given as "less": at least -2 is at most 2 less.
+  // A difference below 0 is reported as "less": at least -2 is at most 2 less.
   const auto bound = [&](const char* words, const char* if_less,
                          const std::optional<double>& value) {
     if (value) {
@@ -209,10 +182,15 @@ std::vector<Expectation> expectations_from(const std::vector<ExpectationDraft>& 
                                            const Experiment& experiment, Problems& problems) {
   std::vector<Expectation> expectations;
   std::map<std::string, int> lines;
-  const Grid grid(experiment, cells(experiment));
+  const std::vector<Cell> all = cells(experiment);
+  const Grid grid(experiment, all);
   for (const ExpectationDraft& draft : drafts) {
     try {
       Expectation expectation = expectation_from(draft, experiment);
+      if (!expectation.where.empty() && grid.cells_of(expectation.where).empty()) {
+        fail("<expect> is about cells that are all excluded; expected `where` to name others");
+      }
+      check_references(expectation, grid, all);
       if (grid.cells_of(expectation).empty()) {
         fail("<expect> compares cells with themselves only; expected `where` to name others");
       }

@@ -1,4 +1,4 @@
-// Expectations: from the file's elements to statements about cells.
+// Turns the file's elements into expectations, which are statements about cells.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace elsie::experiment {
 
-/// The experiment must have its worlds and factors. Expectations with problems are left out.
+/// The experiment must already have its worlds and factors. Leaves out expectations with problems.
 std::vector<Expectation> expectations_from(const std::vector<ExpectationDraft>& drafts,
                                            const Experiment& experiment, base::Problems& problems);
 

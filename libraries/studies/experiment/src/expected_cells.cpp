@@ -1,4 +1,4 @@
-// Which cells an expectation covers.
+// Finds the cells that an expectation covers.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -79,13 +79,19 @@ std::optional<std::size_t> Grid::place_of(const std::string& factor) const {
 }
 
 std::vector<std::size_t> Grid::cells_of(const Expectation& expectation) const {
+  std::vector<std::size_t> found = cells_of(expectation.where);
+  std::erase_if(found, [&](std::size_t cell) { return reference_of(expectation, cell) == cell; });
+  return found;
+}
+
+std::vector<std::size_t> Grid::cells_of(const std::vector<Where>& where) const {
   std::vector<std::optional<std::size_t>> places;
-  for (const Where& where : expectation.where) {
-    places.push_back(place_of(where.factor));
+  for (const Where& one : where) {
+    places.push_back(place_of(one.factor));
   }
   const auto is_named = [&](const std::vector<std::string>& labels) {
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto& patterns = expectation.where[i].levels;
+      const auto& patterns = where[i].levels;
       if (!places[i] ||
           std::none_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
             return matches(pattern, labels[*places[i]]);
@@ -97,7 +103,7 @@ std::vector<std::size_t> Grid::cells_of(const Expectation& expectation) const {
   };
   std::vector<std::size_t> found;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    if (is_named(cells_[cell]) && reference_of(expectation, cell) != cell) {
+    if (is_named(cells_[cell])) {
       found.push_back(cell);
     }
   }

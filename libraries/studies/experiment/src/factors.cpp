@@ -36,8 +36,8 @@ std::string name_of_element(const std::string& markup) {
   return markup.substr(1, markup.find_first_of(" />", 1) - 1);
 }
 
-// Why a value or an element does not fit the end of the path, as the end of a sentence; "" if it
-// does.
+// The reason why a value or an element does not fit the end of the path, as the end of a sentence;
+// "" if it fits.
 std::string why_not_at(const std::string& path, bool is_element, const std::string& value) {
   const bool to_attribute = path.substr(path.rfind('/') + 1).starts_with('@');
   return to_attribute && is_element
@@ -48,7 +48,7 @@ std::string why_not_at(const std::string& path, bool is_element, const std::stri
              : "";
 }
 
-// Makes one factor. Problems have the line of its element, or of the level's.
+// Makes one factor. Problems have the line of its element or of the level's element.
 class FactorMaker {
  public:
   FactorMaker(const FactorDraft& draft, Problems& problems) : draft_(draft), problems_(problems) {}
@@ -71,7 +71,7 @@ class FactorMaker {
       return factor;
     }
     if (draft_.levels.empty() && !draft_.path) {
-      complain("the factor '" + name_ + "' lacks a path: what has these values?");
+      complain("the factor '" + name_ + "' lacks a path; expected the path that these values set");
       return factor;
     }
     if (is_range) {
@@ -137,8 +137,8 @@ class FactorMaker {
         path_used = true;
       } else if (value && !draft_.path) {
         problems_.add(draft.location, "this level of '" + name_ +
-                                          "' has a value, but its <vary> has no path that it would "
-                                          "be for; expected <set> elements in it");
+                                          "' has a value, but its <vary> has no path for it; "
+                                          "expected <set> elements in it");
       } else if (value) {
         const std::string why = why_not_at(*draft_.path, draft.element.has_value(), *value);
         if (!why.empty()) {
@@ -152,7 +152,7 @@ class FactorMaker {
     }
     if (draft_.path && !path_used && draft_.path->find('=') == std::string::npos) {
       complain("the path of the factor '" + name_ +
-               "' has no use: none of its levels has a value or an element");
+               "' is not used: none of its levels has a value or an element");
     }
   }
 
@@ -168,7 +168,7 @@ class FactorMaker {
     for (const Level& level : factor.levels) {
       const std::string why = why_no_label(level.label);
       if (unnamed_.contains(&level - factor.levels.data())) {
-        continue;  // reported already
+        continue;  // already reported
       }
       if (!why.empty()) {
         problems_.add(

@@ -1,4 +1,4 @@
-// Factors, levels and settings: from the file's elements to what is set.
+// Turns the file's elements into factors, levels and settings.
 #pragma once
 
 #include <string>
@@ -11,29 +11,29 @@
 
 namespace elsie::experiment {
 
-/// The text without leading and trailing blanks.
+/// Returns the text without leading and trailing blanks.
 std::string trimmed(const std::string& text);
 
-/// The parts between the separators, without blanks around them.
+/// Returns the parts between the separators, without blanks around them.
 std::vector<std::string> split(const std::string& text, char separator);
 
-/// Why a text cannot be a label, as the end of a sentence, "a label may not be empty"; "" if it
-/// can.
+/// Returns the reason why a text cannot be a label, as the end of a sentence, such as "a label may
+/// not be empty"; "" if it can.
 std::string why_no_label(const std::string& text);
 
 /// The end of a sentence about the only level of values="..." if it looks like several: "; the
 /// levels of values are separated by ';'"; otherwise "".
 std::string how_to_separate(const Factor& factor);
 
-/// The valid settings, those of a run last; the others become problems.
+/// Returns the valid settings, those made during a run last; the others become problems.
 std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
                                    const std::vector<AtDraft>& changes, base::Problems& problems);
 
 /// The same for factors; a factor with problems has no levels.
 std::vector<Factor> factors_from(const std::vector<FactorDraft>& drafts, base::Problems& problems);
 
-/// The numbers of a range in as few digits as possible: 0.1 to 0.3 in steps of 0.1 are "0.1",
-/// "0.2", "0.3". Throws std::invalid_argument with a sentence.
+/// Returns the numbers of a range in as few digits as possible: 0.1 to 0.3 in steps of 0.1 are
+/// "0.1", "0.2", "0.3". Throws std::invalid_argument with a sentence.
 std::vector<std::string> range(double from, double to, double step);
 
 }  // namespace elsie::experiment

@@ -1,4 +1,4 @@
-// What the cells of an experiment set, and on which lines.
+// The settings of an experiment's cells, and their lines.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ std::vector<Setting> settings_of(const Experiment& experiment, const Cell& cell)
 /// "PATH=VALUE"
 std::string override_of(const Setting& setting);
 
-/// Whether a label matches a pattern, in which "*" stands for any text.
+/// Returns whether a label matches a pattern, in which "*" stands for any text.
 bool matches(const std::string& pattern, const std::string& label);
 
 /// All labels of a factor ("world": the ids); empty if there is no such factor.

@@ -1,4 +1,4 @@
-// Checks that what is to be shown, and what is expected, is measured, and is the same quantity in
+// Checks that all measures to show, and those of expectations, exist and are the same quantity in
 // every cell.
 #include <algorithm>
 #include <iterator>
@@ -31,8 +31,8 @@ std::string in_words(const Quantity& quantity) {
   return "'" + quantity.meaning + "'" + (quantity.unit.empty() ? "" : " in " + quantity.unit);
 }
 
-// The line on which two cells differ: the second one's world, or its level of the last factor that
-// differs.
+// The line on which two cells differ: that of the second cell's world, or of its level of the last
+// factor that differs.
 const Location& difference(const Experiment& experiment, const Cell& one, const Cell& other) {
   const Location* where = &experiment.worlds[other.world].location;
   for (std::size_t i = 0; one.world == other.world && i < experiment.factors.size(); ++i) {
@@ -43,12 +43,12 @@ const Location& difference(const Experiment& experiment, const Cell& one, const 
   return *where;
 }
 
-// Tables put values of the same name together, whatever their cells.
+// Tables combine values of the same name from all cells.
 void check_quantities(const Experiment& experiment, const std::vector<Cell>& grid,
                       const CellMeasures& measures, base::Problems& problems) {
   struct Known {
     Quantity quantity;
-    std::size_t cell;  // the first that has it
+    std::size_t cell;  // the first cell that has it
   };
   std::map<std::string, Known> known;
   std::set<std::string> complained;
@@ -69,7 +69,7 @@ void check_quantities(const Experiment& experiment, const std::vector<Cell>& gri
   }
 }
 
-// Checks the cells that the expectation covers, and those that they are compared with.
+// Checks the cells that the expectation covers, and those with which they are compared.
 void check_expectation(const Expectation& expectation, const std::vector<Cell>& cells,
                        const Grid& grid, const CellMeasures& measures, base::Problems& problems) {
   const auto check = [&](std::size_t cell, const std::string& name) {
@@ -107,7 +107,7 @@ void check_measures(const Experiment& experiment, const std::vector<Cell>& cells
                  [&](const std::string& name) { return !has(all, name); });
   }
   for (const MeasureUse& use : experiment.measures) {
-    if (!has(all, use.name)) {
+    if (use.formula.empty() && !has(all, use.name)) {
       problems.add(use.location, "no run has a measure '" + use.name + "'" +
                                      base::near_or_all(use.name, all, "there are"));
     }

@@ -1,4 +1,4 @@
-// Exact ranges of decimal numbers: no level is called 0.30000000000000004.
+// Exact ranges of decimal numbers, so that no level is called 0.30000000000000004.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -47,7 +47,7 @@ Decimal decimal(double value) {
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-// The digits in units of 10^exponent, which is not above the number's own.
+// The digits in units of 10^exponent, which must not exceed the number's own exponent.
 std::int64_t digits_at(Decimal number, int exponent) {
   while (number.digits != 0 && number.exponent > exponent) {
     if (__builtin_mul_overflow(number.digits, 10, &number.digits)) {

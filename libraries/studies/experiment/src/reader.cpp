@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elsie/base/problems.h"
+#include "elsie/base/words.h"
 #include "elsie/experiment/vocabulary.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
@@ -15,8 +16,10 @@
 
 #include "cell_check.h"
 #include "draft.h"
+#include "exclusions.h"
 #include "expectations.h"
 #include "factors.h"
+#include "measures.h"
 #include "seeds.h"
 
 namespace elsie::experiment {
@@ -27,7 +30,7 @@ using base::Problems;
 using world::Element;
 using world::ElementSpec;
 
-// Leaves out what has mistakes: its attributes are defaults, which must not be judged.
+// Leaves out elements with errors: their attributes are defaults, which must not be checked.
 class DraftReader {
  public:
   explicit DraftReader(Problems& problems) : problems_(problems) {}
@@ -38,12 +41,13 @@ class DraftReader {
     drop(draft.worlds);
     drop(draft.settings);
     drop(draft.factors);
+    drop(draft.exclusions);
     drop(draft.measures);
     drop(draft.expectations);
     return draft;
   }
 
-  /// Whether worlds, settings and factors could all be read.
+  /// True if worlds, settings and factors could all be read.
   bool grid_is_sound() const {
     return std::all_of(flawed_.begin(), flawed_.end(), [](const world::Flawed& each) {
       const std::string& name = each.spec->name;
@@ -72,8 +76,8 @@ struct Worlds {
   std::vector<std::string> files;  // paths as found, for messages
 };
 
-// The line on which an experiment begins in a file; 0: it holds something else, and reading it as a
-// world finds the mistake.
+// The line on which an experiment begins in a file; 0 if the file is something else: reading it as
+// a world then finds the error.
 int line_of_experiment(const std::string& file) {
   try {
     const Element root = world::parse_markup(world::read_text(file), file);
@@ -121,8 +125,7 @@ Worlds worlds_from(const std::vector<WorldDraft>& drafts, const world::Files* fi
 
 // Checks that the grid is not too large. Only numbers within bounds are multiplied.
 void check_size(const Experiment& experiment, const Location& root, Problems& problems) {
-  std::string product = std::to_string(experiment.worlds.size()) +
-                        (experiment.worlds.size() == 1 ? " world" : " worlds");
+  std::string product = base::counted(experiment.worlds.size(), "world");
   std::uint64_t cell_count = experiment.worlds.size();
   for (const Factor& factor : experiment.factors) {
     product += " x " + std::to_string(factor.levels.size()) + " of '" + factor.name + "'";
@@ -145,6 +148,23 @@ void check_size(const Experiment& experiment, const Location& root, Problems& pr
   }
 }
 
+// Checks that the experiment has no more runs than its author wanted.
+void check_max_runs(const ExperimentDraft& draft, const Experiment& experiment, std::size_t cells,
+                    const Location& root, Problems& problems) {
+  const std::uint64_t runs =
+      cells * experiment.seeds.size() * static_cast<std::uint64_t>(experiment.repeats);
+  if (draft.max_runs && runs > static_cast<std::uint64_t>(*draft.max_runs)) {
+    problems.add(
+        root,
+        "the experiment has " + base::counted(runs, "run") + ", " + base::counted(cells, "cell") +
+            " x " + base::counted(experiment.seeds.size(), "seed") +
+            (experiment.repeats == 1 ? ""
+                                     : ", each " + std::to_string(experiment.repeats) + " times") +
+            ", but max_runs=\"" + std::to_string(*draft.max_runs) +
+            "\"; expected fewer levels or seeds, or a larger max_runs");
+  }
+}
+
 // Labels of cells must differ; they are joined from those of levels.
 void check_labels(const std::vector<Cell>& grid, const Location& root, Problems& problems) {
   std::set<std::string> known;
@@ -156,23 +176,38 @@ void check_labels(const std::vector<Cell>& grid, const Location& root, Problems&
   }
 }
 
-std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, Problems& problems) {
-  std::vector<MeasureUse> uses;
-  std::set<std::string> known;
-  for (const MeasureDraft& draft : drafts) {
-    if (known.insert(draft.name).second) {
-      uses.push_back({draft.name, draft.location});
-    } else {
-      problems.add(draft.location, "the measure '" + draft.name + "' is named twice");
+// The factor of layouts, or that they follow the seeds.
+void add_layouts(const LayoutsDraft& draft, Experiment& experiment, Problems& problems) {
+  constexpr const char* kFactor = "layout_seed";
+  experiment.layouts_location = draft.location;
+  experiment.layouts_follow_seeds = draft.rule == "nested";
+  if (experiment.layouts_follow_seeds) {
+    if (draft.from || draft.to || draft.list) {
+      problems.add(draft.location,
+                   "rule=\"nested\" of <layouts>: the seeds of the runs are those of the layouts; "
+                   "take from, to and list out, or write rule=\"crossed\"");
+    }
+    return;
+  }
+  Factor factor{kFactor, {}, draft.location};
+  for (const std::uint64_t seed : seeds_from(draft, "<layouts>", kMostLevels, problems)) {
+    const std::string text = std::to_string(seed);
+    factor.levels.push_back({text, {{"layouts/@seed", text, draft.location}}, draft.location});
+  }
+  for (const Factor& other : experiment.factors) {
+    if (other.name == kFactor) {
+      problems.add(draft.location,
+                   "<layouts> is the factor 'layout_seed', and there is another of "
+                   "this name; rename that one");
     }
   }
-  return uses;
+  experiment.factors.push_back(std::move(factor));
 }
 
-// An experiment with what is known while it is read.
+// An experiment and what is known while it is read.
 struct Parsed {
   Experiment experiment;
-  std::vector<Cell> grid;          // empty if it has mistakes
+  std::vector<Cell> grid;          // empty if it has errors
   std::vector<std::string> files;  // of the worlds, as found
   std::set<std::size_t> lists;     // the factors whose levels are in values="A; B"
   Problems problems, grid_problems;
@@ -208,7 +243,6 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
     experiment.wall_limit = draft.limits->wall_time;
   }
   experiment.trajectory_period = draft.trajectories.value_or(TrajectoriesDraft{}).period;
-  experiment.measures = measures_from(draft.measures, problems);
 
   Worlds worlds = worlds_from(draft.worlds, files, grid_problems);
   experiment.worlds = std::move(worlds.uses);
@@ -220,15 +254,28 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
       result.lists.insert(i);
     }
   }
+  if (draft.layouts && reader.is_sound(draft.layouts->location)) {
+    add_layouts(*draft.layouts, experiment, grid_problems);
+  }
+  experiment.measures = measures_from(draft.measures, experiment.factors, problems);
   if (draft.seeds && reader.is_sound(draft.seeds->location)) {
-    experiment.seeds = seeds_from(*draft.seeds, problems);
+    experiment.seeds = seeds_from(*draft.seeds, "<seeds>", kMostRuns, problems);
     experiment.repeats = draft.seeds->repeats;
   }
   if (grid_problems.empty() && reader.grid_is_sound()) {
     check_size(experiment, root.where, grid_problems);
   }
   if (grid_problems.empty() && reader.grid_is_sound()) {
-    result.grid = cells(experiment);
+    experiment.exclusions = exclusions_from(draft.exclusions, experiment, grid_problems);
+  }
+  if (grid_problems.empty() && reader.grid_is_sound()) {
+    std::vector<Cell> grid = cells(experiment);
+    check_max_runs(draft, experiment, grid.size(), root.where, grid_problems);
+    if (grid_problems.empty()) {
+      result.grid = std::move(grid);
+    }
+  }
+  if (!result.grid.empty()) {
     check_labels(result.grid, root.where, grid_problems);
     experiment.expectations = expectations_from(draft.expectations, experiment, problems);
   }
@@ -257,6 +304,7 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
                                         host, options, result.grid_problems);
     result.experiment.warnings = std::move(measures.warnings);
     if (result.grid_problems.empty()) {
+      add_formulas(result.experiment, measures, result.problems);
       check_measures(result.experiment, result.grid, measures, result.problems);
     }
   }

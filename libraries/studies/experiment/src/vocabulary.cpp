@@ -39,7 +39,7 @@ ElementSpec change() {
                  {.unit = "s",
                   .min = 0,
                   .max = kLongest,
-                  .meaning = "simulated; before the first step that begins then or later"},
+                  .meaning = "simulated time; made before the first step at or after it"},
                  kRequired)
       .each(std::move(settings), &AtDraft::settings);
 }
@@ -59,7 +59,7 @@ ElementSpec level() {
 ElementSpec factor() {
   const auto bound = [](const char* meaning) { return fact(meaning); };
   return Describe<FactorDraft>("vary",
-                               "A factor: each of its levels meets each level of all others")
+                               "A factor; each level is combined with each level of all others")
       .unique("level", "label")
       .attribute("name", &FactorDraft::name, fact("name in tables; by default the end of its path"),
                  kId)
@@ -69,7 +69,7 @@ ElementSpec factor() {
       .attribute("from", &FactorDraft::from, bound("the first level of a range"))
       .attribute("to", &FactorDraft::to, bound("the last level of a range"))
       .attribute("step", &FactorDraft::step,
-                 {.above = 0, .meaning = "from one level of a range to the next"})
+                 {.above = 0, .meaning = "difference between a level of a range and the next"})
       .each(level(), &FactorDraft::levels);
 }
 
@@ -104,8 +104,41 @@ ElementSpec seeds() {
       .attribute("repeats", &SeedsDraft::repeats,
                  {.min = 1,
                   .max = 1000,
-                  .meaning = "how often each seed is run: a check that the same seed gives "
+                  .meaning = "number of runs with each seed, to check that the same seed gives "
                              "the same run"});
+}
+
+ElementSpec layouts() {
+  return Describe<LayoutsDraft>("layouts",
+                                "The seeds from which layouts are drawn, as a factor "
+                                "\"layout_seed\", or those of the runs")
+      .attribute("rule", &LayoutsDraft::rule,
+                 {.choices = {"crossed", "nested"},
+                  .meaning = "crossed: each layout meets each seed; nested: each seed has its own "
+                             "layout, and none is given here"})
+      .attribute("from", &LayoutsDraft::from, {.min = 0, .meaning = "the first seed of a layout"})
+      .attribute("to", &LayoutsDraft::to, {.min = 0, .meaning = "the last seed of a layout"})
+      .attribute("list", &LayoutsDraft::list, fact("the seeds, separated by blanks"));
+}
+
+ElementSpec exclusion() {
+  return Describe<ExclusionDraft>("exclude", "Combinations of levels that are not run")
+      .attribute("where", &ExclusionDraft::where,
+                 fact("cells that are left out: FACTOR=LEVEL|LEVEL; FACTOR=LEVEL, with \"*\" for "
+                      "any text; all must match"),
+                 kRequired);
+}
+
+ElementSpec measure() {
+  return Describe<MeasureDraft>("measure", "A measure to show, or one that is computed from others")
+      .attribute("name", &MeasureDraft::name, fact("name of the measure"), kRequired)
+      .attribute("formula", &MeasureDraft::formula,
+                 fact("computes it when results are read: measures of the runs, factors whose "
+                      "levels are numbers, and formulas above; + - * / ^ ( ), min, max, abs, sqrt, "
+                      "log, exp"))
+      .attribute("unit", &MeasureDraft::unit, fact("unit of the formula"))
+      .attribute("meaning", &MeasureDraft::meaning,
+                 fact("meaning of the formula; by default its text"));
 }
 
 ElementSpec expectation() {
@@ -132,7 +165,7 @@ ElementSpec expectation() {
                  fact("judges the ratio of each cell's statistic to that of the cell with "
                       "FACTOR=LEVEL; FACTOR=LEVEL"))
       .attribute("difference_from", &ExpectationDraft::difference_from,
-                 fact("likewise the difference, cell minus other cell"))
+                 fact("judges the difference, cell minus other cell, in the same way"))
       .attribute("at_least", &ExpectationDraft::at_least, number("lower bound"))
       .attribute("at_most", &ExpectationDraft::at_most, number("upper bound"))
       .attribute("about", &ExpectationDraft::about, number("expected value, within the tolerance"))
@@ -141,7 +174,7 @@ ElementSpec expectation() {
       .attribute("confidence", &ExpectationDraft::confidence,
                  {.above = 0,
                   .max = 0.999999,
-                  .meaning = "the whole interval at this confidence must keep to the bounds: "
+                  .meaning = "the whole interval at this confidence must be within the bounds: "
                              "0.95, for example"});
 }
 
@@ -156,11 +189,15 @@ ElementSpec experiment() {
       .unique("expectations/expect", "name")
       .attribute("name", &ExperimentDraft::name, fact("its title; by default that of its file"))
       .attribute("description", &ExperimentDraft::description, fact("what it is for"))
+      .attribute("max_runs", &ExperimentDraft::max_runs,
+                 {.min = 1, .meaning = "an experiment with more runs is refused"})
       .group(worlds())
       .each(setting(), &ExperimentDraft::settings)
       .each(change(), &ExperimentDraft::changes)
       .each(factor(), &ExperimentDraft::factors)
+      .each(exclusion(), &ExperimentDraft::exclusions)
       .optional(seeds(), &ExperimentDraft::seeds)
+      .optional(layouts(), &ExperimentDraft::layouts)
       .optional(
           Describe<LimitsDraft>("limits", "Limits of a run's time")
               .attribute("time", &LimitsDraft::time,
@@ -174,7 +211,7 @@ ElementSpec experiment() {
                           .max = kLongest,
                           .meaning = "time on the clock; longer runs are ended and count as hung"}),
           &ExperimentDraft::limits)
-      .optional(Describe<TrajectoriesDraft>("trajectories", "The recording of the robots' ways")
+      .optional(Describe<TrajectoriesDraft>("trajectories", "The recording of the robots' paths")
                     .attribute("period", &TrajectoriesDraft::period,
                                {.unit = "s",
                                 .above = 0,
@@ -185,10 +222,7 @@ ElementSpec experiment() {
                                        "The measures to show, in this order; by default all "
                                        "that the runs have")
                  .members("measure")
-                 .each(Describe<MeasureDraft>("measure", "A measure to show")
-                           .attribute("name", &MeasureDraft::name, fact("name of the measure"),
-                                      kRequired),
-                       &ExperimentDraft::measures))
+                 .each(measure(), &ExperimentDraft::measures))
       .group(Describe<ExperimentDraft>("expectations", "The expected results")
                  .members("expectation")
                  .each(expectation(), &ExperimentDraft::expectations));

@@ -31,7 +31,7 @@ std::string optional_text(const std::optional<T>& value) {
   return value ? text_of(*value) : "";
 }
 
-// In a world without goals, a run does not fail by ending at the time limit.
+// In a world without goals, a run that ends at the time limit has not failed.
 std::string outcome_of(const Findings& findings, const Run& run) {
   if (run.outcome == Outcome::time_limit && !findings.cells[run.cell].goals) {
     return "no_goals";
@@ -39,7 +39,7 @@ std::string outcome_of(const Findings& findings, const Run& run) {
   return run.outcome ? simulation::to_string(*run.outcome) : "";
 }
 
-/// A log of several lines has no place in a table.
+/// A log of several lines does not fit into a table.
 bool in_table(std::string_view field) { return field != "log"; }
 
 struct FieldCells {

@@ -135,7 +135,7 @@ Span span_of(double low, double high) {
     low = 0.0;
   }
   const double room = 0.03 * (high - low);
-  // Equal values get an axis around them.
+  // If all values are equal, the axis is centred on them.
   const double least = std::max(1e-9, 0.05 * std::max(std::abs(low), std::abs(high)));
   if (low == 0.0 && high == 0.0) {
     return {0.0, 1.0};

@@ -1,4 +1,4 @@
-// Learning curves, from what plugins report of their training.
+// Learning curves that plugins report.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ namespace elsie::report {
 namespace {
 
 constexpr picture::Size kSize{420, 190};
-constexpr double kDecades = 2.0;  // curves that span more get a logarithmic axis
+constexpr double kDecades = 2.0;  // curves over more decades get a logarithmic axis
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::vector<Vector2> usable(std::vector<Vector2> points) {
@@ -31,7 +31,7 @@ std::vector<Vector2> usable(std::vector<Vector2> points) {
   return points;
 }
 
-// A logarithmic axis where curves span decades; otherwise one from zero, if none is below.
+// A logarithmic axis if curves span decades; otherwise one from zero, if no value is below it.
 picture::Axis axis_for(const std::vector<picture::Series>& curves) {
   picture::Interval all, positive;
   for (const picture::Series& curve : curves) {

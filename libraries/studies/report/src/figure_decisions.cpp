@@ -1,4 +1,4 @@
-// Who decided when: a row for each run, in the colours of the behaviours.
+// Which behaviour decided when: a row for each run, in the colours of the behaviours.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace {
 
 constexpr int kRow = 12;  // height of a row with a gap of two
 constexpr int kBar = kRow - 2;
-// Few rows are drawn higher.
+// If there are only few rows, they are drawn higher.
 constexpr double kHighestRow = 24.0, kEnoughHeight = 240.0;
 constexpr const char* kNobody = "";
 
 using Times = std::map<std::string, double>;  // of deciders, s
 
-// The deciders of each column of a row, with their seconds.
+// The deciding behaviours of each column of a row, with their times in s.
 std::vector<Times> columns_of(const Timeline& timeline, double end_s, int count) {
   std::vector<Times> columns(static_cast<std::size_t>(count));
   const double width = end_s / count;
@@ -125,7 +125,7 @@ const Run* run_of(const Findings& findings, std::int64_t id) {
   return found != runs.end() && found->id == id ? &*found : nullptr;
 }
 
-// One robot: a row for each run. Several robots: a row for each in a typical run.
+// With one robot, a row for each run; with several, a row for each robot in a typical run.
 std::vector<Row> rows_of(const Findings& findings, std::size_t cell,
                          const std::vector<Timeline>& timelines, std::size_t most,
                          std::string& about) {

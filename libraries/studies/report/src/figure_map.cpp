@@ -1,8 +1,9 @@
-// A cell's world from above with the ways of its robots.
+// A cell's world from above with the paths of its robots.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "elsie/picture/bodies.h"
@@ -103,7 +104,7 @@ std::string boxes(const View& view, const world::World& world) {
   return text;
 }
 
-// Resources are drawn above the ways of the robots.
+// Resources are drawn on top of the robots' paths.
 std::string resources(const View& view, const world::World& world) {
   const double least = 1.6 * kSmallestMark / view.scale;
   std::string text;
@@ -135,7 +136,7 @@ std::string robots(const View& view, const world::World& world) {
   return text;
 }
 
-// Kinds of ways, drawn in this order.
+// Kinds of paths, drawn in this order.
 enum Kind { kPlain, kMissed, kOdd, kKinds };
 constexpr std::array<const char*, kKinds> kClasses = {"way", "way missed", "way odd"};
 
@@ -145,7 +146,7 @@ struct Chosen {
   std::array<std::size_t, kKinds> counts{};
 };
 
-// All runs of the sample, or as many as the budget allows: outliers first, the others evenly.
+// All runs of the sample, or as many as the budget allows: first outliers, then others evenly.
 Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
   const CellFindings& cell = findings.cells[place];
   std::set<std::size_t> odd;
@@ -160,6 +161,9 @@ Chosen choose(const Findings& findings, std::size_t place, std::size_t most) {
       continue;
     }
     ++chosen.all;
+    if (const auto& seed = findings.results.cells[place].seed; seed && run.seed != *seed) {
+      continue;  // it had another world
+    }
     kinds[run.broken() || findings.missed(run) ? kMissed
           : odd.contains(at)                   ? kOdd
                                                : kPlain]
@@ -266,7 +270,8 @@ std::string ways_of(const View& view, const Findings& findings, const std::vecto
   return text + ends + names;
 }
 
-std::string key(const Chosen& chosen, const std::string& ink) {
+std::string key(const Chosen& chosen, const std::string& ink,
+                const std::optional<std::uint64_t>& seed) {
   std::string text = "<ul class=\"key\">";
   const auto item = [&](const std::string& kind, const std::string& words) {
     text += "<li class=\"" + ink +
@@ -287,6 +292,10 @@ std::string key(const Chosen& chosen, const std::string& ink) {
   if (chosen.runs.size() < chosen.all) {
     text += "<small>" + std::to_string(chosen.runs.size()) + " of " + std::to_string(chosen.all) +
             " runs are drawn.</small>";
+  }
+  if (seed) {
+    text += "<small>Each seed has a layout of its own: this is the one of seed " +
+            std::to_string(*seed) + ".</small>";
   }
   return text;
 }
@@ -312,13 +321,13 @@ std::string map_figure(const Findings& findings, std::size_t cell,
       std::clamp(3.0 / std::sqrt(std::max(1.0, static_cast<double>(lines.size()))), 0.3, 1.0);
   return "<figure class=\"map " + inks.cell_class(cell) + "\"><svg viewBox=\"0 0 " +
          whole(view.width) + " " + whole(view.height) +
-         "\" role=\"img\" aria-label=\"The world from above with the ways of the robots\" "
+         "\" role=\"img\" aria-label=\"The world from above with the paths of the robots\" "
          "style=\"--through:" +
          brief(opacity, 2) + "\">" + ground(view, world) + boxes(view, world) +
          ways_of(view, findings, lines, world.robots.size() > 1) + resources(view, world) +
-         robots(view, world) + "</svg><figcaption>" + key(chosen, inks.cell_class(cell)) +
-         "<small>" + brief(world.arena.length) + " m \xc3\x97 " + brief(world.arena.width) +
-         " m</small></figcaption></figure>\n";
+         robots(view, world) + "</svg><figcaption>" +
+         key(chosen, inks.cell_class(cell), info.seed) + "<small>" + brief(world.arena.length) +
+         " m \xc3\x97 " + brief(world.arena.width) + " m</small></figcaption></figure>\n";
 }
 
 }  // namespace elsie::report

@@ -15,17 +15,17 @@
 
 namespace elsie::report {
 
-/// The number of colours in page.css: classes c0 to c5.
+/// The number of colours in page.css, the classes c0 to c5.
 inline constexpr std::size_t kColours = 6;
 
 /// The meaning of colours on the whole page.
 struct Inks {
-  /// The factor whose levels are coloured: the innermost one that has several, but few enough.
+  /// The factor whose levels are coloured: the innermost one with a few levels.
   std::optional<std::size_t> factor;
   std::vector<std::string> levels;  // of that factor, in order; the index is the colour
   std::vector<std::size_t> cells;   // colour of each cell
-  /// Paths of the behaviours, those that decide most first; their colours follow those of the
-  /// levels.
+  /// Paths of the behaviours, in descending order of deciding time; their colours follow those of
+  /// the levels.
   std::vector<std::string> behaviors;
 
   /// "c0"...; "more" for behaviours without a colour.
@@ -47,7 +47,7 @@ class Span {
   double high() const { return high_; }
   /// The position of a value, "34.52%".
   std::string at(double value) const;
-  /// The numbers of the ticks at the height `y`; without a margin, those at the ends stay inside.
+  /// The labels of the ticks at the height `y`; without a margin, those at the ends stay inside.
   /// `unit` follows the zero.
   std::string labels(const picture::Ticks& ticks, double y, const std::string& unit = "") const;
   /// The width of an interval of values.
@@ -71,25 +71,25 @@ std::string rate_figure(const Findings& findings, const Inks& inks);
 /// Box plots of one measure (an index into Findings::measures) in all cells.
 std::string box_figure(const Findings& findings, std::size_t measure, const Inks& inks);
 
-/// Limits of what is drawn of each cell, so that pages with many cells do not become too large.
+/// Limits on the drawing of each cell, so that pages with many cells do not become too large.
 struct Budget {
-  std::size_t points = 0;  // points of ways
-  std::size_t runs = 60;   // runs whose ways are drawn
+  std::size_t points = 0;  // points of paths
+  std::size_t runs = 60;   // runs whose paths are drawn
   std::size_t rows = 30;   // rows of decisions: runs or robots
   int columns = 600;       // columns of decisions: parts of the time
 };
 Budget budget_for(std::size_t cells);
 
-/// The ways of the runs of a cell over its world.
+/// The paths of the runs of a cell over its world.
 std::string map_figure(const Findings& findings, std::size_t cell,
                        const std::vector<Trajectory>& ways, const Inks& inks, const Budget& budget);
 
-/// Who decided when in the runs of a cell; "" if nothing was recorded.
+/// Which behaviour decided when in the runs of a cell; "" if nothing was recorded.
 std::string decision_figure(const Findings& findings, std::size_t cell,
                             const std::vector<Timeline>& timelines, const Inks& inks,
                             const Budget& budget);
 
-/// What plugins learned before the runs of a cell; "" if nothing.
+/// Learning curves of plugins from before the runs of a cell; "" if there are none.
 std::string curve_figures(const Findings& findings, std::size_t cell,
                           const std::vector<Curve>& curves, const Inks& inks);
 

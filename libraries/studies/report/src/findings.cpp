@@ -77,7 +77,7 @@ MeasureFindings look_at(const Findings& findings, const CellFindings& cell, std:
     return found;
   }
   found.all = summary(found.values);
-  // The same draws for all cells, so that equal values give equal intervals.
+  // All cells use the same random draws, so that equal values give equal intervals.
   found.interval =
       mean_interval(found.values, kConfidence, results.seed(), results.measures[measure].name);
   if (found.values.size() >= kFewest) {
@@ -232,7 +232,7 @@ Findings find(Results results, const Questions& questions) {
   findings.results = std::move(results);
   findings.measures = shown_measures(findings.results, questions.measures);
   sort_out_runs(findings);
-  std::map<std::string_view, bool> goals;  // by the text of the world, which many cells may share
+  std::map<std::string_view, bool> goals;  // by the text of the world, which many cells may have
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
     CellFindings& cell = findings.cells[i];
     const CellInfo& info = findings.results.cells[i];

@@ -1,4 +1,4 @@
-// Intervals by resampling: how far a statistic of a small sample may be from the true one.
+// Intervals by resampling: how far a statistic of a small sample may be from its true value.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -88,7 +88,7 @@ Interval student_interval(const Estimate& whole, std::size_t count, double tail)
 }
 
 // The bootstrap-t interval of an estimate. `unsure`: resamples may have no estimate; if too many
-// have none, there is no interval.
+// resamples have none, there is no interval.
 template <class Value, class Estimator>
 std::optional<Interval> studentized(std::span<const Value> values, Estimator estimate, bool unsure,
                                     double confidence, std::uint64_t seed, std::string_view path) {

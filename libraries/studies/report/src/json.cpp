@@ -36,7 +36,7 @@ Json json_of(const std::optional<Summary>& summary) {
           {"largest", summary->largest}};
 }
 
-// What is known of a sample with bounds.
+// The known statistics of a sample with bounds.
 Json json_of(const MeasureFindings& found) {
   const Censoring& censoring = *found.censoring;
   std::optional<Interval> interval = censoring.median_interval;

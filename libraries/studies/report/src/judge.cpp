@@ -33,7 +33,7 @@ std::string word_of(Statistic statistic) {
   return "";
 }
 
-// Only runs that are done have measures, so that a name may be unknown because runs failed.
+// Only runs that are done have measures, so a name may be unknown because runs failed.
 std::string unknown_measure(const Findings& findings, const std::string& name,
                             const std::vector<std::string>& names) {
   const std::size_t broken = findings.broken(), pending = findings.pending();
@@ -54,8 +54,7 @@ std::string unknown_measure(const Findings& findings, const std::string& name,
          base::did_you_mean(name, names) + (others.empty() ? "" : "; " + others);
 }
 
-// Finds the measures, and their words and unit. Returns what is wrong with their names; "" if
-// nothing.
+// Finds the measures, their description and unit. Returns the problem with their names, or "".
 std::string find_subject(const Expectation& expectation, const Findings& findings,
                          Subject& subject) {
   const Results& results = findings.results;
@@ -122,7 +121,7 @@ Verdict judge(const Expectation& expectation, const Findings& findings,
     return verdict;
   }
   if (findings.partial()) {
-    verdict.trouble = missing_in_words(findings) + "; an expectation is about all of them";
+    verdict.trouble = missing_in_words(findings) + "; an expectation needs all of them";
     return verdict;
   }
   for (const std::size_t cell : grid.cells_of(expectation)) {
@@ -131,7 +130,7 @@ Verdict judge(const Expectation& expectation, const Findings& findings,
                                  : judge_pair(judging, cell, grid.reference_of(expectation, cell)));
   }
   if (verdict.claims.empty()) {
-    verdict.trouble = "there is no cell that it is about";
+    verdict.trouble = "it covers no cell";
   }
   return verdict;
 }

@@ -1,4 +1,4 @@
-// Judges expectations by the results.
+// Evaluates expectations on the results.
 #pragma once
 
 #include "elsie/experiment/grid.h"
@@ -6,7 +6,7 @@
 
 namespace elsie::report {
 
-/// `findings` must have its results and cells; `grid` is that of these cells.
+/// `findings` must have its results and cells; `grid` is the grid of these cells.
 Verdict judge(const experiment::Expectation& expectation, const Findings& findings,
               const experiment::Grid& grid);
 

@@ -12,8 +12,8 @@ std::optional<Interval> interval_of(const Judging& judging, const std::vector<do
                              judging.results.seed(), judging.stream());
 }
 
-// Judges a cell with lower bounds: its mean and maximum are bounds, too. A median or minimum,
-// with infinity in place of the bounds, is exact if it is finite.
+// Judges a cell with lower bounds: its mean and maximum are also bounds. A median or minimum,
+// computed with infinity instead of the bounds, is exact if it is finite.
 Claim about_bounds(const Judging& judging, std::size_t cell, const std::vector<double>& bounds,
                    const std::vector<double>& infinite, std::size_t count) {
   const Statistic statistic = judging.expectation.statistic;

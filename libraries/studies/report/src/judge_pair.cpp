@@ -12,7 +12,7 @@ using experiment::Runs;
 
 namespace {
 
-// The values of both cells for each seed. Seeds with only one value are left out: those at which
+// The values of both cells for each seed. Seeds with only one value are left out: those with which
 // one cell fails may be the hard ones.
 std::vector<Pair> pairs_of(const Judging& judging, std::size_t cell, std::size_t reference) {
   std::map<std::uint64_t, double> others;

@@ -87,7 +87,7 @@ std::string Judging::limits() const {
   const bool difference = expectation.relation == Relation::difference;
   const std::string unit = ratio || subject.unit.empty() ? "" : " " + subject.unit;
   const auto number = [&](double value) { return number_text(value) + unit; };
-  // A difference below 0 is given as "less", which turns "at least" into "at most".
+  // A difference below 0 is reported as "less", which turns "at least" into "at most".
   const auto amount = [&](const char* words, const char* if_less, double value) {
     if (!difference) {
       return words + number(value);

@@ -1,4 +1,4 @@
-// What the judgements of single cells and of pairs of cells share.
+// The common part of judging single cells and pairs of cells.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace elsie::report {
 
-// The measures of an expectation as indices into Results::measures; kSuccess has none.
+// The measures of an expectation as indices into Results::measures; kSuccess has no index.
 struct Subject {
   std::optional<std::size_t> measure, per;
   std::string words;
@@ -26,14 +26,14 @@ struct Judging {
   const Subject& subject;
   const Results& results = findings.results;
 
-  // Whether a value, or all values of an interval, keep the limits.
+  // Returns whether a value, or all values of an interval, are within the limits.
   bool keeps(double value) const;
   bool keeps(const std::optional<Interval>& interval) const;
 
-  // Whether it is about success, which has no meaning in a world without goals.
+  // Returns whether it is about success, which has no meaning in a world without goals.
   bool asks_for_success() const;
 
-  // The value of one run; none: it has none.
+  // The value of one run; none if it has no value.
   std::optional<double> value_of(const Run& run) const;
 
   // `infinite`: values that are only known to be larger than a limit count as infinite.
@@ -50,7 +50,7 @@ struct Judging {
   // "at least 0.9, with 95 % confidence"
   std::string limits() const;
 
-  // As few digits as are readable, but enough to tell the value from the limit.
+  // As few digits as possible, but enough to distinguish the value from the limit.
   std::string shown(double value) const;
   std::string with_unit(double value) const;
 
@@ -63,11 +63,11 @@ struct Judging {
   // "; 95 % interval from 2 to 3"; "" without a confidence.
   std::string interval_in_words(const std::optional<Interval>& interval) const;
 
-  // Why a cell with these few values has no statistic.
+  // The reason why a cell with so few values has no statistic.
   std::string unknown(std::size_t cell, const std::vector<double>& values) const;
 
-  // Why nothing can be said of a cell whatever its values: runs that are still to be done, or a
-  // world without goals; "" if nothing is in the way.
+  // The reason why a cell cannot be judged, whatever its values are: runs that are not done yet, or
+  // a world without goals; "" if it can be judged.
   std::string obstacle(std::size_t cell) const;
 
   Claim not_known(std::size_t cell, const std::string& why) const;

@@ -116,7 +116,7 @@ std::string junit_report(const Findings& findings, const std::string& database) 
   }
   xml += "    </properties>\n";
   for (const TestCase& test : tests) {
-    // Checks of every experiment have a class of their own, because an expectation may have the
+    // The checks that every experiment has get their own class, because an expectation may have the
     // same name.
     xml += "    <testcase classname=\"" + suite + (test.of_expectation ? "" : " (runs)") +
            "\" name=\"" + escaped_attribute(test.name) + "\" time=\"0\"";

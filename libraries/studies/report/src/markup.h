@@ -1,4 +1,4 @@
-// Text of users and plugins in the report's XML and HTML.
+// Escapes text of users and plugins in the report's XML and HTML.
 #pragma once
 
 #include <string>

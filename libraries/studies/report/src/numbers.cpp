@@ -35,7 +35,7 @@ std::optional<int> decimals_for(double value, double spread) {
   if (size >= 1e9 || spread >= 1e9) {
     return std::nullopt;
   }
-  // A spread by rounding counts as none.
+  // A spread from rounding counts as no spread.
   if (spread > 1e-12 * size && spread > 0.0) {
     const int decimals = 1 - static_cast<int>(std::floor(std::log10(spread)));
     return decimals > kMost ? std::nullopt : std::optional(std::max(0, decimals));

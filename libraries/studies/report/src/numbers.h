@@ -16,11 +16,11 @@ using base::counted;
 using base::fixed_text;
 using base::number_text;
 
-/// For readers: about `digits` significant digits, without an exponent from 1e-4 to 1e7.
+/// A readable number with about `digits` significant digits, without an exponent from 1e-4 to 1e7.
 std::string brief(double value, int digits = 4);
 
 /// The number of decimals for values that spread this much around `value`: two digits of the
-/// spread; four digits of the value without a spread. None: the value needs an exponent.
+/// spread; four digits of the value if there is no spread. None if the value needs an exponent.
 std::optional<int> decimals_for(double value, double spread);
 
 /// A sample's mean and standard deviation with suitable decimals.

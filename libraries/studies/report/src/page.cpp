@@ -85,7 +85,7 @@ std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::st
     std::sort(notable.begin(), notable.end());
     return notable;
   }
-  // At least half of the places go to cells with notable runs, if there are so many.
+  // At least half of the sections go to cells with notable runs, if there are that many.
   const std::size_t even =
       std::min(others.size(), kMostInDetail - std::min(notable.size(), kMostInDetail / 2));
   std::vector<std::size_t> chosen;

@@ -31,17 +31,17 @@ inline constexpr std::size_t kMostRows = 200;
 /// A table of texts, the first row as its head; columns of numbers are aligned right.
 std::string html_table(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns);
 
-/// The cells that get a section: those whose label contains `filter`; of too many, those with
-/// notable runs first, the others evenly.
+/// The cells that get a section: those whose label contains `filter`. If there are too many: first
+/// those with notable runs, then an even selection of the others.
 std::vector<std::size_t> cells_in_detail(const Findings& findings, const std::string& filter);
 
-/// Texts that are compiled in: page.css, page.js.
+/// Files that are compiled in: page.css, page.js.
 extern const char* const kPageStyle;
 extern const char* const kPageScript;
 
-/// The experiment, whether its expectations are met, and what went wrong.
+/// The experiment, whether its expectations are met, and its failures.
 std::string answer_section(const PageContext& page);
-/// Cells compared: success rates, all measures as a table and as box plots.
+/// The comparison of cells: success rates, all measures as a table and as box plots.
 std::string comparison_sections(const PageContext& page);
 /// What was asked for, and the results by factor; "" if nothing is varied.
 std::string factor_sections(const PageContext& page);
@@ -49,7 +49,7 @@ std::string factor_sections(const PageContext& page);
 std::string time_sections(const PageContext& page);
 /// A section for each cell. Reads the file.
 std::string cell_sections(const PageContext& page);
-/// How the numbers were computed, and from what.
+/// The methods and sources of the numbers.
 std::string methods_section(const PageContext& page);
 
 /// "elsie replay ...", to be copied.

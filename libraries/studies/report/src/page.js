@@ -1,4 +1,4 @@
-// Optional: the page is readable without this script.
+// The page is readable without this script.
 "use strict";
 for (const table of document.querySelectorAll("table.sortable")) {
   const body = table.tBodies[0];

@@ -66,7 +66,7 @@ std::string tiles(const Findings& findings) {
   return text + "</dl>\n";
 }
 
-// Reservations about an answer besides its expectations: "2 runs ended abnormally and 1 is
+// Reservations about an answer, in addition to its expectations: "2 runs ended abnormally and 1 is
 // still to be done"; "" for none.
 std::string reservations(const Findings& findings) {
   std::vector<std::string> parts;
@@ -107,7 +107,7 @@ std::string headline(const Findings& findings) {
             : findings.good()                      ? "Every run ended normally"
                                                    : "Equal seeds gave different runs";
   } else if (met == verdicts.size()) {
-    words = verdicts.size() == 1 ? "What was expected came true"
+    words = verdicts.size() == 1 ? "The expectation is met"
                                  : "All " + std::to_string(met) + " expectations are met";
     if (!findings.good()) {
       words += ", but " + reservations(findings);
@@ -142,13 +142,13 @@ std::string verdict_item(const Verdict& verdict) {
   if (count == 1 && verdict.claims.size() == 1) {
     text += others;
   } else if (count > 0) {
-    text += "<details><summary>" + counted(count, "cell keeps to it", "cells keep to it") +
-            "</summary>" + others + "</details>";
+    text += "<details><summary>" + counted(count, "cell meets it", "cells meet it") + "</summary>" +
+            others + "</details>";
   }
   return text + "</div></li>\n";
 }
 
-// Failed runs, which say more about plugins or the machine than about the experiment.
+// Failed runs: they are about plugins or the machine rather than the experiment.
 std::string troubles(const PageContext& page) {
   const Findings& findings = page.findings;
   std::string rows;
@@ -161,7 +161,7 @@ std::string troubles(const PageContext& page) {
             escaped(findings.results.cells[run.cell].label) + "</td><td>" +
             ending_tag(findings, run) + " " + escaped(circumstances(run)) +
             (run.log.value_or("").empty() ? ""
-                                          : "<details><summary>its last words</summary><pre>" +
+                                          : "<details><summary>its last output</summary><pre>" +
                                                 escaped(*run.log) + "</pre></details>") +
             "</td><td>" + command(page, run) + "</td></tr>\n";
   }

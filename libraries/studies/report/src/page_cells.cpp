@@ -14,13 +14,13 @@ namespace elsie::report {
 
 namespace {
 
-// More cells than these are folded.
+// With more cells than this, cells are folded.
 constexpr std::size_t kOpenCells = 12;
 constexpr std::size_t kHeadMeasures = 3;
-// Notable runs that are shown; the others are folded.
+// Number of notable runs that are shown; the others are folded.
 constexpr std::size_t kRunsAtOnce = 8;
 
-// What is known of a measure with bounds.
+// The known statistics of a measure with bounds.
 std::string censored_row(const MeasureFindings& found, bool some_missed) {
   constexpr const char* kUnknown = "<td class=\"n none\">\xe2\x80\x93</td>";
   const Censoring& censoring = *found.censoring;
@@ -99,7 +99,7 @@ std::string measure_table(const PageContext& page, const CellFindings& cell) {
   return text + "</tbody></table></div></details>\n";
 }
 
-// Why runs are notable, by index, in the order in which they are shown.
+// The reasons why runs are notable, by index, in the order in which they are shown.
 std::vector<std::pair<std::size_t, std::string>> notable_runs(const Findings& findings,
                                                               const CellFindings& cell) {
   std::vector<std::size_t> order = cell.broken;
@@ -151,7 +151,7 @@ std::string run_table(const PageContext& page, const CellFindings& cell) {
   std::size_t shown = 0;
   for (const auto& [place, why] : notable) {
     const Run& run = page.findings.results.runs[place];
-    // A single last run is shown rather than folded.
+    // If only one run would be folded, it is shown instead.
     if (shown++ == kRunsAtOnce && notable.size() > kRunsAtOnce + 1) {
       text += foot + "<details class=\"fold\"><summary>" +
               counted(notable.size() - kRunsAtOnce, "more", "more") + "</summary>" + head;

@@ -1,4 +1,4 @@
-// The cells compared.
+// The comparison of the cells.
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -25,15 +25,14 @@ constexpr const char* kTableLead =
 constexpr const char* kNoValues =
     "No run that ended normally has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
-    "A dot is a run, a cross one without success. The box has the middle half of the runs, its "
-    "line is the median; whiskers go to the farthest run within 1.5 box lengths, what has a ring "
-    "is "
-    "beyond. The diamond is the mean, with its 95\xc2\xa0% interval. Where the time limit stopped "
-    "runs, their times are at least where the dots stand, and there is no box and no mean.";
+    "A dot is a run, a cross is a run without success. The box has the middle half of the runs, "
+    "its line is the median; whiskers go to the farthest run within 1.5 box lengths; runs with a "
+    "ring are beyond. The diamond is the mean, with its 95\xc2\xa0% interval. Where the time limit "
+    "stopped runs, their times are at least where the dots stand, and there is no box and no mean.";
 
 // Box plots of further measures are folded.
 constexpr std::size_t kFiguresAtOnce = 6;
-// So are figures with more rows: the table says the same in less room.
+// Figures with more rows are also folded: the table gives the same numbers in less space.
 constexpr std::size_t kRowsAtOnce = 40;
 constexpr std::size_t kHeadLength = 40;  // of a column, in characters
 
@@ -63,7 +62,7 @@ std::string ink_key(const PageContext& page) {
   return text + "</ul>";
 }
 
-// The head of the column of labels: the factors that differ between cells.
+// The heading of the column of labels: the factors that differ between cells.
 std::string label_head(const Results& results) {
   std::string text;
   for (std::size_t i = 0; i < results.factors.size(); ++i) {
@@ -181,7 +180,7 @@ std::string table(const PageContext& page) {
   return text + "</tbody></table></div>\n";
 }
 
-// The value of a measure that is the same in several runs, and so is not drawn.
+// The value of a measure that is the same in all runs, and so is not drawn.
 std::optional<double> only_value(const Findings& findings, std::size_t measure) {
   std::optional<double> value;
   std::size_t count = 0;
@@ -210,7 +209,7 @@ std::string figures(const PageContext& page) {
                            [](const MeasureFindings& found) { return found.values.size() > 1; });
       });
   if (findings.measures.empty() || (findings.cells.size() == 1 && !several)) {
-    return "";  // the table has the only value already
+    return "";  // the table already has the only value
   }
   if (!has_figures(findings)) {
     return "<section id=\"distributions\"><h2>Distributions</h2><p class=\"quiet\">Box plots are "

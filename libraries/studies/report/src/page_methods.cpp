@@ -1,4 +1,4 @@
-// How the numbers were computed, and from what.
+// The methods and sources of the numbers.
 #include <vector>
 
 #include "markup.h"
@@ -21,7 +21,7 @@ std::vector<std::string> notes() {
       "not counted again.",
       "Runs that ended abnormally count as not successful; means, quartiles and boxes "
       "are over the others, whether these reached their goals or not.",
-      "Standard deviation: n \xe2\x88\x92 1 below the line. Quartiles: linear between order "
+      "Standard deviation: divisor n \xe2\x88\x92 1. Quartiles: linear between order "
       "statistics (definition 7 of Hyndman and Fan, 1996).",
       "Interval of a rate: Wilson (1927). Interval of a mean: bootstrap-t (Efron, 1979; Hall, "
       "1988), " +
@@ -36,8 +36,8 @@ std::vector<std::string> notes() {
       "of at least " +
           std::to_string(kFewest) + ".",
       "Who decided when: % of the time in which a behaviour had the largest share in the command, "
-      "and its mean share. Where several decided in quick turns, a bar is cut into the parts of "
-      "the time that each of them had."};
+      "and its mean share. Where several alternated quickly, a bar is divided in proportion to "
+      "the time of each."};
 }
 
 }  // namespace

@@ -42,7 +42,9 @@ Places read_cells(sqlite::Connection& connection, Results& results) {
   const Places factors = read_factors(connection, results);
   Places places;
   sqlite::Statement cells(connection,
-                          "SELECT id, label, world, world_text, world_file FROM cells ORDER BY id");
+                          "SELECT id, label, world, cells.world_text, world_file, seed FROM cells "
+                          "LEFT JOIN layouts ON cell_id = id AND layouts.sha256 = cells.sha256 "
+                          "GROUP BY id ORDER BY place, id");
   while (cells.next()) {
     CellInfo cell;
     cell.id = cells.integer(0);
@@ -50,6 +52,7 @@ Places read_cells(sqlite::Connection& connection, Results& results) {
     cell.world = cells.text(2);
     cell.world_text = cells.text(3);
     cell.world_file = cells.text(4);
+    if (!cells.is_null(5)) cell.seed = static_cast<std::uint64_t>(cells.integer(5));
     cell.levels.resize(results.factors.size());
     cell.places.resize(results.factors.size());
     places[cell.id] = results.cells.size();
@@ -108,7 +111,7 @@ std::uint64_t Results::seed() const { return Random(0, fingerprint).bits(); }
 
 ResultsFile::ResultsFile(const std::filesystem::path& file)
     : state_(std::make_unique<State>(file)) {
-  // A transaction begins with its first read; it does not see later writes.
+  // A transaction begins with its first read, and does not see later writes.
   state_->reading([&] { state_->connection.run("BEGIN; SELECT count(*) FROM about"); });
 }
 

@@ -1,4 +1,4 @@
-// Large data, read cell by cell when it is drawn.
+// Large data, read cell by cell when they are drawn.
 #include <cmath>
 #include <utility>
 
@@ -19,7 +19,7 @@ std::string query(const std::string& columns, const std::string& table, const st
          " WHERE run_id IN (SELECT id FROM runs WHERE cell_id = ?) ORDER BY " + order;
 }
 
-// A number in a row of a list of lists; NaN if it is none.
+// An element in a row of a list of lists; NaN if it is not a number.
 double number(const JsonValue& row, std::size_t place) {
   return row.is_array() && place < row.size() && row[place].is_number() ? row[place].get<double>()
                                                                         : std::nan("");
@@ -41,7 +41,7 @@ void each(const std::string& text, const std::filesystem::path& file, const char
           Visitor visit) {
   const JsonValue list = JsonValue::parse(text, nullptr, false);
   if (!list.is_array()) {
-    throw results::damaged(file, "in `" + std::string(table) + "` stands what is no JSON list");
+    throw results::damaged(file, "in `" + std::string(table) + "` a text is not a JSON list");
   }
   for (const JsonValue& element : list) visit(element);
 }

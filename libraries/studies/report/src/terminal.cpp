@@ -141,7 +141,7 @@ std::string tables(const Findings& findings, std::size_t width) {
   return text;
 }
 
-// Explains what tables contain besides means, by its first example.
+// Explains the entries of tables other than means, each by its first example.
 std::string legend(const Findings& findings) {
   std::size_t fewer = 0;
   std::optional<double> limit;

@@ -11,14 +11,19 @@
 namespace elsie::report {
 
 std::string size_in_words(const Findings& findings) {
-  std::set<std::uint64_t> seeds;
+  std::set<std::uint64_t> seeds, incomplete;
   int repeats = 1;
   for (const Run& run : findings.results.runs) {
     seeds.insert(run.seed);
     repeats = std::max(repeats, run.repetition);
+    if (!run.ended() && run.repetition == 1) {
+      incomplete.insert(run.seed);
+    }
   }
-  std::string text = counted(findings.runs(), "run") + ": " +
-                     counted(findings.cells.size(), "cell") + ", " + counted(seeds.size(), "seed");
+  std::string text =
+      counted(findings.runs(), "run") + ": " + counted(findings.cells.size(), "cell") + ", " +
+      (incomplete.empty() ? "" : std::to_string(seeds.size() - incomplete.size()) + " of ") +
+      counted(seeds.size(), "seed") + (incomplete.empty() ? "" : " complete");
   if (repeats > 1) {
     text += ", each " + std::to_string(repeats) + " times";
   }
@@ -74,7 +79,7 @@ std::string one_run_in_words(const Findings& findings) {
               : "in " + std::to_string(count) + " of " + counted(findings.cells.size(), "cell") +
                     " all") +
          " seeds gave one and the same run" + (all && count > 1 ? " in every cell" : "") +
-         ": nothing there depends on chance" +
+         ": nothing there is random" +
          (all ? "" : " (" + names + (count > kNamed ? "; ..." : "") + ")");
 }
 
@@ -146,7 +151,7 @@ const char* verb_of(RunState state) {
   }
 }
 
-// Whether the message names the step: "step 50", but not by "step 501".
+// Returns whether the message names the step: "step 50" does, "step 501" does not.
 bool names_step(const std::string& message, std::int64_t step) {
   const std::string words = "step " + std::to_string(step);
   for (std::size_t at = 0; (at = message.find(words, at)) != std::string::npos; ++at) {

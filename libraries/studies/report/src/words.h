@@ -1,4 +1,4 @@
-// Sentences that several forms of the report share.
+// Sentences that several forms of the report use.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,14 @@
 namespace elsie::report {
 
 /// "160 runs: 8 cells with 20 seeds each"; for a part of an experiment, with the shard.
+/// Of a batch that has not ended, "5 of 20 seeds complete": ended in every cell.
 std::string size_in_words(const Findings& findings);
 
 /// "4 of 6 runs are not in this database"; for a shard, with its number.
 std::string missing_in_words(const Findings& findings);
 
-/// "in 2 of 6 cells all seeds gave one and the same run: nothing there depends on chance (a, b)";
-/// "" for none. Names at most three cells.
+/// "in 2 of 6 cells all seeds gave one and the same run: nothing there is random (a, b)";
+/// "" if there are none. Names at most three cells.
 std::string one_run_in_words(const Findings& findings);
 
 /// "in 3 of 40 runs the solver of the physics gave up in some steps, most often in run 7 (a, seed
@@ -34,8 +35,8 @@ std::string successes_in_words(const Findings& findings);
 std::string censored_in_words(const MeasureFindings& found, std::optional<int> decimals);
 
 /// The decimals of a measure (an index into Findings::measures) in a table of all cells: as many as
-/// the cell with the finest spread needs, but at most three more than the coarsest. None: its
-/// values need exponents.
+/// the cell with the smallest spread needs, but at most three more than that with the largest. None
+/// if its values need exponents.
 std::optional<int> decimals_of(const Findings& findings, std::size_t measure);
 
 /// How a failed run ended: "crash: plugin 'x' of robot 'r1' crashed with SIGSEGV in step 812".

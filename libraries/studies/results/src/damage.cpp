@@ -9,7 +9,7 @@
 namespace elsie::results {
 namespace {
 
-/// JSON with numbers only, or any.
+/// Lists of JSON: with numbers only, or with anything.
 enum class Content { numbers, any };
 
 struct JsonColumn {
@@ -40,7 +40,7 @@ constexpr std::array<bool, 256> bytes_of(Content content) {
 constexpr std::array<bool, 256> kOfNumbers = bytes_of(Content::numbers);
 constexpr std::array<bool, 256> kOfAny = bytes_of(Content::any);
 
-/// Whether the text may be a JSON list: checks each byte, many times as fast as parsing.
+/// Returns whether the text may be a JSON list. Checks each byte; much faster than parsing.
 bool may_be_list(std::string_view text, Content content) {
   const auto& allowed = content == Content::numbers ? kOfNumbers : kOfAny;
   return text.size() >= 2 && text.front() == '[' && text.back() == ']' &&
@@ -67,7 +67,7 @@ std::optional<std::string> broken_list(sqlite::Connection& connection, const Jso
   while (rows.next()) {
     if (!may_be_list(rows.bytes(1), column.content)) {
       return "in `" + table + "` of run " + std::to_string(rows.integer(0)) +
-             " stands what is no JSON list";
+             " a text is not a JSON list";
     }
   }
   return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<std::string> broken_text(sqlite::Connection& connection, const cha
   sqlite::Statement texts(connection, rows);
   while (texts.next()) {
     if (sha256(texts.bytes(1)) != texts.bytes(2)) {
-      return std::string(what) + " '" + texts.text(0) + "' is not what its hash says";
+      return std::string(what) + " '" + texts.text(0) + "' does not match its hash";
     }
   }
   return std::nullopt;
@@ -96,6 +96,12 @@ std::optional<std::string> damage(sqlite::Connection& connection) {
     }
   }
   if (auto found = broken_text(connection, "SELECT label, world_text, sha256 FROM cells",
+                               "the world of cell")) {
+    return found;
+  }
+  if (auto found = broken_text(connection,
+                               "SELECT label || ', seed ' || seed, layouts.world_text, "
+                               "layouts.sha256 FROM layouts JOIN cells ON cells.id = cell_id",
                                "the world of cell")) {
     return found;
   }

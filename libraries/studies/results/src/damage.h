@@ -1,4 +1,4 @@
-// Whether a database still holds what was written.
+// Checks a database for damage.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace elsie::results {
 
-/// The first sign of damage, for those who repair the file; none: no sign. SQLite has no checksums:
-/// a number that another one overwrote is not found.
+/// The first sign of damage, as a hint for repairing the file; none if there is no sign. SQLite has
+/// no checksums: a number that was overwritten by another one is not found.
 std::optional<std::string> damage(sqlite::Connection& connection);
 
 }  // namespace elsie::results

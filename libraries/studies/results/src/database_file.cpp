@@ -20,7 +20,7 @@ constexpr const char* kExpected = "expected a database that `elsie batch` has wr
 
 std::string name(const fs::path& file) { return "the database '" + file.string() + "' "; }
 
-/// Called before SQLite, which takes an empty file for a database without tables.
+/// Called before SQLite, which treats an empty file as a database without tables.
 void require_file(const fs::path& file) {
   const std::string quoted = "'" + file.string() + "'";
   std::error_code ignored;
@@ -34,7 +34,7 @@ void require_file(const fs::path& file) {
         kExpected);
   }
   if (fs::file_size(file, ignored) == 0) {
-    throw DatabaseRefused(quoted + " is empty: there is not a byte in it; " + kExpected);
+    throw DatabaseRefused(quoted + " is empty; " + kExpected);
   }
 }
 
@@ -76,8 +76,8 @@ sqlite::Connection checked(sqlite::Connection connection, const fs::path& file) 
   return connection;
 }
 
-/// A database in WAL mode in a read-only folder can be opened only with the promise that nobody
-/// writes it, and is complete only if its log is empty.
+/// A database in WAL mode in a read-only folder can be opened only with the promise that no process
+/// writes it. It is complete only if its log is empty.
 sqlite::Connection open_where_nothing_can_be_written(const fs::path& file) {
   for (const char* ending : {"-wal", "-journal"}) {
     const std::string log = file.string() + ending;
@@ -121,10 +121,10 @@ std::string reason(const fs::path& file, const sqlite::Error& error) {
   }
 }
 
-/// Errors in a file on opening are the user's; errors of the system are not.
+/// On opening, a damaged file is bad input; an error of the system is not.
 [[noreturn]] void refuse(const fs::path& file, const char* what, const sqlite::Error& error) {
   if (error.code == SQLITE_NOTADB) {
-    throw DatabaseRefused("'" + file.string() + "' is no SQLite database; " + kExpected);
+    throw DatabaseRefused("'" + file.string() + "' is not an SQLite database; " + kExpected);
   }
   if (error.is_damage() || error.code == SQLITE_FULL || error.code == SQLITE_IOERR ||
       error.code == SQLITE_NOMEM) {
@@ -137,8 +137,8 @@ std::string reason(const fs::path& file, const sqlite::Error& error) {
 
 DatabaseRefused damaged(const fs::path& file, const std::string& where) {
   return DatabaseRefused(name(file) + "is damaged (" + where +
-                         "), and what is in it cannot be trusted; take a copy of it, or do its "
-                         "runs again with another --database");
+                         "), and its contents cannot be trusted; use a copy of it, or do its runs "
+                         "again with another --database");
 }
 
 void fail(const fs::path& file, const char* what, const sqlite::Error& error) {
@@ -159,7 +159,7 @@ sqlite::Connection open_to_write(const fs::path& file) {
 
 sqlite::Connection open_to_read(const fs::path& file) {
   if (std::error_code ignored; fs::exists(file.string() + "-journal", ignored)) {
-    is_vacant(file);  // removes what an interrupted start left
+    is_vacant(file);  // removes the files of an interrupted start
   }
   require_file(file);
   try {
@@ -182,7 +182,7 @@ bool is_vacant(const fs::path& file) {
     return true;
   }
   if (!fs::is_regular_file(file, error)) {
-    return false;  // for example a device, which must be neither written nor removed
+    return false;  // for example a device, which must not be written or removed
   }
   try {
     // In write mode, so that an incomplete transaction of a killed process is undone.

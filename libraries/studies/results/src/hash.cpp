@@ -27,7 +27,7 @@ std::string sha256(std::string_view bytes) {
 
 std::string file_content(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  // In large pieces, because libraries with debug information are large.
+  // Reads in large pieces, because libraries with debug information are large.
   std::string content;
   std::string piece(1U << 20U, '\0');
   while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0) {

@@ -18,7 +18,7 @@ const char* to_string(RunState state) { return kWords[static_cast<std::size_t>(s
 RunState run_state(std::string_view word) {
   const auto* const known = std::find(kWords.begin(), kWords.end(), word);
   if (known == kWords.end()) {
-    throw std::invalid_argument("'" + std::string(word) + "' is no state of a run");
+    throw std::invalid_argument("'" + std::string(word) + "' is not a state of a run");
   }
   return static_cast<RunState>(known - kWords.begin());
 }

@@ -11,8 +11,8 @@ CREATE TABLE about (                  -- one row
   description    TEXT NOT NULL,
   file           TEXT NOT NULL,       -- as the user named it
   text           TEXT NOT NULL,       -- of the experiment file
-  fingerprint    TEXT NOT NULL,       -- SHA-256 over everything that decides the runs: --resume compares it
-  shard          TEXT NOT NULL,       -- "2/5": the runs here are every fifth one from the second on; or "1/1"
+  fingerprint    TEXT NOT NULL,       -- SHA-256 over everything that affects the runs: --resume compares it
+  shard          TEXT NOT NULL,       -- "2/5": every fifth run, starting at the second; or "1/1"
   runs           INTEGER NOT NULL,    -- of the experiment, in all shards
   wall_limit_s   REAL NOT NULL,       -- on the clock, for one run
   trajectory_period_s REAL NOT NULL,  -- asked for; see trajectories
@@ -24,13 +24,23 @@ CREATE TABLE factors (
   name TEXT NOT NULL UNIQUE
 ) STRICT;
 
+CREATE TABLE stages (                 -- the experiment as it was begun, and as it was each time that it was extended
+  id          INTEGER PRIMARY KEY,    -- from 0
+  cells       INTEGER NOT NULL,       -- the cells with lower ids
+  seeds       TEXT NOT NULL,          -- "1-20,33"
+  repeats     INTEGER NOT NULL,
+  runs        INTEGER NOT NULL,       -- of the experiment until then, in all shards: those with ids up to this number
+  fingerprint TEXT NOT NULL,          -- as in about
+  created     TEXT NOT NULL           -- UTC, ISO 8601
+) STRICT;
+
 CREATE TABLE files (                  -- world files, models, training sets, libraries of plugins and of the program
   id      INTEGER PRIMARY KEY,
   kind    TEXT NOT NULL CHECK (kind IN ('data', 'library', 'world')),
   path    TEXT NOT NULL UNIQUE,       -- absolute
   sha256  TEXT NOT NULL,
   content BLOB,                       -- of data files, so that a run can be done again elsewhere
-  load_order INTEGER,                 -- of libraries of plugins: of two with the same plugin, the first one counts
+  load_order INTEGER,                 -- of plugin libraries: if two have the same plugin, the first one counts
   CHECK ((kind = 'data') = (content IS NOT NULL))
 ) STRICT;
 
@@ -44,12 +54,22 @@ CREATE TABLE plugins (
 ) STRICT;
 
 CREATE TABLE cells (
-  id         INTEGER PRIMARY KEY,     -- Cell::index
+  id         INTEGER PRIMARY KEY,     -- from 0, in the order of the grid; cells that came later come after
   label      TEXT NOT NULL UNIQUE,
   world      TEXT NOT NULL,           -- the id in the experiment
   world_text TEXT NOT NULL,           -- as resolved: templates merged in, settings made
-  world_file TEXT NOT NULL,           -- whose folder relative names in it are looked up from
-  sha256     TEXT NOT NULL            -- of world_text
+  world_file TEXT NOT NULL,           -- relative names in world_text are relative to its folder
+  sha256     TEXT NOT NULL,           -- of world_text
+  place      INTEGER NOT NULL DEFAULT 0, -- in the order of the grid, for sorting
+  layout_seed INTEGER                 -- the 64 bits as a signed number; null: no layouts, or they follow the seeds of the runs
+) STRICT;
+
+CREATE TABLE layouts (                -- of cells whose layouts follow the seeds: the resulting world of each seed
+  cell_id    INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
+  seed       INTEGER NOT NULL,        -- of the runs, as there
+  world_text TEXT NOT NULL,           -- that of the first seed is the cell's, too
+  sha256     TEXT NOT NULL,           -- of world_text
+  PRIMARY KEY (cell_id, seed)
 ) STRICT;
 
 CREATE TABLE cell_levels (
@@ -74,11 +94,11 @@ CREATE TABLE cell_files (             -- data files
 ) STRICT;
 
 CREATE TABLE runs (
-  id          INTEGER PRIMARY KEY,    -- from 1, in the order of the grid: cell, seed, repetition
+  id          INTEGER PRIMARY KEY,    -- from 1, in the order of the grid: cell, seed, repetition; first those of the first stage, then what the second adds...
   cell_id     INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
   seed        INTEGER NOT NULL,       -- the 64 bits as a signed number
   repetition  INTEGER NOT NULL,       -- from 1
-  -- pending: to be done. done: it ended by itself, outcome says how. fault: a plugin failed and the run was ended in order.
+  -- pending: to be done. done: it ended normally, see outcome. fault: a plugin failed and the run was ended cleanly.
   -- crash: the process ended without a result, by a signal or because a plugin called exit(). hang: it was ended at the
   -- wall limit. error: anything else, see message.
   state       TEXT NOT NULL DEFAULT 'pending'
@@ -90,21 +110,27 @@ CREATE TABLE runs (
   solver_gave_up  INTEGER,            -- steps in which the solver of the physics gave up, and was run again with softer contacts
   solver_unsolved INTEGER,            -- of them, those in which that did not help
   state_hash  TEXT,                   -- 16 hexadecimal digits
-  exit_code   INTEGER,                -- of the process, when it ended by itself
+  exit_code   INTEGER,                -- of the process, if it ended by itself
   signal      TEXT,                   -- "SIGSEGV"
-  plugin      TEXT,                   -- that was at work when it failed
+  plugin      TEXT,                   -- that was running when it failed
   robot       TEXT,
   step        INTEGER,
-  log         TEXT,                   -- the tail of what the process said, when it did not end well
+  log         TEXT,                   -- the end of the output of a process that ended abnormally
   wall_s      REAL,
   ended       TEXT,                   -- UTC, ISO 8601
   UNIQUE (cell_id, seed, repetition),
   CHECK ((state = 'pending') = (ended IS NULL)),
   CHECK ((state = 'done') = (outcome IS NOT NULL)),
-  CHECK (solver_gave_up BETWEEN 0 AND steps + 1),  -- also in the step that a fault ended
+  CHECK (solver_gave_up BETWEEN 0 AND steps + 1),  -- also counts the step that a fault ended
   CHECK (solver_unsolved BETWEEN 0 AND solver_gave_up)
 ) STRICT;
 CREATE INDEX runs_by_state ON runs (state);
+
+CREATE VIEW run_worlds AS             -- of each run: the seed of its layouts, null without layouts, and its world
+  SELECT runs.id AS run_id, coalesce(layouts.seed, cells.layout_seed) AS layout_seed,
+         coalesce(layouts.world_text, cells.world_text) AS world_text
+  FROM runs JOIN cells ON cells.id = runs.cell_id
+  LEFT JOIN layouts ON layouts.cell_id = runs.cell_id AND layouts.seed = runs.seed;
 
 CREATE TABLE measures (               -- what is measured, once for the experiment
   name    TEXT PRIMARY KEY,           -- "path_length_m"
@@ -153,7 +179,7 @@ CREATE TABLE trajectories (
   PRIMARY KEY (run_id, robot)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE curves (                 -- what plugins learned before the run
+CREATE TABLE curves (                 -- learning curves of plugins, from before the run
   run_id  INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   robot   TEXT NOT NULL,
   plugin  TEXT NOT NULL,              -- its id on the robot
@@ -164,7 +190,7 @@ CREATE TABLE curves (                 -- what plugins learned before the run
   PRIMARY KEY (run_id, robot, plugin, name)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE timelines (              -- who decided when: the condensed account of docs/explaining-a-run.md
+CREATE TABLE timelines (              -- which behaviour decided when, condensed: see docs/explaining-a-run.md
   run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   robot  TEXT NOT NULL,
   behaviors TEXT NOT NULL,            -- JSON: [{"path", "share": mean share in the robot's command, "decided_s"}, ...]
@@ -172,7 +198,7 @@ CREATE TABLE timelines (              -- who decided when: the condensed account
   PRIMARY KEY (run_id, robot)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE notes (                  -- what plugins said before the run, and the simulator of its physics (plugin "physics")
+CREATE TABLE notes (                  -- messages of plugins before the run, and of the simulator about its physics (plugin "physics")
   run_id INTEGER NOT NULL REFERENCES runs(id) ON DELETE CASCADE,
   place  INTEGER NOT NULL,
   robot  TEXT NOT NULL,

@@ -5,7 +5,7 @@
 namespace elsie::results::sqlite {
 namespace {
 
-/// As a URI, in which '?', '#' and '%' are special.
+/// Returns the path as a URI, in which '?', '#' and '%' are special.
 std::string immutable_uri(const std::string& file) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string uri = "file:";
@@ -168,7 +168,7 @@ void Connection::fail(int code) const {
 
 Transaction::~Transaction() {
   if (open_) {
-    connection_.try_to_run("ROLLBACK");  // a full disk may have rolled it back already
+    connection_.try_to_run("ROLLBACK");  // a full disk may already have rolled it back
   }
 }
 

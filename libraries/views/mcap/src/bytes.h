@@ -1,4 +1,4 @@
-// Numbers and texts as MCAP has them: little-endian, texts after their length.
+// Numbers and texts in MCAP's encoding: little-endian, texts after their length.
 #pragma once
 
 #include <bit>
@@ -22,7 +22,7 @@ void put(std::string& out, Number value) {
   out.append(bytes, sizeof(Number));
 }
 
-/// Of a text or a list. Throws std::length_error when it does not fit into 32 bits.
+/// The length of a text or a list. Throws std::length_error when it does not fit into 32 bits.
 inline std::uint32_t length32(std::size_t length) {
   if (length > std::numeric_limits<std::uint32_t>::max()) {
     throw std::length_error("MCAP: a text of more than 4 GiB");
@@ -44,11 +44,11 @@ inline void put_texts(std::string& out, const std::map<std::string, std::string>
   put_text(out, entries);
 }
 
-/// Fewer bytes than a record must have.
+/// Thrown for fewer bytes than a record must have.
 class TooShort : public std::exception {};
 
-/// Takes numbers and texts from the front of some bytes. Each throws TooShort when there are not
-/// enough.
+/// Takes numbers and texts from the front of some bytes. Each function throws TooShort when there
+/// are not enough bytes.
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes) : rest_(bytes) {}

@@ -32,7 +32,7 @@ std::string decompressed(std::string_view bytes, std::uint64_t size, std::string
   ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
   std::size_t left = 1;  // of the frame
   while (problem.empty() && left != 0) {
-    // A step at a time, and one byte more than there may be: a wrong size is found, not believed.
+    // A step at a time, and one byte more than allowed: a wrong size is found, not believed.
     constexpr std::uint64_t kStep = 1U << 18U;
     const std::size_t before = out.size();
     out.resize(before + static_cast<std::size_t>(std::min(kStep, size - before) + 1));

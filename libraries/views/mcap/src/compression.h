@@ -1,4 +1,4 @@
-// zstd.
+// Compression with zstd.
 #pragma once
 
 #include <cstdint>

@@ -29,13 +29,13 @@ enum class Opcode : std::uint8_t {
   data_end = 0x0F,
 };
 
-/// In front of each record: its opcode and its length.
+/// The prefix of each record: its opcode and its length.
 constexpr std::size_t kPrefix = 1 + sizeof(std::uint64_t);
-/// Of a footer: two places, which its checksum covers, and the checksum.
+/// The length of the two places in a footer. Its checksum covers them and follows them.
 constexpr std::size_t kFooterPlaces = 2 * sizeof(std::uint64_t);
 constexpr std::size_t kFooter = kFooterPlaces + sizeof(std::uint32_t);
 
-/// The CRC-32 of what it was of (0 at first) and what follows.
+/// The CRC-32 of these bytes after others, whose CRC-32 is `before` (0 at first).
 inline std::uint32_t crc(std::string_view bytes, std::uint32_t before = 0) {
   return static_cast<std::uint32_t>(
       crc32_z(before, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));

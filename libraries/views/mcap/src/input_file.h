@@ -15,11 +15,11 @@ class InputFile {
 
   std::uint64_t at() const { return at_; }
   std::uint64_t left() const { return size_ - at_; }
-  /// The next so many bytes, at most as many as are left.
+  /// The next `count` bytes, or fewer at the end of the file.
   std::string take(std::uint64_t count);
-  /// Of all bytes that were taken.
+  /// The checksum of all bytes that were taken.
   std::uint32_t checksum() const { return checksum_; }
-  /// Whether the file ends as a whole one does.
+  /// True if the file has the end of a complete one.
   bool ends_whole() const { return ends_whole_; }
 
  private:

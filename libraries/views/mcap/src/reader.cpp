@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "elsie/base/read_whole.h"
+#include "elsie/base/words.h"
 
 #include "bytes.h"
 #include "compression.h"
@@ -14,13 +15,13 @@
 namespace elsie::mcap {
 namespace {
 
-/// The bytes are not as the format has them; what() says how.
+/// Thrown for bytes that do not follow the format; what() says how.
 class Damage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// In a sentence: "the chunk".
+/// The name in a sentence: "the chunk".
 std::string name_of(Opcode opcode) {
   switch (opcode) {
     case Opcode::header:
@@ -52,7 +53,7 @@ std::string hexadecimal(std::uint32_t value) {
   return digits;
 }
 
-/// Zero stands for no checksum.
+/// Zero means no checksum.
 void verify(std::uint32_t expected, std::uint32_t found) {
   if (expected != 0 && expected != found) {
     throw Damage("its checksum is " + hexadecimal(found) + " and should be " +
@@ -79,7 +80,7 @@ class Reader::Impl {
       throw McapError("'" + path_.string() + "' " +
                       (other ? "is an MCAP file of another version, '" +
                                    magic.substr(kVersionAt, 1) + "'; expected version '0'"
-                             : "is no MCAP file: it does not begin with the format's mark"));
+                             : "is not an MCAP file: it does not begin with the format's mark"));
     }
     const auto record = take();
     if (!record) {
@@ -140,7 +141,7 @@ class Reader::Impl {
     record.opcode = Opcode{prefix.number<std::uint8_t>()};
     const auto length = prefix.number<std::uint64_t>();
     if (record.opcode == Opcode{0}) {
-      damaged(record, "found a record of kind 0, which there is none of");
+      damaged(record, "found a record of kind 0, which does not exist");
     }
     if (length > in_.left()) {
       return broken_off(record);
@@ -152,12 +153,11 @@ class Reader::Impl {
 
   std::optional<Record> broken_off(const Record& record) {
     if (in_.ends_whole()) {
-      damaged(record, "it is longer than what is left of the file");
+      damaged(record, "it is longer than the rest of the file");
     }
     missing_end_ = "the end is missing: the file breaks off at byte " +
                    std::to_string(in_.at() + in_.left()) + ", after " +
-                   std::to_string(chunk_count_) + " complete chunk" +
-                   (chunk_count_ == 1 ? "" : "s") +
+                   base::counted(chunk_count_, "complete chunk") +
                    "; the program that wrote it was killed, or is still at work";
     return std::nullopt;
   }
@@ -173,7 +173,7 @@ class Reader::Impl {
     try {
       reading();
     } catch (const TooShort&) {
-      damaged(record, "it is shorter than what it says is in it");
+      damaged(record, "it is shorter than the contents that it declares");
     } catch (const Damage& damage) {
       damaged(record, damage.what());
     }
@@ -214,7 +214,7 @@ class Reader::Impl {
     }
   }
 
-  /// The checksum of the summary is over what follows the data.
+  /// The checksum of the summary covers everything after the data.
   void note_summary(const Record& record) {
     if (data_ended_) {
       if (summary_start_ == 0) {
@@ -259,7 +259,7 @@ class Reader::Impl {
   }
 
   void open_chunk(std::uint64_t at, Bytes bytes) {
-    bytes.number<std::uint64_t>();  // times, which its messages have, too
+    bytes.number<std::uint64_t>();  // times, which its messages also have
     bytes.number<std::uint64_t>();
     const auto size = bytes.number<std::uint64_t>();
     const auto checksum = bytes.number<std::uint32_t>();
@@ -303,7 +303,7 @@ class Reader::Impl {
     return message;
   }
 
-  /// What may stand in a chunk, or by itself.
+  /// A record that may be in a chunk or outside of one.
   std::optional<Message> read_within(const Record& record) {
     Bytes bytes(record.content);
     if (record.opcode == Opcode::schema) {
@@ -312,7 +312,7 @@ class Reader::Impl {
       schema.name = bytes.text();
       schema.encoding = bytes.text();
       schema.data = bytes.text();
-      if (schema.id != 0) {  // the format: to be ignored
+      if (schema.id != 0) {  // 0: the format says to ignore it
         const std::uint16_t id = schema.id;
         schemas_.insert_or_assign(id, std::move(schema));
       }
@@ -346,10 +346,10 @@ class Reader::Impl {
   }
 
   std::string bytes_;                  // of the record that was last taken
-  std::uint32_t checksum_before_ = 0;  // of all that is before it
+  std::uint32_t checksum_before_ = 0;  // of everything before it
   std::string chunk_;
   std::uint64_t chunk_at_ = 0;
-  std::size_t in_chunk_ = 0;  // how far it was read
+  std::size_t in_chunk_ = 0;  // how much was read
   bool data_ended_ = false;
   bool ended_ = false;
   std::uint64_t summary_start_ = 0;

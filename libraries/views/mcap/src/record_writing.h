@@ -14,7 +14,7 @@
 
 namespace elsie::mcap {
 
-/// When and where in its chunk's records a message stands.
+/// The time of a message and its place in the records of its chunk.
 struct MessagePlace {
   std::uint64_t log_time_ns;
   std::uint64_t offset;

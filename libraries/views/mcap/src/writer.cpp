@@ -197,7 +197,7 @@ class Writer::Impl {
             (log_time_ns >= first_ns_ && log_time_ns - first_ns_ >= options_.chunk_ns));
   }
 
-  /// The chunk that was begun, as far as it is known. Allocates no memory.
+  /// The current chunk, as far as it is known. Allocates no memory.
   ChunkPlace begun() const {
     ChunkPlace chunk;
     chunk.first_ns = messages_ > 0 ? first_ns_ : 0;
@@ -242,11 +242,11 @@ class Writer::Impl {
   WriterOptions options_;
   Compressor compress_;
   output::OutputFile out_;
-  std::uint32_t checksum_ = 0;  // of all that was written
+  std::uint32_t checksum_ = 0;  // of everything written
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;
   std::vector<std::uint32_t> sequences_;  // messages of each channel so far
-  // The chunk that was begun.
+  // The current chunk.
   std::string records_;
   std::uint64_t messages_ = 0;
   std::uint64_t first_ns_ = 0, last_ns_ = 0;
@@ -269,7 +269,7 @@ Writer::~Writer() {
       impl_->flush();
     }
   } catch (const std::exception&) {
-    // Whoever wants to know calls flush() or close().
+    // Callers that need the error call flush() or close().
   }
 }
 

@@ -9,7 +9,7 @@ namespace elsie::output {
 
 namespace {
 
-// Also ends of lines and of paragraphs, and what turns the direction of writing.
+// Also ends of lines and of paragraphs, and characters that change the direction of writing.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029 ||
          (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);

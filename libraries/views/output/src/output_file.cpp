@@ -41,7 +41,7 @@ void OutputFile::write_piece(std::string_view piece) {
   }
   if (const int error = base::write_all(file_, piece); error != 0) {
     failed_ = true;
-    // Not worth a word when it fails, too: then the last piece is cut off.
+    // If this fails too, nothing is reported: then the last piece is cut off.
     [[maybe_unused]] const int cut = ftruncate(file_, static_cast<off_t>(size_));
     fail("could not be written", error);
   }

@@ -13,7 +13,7 @@ namespace {
 
 using world::Element;
 
-// Leaves only what a picture of the arena shows, goals at places included.
+// Leaves only the parts that a picture of the arena shows, goals at places included.
 void leave_bodies_only(Element& root, const plugin::Host& drives) {
   const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
     std::erase_if(from.children, [&](const Element& part) {

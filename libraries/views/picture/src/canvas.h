@@ -86,12 +86,12 @@ class Canvas {
   /// The text, shortened with an ellipsis to the width.
   std::string fitted(const std::string& text, const TextStyle& style, double width) const;
 
-  /// What is drawn until close_mark() is one mark. An SVG shows the title when the pointer is over
-  /// it.
+  /// Everything drawn until close_mark() is one mark. An SVG shows the title when the pointer is
+  /// over it.
   void open_mark(const std::string& title);
   void close_mark();
 
-  /// Ends the drawing; returns the bytes of the file. `label`: for those who do not see a page.
+  /// Ends the drawing; returns the bytes of the file. `label`: for readers who do not see it.
   std::string finish(const std::string& label = {});
 
  private:

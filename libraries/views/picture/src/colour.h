@@ -33,7 +33,7 @@ Ink mix(const Ink& a, const Ink& b, double part);
 /// The colour turned and lightened in the OKLCH space (Ottosson, 2020), in which equal steps look
 /// equal.
 Ink shifted(const Ink& base, double lightness, double hue_rad);
-/// Darkened, if necessary, until it is readable as text on white.
+/// The colour, darkened if necessary until it is readable as text on white.
 Ink readable(const Ink& base);
 
 /// The nth colour for curves (Okabe and Ito, 2008); they repeat after seven. In a page, the first

@@ -24,7 +24,7 @@ Vector2 nearest(const Rect& rect, const Vector2& to) {
   return {std::clamp(to.x, rect.x, rect.right()), std::clamp(to.y, rect.y, rect.bottom())};
 }
 
-// Whether a line crosses a rectangle; tested every few units.
+// True if a line crosses a rectangle; tested every few units.
 bool crosses(const Vector2& from, const Vector2& to, const Rect& rect) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const int steps = static_cast<int>(length / 3.0) + 1;

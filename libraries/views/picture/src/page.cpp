@@ -160,7 +160,7 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
   const double width = size.width / zoom;
   const double header = header_height(page);
   const Canvas ruler(FileType::png, 1, 1, zoom);
-  double rows = 0.0, gaps = 0.0;  // the parts that stretch with the height, and those that do not
+  double rows = 0.0, gaps = 0.0;  // parts that stretch with the height, and parts that do not
   for (const Row& row : page.rows) {
     if (row.panels.empty()) continue;
     rows += row_height(row, width);

@@ -68,7 +68,7 @@ void draw_x_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, doubl
 double draw_y_ticks(Canvas& canvas, const Ticks& ticks, const PlaneMap& map, double x,
                     const Ink& ink);
 
-/// The ticks of an axis that is so many units long, one for about each `room`.
+/// The ticks of an axis that is `length` units long, about one for each `room` units.
 Ticks ticks_of(const Axis& axis, const Interval& range, double length, double room = 45.0);
 
 /// Whether some names of an x axis have a second row, because they are too long for one.
@@ -102,10 +102,10 @@ double header_height(const std::string& title, const std::vector<std::string>& s
 double draw_header(Canvas& canvas, const std::string& title,
                    const std::vector<std::string>& subtitles, double width);
 
-/// Fills the current path with slanted lines, `every` so many units.
+/// Fills the current path with slanted lines, `every` units apart.
 void hatch(Canvas& canvas, const Rect& around, double every, const Ink& ink);
 
-/// Around a picture, units.
+/// The margin around a picture, units.
 inline constexpr double kPageMargin = 18.0;
 
 }  // namespace elsie::picture

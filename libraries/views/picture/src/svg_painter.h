@@ -16,14 +16,14 @@ class SvgPainter {
   bool in_page() const { return in_page_; }
   void fill(const std::string& path, const Ink& ink);
   void stroke(const std::string& path, const Ink& ink, const Pen& pen);
-  /// In a page, which has no names for outlines, to the rectangle `box` around the path.
+  /// In a page, which has no names for outlines, clips to the rectangle `box` around the path.
   void clip(const std::string& path, const Rect& box);
   /// `drop`: the distance of the base line below the point around which the text is turned.
   void text(const std::string& text, const Vector2& at, double drop, const TextStyle& style);
   void unclip() { body_ += in_page_ ? "</svg>" : "</g>\n"; }
   void open(const std::string& title);
   void close() { body_ += "</g>\n"; }
-  /// The whole text, of a drawing of this size in pixels. `label`: for those who do not see it.
+  /// The whole text of a drawing of this size in pixels. `label`: for readers who do not see it.
   std::string finish(int width, int height, double zoom, const std::string& label) const;
 
  private:

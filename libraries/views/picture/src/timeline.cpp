@@ -124,7 +124,7 @@ class Sheet {
     return kinds_.at(&robot);
   }
 
-  /// Whether each kind of event has its own row.
+  /// True if each kind of event has its own row.
   bool in_rows(const TraceRobot& robot) const {
     return in_full_ && kinds_of(robot).size() <= kMostEventRows;
   }

@@ -115,7 +115,7 @@ Interval weights_of(const TimelineBlock& block, const std::vector<std::size_t>& 
   return {range.low < 0.0 ? range.low - margin : -margin, range.high + margin};
 }
 
-/// Where a user changed the priority of a behaviour in the run, and the new values.
+/// The times at which a user changed the priority of a behaviour in the run, and the new values.
 void draw_changes(Canvas& canvas, const TimelineBlock& block, const Rect& area,
                   const std::vector<traces::PriorityFrom>& priorities) {
   const TextStyle style{.size = kTick, .bold = true, .down = Down::top};

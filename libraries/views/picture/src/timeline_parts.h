@@ -51,7 +51,7 @@ struct EventKind {
 /// The events of a robot, ordered by the first of each kind.
 std::vector<EventKind> event_kinds(const traces::TraceRobot& robot, const traces::TimeSpan& span);
 
-/// With more kinds, the rows of events would take too much room.
+/// The most kinds of events that get a row each. More rows would take too much room.
 inline constexpr std::size_t kMostEventRows = 8;
 
 /// Names and numbers left of a plot: their distance and style.

@@ -1,4 +1,4 @@
-// Where a point of the world is in a picture of it from above.
+// The position of a point of the world in a picture of it from above.
 #pragma once
 
 #include "elsie/picture/axis.h"

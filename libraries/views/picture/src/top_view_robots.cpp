@@ -20,7 +20,7 @@ struct Step {
 };
 
 // The path without points that make no visible difference: a run of ten minutes has tens of
-// thousands.
+// thousands of points.
 std::vector<Step> visible_steps(const Layout& layout, const RobotTrack& track) {
   constexpr double kApart = 1.2;
   std::vector<Step> steps;

@@ -21,7 +21,7 @@ constexpr const char* kBodyColumns =
     "time_s,robot,x_m,y_m,heading_rad,forward_m_s,lateral_m_s,turn_rad_s,distance_m,energy,"
     "asked_forward_m_s,asked_lateral_m_s,asked_turn_rad_s,"
     "command_forward_m_s,command_lateral_m_s,command_turn_rad_s";
-constexpr double kFlushEvery = 1.0;  // s, simulated: what a killed program may lose
+constexpr double kFlushEvery = 1.0;  // s, simulated: the time that a killed program may lose
 constexpr std::size_t kTraceColumns = 10;
 constexpr const char* kTraceNames[kTraceColumns] = {
     "asked",    "forward_m_s", "lateral_m_s", "turn_rad_s",   "activation",
@@ -82,7 +82,7 @@ class CsvRecorder::Impl {
 
   void end() { out_.close(); }
 
-  /// The columns are written: numbers that are new have none.
+  /// The heading line is written already: new numbers get no column.
   void lay_out_again(const simulation::Simulation& simulation) {
     const auto readings = reading_columns_, behaviors = behaviors_;
     lay_out(simulation);
@@ -103,7 +103,7 @@ class CsvRecorder::Impl {
   }
 
  private:
-  /// Where each robot's readings and behaviours go in a row.
+  /// The places of each robot's readings and behaviours in a row.
   struct Places {
     std::vector<std::size_t> readings;   // of each number, sensors in order
     std::vector<std::size_t> behaviors;  // of each member
@@ -160,7 +160,7 @@ class CsvRecorder::Impl {
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
       simulation.list_values(r, s, values_);
     }
-    row_.assign(reading_columns_.size() + 1, nullptr);  // the last is for what has no column
+    row_.assign(reading_columns_.size() + 1, nullptr);  // the last: numbers without a column
     const bool measured = simulation.steps() > 0;
     for (std::size_t i = 0; measured && i < places_[r].readings.size(); ++i) {
       row_[places_[r].readings[i]] = &values_[i];
@@ -173,7 +173,7 @@ class CsvRecorder::Impl {
 
   void write_trace(const simulation::RobotView& robot, const Places& places, bool decided) {
     std::vector<const simulation::TracedMember*>& rows = trace_;
-    rows.assign(behaviors_.size() + 1, nullptr);  // the last is for what has no column
+    rows.assign(behaviors_.size() + 1, nullptr);  // the last: behaviours without a column
     for (std::size_t i = 0; decided && i < robot.trace.size(); ++i) {
       rows[places.behaviors[i]] = &robot.trace[i];
     }

@@ -1,4 +1,4 @@
-// Names in a recording, shared by who writes it and who reads it.
+// Names in a recording, shared by its writer and its reader.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace elsie::recording {
 
-using Json = nlohmann::ordered_json;  // the same members in the same order, always
+using Json = nlohmann::ordered_json;  // members always keep their order
 
 // Metadata: at the start, and at the end.
 constexpr const char* kRunMetadata = "elsie.run";
@@ -28,13 +28,13 @@ inline std::string robot_topic(std::string_view robot, std::string_view kind) {
   return "/robots/" + std::string(robot) + "/" + std::string(kind);
 }
 
-// Metadata of a robot's channel "trace": the outermost coordinator's plugin, and what does not
-// change about the behaviours, as JSON.
+// Metadata of a robot's channel "trace": the plugin of the outermost coordinator, and the constant
+// facts about the behaviours, as JSON.
 constexpr const char* kTraceKind = "trace";
 constexpr const char* kCoordinator = "coordinator";
 constexpr const char* kBehaviors = "behaviors";
 
-// Frames: the world, robots and what they pull, boxes that may move.
+// Frames: the world, robots and their segments, boxes that may move.
 constexpr const char* kWorldFrame = "world";
 inline std::string robot_frame(std::string_view robot) { return "robot/" + std::string(robot); }
 inline std::string segment_frame(std::string_view robot, std::string_view segment) {

@@ -84,8 +84,8 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     out_.pass(now(simulation));
   }
 
-  /// Robots that are new, or decide by other behaviours, or sense with other sensors, have channels
-  /// of their own from now on.
+  /// Robots that are new, or have other behaviours or other sensors than before, get channels of
+  /// their own from now on.
   void lay_out_again(const Simulation& simulation) {
     add_robots(simulation);
     write_world(simulation);
@@ -100,7 +100,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     const bool stopped = fault || result.outcome == simulation::Outcome::running;
     write_events(simulation);
     if (sampled_ != simulation.steps()) {
-      // What was decided last may be half of a step that a plugin did not end.
+      // The last decision may be half of a step that a plugin did not end.
       sample(simulation, !stopped);
     }
     out_.write(mcap::Metadata{kResultMetadata,
@@ -157,7 +157,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
                                {"sample_steps", std::to_string(every_)}}});
   }
 
-  /// A measure that fails in the end has no values from then on; its fault is for later.
+  /// A measure that fails at the end has no values; its fault is reported later.
   static simulation::RunResult result_of(const Simulation& simulation, std::exception_ptr& fault) {
     try {
       return simulation.result();
@@ -177,7 +177,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     out_.write(measures);
   }
 
-  /// Each once, whatever it is for.
+  /// Adds each schema once, whatever it is used for.
   std::uint16_t schema(const std::string& name, const std::string& text) {
     const auto [known, is_new] = schemas_.try_emplace(name + "\n" + text, std::uint16_t{0});
     if (is_new) {
@@ -199,7 +199,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     add_robots(simulation);
   }
 
-  /// What a robot's channels depend on.
+  /// The facts that determine a robot's channels.
   static std::string kind_of(const Simulation& simulation, std::size_t r) {
     std::string kind = simulation.robot(r).description->id;
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
@@ -353,7 +353,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
     new_pictures_ = new_pictures_ && !decided;
   }
 
-  /// What was decided, where it is not what was decided before.
+  /// Writes the decisions that differ from the previous ones.
   void write_traces(const Simulation& simulation) {
     for (std::size_t r = 0; r < robots_.size(); ++r) {
       const RobotView robot = simulation.robot(r);
@@ -393,7 +393,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
           {{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}});
   }
 
-  // What sensors make of a picture, noise and all, is in their reading.
+  // The reading already contains what a sensor makes of a picture, including noise.
   void write_pictures(const Simulation& simulation, std::size_t r, std::uint64_t time_ns) {
     for (const CameraChannels& camera : robots_[r].cameras) {
       const SensorView sensor = simulation.sensor(r, camera.sensor);
@@ -430,7 +430,7 @@ class McapRecorder::Impl final : private base::EmergencyWriter {
   std::uint64_t sampled_ = 0;
   std::uint64_t decided_ns_ = 0;
   bool new_pictures_ = false;  // since the last sample
-  // Robots whose battery is empty now, and was before the last decision: they saw nothing then.
+  // Robots whose battery is empty now, and was before the last decision: then they saw nothing.
   std::vector<bool> empty_, blind_;
   std::vector<NamedValue> values_;
 };

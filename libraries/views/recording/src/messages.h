@@ -25,15 +25,14 @@ std::uint64_t nanoseconds(double time_s);
 Json position_json(const Vector3& position);
 /// The rotation from the axes of the world to those of a frame.
 Json rotation_json(const Frame& frame);
-/// Flat on the floor.
+/// A frame flat on the floor.
 Frame frame_of(const Pose& pose, double z = 0.0);
 
 Json pose_message(std::uint64_t time_ns, const Pose& pose);
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
 Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot);
-/// The messages on a robot's decisions. There may be one for each control period, so their text is
-/// put together by hand. Numbers are rounded by traces::kept(); those that are not finite are left
-/// out.
+/// The messages about a robot's decisions. There may be one for each control period, so their text
+/// is built by hand. Numbers are rounded by traces::kept(); those that are not finite are left out.
 class TraceTexts {
  public:
   explicit TraceTexts(const simulation::RobotView& robot);
@@ -45,11 +44,11 @@ class TraceTexts {
   void add(const Motion& motion);
   void add(const char* name, double value);
 
-  std::vector<std::string> starts_;  // of the rows: what does not change
+  std::vector<std::string> starts_;  // the constant beginnings of the rows
   std::string text_;
 };
 
-/// What does not change about a robot's behaviours: the metadata of its channel of traces.
+/// The constant facts about a robot's behaviours: the metadata of its channel of traces.
 std::map<std::string, std::string> trace_metadata(const simulation::RobotView& robot);
 Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image);
 /// `where`: the robot's pose, or null.

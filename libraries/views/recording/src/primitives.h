@@ -1,4 +1,4 @@
-// The schemas of the things that a scene is made of (foxglove.SceneEntity).
+// The schemas of the parts of a scene (foxglove.SceneEntity).
 #pragma once
 
 #include "schema_parts.h"

@@ -11,7 +11,7 @@
 namespace elsie::recording {
 namespace {
 
-/// A number in metadata; zero when it is none.
+/// A number in metadata; zero if it is not a number.
 template <class Number>
 Number number(const std::map<std::string, std::string>& values, const char* name) {
   Number value{};

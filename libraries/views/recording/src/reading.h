@@ -15,7 +15,7 @@ namespace elsie::recording {
 
 constexpr double kSecondNs = 1e9;
 
-/// A channel or message that is not as the recorder writes it; what() says what is wrong with it.
+/// A channel or message that the recorder does not write; what() says what is wrong with it.
 class Unexpected : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -34,9 +34,9 @@ class Visitor {
   ~Visitor() = default;
 };
 
-/// Reads a file to its end. Fills in what RecordedRun says about the whole file, and shows the rest
-/// to the visitor if Elsie recorded it. Throws mcap::McapError for a file that cannot be read or is
-/// damaged.
+/// Reads a file to its end. Fills in the members of RecordedRun about the whole file, and passes
+/// the rest to the visitor if Elsie recorded it. Throws mcap::McapError for a file that cannot be
+/// read or is damaged.
 void read_file(const std::filesystem::path& file, RecordedRun& run, Visitor& visitor);
 
 }  // namespace elsie::recording

@@ -16,7 +16,7 @@ namespace {
 
 double number(const Json& object, const char* name) { return object.at(name).get<double>(); }
 
-/// Takes from the messages what the picture needs.
+/// Collects from the messages the data for the picture.
 class Follower final : public Visitor {
  public:
   Follower(RecordedRun& run, double until_s) : run_(run), until_s_(until_s) {}
@@ -58,7 +58,7 @@ class Follower final : public Visitor {
     return run_.robots.back();
   }
 
-  /// Robots that an edit removed are gone.
+  /// Removes the robots that an edit removed.
   void read_world(const Json& world) {
     run_.world_xml = world.at("xml").get<std::string>();
     if (run_.start_xml.empty()) {
@@ -121,7 +121,7 @@ class Follower final : public Visitor {
         run_.moved[frame.substr(box_frame("").size())] = pose;
         continue;
       }
-      // "robot/ROBOT/SEGMENT", in their order.
+      // "robot/ROBOT/SEGMENT", in the order of the segments.
       const std::size_t slash = frame.rfind('/');
       if (slash != std::string::npos && slash > robot_frame("").size()) {
         const std::size_t start = robot_frame("").size();
@@ -159,11 +159,11 @@ class Follower final : public Visitor {
 
   RecordedRun& run_;
   double until_s_;
-  std::set<std::string> ids_;             // of the robots that are there
+  std::set<std::string> ids_;             // of the robots that are present
   std::map<std::string, Memory> memory_;  // of each of them
   std::optional<traces::Sampling> sampling_;
   std::uint64_t sampled_ns_ = ~0ULL;  // when the last state was sampled
-  bool is_due_ = false;               // whether that belongs to the path
+  bool is_due_ = false;               // true: that state belongs to the path
 };
 
 }  // namespace
@@ -181,7 +181,7 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
   const world::World world = picture::bodies_of(run.world_xml, run.world_file, drives);
   picture::TopView view{world};
   view.robots = run.robots;
-  // A recording has them by name, a picture colours them in the order of the world.
+  // A recording has the robots by name; a picture colours them in the order of the world.
   const auto place = [&](const auto& track) {
     return std::find_if(world.robots.begin(), world.robots.end(),
                         [&](const world::Robot& robot) { return robot.id == track.id; }) -

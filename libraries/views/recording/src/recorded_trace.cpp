@@ -42,8 +42,8 @@ double degree(const Json& row, const char* name) {
   return value;
 }
 
-/// Puts the trace together. Behaviours are named in the metadata of a robot's channel, which comes
-/// before its decisions.
+/// Builds the trace. Behaviours are named in the metadata of a robot's channel, which come before
+/// its decisions.
 class TraceBuilder final : public Visitor {
  public:
   explicit TraceBuilder(Trace& trace) : trace_(trace) { trace_.reasons = {""}; }
@@ -70,7 +70,7 @@ class TraceBuilder final : public Visitor {
       }
       robot.members.push_back(std::move(member));
     }
-    // Other sensors give a robot other channels, but its trace goes on.
+    // With other sensors a robot has other channels, but its trace goes on.
     const auto known = std::find_if(
         trace_.robots.begin(), trace_.robots.end(),
         [&](const TraceRobot& each) { return is_there(each) && same_cast(each, robot); });
@@ -95,7 +95,7 @@ class TraceBuilder final : public Visitor {
     }
   }
 
-  /// The time of the last decision, s; below 0: there is none.
+  /// The time of the last decision, s; negative if there is none.
   double decided_s() const { return decided_s_; }
 
  private:
@@ -110,7 +110,7 @@ class TraceBuilder final : public Visitor {
 
   static bool is_there(const TraceRobot& robot) { return std::isinf(robot.to_s); }
 
-  /// Comes with every edit that robots may come, go or change by.
+  /// This message comes with every edit that may add, remove or change robots.
   void read_world(const Json& world, double time_s) {
     const auto ids = world.at("robots").get<std::set<std::string>>();
     for (std::size_t i = 0; i < trace_.robots.size(); ++i) {

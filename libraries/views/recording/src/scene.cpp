@@ -20,7 +20,7 @@ constexpr Colour kTyre{0x20, 0x20, 0x20};
 constexpr Colour kInk{0x20, 0x24, 0x28};
 constexpr Colour kHit{0xd0, 0x30, 0x30};
 constexpr Colour kFree{0x9a, 0x9f, 0xa6};
-constexpr double kSheet = 0.002;  // m, how thick floor and marks are drawn
+constexpr double kSheet = 0.002;  // m, the drawn thickness of floor and marks
 
 Json colour_json(const Colour& colour, double opacity = 1.0) {
   return {{"r", colour.red / 255.0},
@@ -38,7 +38,7 @@ Json cube(const Frame& middle, const Vector3& size, const Colour& colour) {
       {"pose", pose_json(middle)}, {"size", position_json(size)}, {"color", colour_json(colour)}};
 }
 
-/// Around the frame's `up`.
+/// A cylinder around the frame's `up`.
 Json cylinder(const Frame& middle, double radius, double height, const Colour& colour) {
   return {{"pose", pose_json(middle)},
           {"size", position_json({2.0 * radius, 2.0 * radius, height})},
@@ -47,7 +47,7 @@ Json cylinder(const Frame& middle, double radius, double height, const Colour& c
           {"color", colour_json(colour)}};
 }
 
-/// Something to which primitives are added.
+/// An entity to which primitives are added.
 Json entity(std::uint64_t time_ns, const std::string& id, const std::string& frame) {
   Json made{{"timestamp", time_json(time_ns)},
             {"frame_id", frame},
@@ -212,7 +212,7 @@ Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& sim
 
 Json beams_message(std::uint64_t time_ns, std::span<const RangeBeam> beams) {
   std::string hits;
-  Json lines[2];  // those that are free, those that hit
+  Json lines[2];  // free beams, beams that hit
   for (const bool hit : {false, true}) {
     constexpr int kPairs = 2;  // foxglove.LineType: LINE_LIST
     lines[hit] = {{"type", kPairs},          {"pose", pose_json({})},

@@ -12,11 +12,11 @@
 
 namespace elsie::recording {
 
-/// Whether a box is drawn in a frame of its own, because it may move.
+/// True if a box may move and is therefore drawn in its own frame.
 bool may_move(const world::Box& box);
 
-/// The whole present scene, which replaces the one before. Robots, what they pull, and boxes that
-/// may move have frames of their own, which transforms_message() moves.
+/// The whole current scene, which replaces the previous one. Robots, their segments, and boxes that
+/// may move have their own frames, which transforms_message() moves.
 Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation);
 
 /// The places of all frames.

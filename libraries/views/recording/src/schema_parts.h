@@ -1,4 +1,4 @@
-// What JSON schemas are put together from.
+// The parts of JSON schemas.
 #pragma once
 
 #include <initializer_list>
@@ -52,7 +52,7 @@ inline Json list(Json items, const char* description = "") {
   return described({{"type", "array"}, {"items", std::move(items)}}, description);
 }
 
-/// These members, each with its schema, and no others; any may be missing.
+/// An object with these members, each with its schema, and no others. All are optional.
 inline Json members(Json properties, const char* description) {
   return described(
       {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}},

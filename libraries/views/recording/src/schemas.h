@@ -1,6 +1,6 @@
 // The JSON schemas of the channels. Those whose names begin with "foxglove." have the members that
 // Foxglove's documentation gives for them (https://docs.foxglove.dev/docs/sdk/schemas), so that
-// viewers draw them; Elsie adds members of its own. The schemas keep to what viewers understand:
+// viewers draw them; Elsie adds its own members. The schemas use only what viewers understand:
 // objects with properties, arrays, and plain values.
 #pragma once
 

@@ -29,7 +29,7 @@ void require_library(const char* name) {
   }
 }
 
-/// Whether a list of extensions, separated by spaces, contains this one.
+/// True if a list of extensions, separated by spaces, contains this one.
 bool lists(const char* extensions, std::string_view wanted) {
   const std::string_view all = extensions ? extensions : "";
   for (std::size_t at = all.find(wanted); at != all.npos; at = all.find(wanted, at + 1)) {

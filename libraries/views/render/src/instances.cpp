@@ -15,7 +15,7 @@ const Vector3 kLight = [] {
   return (1.0 / std::sqrt(dot(direction, direction))) * direction;
 }();
 
-// Half the edge of the drawn floor: beyond, it is less than a pixel high.
+// Half the edge of the drawn floor. Beyond it, the floor is less than a pixel high.
 constexpr double kFloorReach = 1000.0;  // m
 
 /// A mesh in the world: its origin, and its axes with their lengths.
@@ -37,7 +37,7 @@ class Eye {
                static_cast<float>(2 * tile.y + tile.height) / static_cast<float>(atlas.height) -
                    1.0F} {}
 
-  /// Whether part of a ball may be in the picture.
+  /// True if part of a ball may be in the picture.
   bool may_see(const Vector3& middle, double radius) const {
     const Vector3 d = middle - frame_.origin;
     const double w = dot(frame_.forward, d);

@@ -28,7 +28,7 @@ struct DrawList {
   void clear();
 };
 
-/// Appends what the view may see of the scene.
+/// Appends the parts of the scene that the view may see.
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
               DrawList& list);
 

@@ -15,7 +15,7 @@ constexpr world::BoxColours kBoxes{grey(115), grey(85), grey(70)};
 constexpr Colour kChassis = grey(120);
 constexpr Colour kTyre = grey(25);
 
-/// A box, as render::Box has it: the origin in the middle of its bottom.
+/// A box in the form of render::Box: the origin in the middle of its bottom.
 Box box_of(const Frame& middle, const Vector3& size, const Colour& colour,
            std::size_t carrier = kNobody) {
   return {{middle.point({0.0, 0.0, -0.5 * size.z}), middle.forward, middle.left, middle.up},

@@ -18,7 +18,7 @@ class AccountRecorder::Impl {
  public:
   void start(const simulation::Simulation& simulation) { list_robots(simulation); }
 
-  /// A robot whose behaviours are others than before begins anew.
+  /// A robot whose behaviours have changed begins anew.
   void list_robots(const simulation::Simulation& simulation) {
     const double now_s = output::tidy_time(simulation.time_s());
     const std::vector<std::size_t> before = std::exchange(present_, {});
@@ -85,15 +85,15 @@ class AccountRecorder::Impl {
           tally(*robot) {}
     std::size_t count() const { return rows.size(); }
 
-    std::unique_ptr<const TraceRobot> robot;  // that the tally is about
-    std::vector<TraceRow> rows;               // as they were last looked at
-    std::vector<TraceNote> notes;             // that hold now
-    std::vector<const TraceNote*> current;    // those of the notes that are there
+    std::unique_ptr<const TraceRobot> robot;  // the robot of the tally
+    std::vector<TraceRow> rows;               // at the last look
+    std::vector<TraceNote> notes;             // the notes that hold now
+    std::vector<const TraceNote*> current;    // pointers to those that exist
     std::vector<double> shares;
     RobotTally tally;
     bool begun = false;
     double first_s = 0.0;
-    double since_s = 0.0;  // that nothing has changed
+    double since_s = 0.0;  // time of the last change
   };
 
   static TraceRobot introduced(const simulation::RobotView& view) {
@@ -141,7 +141,7 @@ class AccountRecorder::Impl {
     }
   }
 
-  /// Adds up what has held until now.
+  /// Adds up the notes that held until now.
   static void add_up(const TraceRobot& robot, Watch& watch, double until_s) {
     if (watch.begun && watch.count() > 0 && until_s > watch.since_s) {
       find_shares(robot, watch.current, watch.shares);

@@ -14,8 +14,8 @@
 namespace elsie::traces {
 namespace {
 
-/// The new priority of the behaviour that `path` leads to from the robot on, if the event is about
-/// it.
+/// The new priority of the behaviour at `path`, which starts at the robot; none if the event is
+/// about something else.
 std::optional<double> new_priority(const TraceEvent& event, const std::string& path) {
   const auto changed = event.name == events::Changed::kFacts.name
                            ? events::Changed::from(event.detail)

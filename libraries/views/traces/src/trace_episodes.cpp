@@ -1,4 +1,4 @@
-// Condensing many short episodes to a few.
+// Condenses many short episodes to a few.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -29,7 +29,7 @@ void add_part(std::vector<Part>& parts, const Part& part) {
   known->time_s = time;
 }
 
-/// Takes the later episode into the earlier one.
+/// Adds the later episode to the earlier one.
 void join(Episode& earlier, const Episode& later) {
   earlier.to_s = later.to_s;
   earlier.switches += later.switches + 1;
@@ -42,7 +42,7 @@ void join(Episode& earlier, const Episode& later) {
 
 Decider main_decider(const Episode& episode) { return episode.parts[0].decider; }
 
-/// The episodes with every run of them that are shorter than `least_s` joined into one.
+/// The episodes; each run of episodes shorter than `least_s` is joined into one.
 std::vector<Episode> with_flicker_joined(const std::vector<Episode>& episodes, double least_s) {
   std::vector<Episode> result;
   bool flickering = false;  // the last one is such a run
@@ -58,8 +58,8 @@ std::vector<Episode> with_flicker_joined(const std::vector<Episode>& episodes, d
   return result;
 }
 
-/// What is still shorter than `least_s` goes to a neighbour: between two of one decider, to both;
-/// otherwise to the longer one, which it changes less.
+/// Gives episodes that are still shorter than `least_s` to a neighbour: between two of one decider,
+/// to both; otherwise to the longer one, which it changes less.
 std::vector<Episode> with_short_ones_given_away(const std::vector<Episode>& episodes,
                                                 double least_s) {
   std::vector<Episode> result;
@@ -100,8 +100,8 @@ std::vector<Episode> condensed(std::vector<Episode> episodes, std::size_t most) 
   if (episodes.size() <= most) {
     return episodes;
   }
-  // The border is sought between next to nothing and more than all of them together, which does.
-  // Not every longer border tells less; whichever is found does.
+  // The limit is searched between almost zero and more than all episodes together, which is enough.
+  // A longer limit does not always give fewer episodes; any limit that is found will do.
   double enough = 2.0 * (episodes.back().to_s - episodes.front().from_s);
   double too_short = 1e-9 * enough;
   constexpr double kNearEnough = 1.02;

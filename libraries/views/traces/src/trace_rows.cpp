@@ -89,7 +89,7 @@ bool TraceRows::changed(const simulation::RobotView& robot) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const TraceRow& row = robot.trace[i].member->trace;
     if (same(row, rows_[i])) {
-      continue;  // most of the time, and cheaper than rounding it to find out
+      continue;  // the usual case, and cheaper than rounding first
     }
     rows_[i] = row;
     const TraceRow rounded = kept(row);

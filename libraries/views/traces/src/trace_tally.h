@@ -1,4 +1,4 @@
-// Adding up what a trace says, moment by moment.
+// Sums over a trace, moment by moment.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace elsie::traces {
 
 inline std::size_t place(int index) { return static_cast<std::size_t>(index); }
 
-/// Whether the coordinator inside `parent` was at work.
+/// True if the coordinator inside `parent` was at work.
 inline bool at_work(int parent, const TraceMoment& moment) {
   return parent < 0 || (moment.notes[place(parent)] && moment.notes[place(parent)]->asked);
 }
 
-/// Adds up what happens to one coordinator.
+/// Sums over the moments of one coordinator.
 class CoordinatorTally {
  public:
   CoordinatorTally(const TraceRobot& robot, int parent, std::string coordinator) : robot_(robot) {
@@ -116,7 +116,7 @@ class CoordinatorTally {
   std::vector<std::pair<std::uint32_t, double>> reasons_;  // of the last episode, with their times
 };
 
-/// Adds up what happens to the members.
+/// Sums over the moments of the members.
 class MemberTally {
  public:
   explicit MemberTally(const TraceRobot& robot)
@@ -189,11 +189,11 @@ class MemberTally {
 
  private:
   double time_s_ = 0.0;
-  std::vector<double> work_s_;    // how long the coordinator of each was at work
+  std::vector<double> work_s_;    // time during which the coordinator of each was at work
   std::vector<int> silenced_by_;  // at the moment before
 };
 
-/// Adds up what happens to a robot. The robot must stay where it is.
+/// Sums over the moments of a robot. The robot must keep its address.
 class RobotTally {
  public:
   explicit RobotTally(const TraceRobot& robot) : members_(robot) {

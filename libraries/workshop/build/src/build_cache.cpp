@@ -12,6 +12,8 @@
 
 #include <unistd.h>
 
+#include "elsie/base/write_whole.h"
+
 namespace elsie::build {
 namespace {
 
@@ -136,10 +138,8 @@ SourceBuild CacheEntry::keep(const fs::path& library, std::vector<fs::path> inpu
     record += hash + ' ' + file.string() + '\n';
   }
   const std::string name = stem_ + '-' + all.text() + ".so";
-  const fs::path text = scratch(".inputs");
-  std::ofstream(text) << name << '\n' << record;
   fs::rename(library, folder_ / name);
-  fs::rename(text, folder_ / "inputs");
+  base::write_whole_or_throw(folder_ / "inputs", name + '\n' + record);
   tidy(folder_ / name);
   return {folder_ / name, std::move(inputs), false, {}};
 }

@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kBegin = "elsie-copy-";  // and the process, and chance
+constexpr std::string_view kBegin = "elsie-copy-";  // followed by the process and random letters
 
-/// Whether a folder of copies was left behind by a process that was killed. One that is young is
-/// let be: what cannot be seen from here (in another container) may be at work.
+/// Whether a folder of copies was left behind by a process that was killed. A young folder is kept:
+/// its process may run in another container, where this process cannot see it.
 bool is_left_behind(const fs::path& folder) {
   constexpr time_t kYoung = 60;  // s
   const std::string name = folder.filename().string();

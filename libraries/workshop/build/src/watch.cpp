@@ -337,7 +337,7 @@ class Watch::Impl {
     is_there_one_ = true;
   }
 
-  /// All files are as before: a host that was not taken is out of date.
+  /// Drops a host that was not taken, because all files are as before.
   void withdraw() {
     const std::lock_guard lock(mutex_);
     if (renewal_) {

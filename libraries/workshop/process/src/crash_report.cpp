@@ -220,7 +220,7 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
 
 namespace {
 
-/// Ends as the process would have without the handler.
+/// Ends the process as it would have ended without the handler.
 [[noreturn]] void end_by(int signal) {
   struct sigaction action {};
   action.sa_handler = SIG_DFL;
@@ -353,7 +353,7 @@ CallFacts facts_at_work() noexcept {
   CallFacts all;
   for (const Call* call = Call::innermost(); call; call = call->outer()) {
     const CallFacts& facts = call->facts();
-    // The library only if the plugin comes from it.
+    // Names the library only if the plugin comes from it.
     const bool other_plugin =
         all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
     if (!other_plugin) {

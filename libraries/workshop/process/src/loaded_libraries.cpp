@@ -30,11 +30,11 @@ struct Slot {
   std::atomic<bool> is_loaded{false};
 };
 
-// A handler can reach nothing but globals. Of more libraries than these, the later ones are not
-// named when a thread of theirs crashes.
+// Signal handlers can only reach globals. If there are more libraries than slots, later ones are
+// not named when their threads crash.
 std::array<Slot, 256> slots;
 
-/// Where the library is that the code belongs to.
+/// The address range of the library that the code belongs to.
 Range range_of(const void* code) noexcept {
   struct Search {
     std::uintptr_t address;
@@ -74,7 +74,7 @@ void note_loaded(const void* code, const char* file) noexcept {
   const Range range = range_of(code);
   for (Slot& slot : slots) {
     const char* const known = slot.file;
-    // What was unloaded from here, or from the same file, is forgotten.
+    // Reuses slots of libraries that were unloaded from here, or from the same file.
     const bool is_free =
         !known || (!slot.is_loaded && (std::strcmp(known, file) == 0 ||
                                        (slot.begin < range.end && range.begin < slot.end)));
@@ -89,7 +89,7 @@ void note_loaded(const void* code, const char* file) noexcept {
   }
 }
 
-/// Its addresses stay known: a thread that it left behind crashes there.
+/// Keeps the addresses of an unloaded library, because a thread that it left behind crashes there.
 void note_unloaded(const char* file) noexcept {
   for (Slot& slot : slots) {
     const char* const known = slot.file;

@@ -49,7 +49,7 @@ void announce_end(int exit_code) noexcept {
 }
 
 void end_with(int exit_code) noexcept {
-  may_end();  // from here on, a crash elsewhere says nothing: the exit code is settled
+  may_end();  // from here on, other crashes are not reported: the exit code is fixed
   announce_end(exit_code);
   // Not _exit(): the program may define its own.
   for (;;) {

@@ -63,8 +63,8 @@ std::optional<ProcessResult> run_process(const std::vector<std::string>& argumen
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, writes, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, writes, STDERR_FILENO);
-  // A group of its own, so that it is ended with all its children; no signal is blocked in it, even
-  // if the calling thread blocks some.
+  // The process gets a group of its own, so that it can be ended with all its children. It blocks
+  // no signals, even if the calling thread does.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;

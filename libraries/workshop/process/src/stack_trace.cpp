@@ -176,7 +176,7 @@ void write_places(const Place* places, int shown) {
   }
   if (addr2line[0] == '\0') {
     write_error(
-        "(addr2line would tell the lines of the source: on Debian, apt install binutils)\n");
+        "(install addr2line to see the lines of the source: on Debian, apt install binutils)\n");
     return;
   }
   lines.size = 0;
@@ -236,7 +236,7 @@ void write_stack_trace(const Fault& fault) noexcept {
     }
   }
   if (shown == 0) {
-    write_error("  (nothing is known of the stack)\n");
+    write_error("  (the stack cannot be read)\n");
     return;
   }
   write_places(places, shown);

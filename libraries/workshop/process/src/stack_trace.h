@@ -8,7 +8,7 @@ namespace elsie::process {
 /// Loads what a trace needs; to be called before a fault.
 void prepare_stack_trace();
 
-/// Where a signal interrupted a thread.
+/// The place at which a signal interrupted a thread.
 struct Fault {
   const void* at = nullptr;            // the instruction; null: unknown
   const void* const* stack = nullptr;  // the innermost word of the stack, where return addresses

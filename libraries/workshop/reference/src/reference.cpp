@@ -65,7 +65,7 @@ const char* in_words(world::Cost cost) {
   return "an edit makes the physics engine anew";
 }
 
-/// `cost`: of attributes that say nothing of it.
+/// `cost`: the cost of attributes that do not specify one.
 std::string table(const std::vector<world::Field>& fields, world::Cost cost) {
   if (fields.empty()) {
     return "";
@@ -101,8 +101,8 @@ void describe(const world::ElementSpec& spec, const std::string& path, std::stri
   }
   if (is_use) {
     text +=
-        "\nIts attributes are these and the plugin's parameters; what stands in it is what the "
-        "plugin declares.";
+        "\nIts attributes are these and the plugin's parameters; its content is what the plugin "
+        "declares.";
     text += spec.inside ? " A behaviour that holds others has " +
                               list_of_children(world::coordination_vocabulary()) +
                               " in it, as a robot has, to any depth.\n"
@@ -122,12 +122,11 @@ void describe(const world::ElementSpec& spec, const std::string& path, std::stri
 std::string world_reference() {
   std::string text =
       "# World files: elements and attributes\n\nFormat " + std::to_string(world::kFormat) +
-      ". SI units; angles in degrees, and their names say so. x points east, y north, z up; "
+      ". Units are SI; angles are in degrees, as their names say. x points east, y north, z up; "
       "headings are counter-clockwise from east. Numbers are written with a point, and are "
-      "finite.\n\nWhat an edit costs while a world runs is said of each element, and of an "
-      "attribute "
-      "where it differs. What is made anew takes over the state of all that stays; without a word, "
-      "an edit is taken over as it is.\n";
+      "finite.\n\nEach element states the cost of an edit in a running world, and so does each "
+      "attribute with another cost. Objects that are made anew take over the state of the objects "
+      "that remain. Where nothing is stated, an edit has no cost.\n";
   describe(world::vocabulary(), "world", text);
   text += "\n## robot_template\n\n" + cell(world::template_vocabulary().meaning) +
           ". It has what a `<robot>` has, but no `id`, and a `format`; the robot that names it "

@@ -56,29 +56,17 @@ class Schema {
 
   static std::string constraint(const std::string& kind, const std::string& name,
                                 const std::string& selector, const std::string& field) {
-    return "<xs:" + kind + " name=\"" + name + "\"" +
-           (kind == "keyref" ? " refer=\"robot_id\"" : "") + "><xs:selector xpath=\"" + selector +
+    return "<xs:" + kind + " name=\"" + name + "\"><xs:selector xpath=\"" + selector +
            "\"/><xs:field xpath=\"@" + field + "\"/></xs:" + kind + ">\n";
   }
 
+  // Of references nothing is said: teams, boxes and robots may exist without being in the file.
   static std::string world_constraints() {
-    std::string text = constraint("key", "robot_id", "robots/robot", "id") +
-                       constraint("unique", "box_id", "obstacles/*|resources/*", "id") +
-                       constraint("unique", "charger_id", "chargers/charger", "id") +
-                       constraint("unique", "measure_id", "measures/*", "id") +
-                       constraint("unique", "team_id", "teams/team", "id");
-    // References to robots. Teams and boxes may exist without being in the file.
-    for (const world::ElementSpec& group : world::vocabulary().children) {
-      for (const world::ElementSpec& member : group.children) {
-        for (const world::AttributeSpec& field : member.attributes) {
-          if (field.refers_to == world::Reference::robot) {
-            text += constraint("keyref", group.name + "." + member.name + "." + field.name,
-                               group.name + "/" + member.name, field.name);
-          }
-        }
-      }
-    }
-    return text;
+    return constraint("key", "robot_id", "robots/robot", "id") +
+           constraint("unique", "box_id", "obstacles/*|resources/*", "id") +
+           constraint("unique", "charger_id", "chargers/charger", "id") +
+           constraint("unique", "measure_id", "measures/*", "id") +
+           constraint("unique", "team_id", "teams/team", "id");
   }
 
   static std::string robot_constraints(const std::string& where) {
@@ -166,8 +154,10 @@ class Schema {
       occurs = " minOccurs=\"" + std::to_string(child.at_least) + "\"";
       occurs += child.at_most > 1 ? " maxOccurs=\"unbounded\"" : "";
     }
-    return element(child.name, type_of(child), child.meaning,
-                   unique(child) + (child.name == "robot" ? robot_constraints("robot") : ""), 3,
+    // What is scattered gets its ids from its layout.
+    const std::string where = (child.make ? "" : parent.name + ".") + child.name;
+    return element(child.name, child.make ? type_of(child) : replacement_type(child), child.meaning,
+                   unique(child) + (child.name == "robot" ? robot_constraints(where) : ""), 3,
                    occurs);
   }
 

@@ -3,10 +3,10 @@
 //
 // It is text of the form "key=value;key=value;...", so that a refusal can name the flag that
 // differs. Each plugin library carries it in an ELF note, which the host reads from the file before
-// it loads anything of it.
+// it loads the library.
 #pragma once
 
-#include <version>  // the standard library's own macros
+#include <version>  // the macros of the standard library
 
 /// The version of the plugin interface. A host loads plugins of its own major version whose minor
 /// version is not above its own. Before 1.0, any change that breaks a plugin raises the minor

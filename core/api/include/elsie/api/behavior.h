@@ -1,22 +1,22 @@
 // A behaviour: one small, complete reason to move.
 //
-// A behaviour maps what the robot senses at this instant to a motion and to events. It holds
-// no model of the world and does not know which other behaviours run beside it; it may keep state
-// of its own. What becomes of its command is for the robot's coordinator to decide: it may win, be
-// blended with others', be suppressed, or not be asked for at all.
+// A behaviour maps what the robot senses at this instant to a motion and to events. It holds no
+// model of the world and does not know which other behaviours run; it may keep state of its own.
+// The robot's coordinator decides about its command: the command may win, be blended with others,
+// be suppressed, or not be requested at all.
 //
 // Once every control period, for every robot:
 //
 // 1. sensors are read;
 // 2. the coordinator asks its behaviours, in its own order, each at most once: respond();
-// 3. of behaviours that answered, and only if its scheme needs it, it asks further: rate() and
-//    command_sets(), which refer to the answer just given;
-// 4. the robot's drive makes the motion that the coordinator commands, or the nearest that it can.
+// 3. if its scheme needs more, it also calls rate() and command_sets() of behaviours that answered;
+//    both refer to the answer just given;
+// 4. the robot's drive makes the commanded motion, or the nearest one that it can make.
 //
-// A coordinator that picks one behaviour by a fixed priority runs that one only; so do not count
-// calls to keep time: take `now.time_s()`.
+// A coordinator that picks one behaviour by a fixed priority runs only that one. So do not count
+// calls to measure time: use `now.time_s()`.
 //
-// A whole plugin: see examples/ for ones that are built and run with the tests.
+// examples/ has complete plugins, which the tests build and run.
 #pragma once
 
 #include <span>
@@ -37,35 +37,35 @@ struct Response {
   Response(const Motion& wish) : command(wish) {}  // NOLINT(google-explicit-constructor)
 
   Motion command;
-  /// How much the behaviour has to say now, in [0, 1]. Zero: not active; subsumption and action
-  /// selection pass it over.
+  /// How relevant the behaviour is now, in [0, 1]. Zero: not active; subsumption and action
+  /// selection skip it.
   double activation = 1.0;
-  /// How firmly it stands by its command, in [0, 1], for coordinators that resolve by strength.
+  /// The strength of its command, in [0, 1], for coordinators that resolve conflicts by strength.
   double strength = 1.0;
-  /// The same for each channel by itself, as factors of `strength`, in [0, 1]: a behaviour that
-  /// only steers leaves the speed open, one that only brakes leaves the direction open.
+  /// The same for each channel, as factors of `strength`, in [0, 1]: a behaviour that only steers
+  /// leaves the speed open, one that only brakes leaves the direction open.
   double speed_strength = 1.0;  // of the forward speed
   double lateral_strength = 1.0;
   double turn_strength = 1.0;
-  /// Asks the simulator to charge the battery. Granted while the robot is at a charger of its team.
+  /// Asks the simulator to charge the battery. Works only at a charger of its team.
   bool charge = false;
-  /// What the behaviour says has happened. Empty costs nothing.
+  /// The events that the behaviour raises. An empty list costs nothing.
   std::vector<Event> events;
 };
 
-/// Behaviours with a coordinator of their own, inside a behaviour: so coordination nests. What is
-/// in it stands in the world file as <behaviors> and <coordinator> inside the behaviour's element;
-/// the simulator makes it and runs it. See holds_behaviors() in declaration.h.
+/// Behaviours with a coordinator of their own, inside a behaviour (nested coordination). The world
+/// file lists them as <behaviors> and <coordinator> inside the behaviour's element; the simulator
+/// makes and runs them. See holds_behaviors() in declaration.h.
 class Coordination {
  public:
-  /// Asks the coordinator, which asks its behaviours: their command together. Its activation and
-  /// strengths (as a whole and of each channel) are the means of theirs, weighted by their
-  /// shares in the command. Events and charging that they ask for are seen to.
+  /// Asks the coordinator, which asks its behaviours, and returns their combined command.
+  /// Activation and strengths (overall and of each channel) are means weighted by the behaviours'
+  /// shares in the command. The simulator handles their events and requests for charging.
   virtual Response respond(const Perception& now) = 0;
-  /// How good candidate commands are to all of them together, once respond() was called in this
-  /// step: Coordinator::rate().
+  /// How good candidate commands are for all of them together (Coordinator::rate()). Call respond()
+  /// first in the same step.
   virtual void rate(std::span<const Motion> candidates, std::span<double> desirability) = 0;
-  /// Their wishes together as fuzzy sets, likewise: Coordinator::command_sets().
+  /// Their combined wishes as fuzzy sets (Coordinator::command_sets()), also after respond().
   virtual CommandSets command_sets() = 0;
 
  protected:
@@ -74,29 +74,29 @@ class Coordination {
 
 class Behavior : public Component {
  public:
-  /// Called after configured(), when the robot is complete, and again while a run goes on, after a
-  /// change of parameters or an edit of the robot: what is remembered should last then. `example`
-  /// has every reading that the robot has, with values that mean nothing. What the robot is counts
-  /// already: the body's measures, the team, whether it has a charger. Throw
-  /// (std::invalid_argument, with a sentence) when the parameters do not fit the sensors.
+  /// Called after configured(), when the robot is complete. Called again during a run after a
+  /// change of parameters or an edit of the robot; keep remembered state then. `example` has every
+  /// reading that the robot has, with meaningless values. Facts about the robot are valid: the size
+  /// of the body, the team, whether it has a charger. Throw (std::invalid_argument, with a
+  /// sentence) when the parameters do not fit the sensors.
   virtual void equipped(const Perception& example);
 
-  /// The answer to what is perceived now. A finite motion; anything else ends the run and names the
-  /// plugin. Behaviours that think in wheel rates say `now.self().wheels.motion({left, right})`.
+  /// The answer to the present perception. A motion that is not finite ends the run and names the
+  /// plugin. Behaviours that use wheel rates return `now.self().wheels.motion({left, right})`.
   virtual Response respond(const Perception& now) = 0;
 
-  /// How good each of the candidate commands would be to this behaviour now, each in [0, 1];
-  /// `desirability` has the size of `candidates`. `given` is what respond() answered in this step
-  /// to `now`. By default a bump around the given command: 1 at the command, exp(-(d / 5 rad/s)^2 /
-  /// 2) at a distance d in the plane of wheel rates: WheelPair::distance_squared(). A lateral wish
-  /// counts only if the drive has that channel.
+  /// How good each candidate command would be for this behaviour now, in [0, 1]; `desirability` has
+  /// the size of `candidates`. `given` is the answer of respond() to `now` in this step. The
+  /// default is a Gaussian around the given command: exp(-(d / 5 rad/s)^2 / 2) at a distance d in
+  /// the plane of wheel rates (WheelPair::distance_squared()). Lateral speed counts only if the
+  /// drive has that channel.
   virtual void rate(const Perception& now, const Response& given,
                     std::span<const Motion> candidates, std::span<double> desirability) const;
 
   /// The wishes for each wheel as fuzzy sets, before defuzzification, and for the lateral speed if
-  /// the drive has that channel. Behaviours that are fuzzy hand over their own; the default is a
-  /// triangle around the given command, of half width 5 rad/s, for the lateral speed that of a
-  /// wheel at this rate.
+  /// the drive has that channel. Fuzzy behaviours return their own sets. The default is a triangle
+  /// around the given command with a half width of 5 rad/s; for the lateral speed, the rim speed of
+  /// a wheel at that rate.
   virtual CommandSets command_sets(const Perception& now, const Response& given) const;
 };
 

@@ -21,7 +21,7 @@ struct Shape {
   enum class Axis : std::uint8_t { forward, left, up };
 
   Kind kind = Kind::box;
-  Vector3 size;          // of the box around it, along the axes of its frame
+  Vector3 size;          // of its bounding box, along the axes of its frame
   Axis axis = Axis::up;  // of a cylinder or capsule
 
   static Shape box(const Vector3& size) { return {Kind::box, size}; }
@@ -36,7 +36,7 @@ struct Shape {
   static Shape wheel(double radius, double width) {
     return {Kind::cylinder, {2.0 * radius, width, 2.0 * radius}, Axis::left};
   }
-  /// A cylinder with half a ball on each end; `length` is with them, at least twice the radius.
+  /// A cylinder with half a ball on each end; `length` includes both, at least twice the radius.
   static Shape capsule(double radius, double length, Axis axis = Axis::up) {
     const double across = 2.0 * radius;
     return {Kind::capsule,
@@ -45,12 +45,12 @@ struct Shape {
             axis};
   }
 
-  /// Whether it is a disc from above: a ball, and a cylinder or capsule that stands upright.
+  /// Returns whether it is a disc seen from above: a ball, or an upright cylinder or capsule.
   bool is_round() const { return kind != Kind::box && axis == Axis::up; }
 
-  /// Of a cylinder, capsule or sphere.
+  /// The radius of a cylinder, capsule or sphere.
   double radius() const { return 0.5 * (axis == Axis::forward ? size.y : size.x); }
-  /// Of a cylinder, or of a capsule with its two caps, along its axis.
+  /// The length of a cylinder, or of a capsule with its caps, along its axis.
   double length() const {
     return axis == Axis::forward ? size.x : axis == Axis::left ? size.y : size.z;
   }
@@ -69,33 +69,32 @@ inline Frame along_axis(const Frame& frame, Shape::Axis axis) {
   }
 }
 
-/// What a part is, for those who draw it.
+/// The role of a part, for drawing.
 enum class PartRole : std::uint8_t { chassis, wheel, caster };
 
-/// Of a chassis that nothing pulls; other parts hang on a joint.
+/// The joint of a chassis that nothing pulls. Other parts have one of the joints below.
 struct FixedJoint {};
 
 /// A wheel, which turns about the left axis of its frame.
 struct WheelJoint {
-  double torque = 0.0;  // N m, the most of its motor; 0: it has none, and rolls freely
+  double torque = 0.0;  // N m, maximum of its motor; 0: no motor, it rolls freely
   bool steered = false;
-  double max_steer_rad = std::numbers::pi;  // to either side; pi: all round
+  double max_steer_rad = std::numbers::pi;  // to either side; pi: no limit
   double steer_rate_rad_s = 0.0;            // how fast the steering turns
-  /// The direction of the axles of rollers on its rim, where the wheel touches the floor, from the
-  /// direction in which it rolls, counter-clockwise. It grips along these axles and glides across.
-  /// None: a tyre.
+  /// The direction of the axles of the rollers on its rim, at the floor, counter-clockwise from the
+  /// rolling direction. The wheel grips along these axles and slides across them. None: a tyre.
   std::optional<double> rollers_rad{};
 };
 
-/// A ball that glides on the floor in all directions.
+/// A ball that slides on the floor in all directions.
 struct CasterJoint {};
 
-/// The joint between a vehicle and the one in front, which pulls it: yaw about the vertical axis of
-/// the vehicle in front, pitch about the transverse axis of the one behind.
+/// The joint between a vehicle and the one in front, which pulls it. It yaws about the vertical
+/// axis of the vehicle in front and pitches about the transverse axis of the vehicle behind.
 struct HitchJoint {
-  double behind = 0.0;          // of the joint behind the middle of the vehicle in front
-  double ahead = 0.0;           // of the joint ahead of the middle of the vehicle behind
-  double height = 0.0;          // of the joint above the floor
+  double behind = 0.0;          // m, from the middle of the vehicle in front back to the joint
+  double ahead = 0.0;           // m, from the middle of the vehicle behind forward to the joint
+  double height = 0.0;          // m, of the joint above the floor
   double max_yaw_rad = 0.0;     // to either side
   double max_pitch_rad = 0.0;   // upwards and downwards
   double torque = 0.0;          // N m, of a motor that holds the yaw; 0: it turns freely
@@ -104,19 +103,19 @@ struct HitchJoint {
 
 using Joint = std::variant<FixedJoint, WheelJoint, CasterJoint, HitchJoint>;
 
-/// What a joint is to hold, or holds: of a wheel its rate, positive forward, and the angle of its
-/// steering; of a hitch its yaw. Angles count counter-clockwise.
+/// The set point of a joint, or its measured value: for a wheel its rate (positive forward) and
+/// steering angle, for a hitch its yaw. Angles are counter-clockwise.
 struct JointSetting {
   double rate_rad_s = 0.0;
   double angle_rad = 0.0;
-  /// How fast the angle changes. To hold: how fast it is to be reached, whatever the sign; 0: as
-  /// fast as the joint can.
+  /// How fast the angle changes. In a set point: the speed at which to reach the angle (the sign is
+  /// ignored); 0: as fast as the joint can.
   double turn_rad_s = 0.0;
 
   friend bool operator==(const JointSetting&, const JointSetting&) = default;
 };
 
-/// Whether it has a motor or steering: a wheel with either, a hitch with a motor.
+/// True if the joint can be controlled: a wheel with a motor or steering, or a hitch with a motor.
 inline bool can_be_set(const Joint& joint) {
   if (const auto* wheel = std::get_if<WheelJoint>(&joint)) {
     return wheel->torque > 0.0 || wheel->steered;
@@ -129,15 +128,15 @@ struct Part {
   std::string name;  // unique within the body: "chassis", "left_wheel"
   PartRole role = PartRole::chassis;
   Shape shape;
-  Frame frame;        // in the frame of its vehicle, steering straight ahead
-  double mass = 0.0;  // 0: its weight is part of the chassis'
+  Frame frame;        // in the frame of its vehicle, with the steering straight ahead
+  double mass = 0.0;  // 0: its mass is included in the chassis
   std::size_t vehicle = 0;
   Joint joint;
 };
 
 /// The body of a robot: a vehicle, and those that it pulls. The origin of a vehicle's frame is on
-/// the floor below the middle of its chassis, x ahead. The first part of each vehicle is its
-/// chassis, to which the others belong; that of a vehicle which is pulled has a HitchJoint.
+/// the floor below the middle of its chassis; x points ahead. The first part of each vehicle is its
+/// chassis; the other parts belong to it. The chassis of a pulled vehicle has a HitchJoint.
 struct BodyPlan {
   std::vector<Part> parts;
 

@@ -1,9 +1,8 @@
-// A coordinator: it decides which behaviours run this step and turns their wishes into one
-// motion.
+// A coordinator decides which behaviours run in a step and combines their wishes into one motion.
 //
-// One per robot. It is handed its members in the order of the world file and asks those that it
-// wants to hear. A member's behaviour runs at most once a step, when first asked; what was not
-// asked does not run and costs nothing.
+// Each robot has one. It gets its members in the order of the world file and asks those that it
+// needs. A member's behaviour runs at most once a step, when it is first asked; a behaviour that is
+// not asked does not run and costs nothing.
 #pragma once
 
 #include <span>
@@ -18,27 +17,26 @@
 namespace elsie {
 
 /// What a coordinator noted about one of its behaviours in one step: a row of the trace. The member
-/// fills the first part itself when it is asked (asked, command, activation,
-/// strength, time); the rest is the
-/// coordinator's to fill.
+/// fills asked, command, activation, strength and time when it is asked; the coordinator fills the
+/// rest.
 struct TraceRow {
   bool asked = false;       // whether respond() ran in this step
-  Motion command;           // what it wished for
+  Motion command;           // the behaviour's wish
   double activation = 0.0;  // as the behaviour reported it
-  double strength = 0.0;    // likewise
-  double weight = 0.0;      // what the coordinator multiplied its wish with; not below 0, unless
-                            // its priority is
+  double strength = 0.0;    // as the behaviour reported it
+  double weight = 0.0;      // the factor of its command in the sum; negative only for a
+                            // negative priority
   double share = 0.0;       // its part in the result, in [0, 1]
   int inhibited_by = -1;    // index of the member that silenced it; -1: none
-  double time_s = 0.0;      // how long respond() took on the clock; 0 unless it is being measured
-  const char* reason = "";  // in a word or two; a literal: "highest priority"
+  double time_s = 0.0;      // duration of respond() on the clock; 0 unless it is being measured
+  const char* reason = "";  // one or two words; a literal: "highest priority"
 };
 
 /// One behaviour as its coordinator sees it.
 class Member {
  public:
-  /// Runs the behaviours on the simulator's side: measures, checks the answers, and names the
-  /// culprit when something is thrown.
+  /// Runs the behaviours for the simulator: it measures time, checks the answers, and names the
+  /// plugin that throws.
   class Runner {
    public:
     virtual const Response& run(Member& member) = 0;
@@ -59,7 +57,7 @@ class Member {
   std::string_view name() const { return name_; }
   /// As the user set it; default 1.
   double priority() const { return priority_; }
-  /// The behaviour's answer to this step's perception; it runs on the first call of a step only.
+  /// The behaviour's answer in this step. The behaviour runs on the first call of a step only.
   const Response& respond() {
     if (!response_) {
       response_ = &runner_->run(*this);
@@ -71,7 +69,7 @@ class Member {
     return *response_;
   }
   /// How desirable each candidate is to the behaviour, in [0, 1]: Behavior::rate(). Both spans have
-  /// one size.
+  /// the same size.
   void rate(std::span<const Motion> candidates, std::span<double> desirability) {
     respond();
     runner_->rate(*this, candidates, desirability);
@@ -84,7 +82,7 @@ class Member {
 
   TraceRow trace;
 
-  /// Forgets the last answer; the simulator's call, before each decision.
+  /// Forgets the last answer. The simulator calls this before each decision.
   void begin_step() {
     response_ = nullptr;
     trace = {};
@@ -99,23 +97,23 @@ class Member {
 
 class Coordinator : public Component {
  public:
-  /// Called after configured(), when the robot is complete, and again when there are other members;
-  /// see Behavior::equipped(). Do not ask the members here.
+  /// Called after configured(), when the robot is complete, and again when the members change; see
+  /// Behavior::equipped(). Do not ask the members here.
   virtual void equipped(std::span<const Member> members, const Perception& example);
 
-  /// The command for this control period. `members` is in file order and may be empty: answer zero
-  /// then. Fill the weight, share and reason of each member's trace; the rows were cleared before
+  /// The command for this control period. `members` is in file order and may be empty: return zero
+  /// then. Fill the weight, share and reason of each member's trace; the rows are cleared before
   /// the call.
   virtual Motion coordinate(std::span<Member> members, const Perception& now) = 0;
 
-  /// For a coordinator inside a behaviour, whose outer coordinator asks further: how good each
-  /// candidate command would be to the members together, in [0, 1]. `given` is what coordinate()
-  /// answered in this step. By default a bump around the given command, as Behavior::rate()'s.
+  /// How good each candidate command would be for the members together, in [0, 1]; for a
+  /// coordinator inside a behaviour. `given` is the answer of coordinate() in this step. The
+  /// default is a Gaussian around the given command, as in Behavior::rate().
   virtual void rate(std::span<Member> members, const Perception& now, const Motion& given,
                     std::span<const Motion> candidates, std::span<double> desirability);
 
-  /// Likewise, the wishes of the members together as fuzzy sets, before defuzzification. By default
-  /// a triangle around the given command, as Behavior::command_sets()'s.
+  /// The combined wishes of the members as fuzzy sets, before defuzzification. The default is a
+  /// triangle around the given command, as in Behavior::command_sets().
   virtual CommandSets command_sets(std::span<Member> members, const Perception& now,
                                    const Motion& given);
 };

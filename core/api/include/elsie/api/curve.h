@@ -1,4 +1,4 @@
-// A curve that a plugin has to show.
+// A curve that a plugin shows to the user.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace elsie {
 
-/// How one number depends on another: the error of a network over the samples that it was shown.
+/// One number as a function of another: the error of a network over the samples presented to it.
 struct Curve {
   struct Point {
     double x = 0.0;
@@ -15,7 +15,7 @@ struct Curve {
     friend bool operator==(const Point&, const Point&) = default;
   };
 
-  std::string name;     // what it is, in a word: "error"
+  std::string name;     // one word: "error"
   std::string x_label;  // with the unit, where there is one: "presentations"
   std::string y_label;
   std::vector<Point> points;  // finite; x ascending

@@ -1,5 +1,5 @@
-// What a plugin says of itself, once. Reading XML, checking, the schema, `elsie describe`, the
-// reference pages and forms all use this one declaration.
+// The declaration of a plugin. Reading XML, checking, the schema, `elsie describe`, the reference
+// pages and forms all use this one declaration.
 #pragma once
 
 #include <concepts>
@@ -25,9 +25,8 @@ class Coordination;
 
 enum class PluginKind { sensor, behavior, coordinator, measure, drive };
 
-/// A parameter that names a data file. In a world file the path is resolved against the folder of
-/// the file that it stands in, then against the data directories; the member holds the resolved
-/// path.
+/// A parameter that names a data file. A path in a world file is resolved against the folder of
+/// that file, then against the data directories; the member holds the resolved path.
 struct FilePath {
   std::string path;
 };
@@ -37,19 +36,19 @@ enum class ParameterType { real, integer, boolean, text, file, reals };
 /// A value of any parameter type; `text` and `file` are both held as a string.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
-/// What one may say of a parameter besides its name; the order is that of designated initialisers.
+/// Facts about a parameter besides its name; the order matters for designated initialisers.
 struct ParameterFacts {
   std::string unit{};                                       // "rad/s"; "" for a pure number
   double min = -std::numeric_limits<double>::infinity();    // smallest allowed value
-  double above = -std::numeric_limits<double>::infinity();  // the value must be larger than this
+  double above = -std::numeric_limits<double>::infinity();  // the value must be greater than this
   double max = std::numeric_limits<double>::infinity();     // largest allowed value
   std::vector<std::string> choices{};                       // of a text: the only allowed values
   std::string meaning{};                                    // one line
   bool required = false;                                    // a world file must give it
-  bool live = true;  // may change while a run goes on; false: what it says is used before a run
+  bool live = true;  // may change during a run; false: its value is only used before a run
 };
 
-/// A parameter, bound to a member of the plugin's class: its type and default come from the member.
+/// A parameter bound to a member of the plugin's class; type and default come from the member.
 struct ParameterDeclaration {
   std::string name;
   ParameterType type = ParameterType::real;
@@ -64,8 +63,8 @@ struct ParameterDeclaration {
   double highest = std::numeric_limits<double>::infinity();
 };
 
-/// One element nested in a plugin's, as a world file gives it. What it does not say keeps its
-/// default.
+/// One element nested in a plugin's element, as a world file gives it. Missing parameters keep
+/// their defaults.
 struct ElementValue {
   std::string element;  // its name
   std::map<std::string, ParameterValue> parameters;
@@ -74,14 +73,13 @@ struct ElementValue {
 };
 
 /// An element that may stand inside a plugin's element, any number of times: a link, a candidate, a
-/// step of a pipeline. Elements of one list keep the order of the file among each other, whatever
-/// their names.
+/// step of a pipeline. Elements of one list keep the order of the file, whatever their names.
 struct ElementDeclaration {
   std::string name;
   std::string meaning;
   std::vector<ParameterDeclaration> parameters;  // `set` and `get` are empty
   std::size_t list = 0;                          // which of the plugin's lists it belongs to
-  /// Empties the list. Once one element of a list is given, its defaults go.
+  /// Empties the list: elements in a file replace the default elements.
   std::function<void(Component&)> clear;
   std::function<void(Component&, const ElementValue&)> append;
 };
@@ -105,19 +103,19 @@ struct Declaration {
   std::string description;
   std::vector<ParameterDeclaration> parameters;
   std::vector<ElementDeclaration> elements;
-  std::vector<ElementValue> default_elements;  // what stands in the lists when a file gives nothing
-  /// Behaviours that hold others: hands over what is inside, before configured(). Empty: the plugin
+  std::vector<ElementValue> default_elements;  // of the lists, when a file gives none
+  /// Gives a behaviour that holds others its Coordination, before configured(). Empty: the plugin
   /// holds none.
   std::function<void(Component&, Coordination&)> hold;
   std::vector<ReadingDeclaration> needs;     // behaviours: a robot without such a sensor is refused
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
-  std::vector<EventDeclaration> events;      // that it may raise
-  std::vector<std::string> reacts_to;        // events
+  std::vector<EventDeclaration> events;      // the events that it may raise
+  std::vector<std::string> reacts_to;        // names of events
   /// Makes an object with every parameter at its default; configured() has not been called yet.
   std::function<std::unique_ptr<Component>()> create;
 };
 
-// The items of a declaration. Each is applied to the declaration under construction; `Class` is the
+// The items of a declaration; each adds to the declaration under construction. `Class` is the
 // plugin's class.
 
 template <class Class, class Value>
@@ -145,7 +143,7 @@ struct ElementItem {
 };
 
 /// An element that stands for one object of the plain struct `Item`; its parameters are bound to
-/// members of that struct as a plugin's are to members of its class.
+/// members of that struct, like a plugin's to members of its class.
 template <class Item, class... Values>
 ElementItem<Item> element(const char* name, const char* meaning,
                           ParameterItem<Item, Values>... parameters);
@@ -156,8 +154,8 @@ struct ElementsItem {
   std::tuple<ElementItem<Items>...> items;
 };
 
-/// A list of nested elements, bound to a member of the plugin's class: a std::vector of the one
-/// struct that element() describes, or of a std::variant of several.
+/// A list of nested elements, bound to a member of the plugin's class: a std::vector of the struct
+/// that element() describes, or of a std::variant of several such structs.
 template <class Class, class Value, class... Items>
 ElementsItem<Class, Value, Items...> elements(std::vector<Value> Class::*list,
                                               ElementItem<Items>... items) {
@@ -168,13 +166,13 @@ template <class Class>
 struct HoldsItem {
   Coordination* Class::*member;
 };
-/// A behaviour made of behaviours and their coordinator: the member points to them.
+/// A behaviour made of behaviours and their coordinator; the member will point to them.
 template <class Class>
 HoldsItem<Class> holds_behaviors(Coordination* Class::*member) {
   return {member};
 }
 
-/// The behaviour is refused on a robot that has no sensor making such readings.
+/// The behaviour needs these readings: a robot without a sensor that produces them is refused.
 template <class Reading>
 auto needs() {
   return [](Declaration& declaration) {
@@ -182,7 +180,7 @@ auto needs() {
   };
 }
 
-/// What a sensor makes; ELSIE_SENSOR adds it.
+/// The readings that a sensor produces; ELSIE_SENSOR adds this item.
 template <class Reading>
 auto produces() {
   return [](Declaration& declaration) {
@@ -195,13 +193,13 @@ inline auto raises(const char* name, const char* meaning) {
   return [=](Declaration& declaration) { declaration.events.push_back({name, meaning}); };
 }
 
-/// An event that the behaviour or coordinator reacts to. It is refused on a robot on which neither
-/// the simulator nor a behaviour raises that event.
+/// An event that the behaviour or coordinator reacts to. The plugin is refused on a robot if
+/// neither the simulator nor a behaviour of the robot raises the event.
 inline auto reacts_to(std::string_view event) {
   return [=](Declaration& declaration) { declaration.reacts_to.emplace_back(event); };
 }
 
-/// The plugin's own version; "1.0" unless it says otherwise.
+/// The plugin's own version; the default is "1.0".
 inline auto version(const char* version) {
   return [=](Declaration& declaration) { declaration.version = version; };
 }
@@ -228,7 +226,7 @@ constexpr ParameterType type_of() {
   }
 }
 
-/// Sets the limits of a number type narrower than that of the value it is set from.
+/// Sets the limits of a number type that is narrower than the type of the value.
 template <class Value>
 void limit(ParameterDeclaration& declaration) {
   if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool> &&
@@ -270,7 +268,7 @@ void from_value(const ParameterValue& value, Value& member) {
   }
 }
 
-/// What there is to say of a parameter but for how it is set and read.
+/// The declaration of a parameter without `set` and `get`.
 template <class Object, class Class, class Value>
 ParameterDeclaration describe(const Object& defaults, const ParameterItem<Class, Value>& item) {
   ParameterDeclaration parameter;
@@ -308,7 +306,7 @@ void apply_element(Declaration& declaration, std::vector<Value> Class::*list, st
     (static_cast<Plugin&>(object).*list).push_back(make(value));
   };
 }
-/// The element that stands for an object of a list.
+/// Appends the element that stands for an object of a list.
 template <class Value, class Item>
 void tell(const Value& value, const ElementItem<Item>& item, std::vector<ElementValue>& told) {
   if constexpr (std::is_same_v<Value, Item>) {
@@ -341,7 +339,7 @@ void apply(Declaration& declaration, const Plugin&, HoldsItem<Class> item) {
     static_cast<Plugin&>(object).*member = &inside;
   };
 }
-/// An item that says the same of every class.
+/// An item that does not depend on the class.
 template <class Plugin, std::invocable<Declaration&> Item>
 void apply(Declaration& declaration, const Plugin&, const Item& item) {
   item(declaration);
@@ -376,7 +374,7 @@ ElementItem<Item> element(const char* name, const char* meaning,
   return item;
 }
 
-/// The declaration of a plugin class; what the ELSIE_... macros call.
+/// The declaration of a plugin class; the ELSIE_... macros call this.
 template <class Plugin, class... Items>
 Declaration declare(PluginKind kind, const char* name, const char* description, Items... items) {
   Declaration declaration;

@@ -1,8 +1,8 @@
 // A drive: the wheels below a chassis, and how they move it.
 //
-// It says which parts a body has, and maps a motion to the rates and angles of its joints, within
-// their limits, and back. It plans nothing: what a body is to do is for behaviours and coordinators
-// to say, in motions.
+// A drive defines the parts of a body, and maps a motion to the rates and angles of its joints,
+// within their limits, and back. It plans nothing: behaviours and coordinators decide on the
+// motion.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@
 
 namespace elsie {
 
-/// What a world's file says of a robot's body, whatever its drive. Its frame: on the floor below
-/// the middle of the chassis, x ahead.
+/// The data of a robot's body in a world file, for any drive. The origin of its frame is on the
+/// floor below the middle of the chassis; x points ahead.
 struct Chassis {
-  bool round = false;          // an upright cylinder, as long as it is wide; or a box
+  bool round = false;          // true: an upright cylinder, as long as wide; false: a box
   double length = 0.08;        // m, along the heading
   double width = 0.08;         // m
   double height = 0.08;        // m
@@ -27,19 +27,19 @@ struct Chassis {
   double wheel_width = 0.01;   // m
   double half_axle = 0.045;    // m, half the distance between the middles of two opposite wheels
   double wheel_mass = 0.05;    // kg, of a wheel with a motor
-  double wheel_torque = 0.01;  // N m, the most of each motor
+  double wheel_torque = 0.01;  // N m, maximum of each motor
 };
 
 /// The present state of a drive, for its next command.
 struct DriveState {
-  std::span<const JointSetting> joints;  // measured, those that can be set
-  double max_speed = 0.5;                // m/s, the most of any wheel's rim
-  double period_s = 0.01;                // to the next command
+  std::span<const JointSetting> joints;  // measured; only those that can be set
+  double max_speed = 0.5;                // m/s, limit of any wheel's rim
+  double period_s = 0.01;                // time to the next command
 };
 
-/// What turns above a body, counter-clockwise.
+/// The state of a part that turns on top of a body, counter-clockwise.
 struct Turret {
-  double angle_rad = 0.0;  // against the body
+  double angle_rad = 0.0;  // relative to the body
   double turn_rad_s = 0.0;
 };
 
@@ -47,26 +47,26 @@ class Drive : public Component {
  public:
   /// Adds the parts of the drive to `plan`, whose only part is the chassis so far: wheels, casters,
   /// perhaps a second vehicle. Called after configured(). Throw (std::invalid_argument, with a
-  /// sentence) when they do not fit the chassis: the world is refused then, at the drive's line.
+  /// sentence) when they do not fit the chassis: the world is refused then.
   virtual void build(const Chassis& chassis, BodyPlan& plan) = 0;
 
-  /// What it can be asked for.
+  /// The channels of motion that it can make.
   virtual Channels channels() const { return {}; }
-  /// The two wheels of a differential drive that moves this body alike, for behaviours that think
-  /// in wheel rates. By default the chassis' own.
+  /// The two wheels of an equivalent differential drive, for behaviours that use wheel rates. By
+  /// default, those of the chassis.
   virtual WheelPair wheels(const Chassis& chassis) const {
     return {chassis.wheel_radius, chassis.half_axle};
   }
 
-  /// Sets the joints of the body that can be set (can_be_set()), in the order of its parts, so that
-  /// it makes the motion nearest to `asked` that it can make at no rim speed above the maximum; the
-  /// direction of a motion that is too fast is kept. Returns that motion.
+  /// Sets the joints that can be set (can_be_set()), in the order of the parts, for the possible
+  /// motion nearest to `asked` with no rim speed above the maximum. A motion that is too fast keeps
+  /// its direction. Returns the motion that it makes.
   virtual Motion command(const Motion& asked, const DriveState& now,
                          std::span<JointSetting> joints) = 0;
-  /// The motion that these rates and angles of its joints make: odometry.
+  /// The motion that follows from these rates and angles of the joints: odometry.
   virtual Motion odometry(std::span<const JointSetting> joints) const = 0;
-  /// Of a body that does not turn with its direction of travel, like that of a synchro drive: how
-  /// the robot's heading, and with it its sensors, is turned against the body.
+  /// How the robot's heading and its sensors are turned relative to the body, for a body that does
+  /// not turn with its direction of travel (a synchro drive).
   virtual Turret turret(std::span<const JointSetting> /*joints*/) const { return {}; }
 };
 

@@ -31,7 +31,7 @@ struct Vector3 {
 
 inline double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// Where something stands on the floor.
+/// A position and heading on the floor.
 struct Pose {
   double x = 0.0;            // m
   double y = 0.0;            // m
@@ -40,23 +40,23 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
-/// A right-handed frame in space: its origin, and its axes as unit vectors of the frame around it.
+/// A right-handed frame in space: its origin, and its axes as unit vectors, in its parent frame.
 struct Frame {
   Vector3 origin;
   Vector3 forward{1.0, 0.0, 0.0};
   Vector3 left{0.0, 1.0, 0.0};
   Vector3 up{0.0, 0.0, 1.0};
 
-  /// A vector of this frame in the coordinates of the frame around it.
+  /// Converts a vector from this frame to the parent frame.
   Vector3 direction(const Vector3& v) const { return v.x * forward + v.y * left + v.z * up; }
-  /// A point of this frame in the coordinates of the frame around it.
+  /// Converts a point from this frame to the parent frame.
   Vector3 point(const Vector3& p) const { return origin + direction(p); }
-  /// The same for a whole frame that is given in this one.
+  /// Converts a frame given in this frame to the parent frame.
   Frame frame(const Frame& inner) const {
     return {point(inner.origin), direction(inner.forward), direction(inner.left),
             direction(inner.up)};
   }
-  /// A frame turned by `yaw` about z, then by `pitch` about its own y axis (positive pitch looks
+  /// A frame turned by `yaw` about z, then by `pitch` about its own y axis (positive pitch points
   /// up).
   static Frame turned(const Vector3& origin, double yaw_rad, double pitch_rad) {
     const double cy = std::cos(yaw_rad), sy = std::sin(yaw_rad);
@@ -76,13 +76,13 @@ inline double wrap_angle(double angle_rad) {
 
 inline double distance(const Pose& a, const Pose& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// A point of a pose's own frame (x ahead, y to the left) in the frame around it.
+/// Converts a point from a pose's own frame (x ahead, y to the left) to the frame of the pose.
 inline Vector2 point_of(const Pose& pose, const Vector2& point) {
   const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
   return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
 }
 
-/// Direction from one pose to a point, relative to the pose's heading; in (-pi, pi], positive to
+/// The direction from a pose to a point, relative to the pose's heading; in (-pi, pi], positive to
 /// the left.
 inline double bearing(const Pose& from, double x, double y) {
   return wrap_angle(std::atan2(y - from.y, x - from.x) - from.heading_rad);

@@ -1,4 +1,4 @@
-// Pictures that cameras take, and the cameras.
+// Cameras and their pictures.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace elsie {
 
-/// A colour as screens have it (sRGB).
+/// A colour in sRGB.
 struct Colour {
   std::uint8_t red = 128, green = 128, blue = 128;
 
@@ -30,9 +30,9 @@ struct Image {
   }
 };
 
-/// A pinhole camera: it looks along its frame's forward axis. Pixels are square, so that the
-/// vertical field of view follows. A point at an angle a to the left of the axis, in the plane of
-/// forward and left, is seen at the column width / 2 - (width / 2) tan(a) / tan(fov / 2), counted
+/// A pinhole camera: it looks along its frame's forward axis. Pixels are square, which determines
+/// the vertical field of view. A point at an angle a to the left of the axis, in the plane of
+/// forward and left, appears at the column width / 2 - (width / 2) tan(a) / tan(fov / 2), counted
 /// from the left edge of the picture; the first pixel spans the columns from 0 to 1.
 struct Camera {
   int width = 100;                  // px

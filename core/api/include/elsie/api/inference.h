@@ -1,4 +1,4 @@
-// What a plugin has inferred in the last decision, to look at: a window draws it.
+// The inferences of a plugin in the last decision, for display.
 #pragma once
 
 #include <string>
@@ -6,26 +6,26 @@
 
 namespace elsie {
 
-/// A model that was evaluated: the numbers that went in, and those that came out.
+/// One evaluation of a model: its inputs and outputs.
 struct Inference {
   struct Value {
     std::string name;  // as in the model
     double value = 0.0;
   };
 
-  std::string model;  // path of its file
-  std::string block;  // of the file, if it has several; else ""
+  std::string model;  // the path of its file
+  std::string block;  // the block of the file, if it has several; else ""
   std::vector<Value> inputs;
   std::vector<Value> outputs;
 };
 
-/// A behaviour or coordinator that infers by a model in a file may derive from this class besides
-/// its own: `class Mine final : public elsie::Behavior, public elsie::Infers`.
+/// A behaviour or coordinator that evaluates a model from a file may also derive from this class:
+/// `class Mine final : public elsie::Behavior, public elsie::Infers`.
 class Infers {
  public:
-  /// Appends what was inferred when it was asked last; nothing before that. Of a model that was
-  /// evaluated several times, the evaluation that says most. Called only while somebody looks on:
-  /// the run must not depend on it.
+  /// Appends the inferences of the last decision; none before the first. For a model that was
+  /// evaluated several times, append the most informative evaluation. Called only while a user
+  /// watches: the run must not depend on it.
   virtual void list_inferences(std::vector<Inference>& list) const = 0;
 
  protected:

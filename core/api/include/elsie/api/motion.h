@@ -1,12 +1,12 @@
-// How a body is to move, or moves.
+// The motion of a body, commanded or measured.
 #pragma once
 
 #include <cmath>
 
 namespace elsie {
 
-/// The motion of a body in its own plane: the command of every behaviour and coordinator, whatever
-/// drive carries the body out. A command that the drive cannot make is projected onto what it can.
+/// The motion of a body in its own plane: the command of behaviours and coordinators, for any
+/// drive. A command that the drive cannot make is projected onto the motions that it can make.
 struct Motion {
   double forward = 0.0;  // m/s, along the heading
   double lateral = 0.0;  // m/s, to the left
@@ -32,8 +32,8 @@ struct Motion {
   }
 };
 
-/// The rates of the two wheels of a differential drive, rad/s, positive forward: how many
-/// behaviours of the field think. WheelPair turns them into a motion and back.
+/// The rates of the two wheels of a differential drive, rad/s, positive forward; many behaviours in
+/// the literature use them. WheelPair converts them to a motion and back.
 struct WheelRates {
   double left = 0.0;   // rad/s
   double right = 0.0;  // rad/s
@@ -50,7 +50,7 @@ struct WheelRates {
   WheelRates& operator+=(const WheelRates& other) { return *this = *this + other; }
 };
 
-/// Two wheels on an axle. Of another drive: those of a differential drive that moves a body alike.
+/// Two wheels on an axle. For another drive: the wheels of an equivalent differential drive.
 struct WheelPair {
   double radius = 0.02;      // m
   double half_axle = 0.045;  // m, half the distance between the wheels
@@ -60,13 +60,13 @@ struct WheelPair {
     return {0.5 * radius * (rates.left + rates.right), 0.0,
             0.5 * radius * (rates.right - rates.left) / half_axle};
   }
-  /// Inverse kinematics; what is lateral in the motion is left out.
+  /// Inverse kinematics; ignores the lateral speed.
   WheelRates wheel_rates(const Motion& motion) const {
     return {(motion.forward - half_axle * motion.turn) / radius,
             (motion.forward + half_axle * motion.turn) / radius};
   }
-  /// The square of the distance of two motions, (rad/s)^2, in the plane of wheel rates; lateral
-  /// speed is a third dimension, as the rate of a wheel that rolls at that speed.
+  /// The squared distance between two motions, (rad/s)^2, in the plane of wheel rates. Lateral
+  /// speed is a third dimension: the rate of a wheel that rolls at that speed.
   double distance_squared(const Motion& a, const Motion& b) const {
     const Motion difference = a - b;
     const WheelRates rates = wheel_rates(difference);

@@ -1,4 +1,4 @@
-// What a behaviour sees.
+// What a behaviour perceives.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace elsie {
 
-/// Where a sensor sits: its position and direction in the robot's frame (origin on the floor below
-/// the middle of the axle, x forward, y left).
+/// The position and direction of a sensor in the robot's frame (origin on the floor below the
+/// middle of the axle, x forward, y left).
 struct Mounting {
   Vector3 position;          // m
   double azimuth_rad = 0.0;  // from the robot's forward axis, counter-clockwise, in (-pi, pi]
-  double pitch_rad = 0.0;    // positive looks up
+  double pitch_rad = 0.0;    // positive points up
 };
 
 /// The state of the robot's own body.
@@ -29,17 +29,17 @@ struct OwnState {
   Pose pose;          // ground truth
   Motion commanded;   // in the last step, as the drive can make it
   Motion moving;      // measured, ground truth
-  Motion odometry;    // by the joints of the drive: as it moves if no wheel slips
-  Channels channels;  // of the drive: what it can be asked for
-  /// For behaviours that think in wheel rates, whatever the drive: `self.wheels.motion({l, r})` is
-  /// the command, `self.wheels.wheel_rates(motion)` the way back.
+  Motion odometry;    // from the joints of the drive: the motion if no wheel slips
+  Channels channels;  // that the drive can make
+  /// For behaviours that use wheel rates, with any drive: `self.wheels.motion({l, r})` is the
+  /// command, `self.wheels.wheel_rates(motion)` the inverse.
   WheelPair wheels;
   double length_m = 0.08;  // of the chassis, along the heading
   double width_m = 0.08;   // of the chassis
   double max_speed_m_s = 0.5;
-  double coverage_m = 0.5;  // communication radius: how far off mates perceive this robot
+  double coverage_m = 0.5;  // communication radius: within it, mates perceive this robot
   bool is_leader = false;
-  int team_index = 0;        // which of its team's robots it is, in file order, from 0
+  int team_index = 0;        // its number in its team, in file order, from 0
   double energy = 5000.0;    // units
   double capacity = 5000.0;  // units
   bool charging = false;
@@ -53,9 +53,9 @@ struct TeamMate {
   std::string_view id;
   Pose pose;
   double distance_m = 0.0;
-  double bearing_rad = 0.0;  // from the own heading, positive to the left
+  double bearing_rad = 0.0;  // from this robot's heading, positive to the left
   bool is_leader = false;
-  int team_index = 0;  // as OwnState's
+  int team_index = 0;  // see OwnState
 };
 
 struct TeamState {
@@ -75,7 +75,7 @@ struct TeamState {
   }
 };
 
-/// One sensor's current reading, with the type left out.
+/// One sensor's current reading, without its type.
 struct SensedReading {
   const void* value = nullptr;
   const Mounting* mounting = nullptr;
@@ -136,7 +136,7 @@ class Readings {
   Iterator end() const { return Iterator(all_.data() + all_.size()); }
   std::size_t size() const { return all_.size(); }
   bool empty() const { return all_.empty(); }
-  /// The one of sensor i, counted from 0; throws std::out_of_range when there are fewer.
+  /// The reading of sensor i, counted from 0; throws std::out_of_range when there are fewer.
   Sensed<Reading> operator[](std::size_t i) const {
     if (i >= all_.size()) [[unlikely]] {
       detail::no_such_reading(Reading::kind, i, all_.size());
@@ -148,13 +148,13 @@ class Readings {
   std::span<const SensedReading> all_;
 };
 
-/// Everything that a behaviour or a coordinator gets at one instant, and nothing else: no world,
-/// no other behaviour. It is a view onto memory of the simulator and valid during the call only.
-/// Making and reading one allocates nothing.
+/// Everything that a behaviour or a coordinator gets at one instant, and nothing else: no world, no
+/// other behaviour. It is a view of the simulator's memory, valid only during the call. Making and
+/// reading one allocates nothing.
 class Perception {
  public:
-  /// The memory behind a perception; the simulator fills it, and so does a test that hands a
-  /// behaviour made-up readings.
+  /// The memory behind a perception. The simulator fills it; so does a test that gives a behaviour
+  /// made-up readings.
   struct Data {
     double time_s = 0.0;
     double period_s = 0.01;
@@ -168,10 +168,10 @@ class Perception {
 
   /// Simulated time since the start of the run.
   double time_s() const { return data_->time_s; }
-  /// The control period: time from one decision to the next.
+  /// The control period: the time from one decision to the next, s.
   double period_s() const { return data_->period_s; }
-  /// The readings of one kind, e.g. `readings<elsie::RangeReading>()`; empty when no sensor makes
-  /// such.
+  /// The readings of one kind, e.g. `readings<elsie::RangeReading>()`; empty when no sensor
+  /// produces them.
   template <class Reading>
   Readings<Reading> readings() const {
     constexpr ReadingKind wanted = ReadingKind::of<Reading>();
@@ -184,8 +184,7 @@ class Perception {
   }
   const OwnState& self() const { return *data_->self; }
   const TeamState& team() const { return *data_->team; }
-  /// What was raised on this robot during the last control step, by behaviours and by the
-  /// simulator.
+  /// The events that behaviours and the simulator raised on this robot in the last control period.
   std::span<const Event> events() const { return data_->events; }
   /// The stream of the behaviour (or coordinator) that is being asked.
   Random& random() const { return *random_; }

@@ -1,4 +1,4 @@
-// What sensors hand to behaviours.
+// The readings that sensors give to behaviours.
 //
 // A *kind* of reading is a plain struct that names itself:
 //
@@ -12,9 +12,9 @@
 // visit() is optional: it lists the numbers that recordings and live plots show.
 //
 // A sensor plugin produces readings of one kind, a behaviour asks for them by that type. The core
-// knows no kind by name: a plugin brings a new one in a header of its own, and both sides include
-// it. Name and size of the struct are compared when a world is loaded, so that two plugins built
-// against different versions of that header refuse each other.
+// knows no kind by name: a plugin defines a new kind in a header of its own, which both sides
+// include. Name and size of the struct are compared when a world is loaded, so that two plugins
+// built against different versions of that header refuse each other.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct RangeReading {
   static constexpr const char* kind = "range";
   double distance_m = 0.0;  // max_range_m when nothing was hit
   double max_range_m = 0.0;
-  bool hit = false;  // whether there was a surface within range
+  bool hit = false;  // whether there is a surface within range
 
   template <class Visitor>
   void visit(Visitor&& visitor) const {
@@ -38,7 +38,7 @@ struct RangeReading {
   }
 };
 
-/// Whether anything is inside a volume.
+/// The result of a query whether anything is inside a volume.
 struct ProximityReading {
   static constexpr const char* kind = "proximity";
   bool detected = false;
@@ -50,19 +50,19 @@ struct ProximityReading {
   }
 };
 
-/// What a camera sees, and where in its picture the thing is that it looks for. Columns and rows
-/// are counted from the picture's upper left corner, in pixels; see Camera.
+/// The picture of a camera and the position of the object found in it. Columns and rows are counted
+/// from the picture's upper left corner, in pixels; see Camera.
 struct VisionReading {
   static constexpr const char* kind = "vision";
   bool found = false;
-  double column = 0.0;              // of the blob's centre of area; 0 when nothing was found
-  double row = 0.0;                 // likewise
+  double column = 0.0;              // of the blob's centroid; 0 when nothing was found
+  double row = 0.0;                 // of the blob's centroid; 0 when nothing was found
   double area_px = 0.0;             // of the blob; 0 when nothing was found
   int width = 100;                  // of the picture, px
   int height = 100;                 // of the picture, px
   double horizontal_fov_rad = 0.0;  // of the camera
-  Image raw;                        // as the camera took it
-  Image processed;  // as the blob was looked for in it: one channel, 255 where it may be
+  Image raw;                        // the camera's picture
+  Image processed;                  // the mask of the blob search: one channel, 255 where it may be
 
   template <class Visitor>
   void visit(Visitor&& visitor) const {

@@ -1,12 +1,12 @@
-// How a plugin library makes itself known.
+// How a plugin library registers its plugins.
 //
 // A translation unit that uses one of the ELSIE_... macros gets:
-// - a node in a list of the library's plugins. The list is made of plain pointers and filled by
-//   static initialisers that call nothing, so that loading a library runs no code that depends on
-//   the host's ABI;
+// - a node in a list of the library's plugins. The list consists of plain pointers, and its static
+//   initialisers call nothing, so that loading a library runs no code that depends on the host's
+//   ABI;
 // - through this header, the library's one C entry point, elsie_plugin_library(), and the ELF note
 //   with its ABI word.
-// Parts of the program itself define ELSIE_BUILDING_CORE and get no entry point.
+// Parts of the program itself define ELSIE_BUILDING_CORE and have no entry point.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@
 
 namespace elsie {
 
-/// What a plugin library's entry point returns. Only `abi_word` may be looked at before it has been
-/// compared.
+/// The result of a plugin library's entry point. Compare `abi_word` before you read any other
+/// member.
 struct PluginLibrary {
   const char* abi_word;
-  /// Adds the library's declarations, in the order of registration. May throw.
+  /// Appends the library's declarations, in the order of registration. May throw.
   void (*declare)(std::vector<Declaration>& declarations);
 };
 
@@ -30,7 +30,7 @@ using PluginEntry = const PluginLibrary* (*)();
 
 namespace detail {
 
-/// A plugin's place in the list of its library.
+/// A plugin's node in the list of its library.
 struct PluginNode {
   Declaration (*declare)();
   PluginNode* next;
@@ -84,8 +84,8 @@ elsie_plugin_library() {
 }
 }
 
-// In assembly, because a variable placed in a section of this name gets no note of it: g++ 12 gives
+// In assembly, because a variable in a section of this name does not become a note: g++ 12 gives
 // the section the type "progbits", and then the linker makes no note segment. Every translation
-// unit adds a note of its own, and the host sees when parts of one library do not fit together.
+// unit adds a note of its own, so the host can see when parts of one library do not fit together.
 ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);
 #endif

@@ -1,8 +1,8 @@
-// What a plugin object remembers, for its successor.
+// How a plugin object passes its memory to its successor.
 //
-// While a world runs, a plugin's library may be replaced by a newer one (docs/hot-reload.md). Each
-// of its objects then makes room for one of the new class: with the same parameters, at the start
-// of its life. A class that derives from Remembers as well hands over what it has in mind:
+// During a run, a newer library may replace a plugin's library (docs/hot-reload.md). A new object
+// of the new class, with the same parameters, then replaces each object of the old one. A class
+// that also derives from Remembers passes on what it remembers:
 //
 //   class Wander final : public elsie::Behavior, public elsie::Remembers {
 //     void remember(elsie::Memory& memory) override { memory("bias", bias_); }
@@ -10,9 +10,8 @@
 //     double bias_ = 0.0;
 //   };
 //
-// One function, called twice: on the old object, which writes, and on the new one, which reads.
-// Names are all that the two have to agree on, so a class may gain and lose members from one
-// version to the next.
+// One function, called twice: on the old object, which writes, and on the new one, which reads. The
+// two only have to agree on names, so a class may gain and lose members between versions.
 #pragma once
 
 #include <cstddef>
@@ -33,18 +32,18 @@ class Memory {
  public:
   using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
-  /// An empty one, to write to.
+  /// An empty memory, for writing.
   Memory() = default;
 
-  /// From now on it is read from.
+  /// From now on, calls read from it.
   void begin_recall() { recalls_ = true; }
-  /// Whether it is read from: for what has to be worked out afterwards.
+  /// Returns whether calls read from it. Use this to recompute members that depend on others.
   bool recalls() const { return recalls_; }
   std::size_t size() const { return values_.size(); }
 
-  /// Writes the value, or reads it. A bool, an integer, an enumeration, a number, a std::string or
-  /// a std::vector<double>. What the old object did not write under this name, or with another type
-  /// (whole numbers are read as numbers), is left as it is.
+  /// Writes or reads the value: a bool, an integer, an enumeration, a number, a std::string or a
+  /// std::vector<double>. A value that the old object did not write under this name, or wrote as
+  /// another type, stays unchanged (integers can be read as numbers).
   template <class T>
   void operator()(std::string_view name, T& value) {
     if (!recalls_) {
@@ -53,8 +52,8 @@ class Memory {
       read(known->second, value);
     }
   }
-  /// An optional one of these. An empty one is not written: a new object that reset() left without
-  /// a value stays without.
+  /// The same for an optional value. An empty one is not written: a new object whose member is
+  /// empty after reset() keeps it empty.
   template <class T>
   void operator()(std::string_view name, std::optional<T>& value) {
     if (recalls_ && values_.contains(name)) {
@@ -82,7 +81,7 @@ class Memory {
     }
   }
 
-  /// Whether it could be read as that.
+  /// Returns whether the value has a matching type.
   template <class T>
   static bool read(const Value& from, T& value) {
     if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string> ||
@@ -111,14 +110,14 @@ class Memory {
   bool recalls_ = false;
 };
 
-/// A sensor, behaviour or coordinator class that hands over what it remembers derives from this,
-/// too. The simulator finds it by dynamic_cast.
+/// A sensor, behaviour or coordinator class that passes on its memory also derives from this. The
+/// simulator finds it by dynamic_cast.
 class Remembers {
  public:
-  /// Names every member that should outlive a replacement. Called between two steps: on the old
-  /// object; then on the new one, which was configured, equipped and reset before. Where an edit
-  /// has an object equipped again, both are the same. May throw (std::invalid_argument, with a
-  /// sentence) when it cannot use what it reads: the old object goes on then, or the edit is
+  /// Names every member that should survive a replacement. Called between two steps, first on the
+  /// old object, then on the new one after configured(), equipped() and reset(). When an edit
+  /// equips an object again, both are the same object. May throw (std::invalid_argument, with a
+  /// sentence) when it cannot use what it reads: then the old object stays in use, or the edit is
   /// refused.
   virtual void remember(Memory& memory) = 0;
 

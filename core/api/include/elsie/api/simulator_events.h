@@ -1,7 +1,7 @@
 // The events that the simulator raises.
 //
-// Each is a struct that says its name, its meaning and what its detail holds. A new one is a struct
-// here with a place in AnyEvent; results, recordings, `elsie describe events` and the checker of
+// Each is a struct with its name, its meaning and the content of its detail. To add an event, add a
+// struct here and to AnyEvent; results, recordings, `elsie describe events` and the checker of
 // plugins follow from that.
 #pragma once
 
@@ -14,21 +14,21 @@
 
 namespace elsie::events {
 
-/// What all events of one name have in common.
+/// Facts about all events of one name.
 struct Facts {
   std::string_view name;
   std::string_view meaning;
-  std::string_view detail{};  // what its detail holds; "": it has none
+  std::string_view detail{};  // the content of its detail; "": no detail
   bool is_perceived = true;   // by the robot's behaviours, in the next control period
-  bool is_warning = false;    // viewers of recordings show it as one
+  bool is_warning = false;    // viewers of recordings show a warning
 };
 
 struct Collision {
   static constexpr Facts kFacts{
       .name = "collision",
       .meaning =
-          "the robot touches something that it may not collect; a touch counts anew after "
-          "0.2 s apart",
+          "the robot touches something that it may not collect; a touch counts again after "
+          "0.2 s without contact",
       .detail = "`wall`, `charger`, or the id of the box or robot",
       .is_warning = true};
   enum class With { wall, charger, box, robot };
@@ -72,9 +72,9 @@ struct Changed {
   std::string attribute;  // "": the element as a whole
   std::string value;
   std::string detail() const;
-  /// The event of this detail; none if it is no such detail.
+  /// The event with this detail; none if the text is not such a detail.
   static std::optional<Changed> from(std::string_view detail);
-  /// Whether it puts the robot at another place.
+  /// Returns whether it moves the robot to another place.
   bool moves_robot() const {
     return element.find('/') == std::string::npos &&
            (attribute.empty() || attribute == "x" || attribute == "y");
@@ -101,14 +101,14 @@ using AnyEvent = std::variant<Raised, Collision, Collected, BatteryEmpty, Chargi
                               ChargingEnded, Changed, Replaced>;
 
 std::string_view name_of(const AnyEvent& event);
-/// Empty for an event without a detail.
+/// The detail of an event; empty for an event without one.
 std::string detail_of(const AnyEvent& event);
-/// Of an event of the simulator; null for one of a plugin.
+/// The facts about an event of the simulator; null for an event of a plugin.
 const Facts* facts_of(const AnyEvent& event);
 
 /// All events of the simulator, in the order of AnyEvent.
 std::span<const Facts> of_simulator();
-/// The one of this name, or null.
+/// The facts about the event with this name, or null.
 const Facts* find(std::string_view name);
 
 }  // namespace elsie::events

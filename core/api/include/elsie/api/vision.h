@@ -1,5 +1,5 @@
-// What cameras say together: where the things are that they found, and which of them a robot is to
-// go by, so that behaviours and the rules about them speak of the same one.
+// The readings of several cameras together: where the objects are that they found, and which one
+// counts, so that behaviours and the rules about them use the same object.
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace elsie {
 
-/// The bearing of a blob that was found, from the robot's forward axis, positive to the left, in
-/// (-pi, pi]: the pinhole camera of image.h backwards, and the azimuth of the camera. The picture
-/// must have a width.
+/// The bearing of a found blob from the robot's forward axis, positive to the left, in (-pi, pi]:
+/// the inverse of the pinhole camera of image.h plus the camera's azimuth. The width of the picture
+/// must not be 0.
 inline double blob_bearing_rad(const Sensed<VisionReading>& view) {
   const double half = 0.5 * view->width;
   const double in_picture =
@@ -21,8 +21,8 @@ inline double blob_bearing_rad(const Sensed<VisionReading>& view) {
   return wrap_angle(in_picture + view.azimuth_rad());
 }
 
-/// Of the cameras that have found something the one whose blob has the bearing nearest to straight
-/// ahead; of several such the first in the world file. None when nothing was found.
+/// Of the cameras that found something, the one whose blob is nearest to straight ahead; of
+/// several, the first in the world file. None when nothing was found.
 inline std::optional<Sensed<VisionReading>> most_nearly_ahead(const Perception& now) {
   std::optional<Sensed<VisionReading>> nearest;
   double least = 0.0;
@@ -31,8 +31,8 @@ inline std::optional<Sensed<VisionReading>> most_nearly_ahead(const Perception& 
       continue;
     }
     const double off = std::abs(blob_bearing_rad(view));
-    // A billionth of a radian is no difference: of two cameras that are each other's mirror image
-    // rounding is not to decide.
+    // Less than a billionth of a radian does not count: rounding must not decide between two
+    // cameras that are mirror images of each other.
     if (!nearest || off < least - 1e-9) {
       nearest = view;
       least = off;

@@ -6,8 +6,8 @@
 namespace elsie {
 
 /// A membership function made of straight lines: degrees in [0, 1] at points in ascending order of
-/// x, linear in between, constant outside. Two points may share an x: a step. No points: the empty
-/// set, zero everywhere.
+/// x, linear in between, constant outside. Two points with the same x make a step. No points: the
+/// empty set, zero everywhere.
 struct FuzzySet {
   struct Point {
     double x = 0.0;
@@ -26,12 +26,12 @@ struct FuzzySet {
   friend bool operator==(const FuzzySet&, const FuzzySet&) = default;
 };
 
-/// The fuzzy sets behind a behaviour's command, as differential drives have it: a set for each
-/// wheel, rad/s on the x axis. One without points: no wish for it.
+/// The fuzzy sets behind a behaviour's command, for the wheels of a differential drive: a set for
+/// each wheel, rad/s on the x axis. A set without points: no wish for this wheel.
 struct CommandSets {
   FuzzySet left;
   FuzzySet right;
-  FuzzySet lateral{};  // m/s, to the left; of drives that can do that
+  FuzzySet lateral{};  // m/s, to the left; for drives with this channel
 };
 
 }  // namespace elsie

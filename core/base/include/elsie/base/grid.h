@@ -1,4 +1,4 @@
-// A uniform grid over the floor that keeps, for each of its cells, who is there.
+// A uniform grid over the floor that stores which objects are in each cell.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace elsie::base {
 
-/// Cells at the border reach out to infinity, so that whoever leaves the arena is still found.
+/// Cells at the border reach to infinity, so that an object outside of the arena is still found.
 class Grid {
  public:
   using Id = std::uint32_t;
@@ -20,7 +20,7 @@ class Grid {
     friend bool operator==(const Block&, const Block&) = default;
   };
 
-  /// Over the rectangle of this size in m around the origin.
+  /// A grid over the rectangle of this size, m, around the origin.
   Grid(double length, double width);
 
   /// The cells of a rectangle, m.
@@ -45,7 +45,7 @@ class Grid {
            static_cast<std::size_t>(x);
   }
   static int clamped(double place, int count) {
-    // In this order a place that is not a number lands in the first cell.
+    // With this comparison, NaN goes to the first cell.
     if (!(place > 0.0)) return 0;
     return place < count ? static_cast<int>(place) : count - 1;
   }

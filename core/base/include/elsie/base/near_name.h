@@ -11,8 +11,8 @@ namespace elsie::base {
 
 /// The candidate that is nearest to `name`, the first of several at the same distance. Distance is
 /// the number of letters added, missing, wrong, or swapped with a neighbour (Damerau, 1964); it may
-/// be one for every three letters. Upper and lower case are the same. If no candidate is near, the
-/// first that begins with `name`.
+/// be at most one for every three letters. Case is ignored. If no candidate is near, the first that
+/// begins with `name`.
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates);
 
@@ -28,8 +28,8 @@ std::string did_you_mean(std::string_view name, const Range& candidates) {
   return nearest ? "; did you mean '" + std::string(*nearest) + "'?" : std::string();
 }
 
-/// did_you_mean() when a name is near, else all names: "; it may have: x, y" for "it may have"; ""
-/// without names.
+/// did_you_mean() if a name is near, else all names: "; it may have: x, y" if `before_all` is "it
+/// may have"; "" without names.
 std::string near_or_all(const std::string& wrong, const std::vector<std::string>& names,
                         const std::string& before_all);
 

@@ -38,7 +38,7 @@ class FileError : public Error {
   explicit FileError(std::vector<Problem> problems);
 
   const std::vector<Problem>& problems() const { return problems_; }
-  /// Whether one of them is a plugin's fault.
+  /// Returns whether one of them is a plugin's fault.
   bool plugin_failed() const { return exit_code() == kPluginFailed; }
   std::string message() const override { return what(); }
 

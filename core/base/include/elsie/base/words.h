@@ -21,8 +21,8 @@ std::string listed(const std::vector<std::string>& items);
 /// "a", "a and b", "a, b and c"; with "or" likewise.
 std::string enumerated(const std::vector<std::string>& items, std::string_view last = "and");
 
-/// A piece of a file as it may be shown in a message, between single quotes: no more than `most`
-/// bytes of it, whole characters, "?" for what cannot be printed.
+/// A piece of a file for a message, between single quotes: at most `most` bytes, whole characters,
+/// "?" for unprintable ones.
 std::string in_quotes(std::string_view word, std::size_t most = 40);
 
 }  // namespace elsie::base

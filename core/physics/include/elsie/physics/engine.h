@@ -1,11 +1,9 @@
-// The physics engine as the simulation sees it. Engines are libraries of their own, which are found
-// by name at run time (plugins/engines). Lengths in m, times in s, rates in rad/s, in the world's
-// frame.
+// The interface of physics engines. Engines are libraries of their own, found by name at run time
+// (plugins/engines). Lengths are in m, times in s, rates in rad/s, in the world's frame.
 //
-// An engine is built up once (robots and boxes are added), then stepped. What changes later is
-// built into a new engine, which takes the state of all that stays from the one before. Two engines
-// in one process do not know of each other. The same calls on two engines give bit-identical
-// states.
+// An engine is built once (robots and boxes are added), then stepped. Later changes need a new
+// engine, which copies the state of all unchanged bodies from the old one. Engines in one process
+// are independent. The same calls on two engines give bit-identical states.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +20,8 @@
 
 namespace elsie::physics {
 
-/// A robot or a box, by its place in the order in which they were added. A robot's segments are
-/// part of it. Walls are bodies too: 0 to the east (+x), 1 north (+y), 2 west, 3 south, all outside
-/// of the arena's area.
+/// A robot or a box, by its index in the order of adding. A robot includes its segments. Walls are
+/// bodies, too: 0 east (+x), 1 north (+y), 2 west, 3 south, all outside of the arena's area.
 enum class BodyKind : std::uint8_t { robot, box, wall };
 struct Body {
   BodyKind kind = BodyKind::wall;
@@ -36,7 +33,7 @@ struct Body {
 /// The state of a robot's body.
 struct RobotState {
   Frame frame;             // origin below the middle of the chassis, at wheel-bottom height
-  Pose pose;               // the same on the floor
+  Pose pose;               // projected onto the floor
   double speed = 0.0;      // m/s along the heading
   double lateral = 0.0;    // m/s to the left
   double turn_rate = 0.0;  // rad/s counter-clockwise
@@ -45,28 +42,28 @@ struct RobotState {
 /// The state of a segment that a robot pulls.
 struct SegmentState {
   Frame frame;             // origin below the middle of its axle, at wheel-bottom height
-  Pose pose;               // the same on the floor
-  double yaw_rad = 0.0;    // of its joint, from in line with the body in front, counter-clockwise
-  double pitch_rad = 0.0;  // likewise; positive where its front points up
+  Pose pose;               // projected onto the floor
+  double yaw_rad = 0.0;    // of its joint, counter-clockwise; 0: in line with the body in front
+  double pitch_rad = 0.0;  // of its joint; positive if its front points up
 };
 
 /// Two bodies that touched during the last step; a < b. Each pair once, in ascending order. The
 /// floor is not listed, and neither is a robot that its own segments touch. Bodies touch when there
-/// is no gap between them at the beginning of the step (to within 0.02 mm); what comes to a stop at
-/// a wall touches it in the step after.
+/// is no gap between them at the beginning of the step (to within 0.02 mm); a body that stops at a
+/// wall touches it in the next step.
 struct Touch {
   Body a;
   Body b;
 };
 
 /// Steps in which ODE's solver found no motion that satisfies all contacts, joints and motors. Such
-/// a step is taken again with contacts that are softened step by step, up to 81 times.
+/// a step is repeated with softer and softer contacts, up to 81 times.
 struct GiveUps {
   std::uint64_t steps = 0;  // in which it gave up at least once
-  /// Of them, those in which it gave up however soft the contacts were. The iterative solver, which
-  /// always returns a result, then moved all bodies.
+  /// Of them, those in which softer contacts did not help. The iterative solver, which always
+  /// returns a result, then moved all bodies.
   std::uint64_t unsolved = 0;
-  double first_s = 0.0;  // at the end of the first such step
+  double first_s = 0.0;  // the end of the first such step
 
   friend bool operator==(const GiveUps&, const GiveUps&) = default;
 };
@@ -77,59 +74,59 @@ struct RayHit {
   bool floor = false;  // then `body` means nothing
 };
 
-/// Indices are those that add_robot() and add_box() returned; any other is a std::out_of_range.
-/// Questions (const functions) may be asked from several threads at once between steps.
+/// Indices are those that add_robot() and add_box() returned; others throw std::out_of_range.
+/// Several threads may call const functions at once between steps.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Adds a robot that stands at the pose, its wheels `z` m above the floor, what it pulls in line
-  /// behind it; returns its index. Throws std::invalid_argument for dimensions and masses that are
-  /// not positive and finite.
+  /// Adds a robot at the pose, its wheels `z` m above the floor, its segments in line behind it;
+  /// returns its index. Throws std::invalid_argument for dimensions and masses that are not
+  /// positive and finite.
   virtual std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z = 0.0) = 0;
   /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
   /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
   virtual std::size_t add_box(const world::Box& box) = 0;
-  /// Adds a robot that another engine of the same library has, in its state there: at its place,
-  /// with all velocities, what its joints hold and are to hold.
+  /// Adds a robot of another engine of the same library, in its state there: pose, velocities,
+  /// values and set points of its joints.
   virtual std::size_t add_robot_of(const Engine& other, std::size_t robot) = 0;
-  /// The same with another body: it stands upright at this pose, its joints as in a new one, and
+  /// The same with another body: it is upright at this pose, has its joints as in a new robot, and
   /// keeps its velocity. Throws as add_robot() does.
   virtual std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
                                    const Pose& pose) = 0;
-  /// Adds a box that another engine has, as which it was added there, in its state; also one that
-  /// was removed there.
+  /// Adds a box of another engine in its state there, even if it was removed there. `added`: its
+  /// description in that engine.
   virtual std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) = 0;
-  /// Counts on from where another engine is: its time, its give-ups, and what has set bodies in
+  /// Continues from another engine: its time, its give-ups, and everything that set bodies in
   /// motion there.
   virtual void go_on_from(const Engine& other) = 0;
-  /// Takes a box out of the world; its index stays taken.
+  /// Removes a box from the world; its index is not used again.
   virtual void remove_box(std::size_t box) = 0;
 
-  /// Puts a robot somewhere else, at rest, with its segments in line behind it. What the motors are
-  /// to hold stays. Throws as add_robot() does.
+  /// Moves a robot to another pose, at rest, with its segments in line behind it. The set points of
+  /// its motors stay. Throws as add_robot() does.
   virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
 
-  /// What the joints of a robot that can be set (can_be_set()) are to hold from now on, in the
-  /// order of its parts; the caller has limited rates to what the robot's motors do. Throws
-  /// std::invalid_argument for another number of settings, or one that is not finite.
+  /// Sets the set points of a robot's joints that can be set (can_be_set()), in the order of its
+  /// parts. The caller limits rates to those that the motors can make. Throws std::invalid_argument
+  /// if the number of settings is wrong or one is not finite.
   virtual void set_joints(std::size_t robot, std::span<const JointSetting> settings) = 0;
-  /// What these joints hold, measured; until the next step.
+  /// Measured values of these joints; valid until the next step.
   virtual std::span<const JointSetting> joints(std::size_t robot) const = 0;
-  /// Where a moving box is to be at the end of the next step and how fast it moves there (m/s),
-  /// whatever stands in its way; before each step. Without it the box rests in that step.
+  /// Sets the position of a moving box at the end of the next step and its velocity (m/s); other
+  /// bodies do not stop it. Call this before each step; otherwise the box rests in the step.
   virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
 
   /// One step of the length in world::Physics. Throws PhysicsFailure when the state of a body is no
-  /// longer finite, or the body is where nothing in the world can have brought it (bounds.h). The
-  /// state then stays as it is, for those who want to look at it; further steps mean nothing.
+  /// longer finite, or the body is at a place that nothing in the world could have moved it to
+  /// (bounds.h). The state then stays as it is for inspection; further steps are meaningless.
   virtual void step() = 0;
 
-  /// How often the solver gave up since the engine was made.
+  /// How often the solver has given up since the engine was made.
   virtual GiveUps give_ups() const = 0;
 
   virtual RobotState robot(std::size_t robot) const = 0;
-  /// How many segments a robot pulls, and one of them, counted from the robot backwards.
+  /// The number of segments that a robot pulls, and one of them, counted from the robot backwards.
   virtual std::size_t segments(std::size_t robot) const = 0;
   virtual SegmentState segment(std::size_t robot, std::size_t segment) const = 0;
   virtual Frame box(std::size_t box) const = 0;  // origin in the middle of its bottom
@@ -139,18 +136,18 @@ class Engine {
 
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
   /// as range sensors see the world: floor (from above), walls, boxes that are visible to them, and
-  /// robots: wheels, and the chassis; one that is flat on top has a sensor deck of 2 cm there, so
+  /// robots (wheels and chassis). A chassis with a flat top has a sensor deck of 2 cm on it, so
   /// that sensors at the top of a chassis see robots of the same size; segments likewise. The robot
-  /// `except` is left out, with all its segments. Of bodies at the same distance the first in their
-  /// order is met.
+  /// `except` and its segments are left out. Of bodies at the same distance, the first in their
+  /// order is hit.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
-  /// Whether a wall, a visible box or a robot other than `except` reaches into the pyramid, whose
-  /// far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays, but
-  /// with the boxes around their wheels, and around a chassis that is a ball or a capsule. The
+  /// Returns whether a wall, a visible box or a robot other than `except` reaches into the pyramid,
+  /// whose far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays,
+  /// but with the boxes around their wheels, and around a chassis that is a ball or a capsule. The
   /// floor does not count.
   virtual bool anything_in(const Pyramid& pyramid, std::size_t except) const = 0;
-  /// No robot is left out of a query.
+  /// For `except`: no robot is left out.
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
   /// FNV-1a (64 bits) over position, orientation, linear and angular velocity of every body,
@@ -159,17 +156,17 @@ class Engine {
 };
 
 /// Makes the engine that `physics.engine` names. Throws plugin::PluginError if there is none, and
-/// std::invalid_argument for an arena or parameters that it cannot work with (a step that is not
+/// std::invalid_argument for an arena or parameters that it cannot use (a step that is not
 /// positive, an erp outside of (0, 1]...).
 std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
 
-/// What the library of an engine exports by the name `elsie_make_engine`. The caller owns the
+/// The function that the library of an engine exports as `elsie_make_engine`. The caller owns the
 /// engine. Throws std::invalid_argument as make_engine() does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 
-/// What it exports by the name `elsie_engine_interface`: the version of this header, which whoever
-/// changes it raises, and the sizes of what passes through. The plugin interface has other
-/// versions.
+/// The object that it exports as `elsie_engine_interface`: the version of this header (raise it
+/// with every change) and the sizes of the structs that pass through. The plugin interface has a
+/// version of its own.
 struct EngineInterface {
   std::uint32_t version = 1;
   std::size_t arena = sizeof(world::Arena);

@@ -1,4 +1,4 @@
-// How a physics engine says that it has lost a body.
+// How a physics engine reports that it has lost a body.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace elsie::physics {
 
-/// What a body did that nothing in the world can make it do.
+/// A state of a body that nothing in the world could cause.
 struct Failure {
   enum class Kind {
     stopped,      // the solver could not go on; no body is known
@@ -26,14 +26,14 @@ struct Failure {
   double time_s = 0.0;
   Vector3 place;       // of its middle, m
   double speed = 0.0;  // m/s
-  double limit = 0.0;  // m/s; too_fast: what it may have at most
-  std::string detail;  // stopped: what the solver said, for its developers
+  double limit = 0.0;  // m/s; too_fast: the largest possible speed
+  std::string detail;  // stopped: the solver's message, for developers
 
-  /// "is below the floor: its middle is at (0.1, 0.2, -0.3) m", what follows the body's name.
+  /// "is below the floor: its middle is at (0.1, 0.2, -0.3) m", to follow the body's name.
   std::string in_words() const;
 };
 
-/// The physics is no longer that of a world. what() is a sentence that names the body by its
+/// The state of the physics is no longer valid. what() is a sentence that names the body by its
 /// number.
 class PhysicsFailure : public std::runtime_error {
  public:

@@ -24,7 +24,7 @@ class Arithmetic {
   /// Makes these the thread's settings.
   void restore() const noexcept;
 
-  /// What differs, to follow "it changed": "how results are rounded". The text is static.
+  /// The difference, to follow "it changed": "how results are rounded". The text is static.
   const char* difference_from(const Arithmetic& usual) const noexcept;
 
   friend bool operator==(const Arithmetic&, const Arithmetic&) = default;

@@ -5,8 +5,8 @@
 //     behavior.respond(now);  // if this crashes, the signal handler knows whose code it was
 //   }
 //
-// A plugin that crashes cannot report its name, so every caller notes it first, for
-// crash_report.h. A note takes a few nanoseconds and allocates nothing.
+// A plugin that crashes cannot report its name, so every caller notes it first for crash_report.h.
+// A note takes a few nanoseconds and allocates nothing.
 //
 // A call also restores the floating-point settings (arithmetic.h): a plugin that changes how
 // numbers are rounded would change the results of all others.
@@ -19,22 +19,22 @@
 
 namespace elsie::plugin {
 
-/// What is known of a call. The texts must live as long as the call. Facts that are missing are
-/// those of the calls around it.
+/// Facts about a call. The texts must live as long as the call. Missing facts are those of the
+/// calls around it.
 struct CallFacts {
   static constexpr std::uint64_t kNoStep = ~std::uint64_t{0};
 
   const char* plugin = nullptr;   // its name
   const char* id = nullptr;       // on the robot
   const char* robot = nullptr;    // id
-  const char* library = nullptr;  // the file that the plugin comes from
+  const char* library = nullptr;  // the file that contains the plugin
   const char* file = nullptr;     // of the world, where the plugin is named
   int line = 0;
   std::uint64_t step = kNoStep;
   const char* doing = nullptr;  // without a step: "while it was made"
 };
 
-/// Notes a call while it lives. Calls nest and end in reverse order.
+/// Notes a call during its lifetime. Calls nest and end in reverse order.
 class Call {
  public:
   explicit Call(const CallFacts& facts) noexcept : facts_(facts), outer_(innermost_) {
@@ -62,8 +62,8 @@ class Call {
     return now == before_ ? nullptr : restore_from(now);
   }
 
-  /// Whether this thread called fork() in it since watch_for_copies(). posix_spawn(), popen() and
-  /// system() do not count.
+  /// Returns whether this thread called fork() during the call, since watch_for_copies().
+  /// posix_spawn(), popen() and system() do not count.
   bool has_forked() const { return has_forked_; }
   /// From now on, a copy of the process that a plugin makes with fork() calls this function when
   /// the plugin returns. A program calls this once, early.
@@ -71,18 +71,18 @@ class Call {
 
   /// From now on the call's time is measured, and a Watchdog sees it.
   void start_clock() noexcept;
-  /// The time it has taken without the calls inside it, s. Zero without start_clock().
+  /// The time of the call without the calls inside it, s. Zero without start_clock().
   double own_time_s() const noexcept;
   /// When its clock was started, ns on the steady clock; 0: never.
   std::int64_t begun_ns() const noexcept { return start_ns_; }
-  /// Memory that was measured in this call, for calls around it that are measured, too.
+  /// Memory that was measured in this call, bytes, for measured calls around it.
   std::int64_t inner_bytes = 0;
 
   const CallFacts& facts() const { return facts_; }
   Call* outer() const { return outer_; }
   /// The call that this thread is in; null: none.
   static Call* innermost() noexcept { return innermost_; }
-  /// Where another thread can read this thread's innermost call. The call may end at any time.
+  /// Where other threads find this thread's innermost call, which may end at any time.
   static Call* const* place_of_innermost() noexcept { return &innermost_; }
   /// Gives this thread, which is about to end the process, the call of another thread.
   static void adopt(Call* innermost) noexcept { innermost_ = innermost; }

@@ -13,7 +13,7 @@ class PluginError : public base::Error {
       : Error(sentence, exit_code) {}
 };
 
-/// A plugin's constructor throws, which no change to a world can avoid.
+/// A plugin's constructor throws; no change to a world can avoid this.
 class CreateError : public PluginError {
  public:
   explicit CreateError(const std::string& sentence) : PluginError(sentence, base::kPluginFailed) {}

@@ -1,4 +1,4 @@
-// Whether a file has changed.
+// Detects whether a file has changed.
 #pragma once
 
 #include <cstdint>

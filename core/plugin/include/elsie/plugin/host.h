@@ -39,7 +39,7 @@ template <class T>
 using Object = std::unique_ptr<T, Release>;
 
 /// Copies a library, for a host whose files may be replaced or overwritten while they are in use:
-/// the copy is loaded, and let go once that is unloaded. Throws std::runtime_error with a sentence.
+/// the copy is loaded, and released once it is unloaded. Throws std::runtime_error with a sentence.
 using MakeCopy = std::function<std::shared_ptr<const std::filesystem::path>(
     const std::filesystem::path& library)>;
 

@@ -22,7 +22,7 @@ struct Inspection {
   std::string sentence;  // what was found, without the file's name; "" for a plugin library
 };
 
-/// Never throws because of the file. One that cannot be opened is `damaged`, with the system's
+/// Never throws because of the file. A file that cannot be opened is `damaged`, with the system's
 /// reason.
 Inspection inspect_file(const std::filesystem::path& file);
 

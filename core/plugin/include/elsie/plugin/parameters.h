@@ -22,7 +22,7 @@ const Declared* find_declared(const std::vector<Declared>& list, std::string_vie
   return nullptr;
 }
 
-/// Gives a behaviour that may hold others none, so that its parameters can be tried out.
+/// Gives a behaviour that may hold others an empty Coordination, to try out its parameters.
 void hold_nothing(const Declaration& declaration, Component& object);
 
 /// The shortest text that reads back as the same value.

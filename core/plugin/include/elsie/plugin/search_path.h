@@ -1,4 +1,4 @@
-// Where plugin libraries are looked for.
+// Where the host searches for plugin libraries.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct SearchDirectory {
   std::filesystem::path source = {};  // of a library compiled from one file: messages name this
 };
 
-/// A list of directories in which each stands once, where it was added first.
+/// A list of directories without duplicates, in the order of first additions.
 class DirectoryList {
  public:
   void add(const std::filesystem::path& directory, const std::string& origin);

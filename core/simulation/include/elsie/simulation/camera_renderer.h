@@ -1,5 +1,5 @@
-// Pictures for sensors that look through cameras. The simulation says what each camera looks at;
-// whoever runs it hands in what takes the pictures: worlds without cameras need no OpenGL.
+// Pictures for sensors with cameras. The simulation gives the pose of each camera; its caller
+// passes in the renderer, so that worlds without cameras need no OpenGL.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace elsie::simulation {
 
-/// One camera in its place, and where its picture goes.
+/// One camera, its pose, and the destination of its picture.
 struct CameraView {
   Frame frame;  // the camera looks along forward; up is the top of the picture
   Camera camera;
-  std::size_t robot = 0;     // its body is not in the picture
+  std::size_t robot = 0;     // the robot that carries it; the picture does not show it
   Image* picture = nullptr;  // gets the camera's size and three channels
 };
 
@@ -26,15 +26,15 @@ struct CameraView {
 class CameraRenderer {
  public:
   virtual ~CameraRenderer() = default;
-  /// The most pixels that a picture may have in width and height.
+  /// The largest width and height of a picture, px.
   virtual int largest_size() const = 0;
-  /// Takes the pictures of one instant: all bodies are where the engine has them. Throws
+  /// Takes the pictures of one instant, with the poses of bodies from the engine. Throws
   /// base::Error.
   virtual void take(const physics::Engine& engine, std::span<const CameraView> views) = 0;
 };
 
-/// Makes one for a world, which lives longer. Throws base::Error with a sentence where no pictures
-/// can be taken.
+/// Makes a renderer for a world, which must outlive it. Throws base::Error with a sentence when
+/// pictures cannot be taken.
 using MakeCameraRenderer = std::function<std::unique_ptr<CameraRenderer>(const world::World&)>;
 
 }  // namespace elsie::simulation

@@ -1,16 +1,16 @@
-// Changing a world while it runs.
+// Changing a world during a run.
 //
-// A user may make any edit of the world between two steps: what world::ReadOptions::overrides says
-// of a file, by the same paths and texts, except for its `format`.
+// A user may make any edit of the world between two steps, with the same paths and texts as
+// world::ReadOptions::overrides, except for `format`.
 //
-// An attribute that the vocabulary has something to change for (world::LiveRobot), and a plugin's
-// parameter whose declaration does not forbid it (ParameterFacts::live), is put in place: what the
-// plugin remembers stays, and its random stream goes on. All else is read and checked as a file is,
-// and the simulation becomes the world that comes out: what an edit concerns is made anew, from a
-// plugin object to the physics engine, and all the rest keeps its state. docs/running.md says what
-// an edit costs.
+// Some edits are made in place: attributes with a function in world::LiveRobot, and parameters of
+// plugins unless their declaration forbids it (ParameterFacts::live). The plugin then keeps what it
+// remembers, and its random stream continues. For all other edits, the new world is read and
+// checked like a file, and the simulation becomes that world: it recreates what the edit affects,
+// from a plugin object to the physics engine; the rest keeps its state. See docs/running.md for the
+// cost of edits.
 //
-// Edits are made as a whole or not at all. reset() forgets them: a run with the same seed and the
+// All edits of one call are made, or none. reset() forgets them. A run with the same seed and the
 // same edits before the same steps is the same, bit for bit.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace elsie::simulation {
 
-/// An attribute and the text that it is to have, or an element and its markup.
+/// An attribute and its new text, or an element and its new markup.
 struct Change {
   std::string path;   // "robot[r1]/@max_speed", "robot[r1]/coordinator"
   std::string value;  // "0.3", "<arbiter_suppression/>"
@@ -28,11 +28,11 @@ struct Change {
   std::string text() const { return path + "=" + value; }
 };
 
-/// A change for later.
+/// A change at a given time.
 struct TimedChange {
-  double time_s = 0.0;  // before the first step that begins at this time or after it
+  double time_s = 0.0;  // made before the first step that begins at or after this time
   Change change;
-  std::string from{};  // "maze.xml:12", where it stands; "": the user gave it
+  std::string from{};  // its place, "maze.xml:12"; "": the user gave it
 };
 
 /// A change that cannot be made. what() is a sentence that starts with the change:
@@ -41,17 +41,17 @@ class ChangeRefused : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 
-  /// The same about a change for a certain time: "at 3 s, robot[r1]/@max_speed=fast: ...".
+  /// The same error for a change at a given time: "at 3 s, robot[r1]/@max_speed=fast: ...".
   ChangeRefused at(double time_s, std::string from = "") const;
-  /// TimedChange::from.
+  /// The place of the change, as TimedChange::from.
   const std::string& from() const { return from_; }
-  /// Further changes of the same schedule that cannot be made either.
+  /// The other changes of the same schedule that cannot be made.
   const std::vector<ChangeRefused>& others() const { return others_; }
 
-  /// A line for each of them: where it stands, or "--at", and the sentence.
+  /// One line for each change: its place, or "--at", and the sentence.
   std::string report() const;
 
-  /// Throws the first with all others in it; does nothing if there are none.
+  /// Throws the first, which then contains the others; does nothing if there are none.
   static void raise(std::vector<ChangeRefused> refused);
 
  private:
@@ -59,10 +59,10 @@ class ChangeRefused : public std::invalid_argument {
   std::vector<ChangeRefused> others_;
 };
 
-/// Changes of a world that its run ends before.
+/// Changes in a world that are not made because the run ends earlier.
 struct UnmadeChanges {
   std::string from;      // TimedChange::from of the first
-  std::string sentence;  // that says so
+  std::string sentence;  // for the user
 };
 
 }  // namespace elsie::simulation

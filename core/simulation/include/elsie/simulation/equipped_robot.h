@@ -1,5 +1,5 @@
-// A robot by itself, as it is before a run: for who wants to look at its plugin objects, or to have
-// one of them learn, without a simulation around it.
+// A robot without a simulation, in its state before a run. Use it to look at plugin objects, or to
+// train one of them.
 //
 //   simulation::EquippedRobot robot(world, 0, host);
 //   auto& coordinator = robot.object(*world.robots[0].coordinator);
@@ -18,17 +18,16 @@ class Robot;
 
 class EquippedRobot {
  public:
-  /// Makes the plugin objects of the robot of this index and equips them with what it has in this
-  /// world, all as Simulation does it before it resets them: body, sensors, place in its team, the
-  /// charger nearest to where it starts. There is no physics, and no camera is looked through. The
-  /// world and the host must stay where they are for as long as the robot lives. Throws
-  /// world::WorldError when a plugin refuses its parameters or the robot.
+  /// Makes and equips the plugin objects of the robot with this index, as Simulation does before it
+  /// resets them: body, sensors, team index, the charger nearest to its start. There is no physics,
+  /// and cameras take no pictures. The world and the host must outlive the robot and must not move.
+  /// Throws world::WorldError when a plugin refuses its parameters or the robot.
   EquippedRobot(const world::World& world, std::size_t robot, const plugin::Host& host);
   EquippedRobot(EquippedRobot&&) noexcept;
   ~EquippedRobot();
 
-  /// The object that a sensor, behaviour or coordinator of this robot stands for, at any depth.
-  /// Throws std::invalid_argument when `use` is no part of the robot in the world given.
+  /// The object of a sensor, behaviour or coordinator of this robot, at any depth. Throws
+  /// std::invalid_argument when `use` is not part of this robot in the given world.
   Component& object(const world::PluginUse& use);
 
  private:

@@ -1,4 +1,4 @@
-// What ends a simulation before its time: a plugin that failed, or the physics.
+// Errors that end a simulation early: a failure of a plugin or of the physics.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace elsie::simulation {
 
-/// A plugin threw, answered with something that is not a number, or went beyond a budget. what() is
-/// a sentence that names the plugin, the robot and the step. What was recorded until then is valid.
+/// A plugin threw, answered with a value that is not finite, or exceeded a budget. what() is a
+/// sentence that names the plugin, the robot and the step. Recordings up to this step are valid.
 class PluginFault : public base::Error {
  public:
-  /// `at_id`: the plugin's id on the robot, its name unless the world file gives another.
-  /// `on_robot`: "" for a measure, which is the world's.
+  /// `at_id`: the plugin's id on the robot, or its name if the world file gives no id. `on_robot`:
+  /// "" for a measure, which belongs to the world.
   PluginFault(std::string faulty_plugin, std::string at_id, std::string on_robot,
               std::uint64_t at_step, const std::string& problem)
       : Error("plugin '" + faulty_plugin + "'" +
@@ -34,15 +34,15 @@ class PluginFault : public base::Error {
   std::uint64_t step;
 };
 
-/// The physics lost a body: its state is not finite, or it is where nothing in the world can have
-/// brought it. what() is a sentence that names the body, the time and the likely cause. What was
-/// recorded until then is valid.
+/// The physics lost a body: its state is not finite, or it is at a place that nothing in the world
+/// could have moved it to. what() is a sentence that names the body, the time and the likely cause.
+/// Recordings up to this step are valid.
 class PhysicsFault : public base::Error {
  public:
   PhysicsFault(std::string of_robot, std::uint64_t at_step, const std::string& sentence)
       : Error(sentence), robot(std::move(of_robot)), step(at_step) {}
 
-  std::string robot;  // "": a box, or nothing in particular
+  std::string robot;  // "": a box, or no known body
   std::uint64_t step;
 };
 

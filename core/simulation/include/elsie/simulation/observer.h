@@ -1,23 +1,23 @@
-// Watching a simulation without touching it.
+// Observing a simulation without changing it.
 #pragma once
 
 namespace elsie::simulation {
 
 class Simulation;
 
-/// Called by Simulation::run(). An observer sees a const simulation: whether one watches or not,
-/// the run is the same, bit for bit. What an observer throws ends the run.
+/// Called by Simulation::run(). An observer sees a const simulation: the run is the same with and
+/// without observers, bit for bit. An exception of an observer ends the run.
 class Observer {
  public:
   virtual ~Observer() = default;
-  /// After the reset and the changes for time zero, before the first step.
+  /// Called after the reset and the changes at time zero, before the first step.
   virtual void started(const Simulation&) {}
-  /// After every step.
+  /// Called after every step.
   virtual void stepped(const Simulation&) {}
-  /// Between two steps, when plugins were replaced or the world became another one by an edit:
-  /// sensors may list other numbers than before, and robots, behaviours and boxes may be others.
+  /// Called between two steps after plugins were replaced, or after an edit made a new world:
+  /// sensors may list other numbers, and robots, behaviours and boxes may have changed.
   virtual void replaced(const Simulation&) {}
-  /// After the last step; also when a plugin failed or an observer threw.
+  /// Called after the last step, also when a plugin failed or an observer threw.
   virtual void ended(const Simulation&) {}
 };
 

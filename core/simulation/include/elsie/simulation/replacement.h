@@ -1,13 +1,13 @@
-// Replacing plugins while a world runs.
+// Replacing plugins during a run.
 //
-// Between two steps every object of a plugin whose library has changed makes room for an object of
-// the new library, on all robots and at any depth: sensors, behaviours, coordinators; measures
-// stay. A new object gets the parameters of the old one, as far as its declaration has them;
-// configured(), equipped(), and reset() with its random stream as at the start of the run; what the
-// old one remembers, if both classes derive from Remembers (elsie/api/remember.h); and the random
-// stream where the old one left it. docs/hot-reload.md says when new objects are refused.
+// Between two steps, new objects replace all objects of plugins whose library has changed, on all
+// robots and at any depth: sensors, behaviours, coordinators; measures stay. A new object gets the
+// parameters of the old one that its declaration has; then configured(), equipped(), and reset()
+// with its random stream at the start are called. It gets the memory of the old object if both
+// classes derive from Remembers (elsie/api/remember.h), and then the present state of the random
+// stream. docs/hot-reload.md says when new objects are refused.
 //
-// All objects are replaced or none.
+// Either all objects are replaced or none.
 #pragma once
 
 #include <stdexcept>
@@ -24,7 +24,7 @@ struct Replacement {
     std::string plugin;  // its name
     bool remembers = false;
   };
-  std::vector<Object> objects;     // that are new, in the order of the world
+  std::vector<Object> objects;     // the new objects, in the order of the world
   std::vector<std::string> notes;  // sentences: which parameters were left out
 };
 

@@ -19,7 +19,7 @@ using elsie::to_string;
 /// The 16 hexadecimal digits of a state hash.
 std::string hash_text(std::uint64_t state_hash);
 
-/// Something that happened on a robot: raised by the simulator or by a plugin.
+/// An event on a robot, raised by the simulator or by a plugin.
 struct EventRecord {
   double time_s = 0.0;  // end of the step in which it happened
   std::string robot;
@@ -34,39 +34,38 @@ struct EventRecord {
   }
 };
 
-/// What there is to say to the user: of a plugin, how its training went before the run, or that it
-/// did something to the program that had to be undone. The simulator's own notes have kPhysicsNotes
-/// for a plugin: settings that the physics can hardly keep up with, and how often its solver gave
-/// up.
+/// A note for the user: how the training of a plugin went before the run, or that a plugin changed
+/// a state of the program that had to be restored. Notes of the simulator have kPhysicsNotes as
+/// plugin: settings that are difficult for the physics, and how often its solver gave up.
 struct Note {
-  std::string robot;   // "": a measure says it, or the simulator
+  std::string robot;   // "": a note of a measure or of the simulator
   std::string plugin;  // its id on the robot
   std::string text;    // one sentence or several
 };
 
 inline constexpr const char* kPhysicsNotes = "physics";
 
-/// What a plugin has to show: how a network learned before the run, in general.
+/// A curve of a plugin; usually how a network learned before the run.
 struct LearningCurve {
-  std::string robot;   // "": of a measure
-  std::string plugin;  // its id on the robot, behind those of the behaviours that it is inside of:
+  std::string robot;   // "": a measure's
+  std::string plugin;  // its id on the robot, after those of the behaviours that contain it:
                        // "explore/fusion_neural_network"
   Curve curve;
 };
 
-/// A figure of the run: one that every run has, or one of the world's measures.
+/// A measured value: one that every run has, or one of the world's measures.
 struct MeasuredValue {
   std::string name;  // "path_length_m", or "ID.VALUE" of a measure; see measure_names()
   std::string unit;
   std::string meaning;
-  std::optional<double> value;  // none: there is none in this run
+  std::optional<double> value;  // none: no value in this run
 };
 
-/// How the solver of the physics did. In a step in which it finds no motion that satisfies all
-/// contacts, joints and motors it gives up; the step is taken again with softer contacts.
+/// Statistics of the physics solver. It gives up in a step if it finds no motion that satisfies all
+/// contacts, joints and motors; the step is then repeated with softer contacts.
 struct SolverResult {
   std::uint64_t gave_up = 0;   // steps in which it gave up
-  std::uint64_t unsolved = 0;  // of them, those in which it did however soft the contacts were
+  std::uint64_t unsolved = 0;  // of them, those in which softer contacts did not help
   double since_s = 0.0;        // the end of the first such step; 0 if there was none
 };
 
@@ -77,12 +76,12 @@ struct RobotResult {
   int collected = 0;        // resources
   double energy = 0.0;      // units left
   Pose pose;                // at the end
-  int collisions = 0;  // with walls, obstacles and robots; a touch counts anew after 0.2 s apart
+  int collisions = 0;       // with walls, obstacles and robots; see events::Collision
 };
 
 struct RunResult {
   Outcome outcome = Outcome::running;
-  std::string reason;  // one sentence: which goal was broken, which limit was met
+  std::string reason;  // one sentence: which goal was broken, which limit was reached
   std::uint64_t seed = 0;
   double simulated_s = 0.0;
   double wall_s = 0.0;
@@ -92,7 +91,8 @@ struct RunResult {
   std::vector<RobotResult> robots;
   std::vector<EventRecord> events;
   std::vector<Note> notes;
-  /// Those of every run first, then those of the world's measures, in the order of the world file.
+  /// The values of every run first, then those of the world's measures in the order of the world
+  /// file.
   std::vector<MeasuredValue> measures;
   std::vector<LearningCurve> curves;
 };

@@ -1,12 +1,12 @@
-// A world that runs.
+// The simulation of a world.
 //
 //   const world::World world = world::read_world("clutter.xml", host);
 //   simulation::Simulation simulation(world, host, {.seed = 7});
 //   const simulation::RunResult result = simulation.run();
 //
 // One step: sensors -> each robot's coordinator and its behaviours -> energy -> motors -> physics
-// -> collection, charging, goals. All robots decide on the same instant, before any of them moves.
-// Between two steps a user may edit it: see change.h.
+// -> collection, charging, goals. All robots decide at the same instant, before any of them moves.
+// A user may edit the world between two steps: see change.h.
 #pragma once
 
 #include <cstddef>
@@ -36,13 +36,13 @@
 
 namespace elsie::simulation {
 
-/// What a call of a plugin may take while the world runs. Beyond it, PluginFault. Zero: anything.
-/// Whether a budget is met depends on the machine: a run that ends for it may not end there again.
+/// Limits for calls of plugins during a run; exceeding one is a PluginFault. Zero: no limit. Time
+/// and memory depend on the machine: a run that exceeds a limit may not do so again.
 struct Budget {
-  /// By the clock, for one call without those of other plugins within it, s.
+  /// Wall time of one call, without nested calls of other plugins, s.
   double time_s = 0.0;
-  /// What one object may come to hold in all its calls since the start of the run, bytes: what it
-  /// leaves allocated on the heap, of which a plugin that leaks has more and more.
+  /// Heap memory that all calls of one object since the start of the run may leave allocated,
+  /// bytes; it grows without end in a plugin that leaks.
   std::size_t memory = 0;
 };
 
@@ -50,154 +50,152 @@ struct Options {
   std::uint64_t seed = 1;
   /// Measure how long each behaviour takes, for the trace. Changes nothing else.
   bool measure_time = false;
-  /// Where data files that a change names are looked for when they are not beside the world's file.
+  /// Folders for data files that a change names, if they are not in the folder of the world's file.
   std::vector<std::string> data_directories{};
   /// Paths of data files by their names, as in world::ReadOptions. They are used before any search.
   std::map<std::string, std::string> files{};
   Budget budget{};
-  /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. The
-  /// world stays as its file says: an <endure> goal may last longer.
+  /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. It does
+  /// not change the world: an <endure> goal may last longer.
   std::optional<double> time_limit_s{};
-  /// What takes the pictures of cameras: render::world_cameras, for example. A world that has
-  /// cameras needs it.
+  /// Makes the camera renderer, for example render::world_cameras. A world with cameras needs it.
   MakeCameraRenderer cameras{};
 };
 
-/// One sensor of a robot, to look at.
+/// A view of one sensor of a robot.
 struct SensorView {
   std::string_view id;
   std::string_view plugin;
   const Sensor* sensor;
   const Mounting* mounting;
-  const Camera* camera;   // that it looks through, or none
-  const Image* picture;   // what that saw last; none before the first step
-  const Pyramid* volume;  // that it asked about last, or none
+  const Camera* camera;   // its camera, or none
+  const Image* picture;   // its last picture; none before the first step
+  const Pyramid* volume;  // of its last volume query, or none
 };
 
 /// One segment that a robot pulls, at this instant.
 struct SegmentView {
-  const world::Segment* description;  // none: it is part of the robot's drive
+  const world::Segment* description;  // null: it is part of the robot's drive
   Frame frame;                        // origin below the middle of its axle, at wheel-bottom height
-  Pose pose;                          // the same on the floor
-  double yaw_rad;    // of its joint, from in line with the body in front, counter-clockwise
-  double pitch_rad;  // likewise; positive where its front points up
+  Pose pose;                          // projected onto the floor
+  double yaw_rad;    // of its joint, counter-clockwise; 0: in line with the body in front
+  double pitch_rad;  // of its joint; positive if its front points up
 };
 
-/// One behaviour among all those of a robot, whatever depth it stands at, with the trace of the
-/// last decision.
+/// One behaviour of a robot, at any depth, with the trace of the last decision.
 struct TracedMember {
-  std::string path;              // ids from the robot on: "explore/avoid_obstacle"
+  std::string path;              // ids, outermost first: "explore/avoid_obstacle"
   std::string_view plugin;       // the behaviour's
-  std::string_view coordinator;  // the plugin of the coordinator that decides about it
+  std::string_view coordinator;  // the plugin of its coordinator
   int depth = 0;                 // 0: the robot's own
-  int parent = -1;               // the behaviour that it is inside of, by its place; -1: none
+  int parent = -1;               // index of the behaviour that contains it; -1: none
   const Member* member = nullptr;
 };
 
-/// What a behaviour or coordinator has inferred in the last decision.
+/// An inference of a behaviour or coordinator in the last decision.
 struct MadeInference {
-  std::string path;  // of ids from the robot on: "explore/avoid_obstacle"
+  std::string path;  // ids, outermost first: "explore/avoid_obstacle"
   Inference inference;
 };
 
-/// One robot at this instant, to look at.
+/// A view of one robot at this instant.
 struct RobotView {
-  const world::Robot* description;  // without what was put in place since
-  const OwnState* state;            // as it was last perceived or, between steps, as it is now
-  Motion asked;                     // what its coordinator commanded last
-  Motion command;                   // the same as its drive can make it
+  const world::Robot* description;  // without edits that were made in place
+  const OwnState* state;            // as last perceived, or, between steps, the present state
+  Motion asked;                     // the last command of its coordinator
+  Motion command;                   // the same, as its drive can make it
   std::span<const Member> members;  // its own behaviours, with the trace of the last decision
-  /// The same and those inside them: each behaviour before those inside it, in file order.
-  /// Member::trace.inhibited_by counts among the members of one parent.
+  /// These and the behaviours inside them, in file order, each before those inside it.
+  /// Member::trace.inhibited_by is an index among the members of the same parent.
   std::span<const TracedMember> trace;
   double distance_m;  // driven so far
   int collisions;
-  bool empty;  // the battery is
-  /// What the joints of its body hold that can be set, in the order of their parts, measured.
+  bool empty;  // the battery is empty
+  /// Measured values of the joints that can be set, in the order of their parts.
   std::span<const JointSetting> joints;
 };
 
 class Simulation {
  public:
-  /// Makes all objects of the world and puts it at time zero. Throws world::WorldError when a
-  /// plugin refuses its parameters, with the place in the world file. The host must stay where it
-  /// is for as long as the simulation lives.
+  /// Makes all objects of the world and starts at time zero. Throws world::WorldError, with the
+  /// place in the world file, when a plugin refuses its parameters. The host must outlive the
+  /// simulation and must not move.
   Simulation(world::World world, const plugin::Host& host, const Options& options = {});
   Simulation(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Back to time zero, with this seed or the one before. Changes are forgotten: what follows is
-  /// what a new simulation with that seed does.
+  /// Returns to time zero, with this seed or the previous one, and forgets changes. The run is then
+  /// the same as that of a new simulation with this seed.
   void reset(std::optional<std::uint64_t> seed = std::nullopt);
 
-  /// One step. Throws PluginFault and PhysicsFault. After the end of the run it goes on all the
-  /// same; the outcome stays.
+  /// Makes one step. Throws PluginFault and PhysicsFault. Steps are possible after the end of the
+  /// run; the outcome stays.
   void step();
 
   /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure, and
   /// PhysicsFault.
   ///
-  /// The edits in World::changes and `changes` are made on the way, those of one time together, at
-  /// time zero before observers hear of the start. They are checked before the run begins:
-  /// ChangeRefused tells of what can be known then (a path, a type, a range, a time that never
-  /// comes), in which case nothing has happened. One of the world's own whose time never comes is
-  /// not made, which a note says. It also ends a run in which there is no room for a
-  /// robot when its time comes. One whose time has not come when a goal ends the run is not made.
+  /// The run makes the edits in World::changes and `changes`, those of one time together, those of
+  /// time zero before Observer::started(). It checks them before it begins and throws ChangeRefused
+  /// for what is then known to be wrong (a path, a type, a range, a time after the end); nothing
+  /// has changed then. An edit of the world's own whose time is after the end only causes a note.
+  /// ChangeRefused also ends a run if there is no room for a robot when an edit is due. Edits after
+  /// the time at which a goal ends the run are not made.
   ///
   /// `before_control`: called before every step in which robots sense and decide, after the changes
-  /// for it. It may do to the simulation what a user may do between two steps; what it throws ends
-  /// the run.
+  /// that are due. It may make the changes that a user may make between two steps; its exceptions
+  /// end the run.
   RunResult run(std::span<Observer* const> observers = {},
                 std::span<const TimedChange> changes = {},
                 const std::function<void(Simulation&)>& before_control = {});
 
-  /// The same check by itself, as things are now. Returns those that are never made; throws
-  /// ChangeRefused with all that cannot be made.
+  /// Only makes the check of run(), in the present state. Returns the changes that are never made;
+  /// throws ChangeRefused with all changes that cannot be made.
   std::vector<UnmadeChanges> check(std::span<const TimedChange> changes) const;
 
   // Edits between two steps, until the next reset; see change.h. Each adds an event "changed" to
-  // the log, of the robot that it concerns if it is one, whose detail is the edit with the full
-  // path of every attribute that is put in place: "robot[r1]/@max_speed=0.3". Behaviours do not
-  // perceive that event.
+  // the log of the run, for the robot that it affects, if any. Its detail is the edit, with the
+  // full path of an attribute that is changed in place: "robot[r1]/@max_speed=0.3". Behaviours do
+  // not perceive it.
 
-  /// Makes an edit. Throws ChangeRefused and leaves all as it was when the world that comes out is
-  /// none that a file could describe, a plugin refuses it, or there is no room for a body at this
-  /// instant. PluginFault when a plugin that has refused a value does not take its old one back.
+  /// Makes an edit. Throws ChangeRefused and changes nothing when a file with the new world would
+  /// be refused, a plugin refuses the edit, or there is no room for a body at this instant. Throws
+  /// PluginFault when a plugin that refused a value does not accept its old value again.
   void change(std::string_view path, std::string_view value);
-  /// Makes them all, or none: what is to fit together is set together, such as a robot's x and y.
+  /// Makes all edits or none. Set values that depend on each other together, such as a robot's x
+  /// and y.
   void change(std::span<const Change> changes);
 
-  /// Replaces all objects of plugins whose declarations `host` has others of than the host before:
-  /// one that was renewed() from it. replacement.h says what becomes of them. Each is an event
-  /// "replaced" of its robot, which behaviours do not perceive. Throws ReplacementRefused, and all
-  /// is as it was. Otherwise the new host is the one that must stay from now on; a reset, too,
-  /// leaves the new objects where they are.
+  /// Replaces all objects of plugins whose declarations differ in `host`, which was renewed() from
+  /// the previous host; see replacement.h. Each adds an event "replaced" for its robot, which
+  /// behaviours do not perceive. Throws ReplacementRefused and changes nothing if an object is
+  /// refused. Otherwise the new host must outlive the simulation; new objects stay after a reset.
   Replacement replace_plugins(const plugin::Host& host);
 
-  /// Returns the result so far. Throws PluginFault when a measure fails to report; from then on it
-  /// has no values.
+  /// Returns the result so far. Throws PluginFault when a measure fails to report; later results
+  /// have no values of measures.
   RunResult result() const;
 
-  /// The measures so far, as in result(). Throws as that.
+  /// The measures so far, as in result(). Throws as result() does.
   std::vector<MeasuredValue> measures() const;
 
-  /// As it was edited, without what was put in place since.
+  /// The edited world, without edits that were made in place.
   const world::World& world() const;
-  /// As it was at time zero, with all edits that run() was given among World::changes: a run of it
-  /// with the same seed and time limit is the same, bit for bit.
+  /// The world at time zero, with all edits given to run() in World::changes: a run of it with the
+  /// same seed and time limit is the same, bit for bit.
   world::World start() const;
   std::uint64_t seed() const;
   double time_s() const;
-  /// Simulated time after which a run ends, whatever its goals.
+  /// The simulated time after which a run ends, even if goals are open, s.
   double time_limit_s() const;
   std::uint64_t steps() const;
-  /// Whether robots sensed and decided in the last step, and when that began, s.
+  /// For the last step: whether robots sensed and decided in it, and the time of its start, s.
   bool decided() const;
   double step_began_s() const;
   Outcome outcome() const;
   std::uint64_t state_hash() const;
   std::span<const EventRecord> events() const;
-  /// What plugins have to say about this run since it was reset.
+  /// The notes of this run so far.
   std::span<const Note> notes() const;
 
   std::size_t robots() const;
@@ -206,16 +204,16 @@ class Simulation {
   SensorView sensor(std::size_t robot, std::size_t index) const;
   /// Appends the numbers of a sensor's current reading, by name. Throws PluginFault.
   void list_values(std::size_t robot, std::size_t sensor, std::vector<NamedValue>& values) const;
-  /// What those of the robot's plugins have inferred that say so and were asked in the last
-  /// decision. Throws PluginFault.
+  /// The inferences of the last decision, from the robot's plugins that derive from Infers and were
+  /// asked. Throws PluginFault.
   std::vector<MadeInference> inferences(std::size_t robot) const;
-  /// Where a sensor is in the world now.
+  /// The present frame of a sensor in the world.
   Frame sensor_frame(std::size_t robot, std::size_t index) const;
-  /// How many vehicles a robot pulls: those of its drive, then its segments.
+  /// The number of vehicles that a robot pulls: those of its drive, then its segments.
   std::size_t segments(std::size_t robot) const;
-  /// One of them, counted from the robot backwards.
+  /// One of these vehicles, counted from the robot backwards.
   SegmentView segment(std::size_t robot, std::size_t index) const;
-  /// Where a box is now; none when it was collected.
+  /// The present pose of a box; none when it was collected.
   std::optional<Pose> box(std::size_t index) const;
 
  private:

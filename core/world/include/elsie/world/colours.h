@@ -15,19 +15,19 @@ inline constexpr Colour kBlueTeam{0x30, 0x60, 0xd0};
 /// from the yellow of chargers.
 inline constexpr Colour kResourceOfNoTeam{0x2e, 0x9e, 0x4f};
 
-/// Chargers of any team.
+/// The colour of chargers of any team.
 inline constexpr Colour kChargerColour{0xff, 0xd0, 0x00};
 
-/// Everything else without a team: a grey.
+/// The colour of everything else without a team: a grey.
 inline constexpr Colour kNoTeam{0x6b, 0x72, 0x7a};
 
-/// Gives a colour to every team without one. "red" and "blue" get theirs. The others get, in their
-/// order, colours as bright and saturated, with the hue in the middle of the widest gap between all
-/// hues used so far (of equal gaps, that of the lowest hue): hues of teams, boxes, resources
-/// without a team and chargers, present or not. The same world gives the same colours.
+/// Gives a colour to every team without one. "red" and "blue" get red and blue. The other teams, in
+/// their order, get equally bright and saturated colours. Each hue is in the middle of the widest
+/// gap between all hues used so far (of equal gaps, the one with the lowest hue): hues of teams,
+/// boxes, resources without a team and chargers, present or not. The result is deterministic.
 void colour_teams(World& world);
 
-/// The colour of a team: the world's, else that of "red" or "blue", else kNoTeam.
+/// The colour of a team: the one in the world, else that of "red" or "blue", else kNoTeam.
 Colour team_colour(const World& world, std::string_view team);
 
 /// The colour of a resource in full light: its own, else its team's, else kResourceOfNoTeam.
@@ -37,8 +37,8 @@ Colour resource_colour(const World& world, const Box& resource);
 struct BoxColours {
   Colour fixed, dynamic, moving;
 };
-/// The colour of a box in full light: its own, for a resource that of resource_colour(), else that
-/// of its kind.
+/// The colour of a box in full light: its own, else resource_colour() for a resource, else the
+/// colour of its kind.
 Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise);
 
 }  // namespace elsie::world

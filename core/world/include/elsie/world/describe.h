@@ -1,5 +1,5 @@
-// Builds the table of a vocabulary: an element is described by the class of its objects, an
-// attribute by the member that it sets.
+// Builds the table of a vocabulary. An element is bound to the class of its objects, an attribute
+// to the member that it sets.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ struct AttributeExtras {
   Reference refers_to = Reference::none;
   bool required = false;
   decltype(Field::change) change = nullptr;
-  std::optional<Cost> cost = std::nullopt;  // that of its element
+  std::optional<Cost> cost = std::nullopt;  // none: the cost of its element
 };
 
-// What a member holds, if it holds something.
+// The value of a member; none if the member is empty.
 template <class Value>
 Value held_by(const std::optional<Value>&);
 template <class Value>
@@ -36,14 +36,14 @@ class Describe {
     spec_.meaning = std::move(meaning);
   }
 
-  /// What it costs to add or remove it, and to change an attribute that follows.
+  /// Sets the cost of adding or removing the element, and of changing the attributes that follow.
   Describe&& costs(Cost cost) && {
     spec_.cost = cost;
     return std::move(*this);
   }
 
-  /// An attribute held by a member of type double, int, std::int64_t, bool, std::string, Colour or
-  /// an optional of these. Its default is the member's in a default-constructed object.
+  /// An attribute stored in a member of type double, int, std::int64_t, bool, std::string, Colour
+  /// or an optional of these. Its default is the member's value in a default-constructed object.
   template <class Owner, class Member>
   Describe&& attribute(const char* name, Member Owner::*member, ParameterFacts facts,
                        AttributeExtras extras = {}) && {
@@ -80,7 +80,7 @@ class Describe {
     return std::move(described);
   }
 
-  /// An attribute with its own functions that set and get it.
+  /// An attribute with its own setter and getter.
   Describe&& attribute(const char* name, ParameterType type, ParameterFacts facts,
                        AttributeExtras extras, decltype(AttributeSpec::set) set,
                        decltype(AttributeSpec::get) get) && {
@@ -107,13 +107,13 @@ class Describe {
     return std::move(*this);
   }
 
-  /// An attribute that templates use, before objects are made.
+  /// An attribute for templates, which is used before objects are made.
   Describe&& attribute_before_reading(const char* name, ParameterType type,
                                       ParameterFacts facts) && {
     return std::move(*this).attribute(name, type, std::move(facts), {}, nullptr, nullptr);
   }
 
-  /// A text of two choices, of which `yes` makes the member true.
+  /// A text attribute with two choices; the choice `yes` makes the member true.
   template <class Owner>
   Describe&& choice(const char* name, bool Owner::*member, ParameterFacts facts,
                     const std::string& yes) && {
@@ -127,7 +127,7 @@ class Describe {
     return std::move(*this).attribute(name, ParameterType::text, std::move(facts), {}, set, get);
   }
 
-  /// At most one element. It describes a member that always exists.
+  /// A child that may occur at most once. It describes a member that always exists.
   template <class Child>
   Describe&& one(ElementSpec child, Child Object::*member) && {
     return std::move(*this).child(
@@ -135,8 +135,8 @@ class Describe {
         [member](const Object& parent) { return only(&(parent.*member)); });
   }
 
-  /// At most one element that only holds others, which describe parts of this object or of its base
-  /// class. In paths, its members are called as the first of them, unless members() says otherwise.
+  /// A child that may occur at most once and only holds other elements, which describe parts of
+  /// this object or of its base class. Paths name its members by the first one, or by members().
   template <class Base>
   Describe&& group(Describe<Base> child) && {
     static_assert(std::is_base_of_v<Base, Object>, "a group describes parts of the object itself");
@@ -150,8 +150,8 @@ class Describe {
         [](const Object& parent) { return only(static_cast<const Base*>(&parent)); });
   }
 
-  /// Elements that each describe one object in a list. `is` recognizes these objects if the list
-  /// has others, too; `begin` makes a new object one of them.
+  /// Children that each describe one object in a list. If the list also has other objects, `is`
+  /// recognizes the objects of these children, and `begin` prepares a new object as one of them.
   template <class Child>
   Describe&& each(
       ElementSpec child, std::vector<Child> Object::*list,
@@ -172,7 +172,7 @@ class Describe {
         });
   }
 
-  /// Elements that each describe one alternative in a list of variants.
+  /// Children that each describe one alternative in a list of variants.
   template <class Alternative, class Variant>
   Describe&& each_of(Describe<Alternative> alternative, std::vector<Variant> Object::*list) && {
     ElementSpec child = std::move(alternative);
@@ -188,7 +188,7 @@ class Describe {
         });
   }
 
-  /// At most one element. It describes a member that may be empty.
+  /// A child that may occur at most once. It describes a member that may be empty.
   template <class Child>
   Describe&& optional(ElementSpec child, std::optional<Child> Object::*member) && {
     return std::move(*this).child(
@@ -198,7 +198,7 @@ class Describe {
         });
   }
 
-  /// The element has the name of a plugin of this kind.
+  /// The name of the element is the name of a plugin of this kind.
   Describe&& plugins(PluginKind kind) && {
     spec_.plugins = kind;
     spec_.use = [](const void* object) -> const PluginUse* {
@@ -207,7 +207,7 @@ class Describe {
     return std::move(*this);
   }
 
-  /// The coordination that such a plugin may hold.
+  /// The member for the coordination that such a plugin may hold.
   Describe&& holds(std::vector<Coordination> Object::*member) && {
     spec_.make_inside = [member](void* object) -> Coordination& {
       auto& inside = static_cast<Object*>(object)->*member;
@@ -220,7 +220,7 @@ class Describe {
     return std::move(*this);
   }
 
-  /// It may hold one element of a world; the member gets its markup.
+  /// The element may hold one element of a world; the member gets its markup.
   Describe&& takes_element(std::optional<std::string> Object::*member) && {
     spec_.take = [member](void* object, const std::string& markup) {
       static_cast<Object*>(object)->*member = markup;
@@ -228,26 +228,26 @@ class Describe {
     return std::move(*this);
   }
 
-  /// No two of the elements at the end of this path ("worlds/world") have the same value of this
-  /// attribute.
+  /// Requires different values of this attribute in all elements that this path ("worlds/world")
+  /// leads to.
   Describe&& unique(std::string elements, std::string attribute) && {
     spec_.unique.push_back({std::move(elements), std::move(attribute)});
     return std::move(*this);
   }
 
-  /// It is the root element of a file.
+  /// The element is the root element of a file.
   Describe&& root() && {
     spec_.root = true;
     return std::move(*this);
   }
 
-  /// It must stand in its parent at least once.
+  /// The element must occur in its parent at least once.
   Describe&& required() && {
     spec_.at_least = 1;
     return std::move(*this);
   }
 
-  /// What a path calls any child of this group.
+  /// Sets the word for any child of this group in paths.
   Describe&& members(const char* name) && {
     spec_.members = name;
     return std::move(*this);
@@ -256,7 +256,7 @@ class Describe {
   operator ElementSpec() && { return std::move(spec_); }  // NOLINT(google-explicit-constructor)
 
  private:
-  /// A child whose objects `make` makes in its parent and `parts` lists. A group's is its parent.
+  /// A child element. `make` makes its object, `parts` lists all; a group's object is the parent.
   template <class Make, class Parts>
   Describe&& child(ElementSpec child, Make make, Parts parts) && {
     child.make = [make](void* parent, const Location& where) -> void* {

@@ -1,7 +1,7 @@
-// A world as plain data: the content of a world file, checked, complete, and with its templates.
+// A world as plain data: the checked content of a world file, with all defaults and templates.
 //
-// Names with a unit (heading_deg) have the unit of the file, all others SI units. Every default is
-// here and nowhere else.
+// Members with a unit in their names (heading_deg) have the unit of the file, all others SI units.
+// Every default is defined here and nowhere else.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Physics {
   std::optional<double> kp;
   std::optional<double> kd;
   double friction = 0.3;     // Coulomb coefficient of contacts between bodies and with the floor;
-                             // tyres hold three times as well
+                             // that of tyres is three times as high
   double wheel_slip = 1e-3;  // force-dependent slip of a wheel on the floor, m/s per N
   double bounce = 0.0;       // restitution, in [0, 1]
   Location location{};
@@ -73,8 +73,8 @@ struct Box {
   std::optional<Colour> colour;
   bool seen_by_range_sensors = true;
   double mass = 0.2;  // kg; dynamic boxes
-  // Moving boxes: from the start through the waypoints and back to the start, round and round; or
-  // to and fro.
+  // Moving boxes: from the start through the waypoints, and directly back to the start in an
+  // endless round; or back and forth along the same path.
   std::vector<Vector2> waypoints;
   double speed = 0.2;  // m/s
   bool round_trip = true;
@@ -84,40 +84,40 @@ struct Box {
   Location location;
 };
 
-/// A mark on the floor where a team's robots charge.
+/// A mark on the floor at which the robots of a team charge.
 struct Charger {
   std::string id;
   std::string team;  // empty: any team
   double x = 0.0, y = 0.0;
-  double radius = 0.15;                    // m: how near a robot must be
+  double radius = 0.15;                    // m: the largest distance of a charging robot
   double rate = 2500.0;                    // units per second: 25 in each control step of 0.01 s
-  bool seen_by_range_sensors = false;      // then it is a box of this edge instead of a mark
+  bool seen_by_range_sensors = false;      // true: it is a box with this edge length, not a mark
   static constexpr double kBoxEdge = 0.1;  // m
   Location location;
 };
 
-/// How a world file names the file whose absolute path a parameter holds.
+/// The name in a world file of a file whose absolute path a parameter holds.
 struct FileName {
   std::string path;  // the parameter's value that `name` is for
-  std::string name;  // from the world's folder or a data directory if possible; "": the file is the
-                     // plugin's default, which a world need not name
+  std::string name;  // relative to the world's folder or a data directory if possible; "": the file
+                     // is the plugin's default, which a world need not name
 
   friend bool operator==(const FileName&, const FileName&) = default;
 };
 
-/// An element nested in a plugin's.
+/// An element nested in a plugin's element.
 struct ElementUse : ElementValue {
   std::map<std::string, FileName> file_names;  // of file parameters that are not empty
   Location location;
 };
 
-/// The use of a plugin with the parameters that the file gives; the others keep their defaults.
+/// The use of a plugin, with the parameters that the file sets; the others keep their defaults.
 struct PluginUse {
   std::string plugin;
   std::string id;  // unique within its list; by default the plugin's name
   std::map<std::string, ParameterValue> parameters;  // checked; paths of files are absolute
   std::map<std::string, FileName> file_names;        // of file parameters that are not empty
-  std::vector<ElementUse> elements;                  // nested in its own, checked, too
+  std::vector<ElementUse> elements;                  // nested in the plugin's element; checked
   Location location;
 };
 
@@ -133,19 +133,19 @@ struct Coordination;
 
 struct BehaviorUse : PluginUse {
   double priority = 1.0;
-  std::vector<Coordination> inside;  // one if the behaviour holds others, else none
+  std::vector<Coordination> inside;  // one entry if the behaviour holds others, else empty
 };
 
-/// Behaviours and the coordinator that makes one command of theirs.
+/// Behaviours and the coordinator that combines their responses into one command.
 struct Coordination {
   std::vector<BehaviorUse> behaviors;
   std::optional<PluginUse> coordinator;
 };
 
-/// The chassis of a robot and its wheels, which its drive puts below it: by default two driven ones
-/// on one axle. The origin of its frame is on the floor below the middle of the chassis.
+/// The chassis of a robot and its wheels. The drive places the wheels: by default two driven wheels
+/// on one axle. The origin of the frame is on the floor below the middle of the chassis.
 struct RobotBody {
-  bool round = false;       // the chassis is an upright cylinder, as long as it is wide; or a box
+  bool round = false;       // true: an upright cylinder with equal length and width; false: a box
   double length = 0.08;     // m, chassis along the heading
   double width = 0.08;      // m, chassis
   double height = 0.08;     // m, chassis
@@ -155,7 +155,7 @@ struct RobotBody {
   std::optional<double> axle;  // m between the wheels' middles; default: just outside the chassis
   double mass = 0.1;           // kg, chassis
   double wheel_mass = 0.05;    // kg, each
-  double wheel_torque = 0.01;  // N m, the most of each motor
+  double wheel_torque = 0.01;  // N m, the maximum of each motor
 
   double half_axle() const { return 0.5 * axle.value_or(width + wheel_width); }
   double top() const { return clearance + height; }
@@ -170,7 +170,7 @@ struct Segment {
   double width = 0.06;          // m
   double height = 0.08;         // m, of the box
   double clearance = 0.01;      // m, from the floor to the box
-  double mass = 0.1;            // kg, all of it
+  double mass = 0.1;            // kg, of the whole segment
   double wheel_radius = 0.02;   // m
   double wheel_width = 0.01;    // m
   double gap = 0.04;            // m, between the body in front and this one when they stand in line
@@ -190,13 +190,13 @@ struct Robot : Coordination {
   double x = 0.0, y = 0.0, z = 0.0;  // m
   double heading_deg = 0.0;
   double max_speed = 0.5;  // m/s
-  double coverage = 0.5;   // m, communication radius: its team perceives it within
+  double coverage = 0.5;   // m, communication radius, within which its team perceives it
   bool leader = false;
   double battery = 5000.0;       // units when full
   std::optional<double> energy;  // units at the start; default: full
   RobotBody body;
   std::optional<PluginUse> drive;  // default: differential
-  BodyPlan driven;  // the chassis on the parts of its drive; empty: of the default one. See parts.h
+  BodyPlan driven;  // the chassis with the parts of its drive; empty: default drive; see parts.h
   std::vector<Segment> segments;  // from the robot backwards
   std::vector<SensorUse> sensors;
   Location location;
@@ -214,10 +214,10 @@ struct CollectGoal {
 struct ReachGoal {
   std::string robot;
   double x = 0.0, y = 0.0, radius = 0.2;
-  std::string of;  // the robot in whose frame (x ahead, y to the left) the place is; empty: none
+  std::string of;  // the robot in whose frame the place is: x ahead, y to the left; empty: none
   Location location{};
 };
-/// To reach: a box (a dynamic one, in general) has its middle within `radius` of a place.
+/// To reach: the middle of a box (usually a dynamic one) is within `radius` of a place.
 struct PushGoal {
   std::string box;
   double x = 0.0, y = 0.0, radius = 0.2;
@@ -240,7 +240,7 @@ struct EndureGoal {
   double time = 60.0;
   Location location{};
 };
-/// To keep: a robot (empty: every robot) touches nothing but the floor and its resources.
+/// To keep: a robot (empty: every robot) touches only the floor and its resources.
 struct NoCollisionGoal {
   std::string robot;
   Location location{};
@@ -258,22 +258,28 @@ struct Limits {
   std::optional<double> wall_time;  // s on the clock
 };
 
-/// An edit of the world while it runs, between two steps: what ReadOptions::overrides says.
+/// An edit of the running world between two steps, as one of ReadOptions::overrides.
 struct TimedEdit {
-  double time = 0.0;  // s, before the first step that begins then or later
+  double time = 0.0;  // s; made before the first step that begins at this time or later
   std::string path;
   std::optional<std::string> value;    // of an attribute
-  std::optional<std::string> element;  // its markup; one of the two is given
+  std::optional<std::string> element;  // markup; exactly one of the two is set
   Location location{};
 
   /// "robot[r1]/@max_speed=0.1"
   std::string text() const { return path + "=" + (element ? *element : value.value_or("")); }
 };
 
+/// What the layouts of a world were drawn from; see layouts.h.
+struct Drawn {
+  std::uint64_t seed = 0;
+  bool by_run = false;  // it is the run's seed
+};
+
 struct World {
   std::string name;
   std::string description;
-  std::string file;  // it was read from
+  std::string file;  // the file that it was read from
   Arena arena;
   Physics physics;
   std::vector<Team> teams;
@@ -284,6 +290,7 @@ struct World {
   std::vector<PluginUse> measures;
   std::vector<TimedEdit> changes;  // in file order
   Limits limits;
+  std::optional<Drawn> drawn;  // none: its file has no layouts
 };
 
 }  // namespace elsie::world

@@ -6,12 +6,12 @@
 
 namespace elsie::world {
 
-/// Text for between two tags: & < > and " are replaced. Characters that XML does not allow
-/// stay.
+/// Escapes a text that stands between two tags: replaces & < > and ". Characters that XML does not
+/// allow remain.
 std::string escaped(std::string_view text);
 
-/// Text for an attribute in double quotes: escaped(), also with tabs and line ends replaced, which
-/// XML would read as blanks.
+/// Escapes an attribute's value in double quotes: like escaped(), but also replaces tabs and line
+/// ends, which XML would read as blanks.
 std::string escaped_attribute(std::string_view text);
 
 }  // namespace elsie::world

@@ -1,4 +1,4 @@
-// Facts that many attributes share.
+// Properties that many attributes share.
 #pragma once
 
 #include <string>
@@ -28,29 +28,29 @@ void change(void (LiveRobot::*set)(const PluginUse&, Value), LiveRobot& robot,
             const AttributePlace& place, const ParameterValue& value) {
   (robot.*set)(*place.use, std::get<Value>(value));
 }
-/// It may change while a run goes on: kLive<&LiveRobot::set_x>.
+/// For an attribute that may change during a run: kLive<&LiveRobot::set_x>.
 template <auto kSet>
 inline constexpr AttributeExtras kLive{
     .change = [](LiveRobot& robot, const AttributePlace& place, const ParameterValue& value) {
       world::change(kSet, robot, place, value);
     }};
 
-/// A change of it costs nothing, although a change of its element does.
+/// For an attribute whose change costs nothing, although a change of its element does.
 inline constexpr AttributeExtras kCheap{.cost = Cost::nothing};
 
 inline ParameterFacts fact(std::string meaning) { return {.meaning = std::move(meaning)}; }
 inline ParameterFacts range(const char* unit, double min, double max, std::string meaning) {
   return {.unit = unit, .min = min, .max = max, .meaning = std::move(meaning)};
 }
-/// Above 0.
+/// A number above 0.
 inline ParameterFacts positive(const char* unit, double max, std::string meaning) {
   return {.unit = unit, .above = 0, .max = max, .meaning = std::move(meaning)};
 }
-/// A coordinate, or an offset.
+/// A coordinate or an offset, m.
 inline ParameterFacts metres(std::string meaning) {
   return range("m", -1e4, 1e4, std::move(meaning));
 }
-/// The smallest length and mass: with less, moments of inertia are lost in rounding.
+/// The smallest length and mass; below them, rounding would spoil moments of inertia.
 inline constexpr double kLeastLength = 1e-4;  // m
 inline constexpr double kLeastMass = 1e-6;    // kg
 inline ParameterFacts mass(std::string meaning, double max = 1e4) {
@@ -63,7 +63,7 @@ inline ParameterFacts angle(std::string meaning) {
   return range("deg", -360, 360, std::move(meaning));
 }
 
-/// The use of a plugin of this kind. `id`: the meaning of its id.
+/// An element that uses a plugin of this kind. `id`: the meaning of its id.
 template <class Use>
 Describe<Use> plugin_use(const char* name, const std::string& meaning, PluginKind kind, Cost cost,
                          const char* id) {
@@ -73,7 +73,7 @@ Describe<Use> plugin_use(const char* name, const std::string& meaning, PluginKin
       .attribute("id", &PluginUse::id, fact(id), kId);
 }
 
-/// A root element with the version of the vocabulary, which the reader checks first.
+/// A root element with the version of the vocabulary; the reader checks the version first.
 template <class Object>
 Describe<Object> root(const char* name, const char* meaning, int version = kFormat) {
   return Describe<Object>(name, meaning)

@@ -12,7 +12,7 @@ namespace elsie::world {
 
 class Files {
  public:
-  /// `overrides_from`, `found`: as in ReadOptions. `known`: ReadOptions::files.
+  /// `overrides_from` and `found` are as in ReadOptions; `known` is ReadOptions::files.
   Files(std::string main_file, std::vector<std::string> data_directories,
         std::string overrides_from = "", std::map<std::string, std::string> known = {},
         std::map<std::string, std::string>* found = nullptr)
@@ -22,35 +22,35 @@ class Files {
         known_(std::move(known)),
         found_(found) {}
 
-  /// The regular file that the text at `from` calls `name`: in the folder of that text's file (for
-  /// an override: of the world file, or of the file with the overrides), else in the data
+  /// Finds the regular file that the text at `from` calls `name`: in the folder of that text's file
+  /// (for an override: of the world file, or of the file with the overrides), else in the data
   /// directories. The path is normalized, but not absolute.
   std::optional<std::string> find(const std::string& name, const Location& from) const;
-  /// The same in the data directories only, for defaults, which no file names.
+  /// Searches only the data directories: for default files, which no world file names.
   std::optional<std::string> find_data(const std::string& name) const;
 
-  /// The name in the world file for a file that find() returned as `found` for the name `written`,
-  /// perhaps in a template: the same name if it means the same file there, else one that starts in
-  /// a data directory or in the world's folder, else the absolute path.
+  /// The name to be written in the world file for `found`, which find() returned for the name
+  /// `written` (perhaps in a template): the same name if it leads to the same file there, else a
+  /// name relative to a data directory or the world's folder, else the absolute path.
   std::string name_for_world(const std::string& found, const std::string& written) const;
 
-  /// Why find() found nothing for the value of an attribute, as a sentence: it is a directory, or
-  /// does not exist, with places().
+  /// A sentence that says why find() found nothing for the value of an attribute: it is a
+  /// directory, or does not exist, with places().
   std::string why_not(const Location& from, const std::string& attribute,
                       const std::string& value) const;
-  /// Where find() looked for the value of an attribute, in words, and a better value if a data
-  /// directory has a file with the end of that name, "robots/scout.xml" for "../robots/scout.xml",
-  /// or the folder has a similar name.
+  /// The places in which find() searched for the value of an attribute, in words. Suggests a better
+  /// value if a data directory has a file with the end of that name ("robots/scout.xml" for
+  /// "../robots/scout.xml"), or the folder has a file with a similar name.
   std::string places(const Location& from, const std::string& attribute,
                      const std::string& value) const;
-  /// Where find_data() looked, in words.
+  /// The places in which find_data() searched, in words.
   std::string data_places() const;
 
   /// The absolute path of a file, without symbolic links if it exists.
   static std::string absolute(const std::string& file);
 
  private:
-  /// In these folders, then in the data directories.
+  /// Searches these folders, then the data directories.
   std::optional<std::string> search(const std::string& name,
                                     std::vector<std::string> folders) const;
   std::string folder(const Location& from) const;
@@ -64,8 +64,8 @@ class Files {
   std::map<std::string, std::string>* found_;
 };
 
-/// "; did you mean 'worlds/maze.xml'?" for a file that is missing in these folders: the regular
-/// file with the nearest name, from the first folder that has one; or "".
+/// "; did you mean 'worlds/maze.xml'?" for a file that is missing in these folders. Suggests the
+/// regular file with the nearest name in the first folder that has one; "" if none has.
 std::string did_you_mean_file(const std::string& missing, const std::vector<std::string>& folders);
 
 }  // namespace elsie::world

@@ -1,4 +1,4 @@
-// Reads the tree of a file into objects, by a vocabulary: for files of any kind.
+// Reads the tree of a file of any kind into objects, as its vocabulary describes them.
 #pragma once
 
 #include <map>
@@ -11,21 +11,21 @@
 
 namespace elsie::world {
 
-/// An element with mistakes in its attributes, or in the elements that describe its object further:
-/// the object has defaults instead.
+/// An element with mistakes in its attributes, or in its inner elements that describe the same
+/// object. The object has defaults instead.
 struct Flawed {
   const ElementSpec* spec;
   Location where;
 };
 
-/// Reads an element without plugins. Unknown elements and attributes, values that are not allowed
-/// and missing ones become problems; their members keep the defaults. Returns the elements with
-/// mistakes, those inside of others first.
+/// Reads an element without plugins. Unknown elements and attributes, missing attributes and
+/// invalid values become problems; their members keep the defaults. Returns the elements with
+/// mistakes, inner ones first.
 std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, void* object,
                                 Problems& problems);
 
-/// Adds a problem and raises all of them when the root element is not `name` in this format: a file
-/// of another format has another vocabulary. `hints` has a sentence for other root elements.
+/// Adds a problem and throws all problems if the root element is not `name` in this format, because
+/// a file of another format has another vocabulary. `hints` has sentences for other root elements.
 void check_root(const Element& root, const std::string& name, int format,
                 const std::map<std::string, std::string>& hints, Problems& problems);
 

@@ -1,6 +1,7 @@
 // Reads a world file into a checked description.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,8 +19,8 @@ namespace elsie::world {
 struct ReadOptions {
   /// Edits: attributes to set, each "PATH=VALUE", elements to replace or add, each
   /// "PATH=<element .../>", and what to remove, each "PATH/@remove=true". They are applied after
-  /// templates and before all checks; the attribute `template`, and robots that are replaced or
-  /// added, before templates.
+  /// templates and before all checks. Edits of the attribute `template`, and robots that are
+  /// replaced or added, are applied before templates.
   ///
   ///   @name                                    of <world>
   ///   physics/@step                            of an element that may stand once, even if missing
@@ -37,7 +38,7 @@ struct ReadOptions {
   ///   robot[r1]/behavior[roam]/@remove         "true" removes the behaviour; also for coordinators
   ///                                            and members of lists: robots, obstacles, goals,
   ///                                            sensors, measures...
-  ///   robot[r1]/@max_speed/@remove             "true" takes the attribute away: it has its default
+  ///   robot[r1]/@max_speed/@remove             "true" removes the attribute: its default applies
   ///   robot[r1]/coordinator                    replaces the coordinator's element, which keeps the
   ///                                            id that the file gave it
   ///   robot[+]                                 adds a robot at the end of the list, which is made
@@ -46,40 +47,42 @@ struct ReadOptions {
   ///   limits[+]                                adds an element that may stand once, if missing
   ///
   /// Groups (<robots>, <sensors>...) may be left out. A step names a member by its element or by
-  /// its group's word for it, and needs brackets when it could mean several. Numbers count the
-  /// elements of the file and those that were added, removed ones included. An added element
-  /// without an id gets one as in a file; no other element's id changes.
+  /// the group's word for its members. It needs brackets if it could mean several. Numbers count
+  /// the elements of the file and added ones, including those that were removed. An added element
+  /// without an id gets one as in a file; the ids of other elements do not change.
   std::vector<std::string> overrides;
-  /// The file with the overrides: files that they name are searched beside it and in the data
-  /// directories. "": the user gave them, and files are searched beside the world's file, in the
-  /// current folder and in the data directories.
+  /// The file with the overrides: files that they name are searched in its folder and in the data
+  /// directories. "": the user gave the overrides, and files are searched in the folder of the
+  /// world's file, in the current folder and in the data directories.
   std::string overrides_from;
-  /// Where templates and data files are searched, in this order, if they are not beside the file
-  /// that names them; see default_data_directories().
+  /// Templates and data files are searched here, in this order, if they are not in the folder of
+  /// the file that names them; see default_data_directories().
   std::vector<std::string> data_directories;
   /// Paths of files by their names in the text. They are used before any search.
   std::map<std::string, std::string> files{};
-  /// Gets the absolute paths of all files that are found, by their names, unless null.
+  /// Receives the absolute paths of all files that are found, by their names, unless null.
   std::map<std::string, std::string>* found = nullptr;
   /// Whether to make an object of every plugin, so that errors of Component::configured() are
   /// reported, too. Drives are made in any case: they say which parts a body has.
   bool check_plugins = false;
-  /// Whether the world runs: its robots, and boxes that can be pushed or taken, are not where it
-  /// says, so it is not checked whether bodies stand in each other's way or in a wall.
+  /// Whether the world is running. Robots, and boxes that can be pushed or taken, have then moved,
+  /// so overlaps of bodies with each other or with walls are not checked.
   bool is_running = false;
+  /// The run's seed, from which layouts are drawn that have no seed of their own.
+  std::uint64_t seed = 1;
 };
 
 /// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws
-/// WorldError with all problems of the file. A relative name that does not exist is searched in the
-/// data directories.
+/// WorldError with all problems of the file. A relative name is also searched in the data
+/// directories.
 ///
-/// File parameters of the result are absolute paths of files that exist; PluginUse::file_names has
-/// their names in a world. Obstacles come before resources in World::boxes.
+/// File parameters of the result are absolute paths of existing files; PluginUse::file_names has
+/// their names in a world file. Obstacles come before resources in World::boxes.
 World read_world(const std::string& file, const plugin::Host& host,
                  const ReadOptions& options = {});
 
-/// The same for a text. `file` is its name in messages, and templates and data files are searched
-/// in that folder first.
+/// The same for a text. `file` is its name in messages; templates and data files are searched in
+/// the folder of `file` first.
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Whether two descriptions say the same, attribute by attribute along the vocabulary.
+// Compares two descriptions attribute by attribute, as the vocabulary lists them.
 #pragma once
 
 #include "elsie/world/description.h"
@@ -6,16 +6,16 @@
 
 namespace elsie::world {
 
-/// Two objects that `spec` describes, as far as a difference costs so much or more. Where they
-/// stand in files does not count.
+/// Whether two objects that `spec` describes are equal. Only differences with at least this cost
+/// count; locations in files do not.
 bool same(const ElementSpec& spec, const void* a, const void* b, Cost least = Cost::nothing);
 
-/// The part of this name that an element of the vocabulary has: "body" of robots.
+/// The same for the part of two objects that the child element `part` describes: "body" of robots.
 bool same_part(const ElementSpec& spec, const char* part, const void* a, const void* b);
 
 bool same(const Box& a, const Box& b, Cost least);
-/// As far as the core knows sensors and behaviours: without the plugin's parameters, and without
-/// what behaviours hold.
+/// The same for the core's attributes of sensors and behaviours: without the plugin's parameters,
+/// and without behaviours inside of behaviours.
 bool same(const SensorUse& a, const SensorUse& b, Cost least);
 bool same(const BehaviorUse& a, const BehaviorUse& b, Cost least);
 bool same(const PluginUse& a, const PluginUse& b);

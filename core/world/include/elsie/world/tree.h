@@ -1,16 +1,18 @@
-// The tree of a world file, as programs that edit the file need it: the steps from a text to a
-// world, one by one.
+// The tree of a world file, for programs that edit the file: the single steps from a text to a
+// world.
 //
-//   tree_of_world()      the text as a tree: what a file says, with all ids
-//   merge_templates()    with what templates say
-//   apply_override()     with an edit
-//   world_of_tree()      the world, checked
+//   tree_of_world()      the text as a tree: the content of the file, with all ids
+//   merge_templates()    adds the content of templates
+//   apply_override()     applies an edit
+//   draw_layouts()       replaces layouts by what they draw; see layouts.h
+//   world_of_tree()      the checked world, with its layouts drawn
 //
-// read_world() makes all these steps at once.
+// read_world() performs all these steps.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "elsie/world/error.h"
@@ -21,45 +23,50 @@ namespace elsie::world {
 
 class Files;
 
-/// The tree of the text of a world: its root element is checked, and its ids are complete. `spans`
-/// gets the places of its elements, whose Element::object is their place in this list. Throws
+/// The tree of the text of a world, with a checked root element and complete ids. `spans` receives
+/// the places of the elements; Element::object is an element's index in this list. Throws
 /// WorldError if the text is not well-formed or has another root element.
 Element tree_of_world(std::string_view text, const std::string& file,
                       std::vector<ElementSpan>* spans = nullptr);
 
 /// Merges templates into all robots of a world.
 ///
-/// The robot's attributes override the template's, and so do those of its body. Sensors and
-/// behaviours are matched by id (default ids included): the same id overrides, a new one adds,
-/// remove="true" removes. A coordinator of the same plugin overrides, another one replaces. The
-/// content of a behaviour is merged likewise. Elements that a plugin declares replace the
-/// template's elements of the same list. A template may have a template itself.
+/// The attributes of the robot and of its body override those of the template. Sensors and
+/// behaviours are matched by id (default ids included): the same id overrides, a new id adds,
+/// remove="true" removes. A coordinator of the same plugin overrides the template's; a coordinator
+/// of another plugin replaces it. The content of a behaviour is merged in the same way. Elements
+/// that a plugin declares replace the template's elements of the same list. Templates may nest.
 void merge_templates(Element& world, const plugin::Host& host, const Files& files,
                      Problems& problems);
 
-/// Applies "PATH=VALUE", one of ReadOptions::overrides, to the tree of a world, whose ids are
-/// complete. Elements that `@remove` removes are only marked, since numbers in later paths count
-/// them, too.
+/// Applies "PATH=VALUE", one of ReadOptions::overrides, to the tree of a world with complete ids.
+/// `@remove` only marks elements as removed, because numbers in later paths still count them.
 ///
-/// `is_running`: the tree is that of what runs, in which defaults are not given: an attribute that
-/// has its default may be taken away as well.
+/// `is_running`: the tree is that of a running world, which does not contain default values; so an
+/// attribute that has its default may be removed, too.
 void apply_override(Element& world, const std::string& override, bool is_running,
                     Problems& problems);
 
-/// What an override is about. All but `other` concern the tree before merge_templates().
+/// Whether the path of an override leads to layouts, or to something in them.
+bool is_about_layouts(const std::string& override);
+/// The elements to which the path of an attribute leads, and the attribute's name. Throws
+/// std::invalid_argument with a sentence that says what is there instead.
+std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const std::string& path);
+
+/// The subject of an override. All but `other` concern the tree before merge_templates().
 enum class Concern {
   other,
   removed_robots,
   robots,     // it adds or replaces robots
-  templates,  // it sets the templates of robots that are there
+  templates,  // it sets the templates of existing robots
 };
 Concern concern_of(const std::string& override);
 
 /// Removes the marked elements.
 void remove_overridden(Element& world);
 
-/// The world of a tree that templates and overrides have been applied to. Throws WorldError with
-/// all problems, those that are there already included.
+/// The world of a tree to which templates and overrides have been applied. Throws WorldError with
+/// all problems, including those found earlier.
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
                     const Files& files, const ReadOptions& options, Problems& problems);
 

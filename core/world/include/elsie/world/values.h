@@ -1,4 +1,4 @@
-// Attributes' values and their texts.
+// The values of attributes as text.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 namespace elsie::world {
 
 struct Parsed {
-  std::optional<ParameterValue> value;  // none: `problem` says why
+  std::optional<ParameterValue> value;  // none: `problem` has the reason
   std::string problem;
 };
 
-/// Strict: the whole text must be a value, finite and in range; no decimal commas, no "yes" for
-/// true.
+/// Parses a value strictly: the whole text must be one value, finite and in range. Decimal commas,
+/// and "yes" for true, are errors.
 Parsed parse_value(const Field& field, std::string_view text);
 
 /// The shortest text that parse_value() reads as the same value.
@@ -26,7 +26,7 @@ using plugin::format_value;
 std::string expectation(const Field& field);
 
 std::string format_colour(const Colour& colour);
-/// The text must have passed parse_value().
+/// The colour that a text names, which parse_value() must have accepted.
 Colour colour_of(std::string_view text);
 
 }  // namespace elsie::world

@@ -1,9 +1,8 @@
 // The vocabulary of world files: every element and attribute with its type, unit, range, default
 // and meaning, and the member that it sets.
 //
-// Reading, writing, paths, the XML schema, the reference page and forms all use this table.
-// Plugins' parameters are described in the same terms (Field), and experiments have a table of
-// their own.
+// The reader, the writer, paths, the XML schema, the reference page and forms all use this table.
+// Field also describes the parameters of plugins. Experiments have a table of their own.
 #pragma once
 
 #include <cstddef>
@@ -25,24 +24,24 @@ struct AttributePlace;
 /// The version of the vocabulary: the attribute `format` of a file.
 inline constexpr int kFormat = 1;
 
-/// The form of a text.
+/// The required form of a text.
 enum class TextForm {
   any,
   id,      // a letter or underscore, then letters, digits, "_", "-" and "."
   colour,  // "#rrggbb"
 };
 
-/// The kind of thing in the world that an attribute names.
+/// The kind of object that an attribute refers to by its id.
 enum class Reference { none, team, robot, box };
 
-/// What a difference costs in a world that runs, from the least on. Whatever is made anew takes
-/// over the state of what stays.
+/// The cost of a change in a running world, in ascending order. Objects that are created again take
+/// over the state of the objects that remain.
 enum class Cost {
-  nothing,  // it is taken over
-  value,    // it is put in place: Field::change
-  object,   // the plugin's object is made anew, and forgets
-  body,     // the body of the robot is made anew, and with it the physics engine
-  engine,   // the engine is
+  nothing,  // the new value is taken over
+  value,    // the value is changed in place: Field::change
+  object,   // the plugin's object is created again, and loses its memory
+  body,     // the body of the robot is created again, and so is the physics engine
+  engine,   // the physics engine is created again
 };
 
 /// The value of an attribute: its type, range and default.
@@ -50,7 +49,7 @@ struct Field {
   std::string name;
   ParameterType type = ParameterType::real;
   ParameterFacts facts;
-  /// None: the member is set only if the file has the attribute.
+  /// Empty: the member is set only if the file has the attribute.
   std::optional<ParameterValue> default_value;
   // The range of the member's type.
   double lowest = -std::numeric_limits<double>::infinity();
@@ -59,13 +58,13 @@ struct Field {
   Reference refers_to = Reference::none;
   bool required = false;
   Cost cost = Cost::nothing;
-  /// What puts a change of it in place while a run goes on (Simulation::change()). None: what has
-  /// the attribute is made anew.
+  /// The function that changes the value in place during a run (Simulation::change()). Null: the
+  /// object with the attribute is created again.
   void (*change)(LiveRobot&, const AttributePlace&, const ParameterValue&) = nullptr;
   bool is_live() const { return change != nullptr; }
 };
 
-/// A plugin's parameter in the same terms.
+/// A plugin's parameter as a field.
 Field field_of(const ParameterDeclaration& parameter);
 
 /// An attribute of the core's vocabulary, bound to a member of its element's object.
@@ -74,14 +73,14 @@ struct AttributeSpec : Field {
   std::function<std::optional<ParameterValue>(const void* object)> get;
 };
 
-/// An object that an element describes, and its place in a list.
+/// An object that an element describes, and its index in a list.
 struct DescribedObject {
   std::size_t order = 0;
   const void* object = nullptr;
 };
 
-/// An element of the core's vocabulary or, if `plugins` is set, the use of any plugin of that kind,
-/// whose element has the plugin's name and content that the plugin declares.
+/// An element of the core's vocabulary. If `plugins` is set, it stands for the use of any plugin of
+/// that kind: the file's element has the name of the plugin and content that the plugin declares.
 struct ElementSpec {
   static constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 
@@ -89,29 +88,29 @@ struct ElementSpec {
   std::string meaning;
   std::vector<AttributeSpec> attributes;
   std::vector<ElementSpec> children;
-  std::size_t at_least = 0;  // times in its parent
+  std::size_t at_least = 0;  // the least number of them in a parent
   std::size_t at_most = 1;
   bool root = false;                  // of a file
   bool group = false;                 // only holds other elements and has no object of its own
   std::string members;                // of a group: the word for its children in paths
-  std::optional<PluginKind> plugins;  // then `name` is a word for it, not the element's name
-  Cost cost = Cost::nothing;          // of one more or less; of an attribute that says nothing else
+  std::optional<PluginKind> plugins;  // if set, `name` is a word for it, not the element's name
+  Cost cost = Cost::nothing;          // of adding or removing one; the default for its attributes
 
-  /// Makes the object of a new element under `parent` and sets its location.
+  /// Creates the object of a new element in `parent` and sets its location.
   std::function<void*(void* parent, const Location& where)> make;
-  /// All such objects of the parent, in order.
+  /// Lists all objects of such elements in the parent, in order.
   std::function<std::vector<DescribedObject>(const void* parent)> parts;
-  /// The base of an object that uses a plugin.
+  /// The PluginUse that is the base of an object that uses a plugin.
   std::function<const PluginUse*(const void* object)> use;
   /// For behaviours: the coordination that the behaviour holds, if any. coordination_vocabulary()
   /// describes it, so behaviours nest to any depth.
   std::function<Coordination&(void* object)> make_inside;
   std::function<const Coordination*(const void* object)> inside;
 
-  /// If set, the element may hold one element of a world besides its `children`; the object gets
-  /// its markup.
+  /// If set, the element may hold one element of a world besides its `children`; the object
+  /// receives the markup of that element.
   std::function<void(void* object, const std::string& markup)> take;
-  /// An attribute that must differ between the elements in it, for the schema.
+  /// An attribute whose values must differ between elements inside this one, for the schema.
   struct Unique {
     std::string elements;  // their path: "worlds/world"
     std::string attribute;
@@ -120,20 +119,20 @@ struct ElementSpec {
 
   const AttributeSpec* attribute(const std::string& attribute_name) const;
   const ElementSpec* child(const std::string& child_name) const;
-  /// Its children or, of a behaviour, those of the coordination that it may hold.
+  /// Its children or, for a behaviour, those of the coordination that it may hold.
   const std::vector<ElementSpec>& below() const;
   /// The parts of an object with the elements that describe them, in the order of the file:
   /// elements of several kinds may describe the objects of one list.
   std::vector<std::pair<DescribedObject, const ElementSpec*>> parts_of(const void* object) const;
 };
 
-/// <world> with all its elements.
+/// The element <world> with all elements inside it.
 const ElementSpec& vocabulary();
-/// <robot>.
+/// The element <robot>.
 const ElementSpec& robot_spec();
-/// <robot_template>: a robot without an id, in a file of its own.
+/// The element <robot_template>: a robot without an id, in a file of its own.
 const ElementSpec& template_vocabulary();
-/// <behaviors> and <coordinator>, in a robot or in a behaviour that holds others.
+/// The elements <behaviors> and <coordinator>, in a robot or in a behaviour that holds others.
 const ElementSpec& coordination_vocabulary();
 
 }  // namespace elsie::world

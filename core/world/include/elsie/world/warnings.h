@@ -1,4 +1,4 @@
-// Settings of a world that are allowed, but that the physics may not simulate well.
+// Warns of settings that are allowed, but that the physics may not simulate well.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace elsie::world {
 
-/// A problem that is likely in a run, and the setting that causes it.
+/// A likely problem in a run and the setting that causes it.
 struct Warning {
   enum class About { physics, robot, box };
   About about = About::physics;
@@ -21,10 +21,10 @@ struct Warning {
 };
 
 /// Warns of contacts that are rigid (cfm or wheel_slip of 0) or so soft that bodies sink under
-/// their own weight; an erp that overshoots; motors that overturn the robot; masses that differ by
-/// more than the solver's precision allows; speeds that cross a body in one step; moving boxes that
+/// their own weight; an erp that overshoots; motors that overturn the robot; mass ratios beyond the
+/// solver's precision; speeds at which a body passes through another in one step; moving boxes that
 /// reach into walls; walls lower than wheels; robots that topple. A world without warnings may
-/// still fail, and one with warnings may run well.
+/// still fail, and a world with warnings may run well.
 std::vector<Warning> warnings(const World& world);
 
 }  // namespace elsie::world

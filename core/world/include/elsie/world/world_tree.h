@@ -1,4 +1,4 @@
-// A world in memory as the tree of a file, so that paths mean here what they mean there.
+// A world in memory as the tree of a file, so that paths have the same meaning in both.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace elsie::world {
 
-/// It has every element, with the attributes that differ from their defaults.
+/// The tree of a world: every element, with the attributes that differ from their defaults.
 class WorldTree {
  public:
-  /// What an element stands for.
+  /// The meaning of an element.
   struct Meaning {
-    const ElementSpec* spec = nullptr;  // none for an element that a plugin declares
+    const ElementSpec* spec = nullptr;  // null for an element that a plugin declares
     std::string path;                   // without a "/" at its end
     const Robot* robot = nullptr;
     const PluginUse* use = nullptr;
     std::optional<PluginKind> kind;  // of that plugin
     std::optional<std::size_t> nested;
-    bool is_listed = false;  // then it says something even without attributes
+    bool is_listed = false;  // true: it has a meaning even without attributes
   };
 
   explicit WorldTree(const World& world) : root_(make(vocabulary(), &world, {})) {}
@@ -38,7 +38,7 @@ class WorldTree {
                     const Meaning& meaning);
   void add_declared(Element& element, const Meaning& meaning);
 
-  std::vector<Meaning> meanings_;  // Element::object is the place in it
+  std::vector<Meaning> meanings_;  // Element::object is an index into it
   Element root_;
 };
 

@@ -8,16 +8,16 @@
 
 namespace elsie::editing {
 
-/// Edits after which `from` is `to`, made together or one after the other: as few and as small as
-/// the paths of ReadOptions::overrides allow. Elements keep their identity by their ids; of two
-/// elements without ids those that say the same are one. They are tried before they are returned:
-/// throws WorldError if there are none. `options` say how worlds are read; its overrides are not
-/// used.
+/// Edits that turn `from` into `to`, made together or one after the other: as few and as small as
+/// the paths of ReadOptions::overrides allow. Elements are matched by their ids; elements without
+/// ids match if their contents are equal. The edits are tested before they are returned. Throws
+/// WorldError if no edits lead from `from` to `to`. `options` say how worlds are read; its
+/// overrides are not used.
 std::vector<std::string> edits_between(const world::World& from, const world::World& to,
                                        const plugin::Host& host,
                                        const world::ReadOptions& options = {});
 
-/// Whether these edits, made together, lead there.
+/// Whether these edits, made together, turn `from` into `to`.
 bool lead_to(const world::World& to, const world::World& from,
              const std::vector<std::string>& edits, const plugin::Host& host,
              world::ReadOptions options = {});

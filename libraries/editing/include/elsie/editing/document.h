@@ -11,7 +11,7 @@
 
 namespace elsie::editing {
 
-/// One or several edits, which are made together or not at all.
+/// One or more edits, which are made together or not at all.
 class Edits {
  public:
   Edits() = default;
@@ -27,24 +27,24 @@ class Edits {
   struct Restored;
 
   std::vector<std::string> texts_;
-  /// Of an inverse: the piece of text that was there before.
+  /// For edits that undo others: the earlier piece of text.
   std::shared_ptr<const Restored> restored_;
 };
 
-/// The text of a world file and the world that it describes, always both.
+/// The text of a world file and the world that it describes, which always agree.
 ///
-/// An edit changes the text only where it has to: comments, the order of elements and attributes,
-/// blanks, quotes and line ends stay. A removed element takes its line with it; an added one stands
-/// on a line of its own, as far in as its siblings. What a robot's template says is overridden in
-/// the robot's own element; no other file is ever changed.
+/// An edit changes the text only where necessary: comments, the order of elements and attributes,
+/// blanks, quotes and line ends stay. A removed element is removed with its line; an added element
+/// gets a line of its own, indented like its siblings. The content of a robot's template is
+/// overridden in the robot's own element; other files never change.
 ///
-/// A member of a list that has no id in the text is named by its place there. When an edit changes
-/// these names, members whose names are used elsewhere in the world keep them, as an attribute.
+/// A list member without an id in the text is named by its position. If an edit would change the
+/// name of a member that is used elsewhere in the world, the member keeps it as an attribute `id`.
 class Document {
  public:
-  /// The file is `text`, whatever is on disk; its folder is where templates and data files are
-  /// searched first. The host must outlive the document. Edits come from apply() only:
-  /// ReadOptions::overrides are not used. Throws WorldError if the text is not a right world.
+  /// The content of `file` is `text`, whatever is on disk. Templates and data files are searched in
+  /// its folder first. The host must outlive the document. ReadOptions::overrides are not used:
+  /// apply() makes all edits. Throws WorldError if the text is not a valid world.
   Document(std::string text, std::string file, const plugin::Host& host,
            world::ReadOptions options = {});
   /// Reads the file; see read_world().
@@ -57,25 +57,25 @@ class Document {
   const std::string& file() const;
   const std::string& text() const;
   const world::World& world() const;
-  /// The elements of the world, those of templates among them; valid until the next edit.
+  /// The elements of the world, including those of templates. Valid until the next edit.
   const world::Element& tree() const;
-  /// An element of the tree as the text has it: a robot with `template`, and without what the
-  /// template adds. Null if it stands in a template only.
+  /// An element of the tree as the text has it: a robot with its attribute `template`, but without
+  /// the content of the template. Null if the element is in a template only.
   const world::Element* written(const world::Element& element) const;
 
-  /// Makes the edits, checks the result as a file is checked, and returns the edits that undo them.
-  /// Applied next, these restore the text byte for byte; applied to any other text, they do what
-  /// their texts say. Throws WorldError and changes nothing if the edits are impossible, or if the
-  /// file cannot say what they ask for.
+  /// Makes the edits, checks the result like a file, and returns the edits that undo them. If these
+  /// are applied next, they restore the text byte for byte; applied to another text, they act like
+  /// other edits. Throws WorldError and changes nothing if the edits are impossible, or if a file
+  /// cannot express their result.
   Edits apply(const Edits& edits);
 
-  /// Takes another text of the same file, and returns the edits that undo this, as apply() does.
-  /// Throws WorldError and changes nothing if the text is not a right world.
+  /// Replaces the whole text of the file, and returns the edits that undo this, as apply() does.
+  /// Throws WorldError and changes nothing if the text is not a valid world.
   Edits become(std::string text);
 
-  /// The text for a file in another folder: names of files that would not lead to the same files
-  /// from there are replaced, those of ReadOptions::files among them. Throws WorldError if there is
-  /// no such folder.
+  /// The text for a file in another folder. It replaces the names of files that would not lead to
+  /// the same files from there, including those of ReadOptions::files. Throws WorldError if the
+  /// folder does not exist.
   std::string text_for(const std::string& folder) const;
 
  private:

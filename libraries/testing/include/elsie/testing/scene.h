@@ -71,7 +71,7 @@ class Scene {
   std::vector<std::string_view> teams_;
   int steps_ = 0;
   int control_steps_ = 1;
-  // What observation() refers to, renewed by each call.
+  // The data that observation() refers to, renewed by each call.
   Observation now_;
   mutable Observation view_;
   mutable std::vector<ObservedRobot> seen_;

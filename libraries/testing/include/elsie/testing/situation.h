@@ -107,7 +107,7 @@ class Situation {
   std::deque<Mate> mates_;
   std::deque<std::string> events_;
   Perception::Data data_;
-  // What perception() refers to, renewed by each call.
+  // The data that perception() refers to, renewed by each call.
   struct Views {
     Views() = default;
     Views(const Views&) {}  // a copy of the situation makes its own

@@ -52,7 +52,7 @@ class Team final : private Member::Runner {
 
   // Further answers of the last member; by default those of elsie::Behavior.
 
-  /// How desirable each command is to it, in [0, 1].
+  /// Sets the function that rates how desirable a command is, in [0, 1].
   Team& rating(std::function<double(const Motion&)> rating);
   Team& sets(CommandSets sets);
 
@@ -70,7 +70,7 @@ class Team final : private Member::Runner {
   const TraceRow& trace(std::size_t i) const { return members_[i].trace; }
   const TraceRow& trace(const std::string& name) const { return members_[index_of(name)].trace; }
   std::string reason(std::size_t i) const { return members_[i].trace.reason; }
-  /// How often the member has been asked so far.
+  /// The number of times that the member has been asked so far.
   int asked(std::size_t i) const { return slots_[i].behavior.asked; }
   int asked(const std::string& name) const { return slots_[index_of(name)].behavior.asked; }
 

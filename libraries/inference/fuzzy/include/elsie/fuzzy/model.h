@@ -140,7 +140,6 @@ class Model {
   ///
   /// Throws std::invalid_argument when an input or a formula's value is not finite (1 / 0), or a
   /// size does not match.
-  /// does not fit.
   void evaluate(std::span<const double> inputs, std::span<double> outputs,
                 Workspace& workspace) const;
 

@@ -27,10 +27,10 @@ namespace elsie::neural {
 inline constexpr std::size_t kMostLayers = 64;
 inline constexpr std::size_t kMostWeights = 10'000'000;
 
-/// How first weights are drawn, and how a network learns.
+/// The method of drawing first weights and of learning.
 enum class Method {
   standard,
-  /// That of the thesis with the published experiments, as inferred from its figures and text.
+  /// The method of the thesis with the published experiments, inferred from its figures and text.
   /// First weights result from an integer division: they are -1 or 0, each in about half of the
   /// draws, and 1 in one of 32,768. The momentum of a weight is the momentum times delta x
   /// input of the sample before, and does not accumulate. Training stops at the first sample whose

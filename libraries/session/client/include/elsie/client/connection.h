@@ -1,8 +1,8 @@
-// The other end of a session: a process of its own that has the document and its run, so that
-// plugins which crash, loop or wait do so there.
+// A connection to the process of a session, which holds the document and its run. Plugins that
+// crash, loop or wait only affect that process.
 //
-// Messages are objects of JSON, one a line; docs/session.md lists them. Nothing here waits for the
-// other process, but for the destructor.
+// Messages are JSON objects, one per line; docs/session.md lists them. Only the destructor waits
+// for the other process.
 #pragma once
 
 #include <cstddef>
@@ -19,37 +19,36 @@ namespace elsie::client {
 
 using Json = nlohmann::ordered_json;
 
-/// How the process ended.
+/// The end of the process.
 struct SessionEnd {
   int exit_code = 0;   // or 128 and the number of the signal
-  std::string report;  // what it wrote last on its standard output and error
+  std::string report;  // the last text that it wrote to its standard output and error
 };
 
 class Connection {
  public:
-  /// Starts `program`, which is `elsie`, with these options: those of plugins. `most_bytes`: of a
-  /// snapshot. Throws base::Error.
+  /// Starts `program`, which must be `elsie`, with these options for plugins. `most_bytes` is the
+  /// largest size of a snapshot. Throws base::Error.
   Connection(const std::string& program, const std::vector<std::string>& arguments = {},
              std::size_t most_bytes = std::size_t{256} << 20);
-  /// Ends the process: by closing the connection, and by force when it is still there a moment
-  /// later.
+  /// Ends the process by closing the connection; kills it if it is still running a moment later.
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Can be read when messages wait, or the process has ended.
+  /// Becomes readable when messages arrive, and when the process has ended.
   int descriptor() const;
   /// Sends a message, or keeps what does not fit for the next call of send() or receive().
   void send(const Json& message);
-  /// The messages that have come.
+  /// The messages that have arrived since the last call.
   std::vector<Json> receive();
-  /// Once it has ended, and all its messages have been received. A process that has closed the
-  /// connection but lives on for a second is ended.
+  /// The end of the process, once it has ended and all its messages have been received. Kills a
+  /// process that still runs one second after it closed the connection.
   std::optional<SessionEnd> ended();
-  /// Closes the connection, at which the process ends by itself. Nothing is received after that;
-  /// ended() says when it has ended, and ends one that is still there a second later.
+  /// Closes the connection, so that the process ends. No messages are received after that. ended()
+  /// reports the end of the process, and kills it if it still runs one second later.
   void close();
-  /// Tells the process to report which plugin is at work, and to end.
+  /// Makes the process report which plugin is at work, and end.
   void quit();
   /// Ends the process at once.
   void kill();

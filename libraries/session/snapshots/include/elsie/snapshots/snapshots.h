@@ -1,8 +1,8 @@
-// Where everything is, from the process that simulates to the one that draws, in memory that both
-// share.
+// Snapshots of all positions, passed from the simulating process to the drawing process in shared
+// memory.
 //
-// Three buffers change hands: one is written, one is read, one lies ready between them. Neither
-// side ever waits for the other, and a writer that is killed leaves the last whole snapshot.
+// Three buffers are exchanged (triple buffering): one is written, one is read, one is ready for the
+// reader. Neither side waits for the other. A killed writer leaves the last complete snapshot.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace elsie::snapshots {
 
-/// Where a body is: a frame without its `up`, which follows.
+/// The frame of a body without `up`, which follows from the other two axes.
 struct BodyState {
   float origin[3];
   float forward[3];
   float left[3];
-  float present = 1.0F;  // 0: not there any more, as a collected resource
+  float present = 1.0F;  // 0: removed, such as a collected resource
 
   static BodyState of(const Frame& frame);
   Frame frame() const;
@@ -34,12 +34,12 @@ struct BeamState {
   std::uint32_t hit = 0;
 };
 
-/// What stands before the lists of a snapshot.
+/// The data of a snapshot before its lists.
 struct SnapshotFacts {
-  std::uint64_t epoch = 0;  // counts the scenes: the bodies are those of this one
+  std::uint64_t epoch = 0;  // the number of the scene to which the bodies belong
   std::uint64_t steps = 0;
   double time_s = 0.0;  // simulated
-  double pace = 0.0;    // simulated seconds per second on the clock, lately
+  double pace = 0.0;    // recent simulated seconds per second on the clock
 };
 
 /// A snapshot in the shared memory.
@@ -49,18 +49,18 @@ struct Snapshot {
   std::span<const BeamState> beams;
 };
 
-/// Memory that two processes share, by its file descriptor. It takes no more than was written.
+/// Memory that two processes share by a file descriptor. It only occupies pages that were written.
 class SharedMemory {
  public:
-  /// Memory for snapshots of up to `most` bytes each. Throws base::Error.
+  /// Creates memory for snapshots of up to `most` bytes each. Throws base::Error.
   static SharedMemory create(std::size_t most);
-  /// The memory behind a descriptor of create(), which stays open. Throws base::Error.
+  /// Opens the memory of a descriptor from create(), which stays open. Throws base::Error.
   static SharedMemory open(int descriptor);
   SharedMemory(SharedMemory&& other) noexcept;
   SharedMemory& operator=(SharedMemory&&) = delete;
   ~SharedMemory();
 
-  /// To hand to another process; closed with this object if it made it.
+  /// The descriptor for another process. This object closes it if it was made by create().
   int descriptor() const { return descriptor_; }
 
  private:
@@ -75,14 +75,14 @@ class SharedMemory {
   std::byte* begin_ = nullptr;
 };
 
-/// The one who writes. The memory must outlive it.
+/// Writes snapshots. The memory must outlive it.
 class Writer {
  public:
   explicit Writer(SharedMemory& memory);
 
-  /// Whether the last snapshot has been taken: until then another one is in vain.
+  /// Whether the reader has taken the last snapshot. Until then, another one is not needed.
   bool taken() const;
-  /// False, and nothing happens, if the memory is too small.
+  /// Writes a snapshot. Returns false and does nothing if the memory is too small.
   bool write(const SnapshotFacts& facts, std::span<const BodyState> bodies,
              std::span<const BeamState> beams);
 
@@ -91,12 +91,12 @@ class Writer {
   std::uint32_t mine_ = 0;
 };
 
-/// The one who reads. The memory must outlive it.
+/// Reads snapshots. The memory must outlive it.
 class Reader {
  public:
   explicit Reader(SharedMemory& memory);
 
-  /// The last snapshot if it is a new one, valid until the next call.
+  /// The last snapshot if it is new, else none. Valid until the next call.
   std::optional<Snapshot> take();
 
  private:

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,23 +15,18 @@
 namespace elsie::batch {
 
 struct BatchOptions {
-  std::vector<std::string> worker{};  // program of a worker with its arguments
+  std::vector<std::string> worker{};  // the worker's program and its arguments
   std::size_t workers = 1;
-  int stop_descriptor = -1;  // the batch stops in order when this can be read
+  int stop_descriptor = -1;  // the batch stops cleanly when this becomes readable
 };
 
-/// How far the batch is.
+/// The progress of the batch.
 struct Progress {
   std::int64_t runs = 0;    // runs that were pending when the batch began
-  std::int64_t ended = 0;   // runs of these that have ended
-  std::int64_t failed = 0;  // runs that ended in another state than "done"
+  std::int64_t ended = 0;   // those of them that have ended
+  std::int64_t failed = 0;  // those that ended in a state other than "done"
   double elapsed_s = 0.0;
-
-  /// Estimate of the remaining time in s, from the runs so far; negative: not known yet.
-  double left_s() const {
-    return ended > 0 ? elapsed_s / static_cast<double>(ended) * static_cast<double>(runs - ended)
-                     : -1.0;
-  }
+  std::optional<double> left_s{};  // estimate of the remaining time; none: not known yet
 };
 
 /// A file that a run uses has changed since the batch began; what() is a sentence.
@@ -39,14 +35,15 @@ class FileChanged : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Does all pending runs of the plan, each in a process of its own. `watch` is called after each
-/// run and about once a second. Returns false when the batch was stopped: runs that were at work
-/// stay pending. Throws FileChanged, DatabaseError, and std::runtime_error when no worker can be
-/// started; what was written before stays valid.
-bool carry_out(const Plan& plan, ResultsDatabase& database, const BatchOptions& options,
+/// Does all pending runs of a database that has a plan, each in its own process, in the order of
+/// in_order(). Calls `watch` after each run and
+/// about once a second. Returns false if the batch was stopped; runs that were active then stay
+/// pending. Throws FileChanged, DatabaseError, and std::runtime_error if no worker can be started;
+/// results written before stay valid.
+bool carry_out(ResultsDatabase& database, const BatchOptions& options,
                const std::function<void(const Progress&)>& watch = {});
 
-/// The job of a run of the plan.
+/// Returns the job for a run of the plan.
 Job job_of(const Plan& plan, const PlannedRun& run);
 
 }  // namespace elsie::batch

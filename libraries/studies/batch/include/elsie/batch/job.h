@@ -1,4 +1,4 @@
-// The job that a worker process gets, and the record that it answers with.
+// The job that a worker process gets, and the record that it returns.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace elsie::batch {
 
-/// One run with everything that it needs.
+/// One run and all its inputs.
 struct Job {
   std::int64_t run = 0;  // number of the run
   std::string world_text;
@@ -34,7 +34,7 @@ struct Measure {
   std::optional<double> value;
 };
 
-/// What happened on a robot.
+/// An event on a robot.
 struct Event {
   double time_s = 0.0;
   std::string robot;
@@ -42,7 +42,7 @@ struct Event {
   std::string detail;
 };
 
-/// Texts are JSON, as schema.sql says.
+/// Strings such as `poses` are JSON; schema.sql describes them.
 struct Trajectory {
   std::string robot;
   double from_s = 0.0;
@@ -80,10 +80,10 @@ struct RunRecord : results::RunFields {
   std::vector<simulation::Note> notes;
 };
 
-/// One line of JSON without a line feed.
+/// Return one line of JSON without a line feed.
 std::string to_json(const Job& job);
 std::string to_json(const RunRecord& record);
-/// Throw std::runtime_error with a sentence when the text is not what to_json() writes.
+/// Throw std::runtime_error with a sentence if the text was not written by to_json().
 Job job_from(std::string_view json);
 RunRecord record_from(std::string_view json);
 

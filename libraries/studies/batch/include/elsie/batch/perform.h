@@ -5,22 +5,22 @@
 
 namespace elsie::batch {
 
-/// The greatest number of poses kept of a robot: of a longer path every second, third... pose is
-/// kept. Of its collisions, the first ones are kept, up to the same number.
+/// The largest number of poses kept for a robot: of a longer path, every second, third... pose is
+/// kept. The first collisions are kept, up to the same number.
 inline constexpr std::size_t kMostPoses = 2000;
-/// The greatest number of points kept of a learning curve, spread evenly, with the first and the
-/// last.
+/// The largest number of points kept for a learning curve, spread evenly, including the first and
+/// the last.
 inline constexpr std::size_t kMostCurvePoints = 500;
-/// The greatest number of episodes kept of who decided when.
+/// The largest number of episodes kept in a timeline of deciding behaviours.
 inline constexpr std::size_t kMostEpisodes = 60;
-/// The greatest number of events kept, the first ones; a note gives the number of the others.
+/// The largest number of events kept, the first ones; a note gives the number of the others.
 inline constexpr std::size_t kMostEvents = 10'000;
 
 /// Runs the world of a job from start to end. Never throws: errors are in the record. A plugin may
-/// still end the process; see Worker.
+/// still end the process; see work().
 RunRecord perform(const Job& job);
 
-/// The step that perform() is in, counted from 0; for signal handlers.
+/// The current step of perform(), counted from 0; for signal handlers.
 std::uint64_t step_at_work() noexcept;
 
 }  // namespace elsie::batch

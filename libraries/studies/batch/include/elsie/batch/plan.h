@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,7 +32,7 @@ struct Shard {
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// Reads "2/5", K/N with K from 1 to N; none for other texts.
+/// Parses "K/N" with K from 1 to N, such as "2/5"; returns none for other texts.
 std::optional<Shard> parse_shard(std::string_view text);
 
 enum class FileKind { data, library, world };
@@ -41,15 +42,15 @@ struct PlannedFile {
   FileKind kind = FileKind::data;
   std::string path;      // absolute
   std::string sha256;    // 64 hexadecimal digits
-  std::string content;   // only of data files
-  std::size_t rank = 0;  // of libraries: position in the order in which the host found them
+  std::string content;   // only for data files
+  std::size_t rank = 0;  // for libraries: position in the order in which the host found them
 };
 
 struct PlannedPlugin {
   std::string kind;  // for example "behavior"
   std::string name;
   std::string version;
-  std::optional<std::size_t> file;  // index into Plan::files; none: linked into the program
+  std::optional<std::size_t> file;  // index into Plan::files; none if linked into the program
 };
 
 struct PlannedLevel {
@@ -61,7 +62,7 @@ struct PlannedLevel {
 struct PlannedCell {
   std::string label;
   std::string world;       // id of the world in the experiment
-  std::string world_text;  // templates merged, settings made, every data file named
+  std::string world_text;  // with templates merged, settings made, all data files named
   std::string world_file;  // absolute
   std::string sha256;      // of world_text
   std::vector<PlannedLevel> levels;
@@ -72,13 +73,35 @@ struct PlannedCell {
   };
   std::vector<Data> data;  // sorted by name
   bool goals = true;       // the world has goals
+  std::size_t place = 0;   // in the order of the experiment's grid
+  /// SHA-256 over everything that affects its results: levels, world, data, plugins. Layouts that
+  /// follow the seeds of the runs are not included; see Layout::identity.
+  std::string identity;
+  /// From which its layouts are drawn; none: it has none, or they follow the seeds of the runs.
+  std::optional<std::uint64_t> layout_seed;
+  struct Layout {
+    std::string world_text;
+    std::string sha256;    // of world_text
+    std::string identity;  // SHA-256 over the world, wherever its data files are
+  };
+  /// If they follow the seeds: the world of each seed; world_text is that of the first.
+  std::map<std::uint64_t, Layout> layouts;
 };
 
 struct PlannedRun {
-  std::int64_t id = 0;   // from 1, in the order of cells, seeds, repetitions
+  std::int64_t id = 0;   // from 1; first in the order of cells, seeds, repetitions, see Stage
   std::size_t cell = 0;  // index into Plan::cells
   std::uint64_t seed = 0;
   int repetition = 1;
+};
+
+/// The experiment as it was begun, or as it was each time that its database was extended.
+struct Stage {
+  std::size_t cells = 0;             // the first ones of Plan::cells
+  std::vector<std::uint64_t> seeds;  // in the order of the file
+  int repeats = 1;
+  std::int64_t runs = 0;    // of this stage and those before it
+  std::string fingerprint;  // as Plan::fingerprint
 };
 
 struct Plan {
@@ -90,16 +113,17 @@ struct Plan {
   std::string text;                  // its text
   std::vector<std::string> factors;  // the first one is "world"
   std::vector<PlannedFile> files;    // first those of the program, libelsie before all others
-  std::size_t program_files = 0;     // how many of them: deciding_libraries()
+  std::size_t program_files = 0;     // the number of those: deciding_libraries()
   std::vector<PlannedPlugin> plugins;
   std::vector<PlannedCell> cells;
-  std::vector<PlannedRun> runs;  // runs of the shard
+  std::vector<Stage> stages;     // at least one
+  std::vector<PlannedRun> runs;  // runs of the shard, by id
   std::int64_t all_runs = 0;     // runs of the experiment
   Shard shard;
   double wall_limit_s = 600.0;
   double trajectory_period_s = 0.5;
-  /// SHA-256 over everything that decides the results: worlds, data, plugins, the program's
-  /// libraries, seeds. Paths of files and the shard are left out.
+  /// SHA-256 over everything that affects the results: worlds, data, plugins, the program's
+  /// libraries, seeds. Paths of files and the shard are not included.
   std::string fingerprint;
 
   /// The libraries of a cell's plugins, in the order in which the host found them.
@@ -109,31 +133,36 @@ struct Plan {
 struct PlanOptions {
   std::string elsie_version;
   std::string text;  // text of the experiment file
-  /// Where data files are searched for after the folder of the world's file.
+  /// Folders in which data files are searched for, after the folder of the world's file.
   std::vector<std::string> data_directories;
   Shard shard;
 };
 
-/// Reads the world of every cell. Throws world::WorldError when a world is wrong, and
-/// std::runtime_error with a sentence when a file cannot be read.
+/// Reads the world of every cell. Throws world::WorldError if a world has errors, and
+/// std::runtime_error with a sentence if a file cannot be read.
 ///
-/// A world's own wall limit is ignored in a batch: where it ends a run would depend on the number
-/// of runs that share the machine. The experiment's wall limit ends runs that take too long.
+/// A world's own wall limit is ignored in a batch, because its effect would depend on the number of
+/// runs that share the machine. The experiment's wall limit ends runs that take too long.
 Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& host,
                const PlanOptions& options);
 
-/// The libraries that decide the result of a run, besides those of its plugins: libelsie, which is
-/// the first, and those that it and its plugins compute with (the base, inference, the views, which
-/// take the pictures of cameras, libelsie-vision, which works on them, the engines, and ODE).
+/// These runs of the plan, named by their numbers, in the order in which they are done: all cells
+/// with the first seed, then all with the second..., repetitions last. A batch that is stopped has
+/// whole seeds. Throws std::out_of_range for a number that the plan does not have.
+std::vector<PlannedRun> in_order(const Plan& plan, const std::vector<std::int64_t>& runs);
+
+/// The libraries that affect the result of a run, in addition to those of its plugins: first
+/// libelsie, then the libraries that it and its plugins use (the base; inference; the views, which
+/// take the pictures of cameras; libelsie-vision, which processes them; the engines; ODE).
 std::vector<std::filesystem::path> deciding_libraries();
 
-/// Looks whether a cell's files are still what they were when the plan was made.
+/// Checks whether a cell's files have changed since the plan was made.
 class FileCheck {
  public:
   explicit FileCheck(const Plan& plan);
 
-  /// The first file of this cell that was changed or removed; none: all are unchanged. Reads a file
-  /// only when its size or time differs.
+  /// Returns the first file of this cell that was changed or removed; none if all are unchanged.
+  /// Reads a file only if its size or time differs.
   std::optional<std::string> changed(std::size_t cell);
 
  private:

@@ -1,8 +1,8 @@
 // The results of one experiment in one SQLite file; docs/results-database.md describes it.
 //
-// One process at a time writes it, and holds a lock file next to it; the lock ends with the
-// process. Others may read meanwhile. Each run is written in one transaction: whenever a process is
-// killed, a run is either pending or complete.
+// Only one process at a time writes it. The writer holds a lock file next to it; the lock ends with
+// the process. Others may read meanwhile. Each run is written in one transaction: even if a process
+// is killed, each run is either pending or complete.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,21 @@ struct CellCount {
   std::string label;
   std::int64_t pending = 0;
   std::int64_t done = 0;       // runs that ended without a failure
-  std::int64_t successes = 0;  // runs of these with the outcome "success"
+  std::int64_t successes = 0;  // those of them with the outcome "success"
   std::int64_t failed = 0;     // runs that ended as fault, crash, hang or error
+};
+
+/// The seeds, and those that are complete: ended in every cell. Repetitions do not count.
+struct SeedCount {
+  std::int64_t all = 0;
+  std::int64_t complete = 0;
+};
+
+/// How long the runs of a cell took that are done.
+struct CellTime {
+  std::size_t cell = 0;  // index into Plan::cells
+  double wall_s = 0.0;   // mean of the times on the clock
+  std::int64_t runs = 0;
 };
 
 /// A run that failed.
@@ -48,7 +61,7 @@ struct Disagreement {
   std::vector<std::int64_t> runs;
 };
 
-/// Everything that is needed to repeat a run.
+/// All data needed to repeat a run.
 struct StoredRun {
   Job job;  // without data files and libraries
   struct Data {
@@ -63,7 +76,7 @@ struct StoredRun {
     std::string sha256;
     std::vector<std::string> plugins;  // "behavior wander 1.0"
   };
-  std::vector<Library> libraries;  // of plugins; in the order in which they are to be loaded
+  std::vector<Library> libraries;  // of plugins, in the order in which to load them
   std::vector<Library> program;    // deciding_libraries() when the batch began
   std::string elsie_version;
   std::string experiment;
@@ -75,13 +88,17 @@ struct StoredRun {
 
 class ResultsDatabase {
  public:
-  /// Creates the file and writes the plan. Throws DatabaseRefused when the file exists already or
-  /// cannot be created, DatabaseError when it cannot be written.
-  static ResultsDatabase create(const std::filesystem::path& file, const Plan& plan);
-  /// Opens a database to continue its batch. Throws DatabaseRefused when it is no results database,
-  /// is being written by another process, is damaged, or is of another experiment or shard. Adds
-  /// the runs of the plan that are missing in it.
-  static ResultsDatabase resume(const std::filesystem::path& file, const Plan& plan);
+  /// Creates the file and writes the plan. Throws DatabaseRefused if the file already exists or
+  /// cannot be created, DatabaseError if it cannot be written.
+  static ResultsDatabase create(const std::filesystem::path& file, Plan plan);
+  /// Opens a database to continue its batch, and adds runs of the plan that are missing in it.
+  /// Throws DatabaseRefused if it is not a results database, is being written by another process,
+  /// is damaged, or belongs to another experiment or shard.
+  static ResultsDatabase resume(const std::filesystem::path& file, Plan plan);
+  /// The same, but the plan may have more seeds, repetitions, levels and worlds, whose runs are
+  /// added in one transaction. Runs that exist keep their numbers. Throws DatabaseRefused when
+  /// anything that exists is gone or differs.
+  static ResultsDatabase extend(const std::filesystem::path& file, Plan plan);
   /// Opens a database to read it. Throws as results::open_to_read() does.
   static ResultsDatabase open(const std::filesystem::path& file);
 
@@ -89,29 +106,38 @@ class ResultsDatabase {
   ~ResultsDatabase();
 
   const std::filesystem::path& file() const;
+  /// The plan with the numbers that its runs have here; empty after open().
+  const Plan& plan() const;
+  /// The number of runs, in all shards, that extend() has added to the experiment.
+  std::int64_t added_runs() const;
 
   /// Numbers of the pending runs, ascending.
   std::vector<std::int64_t> pending();
-  /// Throws DatabaseError when the file was removed, renamed or replaced since it was opened;
-  /// what() says where the results are now, if they still exist.
+  /// Throws DatabaseError if the file was removed, renamed or replaced since it was opened; what()
+  /// says where the results are now, if they still exist.
   void require_in_place();
   /// Writes the result of a pending run, which is then no longer pending. Throws DatabaseError,
-  /// also when the file is no longer in its place.
+  /// also if the file was moved or removed (see require_in_place()).
   void write(std::int64_t run, const RunRecord& record);
   /// Makes failed runs pending again. Returns their number.
   std::int64_t redo_failed();
 
+  /// In the order of the experiment's grid.
   std::vector<CellCount> cells();
+  SeedCount seeds();
+  /// The cells with runs that are done.
+  std::vector<CellTime> times();
   std::vector<FailedRun> failed(std::size_t most);
   std::vector<Disagreement> disagreements();
-  /// None: there is no such run.
+  /// Returns none if there is no such run.
   std::optional<StoredRun> run(std::int64_t id);
-  /// Why run() finds no run of this number, as a sentence: it does not exist, or it belongs to
-  /// another shard.
+  /// Returns a sentence that says why run() does not find this run: it does not exist, or it
+  /// belongs to another shard.
   std::string why_no_run(std::int64_t id);
 
  private:
   class Impl;
+  static ResultsDatabase continue_in(const std::filesystem::path& file, Plan plan, bool extend);
   explicit ResultsDatabase(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

@@ -1,9 +1,9 @@
 // Worker processes: each does one run and ends.
 //
-// A worker gets its job on standard input, and answers with a line of JSON on a pipe of its own
-// (kResultDescriptor). The last kilobytes of its output are kept for the record of a run that
-// fails. A worker that crashes, hangs, exits or is killed fails its own run only. Workers end with
-// the process that started them.
+// A worker gets its job on standard input, and answers with a line of JSON on its own pipe
+// (kResultDescriptor). The last kilobytes of its output are kept for the record of a failed run. If
+// a worker crashes, hangs, exits or is killed, only its own run fails. Workers end with the process
+// that started them.
 #pragma once
 
 #include <cstddef>
@@ -24,22 +24,22 @@ inline constexpr int kResultDescriptor = 3;
 inline constexpr std::size_t kLogTail = 16'384;
 
 struct PoolOptions {
-  /// The program of a worker with its arguments. It begins with SIGTERM blocked, until it can
-  /// tell the pool's request to end from one that comes from outside.
+  /// The worker's program and its arguments. It starts with SIGTERM blocked, until it can
+  /// distinguish the pool's SIGTERM from one of another process.
   std::vector<std::string> command{};
   std::size_t workers = 1;
   double wall_limit_s = 600.0;  // of one run
   /// After the wall limit a worker gets SIGTERM, and after this time SIGKILL.
   double grace_s = 2.0;
-  /// When this descriptor can be read, workers are killed and run() returns. -1: none.
+  /// When this descriptor becomes readable, workers are killed and run() returns. -1: none.
   int stop_descriptor = -1;
 };
 
 class WorkerPool {
  public:
-  /// Returns the next job; none: there are no more.
+  /// Returns the next job; none if there are no more.
   using Next = std::function<std::optional<Job>()>;
-  /// Gets the result of each run. Its exceptions leave run().
+  /// Gets the result of each run. run() passes on its exceptions.
   using Ended = std::function<void(std::int64_t run, RunRecord record)>;
   /// Called about once a second and after each run.
   using Tick = std::function<void()>;
@@ -50,8 +50,8 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// Does all jobs. Returns false when it was stopped: the runs then at work are not reported.
-  /// Throws std::runtime_error with a sentence when no worker can be started.
+  /// Does all jobs. Returns false if it was stopped; runs that were active then are not reported.
+  /// Throws std::runtime_error with a sentence if no worker can be started.
   bool run(const Next& next, const Ended& ended, const Tick& tick = {});
 
  private:

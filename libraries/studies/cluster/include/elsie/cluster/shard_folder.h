@@ -7,8 +7,8 @@
 //   shard-K.json       counts of its runs
 //   shard-K.log        output of its task
 //
-// Nobody else opens a shard's database while its task is at work: SQLite's write-ahead log does not
-// work across machines (https://sqlite.org/wal.html).
+// No other process opens a shard's database while its task is running, because SQLite's write-ahead
+// log does not work across machines (https://sqlite.org/wal.html).
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ void write_count(const std::filesystem::path& file, const Count& count);
 class ShardFolder {
  public:
   /// A lock for commands that follow the same batch: only one of them submits tasks or merges the
-  /// databases, while the others wait. Held while it lives. Throws std::runtime_error with a
-  /// sentence when the folder's file system supports no locks.
+  /// databases, while the others wait. The object holds it until its destruction. Throws
+  /// std::runtime_error with a sentence if the folder's file system does not support locks.
   class Turn {
    public:
     explicit Turn(const ShardFolder& folder);
@@ -51,33 +51,33 @@ class ShardFolder {
   /// The path of a database's folder.
   static std::filesystem::path path_for(const std::filesystem::path& database);
 
-  /// Creates the folder. `command`: elsie's batch command with the experiment and its plugins, to
-  /// which shard and files are added. Throws batch::DatabaseRefused when the folder exists already
-  /// or cannot be created.
+  /// Creates the folder. `command` is elsie's batch command with the experiment and its plugins;
+  /// the shard and its files are added to it. Throws batch::DatabaseRefused if the folder already
+  /// exists or cannot be created.
   static ShardFolder create(const std::filesystem::path& database, const batch::Plan& plan,
                             std::size_t shards, const std::vector<std::string>& command);
-  /// Opens a folder to continue its batch. Throws batch::DatabaseRefused when it is of another
-  /// experiment, or is no such folder.
+  /// Opens a folder to continue its batch. Throws batch::DatabaseRefused if it belongs to another
+  /// experiment, or is not a folder of shards.
   static ShardFolder open(const std::filesystem::path& database, const batch::Plan& plan);
 
   std::size_t shards() const { return shards_; }
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path script() const { return path_ / "job.sh"; }
   std::filesystem::path database(std::size_t shard) const;
-  /// `shard`: a number, or a scheduler's placeholder for one.
+  /// `shard` is a number, or a scheduler's placeholder for a number.
   std::filesystem::path log(const std::string& shard) const;
   /// The name of the job array: it identifies folder and experiment.
   const std::string& name() const { return name_; }
 
-  /// The number of the job array submitted last; empty: none.
+  /// The number of the job array submitted last; empty if none was.
   const std::string& job() const { return job_; }
   void set_job(const std::string& job);
 
-  /// The counts that the tasks write, readable while they are at work. Shards that have not begun
-  /// count with their number of runs.
+  /// The counts that the tasks write; they can be read while the tasks run. A shard that has not
+  /// begun counts with its number of runs.
   Count count() const;
   /// The shards with pending runs, without those in `except` (ascending). Opens the databases, so
-  /// no task may be at work on these shards.
+  /// no task may be running on these shards.
   std::vector<std::size_t> unfinished(const std::vector<std::size_t>& except = {}) const;
   /// The number of pending runs of a shard; opens its database.
   std::int64_t pending(std::size_t shard) const;

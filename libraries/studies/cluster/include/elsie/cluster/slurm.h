@@ -10,13 +10,13 @@
 
 namespace elsie::cluster {
 
-/// The cluster refused the work, or there is none; what() is a sentence. Nothing was submitted.
+/// The cluster refused the tasks, or none was found; what() is a sentence. Nothing was submitted.
 class ClusterRefused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The cluster does not answer now; what() is a sentence. Submitted work may continue.
+/// The cluster does not answer now; what() is a sentence. Submitted tasks may continue.
 class ClusterSilent : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -28,28 +28,28 @@ struct ArrayRequest {
   std::vector<std::size_t> tasks;      // from 1, ascending
   std::size_t processors = 1;          // of each task
   std::filesystem::path log;           // "%a" stands for a task's number
-  std::vector<std::string> options{};  // further ones for sbatch, which take precedence
+  std::vector<std::string> options{};  // further options of sbatch, which take precedence
 };
 
 /// A task that has not ended.
 struct Task {
   std::size_t number = 0;
-  bool running = false;  // false: it waits
+  bool running = false;  // false if it waits
   std::string reason;    // why it waits, in Slurm's words: "Resources"
 };
 
 /// Submits the array; returns its job number. Throws ClusterRefused.
 std::string submit(const ArrayRequest& request);
 
-/// The user's unfinished tasks of arrays of this name. Throws ClusterSilent, and ClusterRefused
-/// when there is no program squeue.
+/// Returns the user's unfinished tasks of arrays of this name. Throws ClusterSilent, or
+/// ClusterRefused if there is no program squeue.
 std::vector<Task> unfinished(const std::string& name);
 
-/// How a task has ended, in Slurm's words: "CANCELLED, exit code 0:15". Empty when Slurm has
-/// forgotten it.
+/// Returns how a task has ended, in Slurm's words: "CANCELLED, exit code 0:15". Empty if Slurm no
+/// longer knows the task.
 std::string fate(const std::string& job, std::size_t task);
 
-/// "1-3,7", as sbatch takes them.
+/// Returns numbers in the form that sbatch takes: "1-3,7".
 std::string ranges(const std::vector<std::size_t>& numbers);
 
 }  // namespace elsie::cluster

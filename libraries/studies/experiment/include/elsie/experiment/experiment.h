@@ -1,5 +1,5 @@
-// An experiment as plain data, read from its file, checked and complete: its worlds, what is varied
-// in them, the seeds, the measures, and the expected results.
+// An experiment as plain data, read from its file, checked and complete: its worlds, the factors
+// that are varied, the seeds, the measures, and the expected results.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,17 @@ struct Setting {
   std::string path;
   std::string value;
   Location location;
-  std::optional<double> at_s{};  // simulated time at which it is made; none: before the run
+  std::optional<double> at_s{};  // simulated time of the change; none: before the run
 };
 
-/// A value of a factor: everything that is set for it.
+/// A value of a factor, with all its settings.
 struct Level {
   std::string label;  // unique in its factor: "4 4", "0.25"; without , ; | and *
   std::vector<Setting> settings;
   Location location;
 };
 
-/// Something that is varied: each of its levels meets each level of all other factors.
+/// A varied quantity: each of its levels is combined with each level of all other factors.
 struct Factor {
   std::string name;  // unique; "world" is the factor of the worlds
   std::vector<Level> levels;
@@ -47,7 +47,7 @@ struct WorldUse {
 };
 
 /// A statistic of a measure over the runs of a cell. Runs without a value (null in the results) are
-/// left out.
+/// ignored.
 enum class Statistic {
   mean,
   median,
@@ -78,7 +78,7 @@ struct LevelOf {
   std::string level;   // its label
 };
 
-/// A statement that is true or false once all runs are done. It holds when it holds for each of
+/// A statement that is true or false once all runs are done. It holds if it holds for each of
 /// Grid::cells_of().
 struct Expectation {
   std::string name;  // unique; the name of JUnit's test case
@@ -88,9 +88,9 @@ struct Expectation {
   std::string per;
   Statistic statistic = Statistic::mean;
   Runs runs = Runs::all;
-  std::vector<Where> where;  // a cell matches all of these; none: every cell matches
-  /// What the cell's statistic is compared with: that of the cell that differs in these levels
-  /// only; see Grid::reference_of().
+  std::vector<Where> where;  // a cell must match all of these; empty: every cell
+  /// The cell's statistic is compared with that of the cell that differs only in the levels of
+  /// `reference`; see Grid::reference_of().
   Relation relation = Relation::none;
   std::vector<LevelOf> reference;
   // At least one of these; bounds of the statistic, the ratio or the difference:
@@ -98,18 +98,33 @@ struct Expectation {
   std::optional<double> at_most;
   std::optional<double> about;  // within `tolerance`; excludes the other two
   double tolerance = 0.0;       // >= 0, of the compared number, for all three
-  /// None: the compared number alone is judged. Else its whole interval at this confidence, in (0,
-  /// 1), must keep to the bounds: Wilson's for a rate alone, otherwise by bootstrap. For a ratio or
-  /// a difference, both cells' runs are drawn by the same seeds.
+  /// None: only the compared number is judged. Otherwise its whole interval at this confidence, in
+  /// (0, 1), must be within the bounds: Wilson's for a rate alone, else by bootstrap. For a ratio
+  /// or a difference, the runs of both cells are drawn by the same seeds.
   std::optional<double> confidence;
   Location location;
 };
 
-/// A measure to show, in this order; if none is named, all that the runs have.
+/// Cells that are left out of the grid: those that match all of these.
+struct Exclusion {
+  std::vector<Where> where;
+  Location location;
+};
+
+/// A measure to show, in this order; if only formulas are named, all measures of the runs are
+/// shown, and then these.
 struct MeasureUse {
   std::string name;
   Location location;
+  /// If not empty, the measure is computed from others, from factors whose labels are numbers, and
+  /// from formulas before it, when results are read. See Formula.
+  std::string formula;
+  std::string unit;     // of a formula; "" for a pure number
+  std::string meaning;  // of a formula
 };
+
+/// The names of measures to show; none: all.
+std::vector<std::string> shown_measures(const std::vector<MeasureUse>& uses);
 
 struct Experiment {
   std::string name;
@@ -118,19 +133,24 @@ struct Experiment {
   std::vector<WorldUse> worlds;
   std::vector<Setting> settings;  // for every world
   std::vector<Factor> factors;
+  std::vector<Exclusion> exclusions;
   std::vector<std::uint64_t> seeds;  // unique, in order
-  /// How often each cell is run with each seed. Equal seeds must give equal runs: a repetition with
-  /// another final state is reported as a fault of the plugins.
+  /// The number of runs of each cell with each seed. Equal seeds must give equal runs: a repetition
+  /// with another final state is reported as a fault of the plugins.
   int repeats = 1;
-  /// s, simulated; replaces the worlds' own. Already included in Cell::overrides.
+  /// Whether the layouts of every world must follow the seeds of the runs: another layout for each
+  /// seed. Otherwise each world may say from which seed its layouts are drawn.
+  bool layouts_follow_seeds = false;
+  Location layouts_location;
+  /// s, simulated; replaces the limit of the worlds. Already included in Cell::overrides.
   std::optional<double> time_limit;
   Location limits_location;        // of <limits>, if it exists
   double wall_limit = 600.0;       // s on the clock, for one run
   double trajectory_period = 0.5;  // s, simulated, between two kept poses of a robot
   std::vector<MeasureUse> measures;
   std::vector<Expectation> expectations;
-  /// Of edits that no run of a cell makes: "study.xml:12: warning: ...". Only a reader that checks
-  /// the cells fills it.
+  /// Warnings of edits that no run of a cell makes: "study.xml:12: warning: ...". Only filled by a
+  /// reader that checks the cells.
   std::vector<std::string> warnings;
 };
 
@@ -141,20 +161,20 @@ struct Cell {
   std::vector<std::size_t> levels;  // index of each factor's level, in order
   /// "four_resources, fusion, 2 2": the labels of factors with several levels.
   std::string label;
-  /// "PATH=VALUE" in order, the last one of a path counts: the experiment's time limit, its
-  /// settings, the world's, those of the levels. Paths of files in them are relative to the
+  /// "PATH=VALUE" in order; the last one of a path counts: the experiment's time limit, its
+  /// settings, those of the world, those of the levels. Paths of files in them are relative to the
   /// experiment file: read them with world::ReadOptions::overrides_from, as read_cell() does.
   std::vector<std::string> overrides;
-  std::vector<Setting> changes;  // those that are made during the run, in the same order
+  std::vector<Setting> changes;  // settings that are made during the run, in the same order
 };
 
 /// All cells, by index.
 std::vector<Cell> cells(const Experiment& experiment);
 
-/// The number of runs: all cells, with all seeds, as often as each is repeated.
+/// The number of runs: cells times seeds times repetitions.
 std::uint64_t number_of_runs(const Experiment& experiment);
 
-/// The label of the cell's level of a factor ("world": the id of its world); none when there is no
+/// The label of the cell's level of a factor ("world": the id of its world); none if there is no
 /// such factor.
 std::optional<std::string> level_of(const Experiment& experiment, const Cell& cell,
                                     const std::string& factor);

@@ -1,5 +1,5 @@
-// Which cells an expectation covers, and which cell each of them is compared with. Used to check an
-// experiment before it is run, and to judge results without its file.
+// Finds the cells that an expectation covers, and the cell with which each of them is compared. It
+// is used to check an experiment before it is run, and to judge results without its file.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,22 @@ namespace elsie::experiment {
 class Grid {
  public:
   /// `factors` are names, "world" for the worlds; `cells` has a label of each factor for each cell.
-  /// Throws std::invalid_argument when a cell has more or fewer.
+  /// Throws std::invalid_argument if a cell has more or fewer labels.
   Grid(std::vector<std::string> factors, std::vector<std::vector<std::string>> cells);
 
   /// `cells` must be all of cells(experiment).
   Grid(const Experiment& experiment, const std::vector<Cell>& cells);
 
-  /// Indices of the cells that an expectation covers, in order: those that match its `where` and
-  /// are not their own reference. An unknown factor matches nothing.
+  /// The indices of the cells that an expectation covers, in order: those that match its `where`
+  /// and are not their own reference. An unknown factor matches no cell.
   std::vector<std::size_t> cells_of(const Expectation& expectation) const;
 
-  /// Index of the cell that this one is compared with: it has the levels of the expectation's
-  /// `reference`, and this cell's levels of all other factors. None when the expectation compares
-  /// with none, or there is no such cell.
+  /// Indices of the cells that match, in order. An unknown factor matches nothing.
+  std::vector<std::size_t> cells_of(const std::vector<Where>& where) const;
+
+  /// The index of the cell with which this one is compared: it has the levels of the expectation's
+  /// `reference`, and this cell's levels of all other factors. None if the expectation has no
+  /// reference, or there is no such cell.
   std::optional<std::size_t> reference_of(const Expectation& expectation, std::size_t cell) const;
 
  private:

@@ -1,5 +1,5 @@
-// Findings: the results of an experiment in numbers by cell, its outliers, and whether its
-// expectations are met. All forms of a report are made of them.
+// Findings: the results of an experiment as numbers for each cell, its outliers, and whether its
+// expectations are met. All forms of a report are made from them.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,24 @@ namespace elsie::report {
 /// The confidence of all intervals in the report. An expectation may ask for another.
 inline constexpr double kConfidence = 0.95;
 
-/// A measure of every run: 1 when it reached its goals, else 0.
+/// A measure of every run: 1 if it reached its goals, else 0.
 inline constexpr const char* kSuccess = "success";
 
-/// The measure that has only a lower bound in a run that its time limit stopped: the time until the
-/// goals are reached. Other measures count or sum over the run as it was.
+/// The time until the goals are reached. In a run that its time limit stopped, this measure has
+/// only a lower bound. Other measures count or sum what happened during the run.
 inline constexpr const char* kTime = "time_s";
 
 /// A sample in which some values are only known to be larger than a common limit. Its mean is
 /// unknown. Quantiles below the limit are known: all known values are below it, so that the
-/// estimate of Kaplan and Meier (1958) is the plain distribution of the sample up to there.
+/// estimate of Kaplan and Meier (1958) is the plain distribution of the sample up to the limit.
 struct Censoring {
   std::size_t count = 0;  // number of these values
   double limit = 0.0;     // the smallest of their bounds
   std::optional<double> median;
-  std::optional<Interval> median_interval;  // its upper end may be infinite: not below the limit
+  std::optional<Interval> median_interval;  // the upper end may be infinite: at least the limit
 };
 
-/// One measure in one cell, over the runs that are done and have it.
+/// One measure in one cell, over the runs that are done and have a value.
 struct MeasureFindings {
   std::vector<double> values;          // in the order of the runs; bounds count as values
   std::optional<Summary> all;          // none when a value is censored
@@ -42,9 +42,9 @@ struct MeasureFindings {
   std::optional<Interval> fences;      // none with fewer than kFewest values
   std::optional<Summary> successes;    // over the successful runs only
 
-  /// Whether a value is outside of the fences by more than rounding.
+  /// Returns whether a value is outside of the fences by more than rounding.
   bool stands_out(double value) const;
-  /// The greatest difference between values that counts as rounding. Needs a summary.
+  /// The largest difference between values that counts as rounding. Requires a summary.
   double rounding() const;
 };
 
@@ -59,7 +59,7 @@ struct Outlier {
   double beyond = 0.0;  // distance from the fence in quartile ranges; infinite if these are 0
 };
 
-/// One cell. Its sample has one run of each seed: a repetition is no second observation.
+/// One cell. Its sample has one run of each seed: a repetition is not another observation.
 struct CellFindings {
   std::vector<std::size_t> runs;    // the sample, indices into Results::runs
   std::vector<std::size_t> broken;  // with repetitions
@@ -67,13 +67,13 @@ struct CellFindings {
   std::size_t ended = 0;            // of the sample
   std::size_t successes = 0;        // of the sample
   Interval success;                 // Wilson's interval of the rate of success
-  /// The world has goals, or cannot be read; without goals, a run can neither succeed nor fail.
+  /// True if the world has goals or cannot be read; without goals, a run cannot succeed or fail.
   bool goals = true;
   std::vector<MeasureFindings> measures;  // in the order of Findings::measures
   std::vector<Outlier> outliers;          // the farthest first
 
-  /// There are several seeds, and all gave the same run: nothing in this cell depends on chance,
-  /// and its runs are one observation.
+  /// True if there are several seeds and all gave the same run: nothing in this cell is random, and
+  /// its runs are one observation.
   bool one_run = false;
 
   bool complete() const { return pending == 0; }
@@ -112,30 +112,30 @@ struct Findings {
   std::vector<Verdict> verdicts;
 
   std::size_t runs() const { return results.runs.size(); }
-  /// Whether the run is done without success, in a world with goals.
+  /// Returns whether the run is done without success, in a world with goals.
   bool missed(const Run& run) const;
-  /// Whether the value is only a lower bound, because the run was stopped before success.
+  /// Returns whether the value is only a lower bound, because the run was stopped before success.
   bool is_censored(const Run& run, std::size_t measure) const;
-  /// Whether some cell has goals.
+  /// Returns whether any cell has goals.
   bool any_goals() const;
   std::size_t ended() const;
   std::size_t broken() const;
   std::size_t pending() const { return runs() - ended(); }
-  /// The number of runs that are not in the database, which holds one shard or some of them.
+  /// The number of runs that are not in the database, because it holds only some of the shards.
   std::size_t missing() const { return results.all_runs > runs() ? results.all_runs - runs() : 0; }
   bool partial() const { return missing() > 0; }
-  /// Whether all runs of the experiment are done, runs of the same seed are equal, and every
-  /// expectation is met.
+  /// Returns whether all runs of the experiment are done, runs of the same seed are equal, and
+  /// every expectation is met.
   bool good() const;
 };
 
-/// What the experiment asks of the report.
+/// The parts of the experiment that the report answers.
 struct Questions {
   std::vector<std::string> measures;  // measures to show; none: all
   std::vector<experiment::Expectation> expectations;
 };
 
-/// Computes the findings. Measures to show that no run has are left out.
+/// Computes the findings. Leaves out measures to show that no run has.
 Findings find(Results results, const Questions& questions);
 
 }  // namespace elsie::report

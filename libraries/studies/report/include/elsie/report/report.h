@@ -1,5 +1,5 @@
-// The forms of a report. Each is a function of the findings, the page also of the trajectories and
-// timelines: the same database gives the same bytes.
+// The forms of a report. Each depends only on the findings, the page also on the trajectories and
+// timelines, so that the same database gives the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 namespace elsie::report {
 
 /// For a terminal: cells and measures, expectations, failed runs. A table wider than `width`
-/// characters is split by measures. `database` is the name that the user gave, for commands to be
-/// copied.
+/// characters is split by measures. `database` is the name that the user gave; commands to be
+/// copied contain it.
 std::string terminal_report(const Findings& findings, const std::string& database,
                             std::size_t width = 100);
 
-/// A row for each run, pending ones too: run, cell, factors, seed, repetition, ending, all
+/// A row for each run, including pending ones: run, cell, factors, seed, repetition, ending, all
 /// measures. Commas and quotes as in RFC 4180, lines end with a line feed; numbers have enough
 /// digits to give the same bits when read.
 std::string csv_report(const Findings& findings);
@@ -29,9 +29,9 @@ std::string junit_report(const Findings& findings, const std::string& database);
 /// One JSON object; docs/reports.md lists its members.
 std::string json_report(const Findings& findings, const Answers& answers = {});
 
-/// One self-contained page of HTML. `file` is where the findings are from: trajectories and
-/// timelines are read from it cell by cell. At most a hundred cells have a section with figures;
-/// `cells` selects those whose labels contain it. Throws as ResultsFile does.
+/// One self-contained HTML page. `file` is the file of the findings; trajectories and timelines are
+/// read from it cell by cell. At most a hundred cells have a section with figures; `cells` selects
+/// those whose labels contain it. Throws like ResultsFile.
 std::string html_report(const Findings& findings, const ResultsFile& file,
                         const std::string& database, const std::string& cells = "",
                         const Answers& answers = {});

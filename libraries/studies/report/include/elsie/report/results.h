@@ -36,6 +36,8 @@ struct CellInfo {
   std::string world;  // its id in the experiment
   std::string world_text;
   std::string world_file;
+  /// The seed of the runs that have this world, if each seed has a layout of its own.
+  std::optional<std::uint64_t> seed;
   std::vector<std::string> levels;  // labels, parallel to Results::factors; "" for none
   std::vector<int> places;          // index of each level in its factor
 };
@@ -45,12 +47,12 @@ struct Run : results::RunFields {
   std::size_t cell = 0;  // index into Results::cells
   std::uint64_t seed = 0;
   int repetition = 1;
-  /// In the order of Results::measures; those that it has none of are empty.
+  /// In the order of Results::measures; none for a measure without a value in this run.
   std::vector<std::optional<double>> values;
 
   bool ended() const { return state != RunState::pending; }
-  /// Whether the run failed: a plugin failed, or the process crashed, hung or could not do its
-  /// work.
+  /// Returns whether the run failed: a plugin failed, or the process crashed, hung or could not do
+  /// its work.
   bool broken() const { return ended() && state != RunState::done; }
   bool success() const { return outcome == Outcome::success; }
 };
@@ -71,7 +73,7 @@ struct Results {
   std::vector<CellInfo> cells;
   std::vector<Run> runs;  // sorted by id
 
-  /// The seed of all random numbers for these results; follows from the fingerprint.
+  /// The seed of all random numbers for these results, derived from the fingerprint.
   std::uint64_t seed() const;
 };
 
@@ -79,7 +81,7 @@ struct Trajectory {
   std::int64_t run = 0;
   std::string robot;
   double period_s = 0.0;
-  /// The last is at the end of the run, less than a period after its predecessor.
+  /// The last pose is at the end of the run, less than a period after its predecessor.
   std::vector<Pose> poses;
   double from_s = 0.0;  // the time of the first
 };
@@ -91,7 +93,7 @@ struct Event {
   std::string name;
 };
 
-/// What a plugin learned before the run.
+/// A learning curve of a plugin, from training before the run.
 struct Curve {
   std::int64_t run = 0;
   std::string robot;
@@ -102,7 +104,7 @@ struct Curve {
   std::vector<Vector2> points;
 };
 
-/// Who decided when on a robot.
+/// Which behaviour decided when on a robot.
 struct Timeline {
   struct Behavior {
     std::string path;
@@ -114,7 +116,7 @@ struct Timeline {
     double to_s = 0.0;
     std::string decider;  // a path; "": no behaviour; "*": several
     double share = 0.0;
-    /// If several took quick turns: the time of each, s.
+    /// If several alternated quickly: the time of each, s.
     std::vector<std::pair<std::string, double>> parts;
   };
 
@@ -124,17 +126,17 @@ struct Timeline {
   std::vector<Episode> episodes;
 };
 
-/// A results database, opened for reading in one state: a batch may go on writing it.
+/// A results database, opened for reading in one state, even while a batch is writing it.
 class ResultsFile {
  public:
-  /// Throws as results::open_to_read() does.
+  /// Throws like results::open_to_read().
   explicit ResultsFile(const std::filesystem::path& file);
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
-  /// Everything but the details below. All of these throw results::DatabaseRefused when the file
-  /// turns out to be damaged, results::DatabaseError when it cannot be read.
+  /// Returns everything except the details below. All of these functions throw
+  /// results::DatabaseRefused if the file is damaged, results::DatabaseError if it cannot be read.
   Results results() const;
 
   // Details of the runs of one cell, by run and robot; `cell` is CellInfo::id.

@@ -1,6 +1,6 @@
 // Statistics of small samples, the runs of a cell.
 //
-// Every result depends on the arguments only, bit by bit: the same results give the same report.
+// Results depend only on the arguments, bit by bit: the same database gives the same report.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +25,11 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Whether a value can be used: finite, and at most 1e150, so that squares and sums of many such
-/// values are finite, too. Other values count as missing.
+/// Returns whether a value can be used: finite, and at most 1e150, so that squares and sums of many
+/// such values are also finite. Other values count as missing.
 bool is_usable(double value);
 
-/// A sample in numbers. All values must be usable.
+/// Summary statistics of a sample. All values must be usable.
 struct Summary {
   std::size_t count = 0;  // at least 1
   double mean = 0.0;
@@ -44,17 +44,17 @@ struct Summary {
   double quartile_range() const { return upper_quartile - lower_quartile; }
 };
 
-/// None for an empty sample. Mean and standard deviation in two passes, corrected for the rounding
-/// error of the first (Chan, Golub and LeVeque 1983).
+/// None for an empty sample. Computes mean and standard deviation in two passes, corrected for the
+/// rounding error of the first (Chan, Golub and LeVeque 1983).
 std::optional<Summary> summary(std::span<const double> values);
 
-/// The quantile of an ascending sample that is not empty, `part` in [0, 1]: linear between the
-/// order statistics, the first at 0 and the last at 1. Definition 7 of Hyndman and Fan (1996), the
+/// The quantile of an ascending, nonempty sample, `part` in [0, 1]: linear between the order
+/// statistics, the first at 0 and the last at 1. Definition 7 of Hyndman and Fan (1996), the
 /// default of R, S and NumPy.
 double quantile(std::span<const double> ascending, double part);
 
-/// A statistic of a sample that is not empty. A rate is the share of values other than 0; a single
-/// value has no standard deviation.
+/// A statistic of a nonempty sample. A rate is the share of values other than 0; a single value has
+/// no standard deviation.
 std::optional<double> statistic_of(Statistic statistic, std::span<const double> values);
 
 /// Wilson's score interval (1927) of a probability, from `successes` in `trials`; `confidence` in
@@ -64,37 +64,37 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
 /// The number of resamples of a bootstrap interval.
 inline constexpr int kResamples = 4000;
 
-/// The interval of a mean: bootstrap-t (Efron 1979; Hall 1988). The mean of each of kResamples
-/// samples, drawn with replacement, is measured in its own standard errors, and the quantiles of
-/// these replace Student's. Student's t is used with fewer than kFewestForBootstrap values, and
-/// where so many resamples repeat one value that a quantile is infinite. The interval reaches at
-/// most kFarthest times as far from the mean as Student's t, because resamples of nearly equal
-/// values have almost no spread. None for fewer than two values. `seed` and `path` name the stream
-/// of random numbers: see Random.
+/// The interval of a mean: bootstrap-t (Efron 1979; Hall 1988). The deviation of the mean of each
+/// of kResamples samples, drawn with replacement, is divided by its own standard error; the
+/// quantiles of these ratios replace Student's. Student's t is used with fewer than
+/// kFewestForBootstrap values, and if so many resamples repeat one value that a quantile is
+/// infinite. The interval reaches at most kFarthest times as far from the mean as Student's t,
+/// because resamples of nearly equal values have almost no spread. None for fewer than two values.
+/// `seed` and `path` select the stream of random numbers: see Random.
 ///
-/// For how often it holds the mean, at 95 %, see test_coverage.cpp.
+/// test_coverage.cpp shows how often it contains the mean at 95 %.
 std::optional<Interval> mean_interval(std::span<const double> values, double confidence,
                                       std::uint64_t seed, std::string_view path);
 
 inline constexpr double kFarthest = 4.0;
 
-/// Smaller samples have resamples with too few values to estimate their spread.
+/// Resamples of smaller samples have too few values to estimate their spread.
 inline constexpr std::size_t kFewestForBootstrap = 5;
 
-/// The interval of a median: between two order statistics (Thompson 1936), so that it holds the
+/// The interval of a median: between two order statistics (Thompson 1936), so that it contains the
 /// median at least as often as stated, for any distribution. None when the sample is too small: at
 /// 95 %, fewer than six values. Values may be infinite.
 std::optional<Interval> median_interval(std::span<const double> values, double confidence);
 
 /// The percentile bootstrap interval of a statistic (Efron 1979; Efron and Tibshirani 1993, chapter
 /// 13): its quantiles over kResamples samples of the same size. Too short for small samples: at 95
-/// %, it holds the mean of ten values in 90 of 100 experiments. None for fewer than two values.
+/// % and ten values, it contains the mean in 90 of 100 experiments. None for fewer than two values.
 std::optional<Interval> bootstrap_interval(Statistic statistic, std::span<const double> values,
                                            double confidence, std::uint64_t seed,
                                            std::string_view path);
 
-/// The interval that suits the statistic: mean_interval(), median_interval(), wilson_interval() of
-/// a rate, and bootstrap_interval() of the others.
+/// The interval that suits the statistic: mean_interval(), median_interval(), wilson_interval() for
+/// a rate, bootstrap_interval() for others.
 std::optional<Interval> interval_of(Statistic statistic, std::span<const double> values,
                                     double confidence, std::uint64_t seed, std::string_view path);
 
@@ -104,20 +104,20 @@ struct Pair {
   double reference = 0.0;
 };
 
-/// The ratio or difference, by `relation` (not Relation::none), of a cell's statistic to that of
-/// its reference. None without pairs, when a statistic is none, and for a ratio to 0.
+/// The ratio or difference, by `relation` (not Relation::none), of a cell's statistic and that of
+/// its reference. None without pairs, if a statistic is none, and for a ratio to 0.
 std::optional<double> relation_of(Relation relation, Statistic statistic,
                                   std::span<const Pair> pairs);
 
-/// The interval of relation_of(). Pairs are drawn, so that both cells always have the same seeds.
-/// For means it is that of mean_interval(), with the standard error of a difference or of a ratio
-/// of means (delta method); for other statistics the percentile bootstrap. None when the reference
-/// may be 0: when too many resamples have no ratio.
+/// The interval of relation_of(). Pairs are resampled, so that both cells always have the same
+/// seeds. For means it is computed like mean_interval(), with the standard error of a difference or
+/// of a ratio of means (delta method); for other statistics, by the percentile bootstrap. None if
+/// the reference may be 0, that is, if too many resamples have no ratio.
 std::optional<Interval> paired_interval(Relation relation, Statistic statistic,
                                         std::span<const Pair> pairs, double confidence,
                                         std::uint64_t seed, std::string_view path);
 
-/// How often an event was observed.
+/// The frequency of an observed event.
 struct Frequency {
   std::size_t hits = 0;
   std::size_t trials = 0;  // at least 1
@@ -126,14 +126,14 @@ struct Frequency {
 };
 
 /// The interval of the difference or the ratio of two probabilities, from the Wilson intervals of
-/// both, because a bootstrap shows no uncertainty where every run succeeded: Newcombe's method 10
-/// (1998) for differences, that of Donner and Zou (2012) for ratios. Both assume independence:
-/// where equal seeds succeed together, the interval is wider than necessary. None for a ratio to a
-/// rate that may be 0.
+/// both, because a bootstrap shows no uncertainty if every run succeeded: Newcombe's method 10
+/// (1998) for differences, that of Donner and Zou (2012) for ratios. Both assume independence: if
+/// equal seeds tend to succeed together, the interval is wider than necessary. None for a ratio to
+/// a rate that may be 0.
 std::optional<Interval> interval_of_rates(Relation relation, const Frequency& cell,
                                           const Frequency& reference, double confidence);
 
-/// Values outside of these are outliers: 1.5 quartile ranges beyond the quartiles (Tukey 1977).
+/// Values outside of this interval are outliers (Tukey 1977): 1.5 quartile ranges beyond quartiles.
 Interval tukey_fences(const Summary& summary);
 
 /// The ends of a box plot's whiskers: the outermost values within the fences.

@@ -8,7 +8,7 @@ namespace elsie::results {
 
 std::string sha256(std::string_view bytes);
 
-/// The bytes of a file. Throws std::runtime_error with a sentence when it cannot be read.
+/// Returns the bytes of a file. Throws std::runtime_error with a sentence if it cannot be read.
 std::string file_content(const std::string& path);
 
 }  // namespace elsie::results

@@ -1,5 +1,5 @@
-// The fields of a run, each in one place: from here follow the answer of a worker, the columns of
-// the table `runs`, and those of a report in CSV. schema.sql says what each means.
+// The fields of a run, each declared once. The answer of a worker, the columns of the table `runs`,
+// and those of a CSV report follow from this list. schema.sql explains each field.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct RunFields {
   std::optional<std::string> robot;
   std::optional<std::uint64_t> step;
   std::optional<double> wall_s;
-  std::optional<std::uint64_t> solver_gave_up;   // steps, as in simulation::SolverResult
+  std::optional<std::uint64_t> solver_gave_up;   // in steps, as in simulation::SolverResult
   std::optional<std::uint64_t> solver_unsolved;  // of them
   std::optional<std::string> log;                // several lines
 };
@@ -51,18 +51,18 @@ void for_each_field(Fields& run, Visit visit) {
   visit("log", run.log);
 }
 
-/// The name of every field, with `after` behind each: "state, outcome, ...".
+/// The names of all fields, each followed by `after`: "state, outcome, ...".
 std::string field_names(const std::string& after = "");
 
-/// The outcome of a word of the database; none for any other word.
+/// Converts a word of the database to an outcome; none for any other word.
 std::optional<Outcome> outcome_of(const std::string& word);
 
 namespace sqlite {
 class Statement;
 }
-/// Binds all fields, in their order, from this place on. Returns the next place.
+/// Binds all fields in order, starting at this place. Returns the next place.
 int bind_fields(sqlite::Statement& statement, int place, const RunFields& run);
-/// Reads all fields, in their order, from this column on.
+/// Reads all fields in order, starting at this column.
 void read_fields(const sqlite::Statement& statement, int column, RunFields& run);
 
 }  // namespace elsie::results

@@ -5,7 +5,7 @@
 
 namespace elsie::results {
 
-/// `pending`: the run is still to be done. For the others see `runs` in schema.sql.
+/// `pending`: the run is not done yet. For the others see `runs` in schema.sql.
 enum class RunState { pending, done, fault, crash, hang, error };
 
 const char* to_string(RunState state);

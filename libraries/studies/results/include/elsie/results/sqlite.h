@@ -1,4 +1,4 @@
-// A thin wrapper of SQLite: connections, prepared statements, transactions. It knows no tables.
+// A thin wrapper of SQLite: connections, prepared statements, transactions. It defines no tables.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Error : public std::runtime_error {
  public:
   Error(int result_code, const std::string& text) : std::runtime_error(text), code(result_code) {}
 
-  /// Whether the file's contents are wrong, rather than the disk or the system.
+  /// Returns whether the file's contents are damaged; otherwise the disk or the system failed.
   bool is_damage() const;
 
   int code;  // SQLITE_FULL, SQLITE_READONLY...; primary result code
@@ -27,7 +27,7 @@ class Error : public std::runtime_error {
 
 class Connection;
 
-/// A reusable prepared statement. Values are bound from 1, columns counted from 0.
+/// A reusable prepared statement. Places of values count from 1, columns from 0.
 class Statement {
  public:
   Statement(Connection& connection, std::string_view sql);
@@ -49,9 +49,9 @@ class Statement {
   /// Binds a column of another statement's row.
   Statement& bind_value(int place, const Statement& from, int column);
 
-  /// Steps to the next row; false after the last one, then it may be bound again.
+  /// Steps to the next row; false after the last one, when the statement may be bound again.
   bool next();
-  /// Runs a statement that gives no rows.
+  /// Runs a statement that returns no rows.
   void run();
 
   int columns() const;

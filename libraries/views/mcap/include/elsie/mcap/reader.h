@@ -24,12 +24,12 @@
 
 namespace elsie::mcap {
 
-/// Whether the file begins as an MCAP file does. False for one that cannot be read.
+/// True if the file begins like an MCAP file. False if it cannot be read.
 bool may_be_mcap(const std::filesystem::path& file);
 
 class Reader {
  public:
-  /// Reads the header. Throws McapError when the file cannot be opened, is no MCAP file, is one of
+  /// Reads the header. Throws McapError when the file cannot be opened, is not an MCAP file, has
   /// another version, or breaks off before its header ends.
   explicit Reader(const std::filesystem::path& file);
   ~Reader();
@@ -42,7 +42,7 @@ class Reader {
   /// the next call. Throws McapError when the file is damaged, from then on at every call.
   std::optional<Message> next();
 
-  // What came before the message that was last read; after the last message, everything.
+  // The contents of the file before the message that was last read; all after the last message.
   const std::map<std::uint16_t, Schema>& schemas() const;
   const std::map<std::uint16_t, Channel>& channels() const;
   const std::vector<Metadata>& metadata() const;

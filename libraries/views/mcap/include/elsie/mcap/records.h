@@ -1,9 +1,9 @@
-// What an MCAP file holds: messages with times, in channels that name the kind of their messages.
+// The contents of an MCAP file: messages with times, in channels that name the kind of messages.
 //
 // https://mcap.dev/spec describes the format. This module knows nothing of robots and can be used
 // on its own. A file that Writer writes:
 //
-//   magic, header, metadata and chunks as they come, end of data, summary, footer, magic
+//   magic, header, metadata and chunks in any order, end of data, summary, footer, magic
 //
 // A chunk holds messages, and the schemas and channels that were added while it was open; it is
 // compressed as a whole. The places of its messages follow it. The summary repeats schemas and
@@ -26,8 +26,8 @@ class McapError : public base::Error {
 };
 
 struct Header {
-  std::string profile;  // what the file promises beyond the format; may be empty
-  std::string library;  // which program wrote it
+  std::string profile;  // conventions of the file beyond the format; may be empty
+  std::string library;  // the program that wrote it
 };
 
 /// The type of messages.

@@ -59,17 +59,17 @@ class Writer {
   /// Writes metadata, after the chunk that was begun.
   void write(const Metadata& metadata);
 
-  /// Says that this time (ns) has come, and that no message is earlier from now on: writes the
-  /// chunk that was begun if a message of this time would begin the next one. This changes how soon
-  /// messages are in the file, not what is in it in the end.
+  /// Says that this time (ns) has come, and that all later messages have this time or a later one.
+  /// Writes the current chunk if a message of this time would begin the next one. This changes how
+  /// soon messages are in the file, but not the final content.
   void pass(std::uint64_t now_ns);
   /// Writes the chunk that was begun.
   void flush();
   /// Writes the rest, the summary and the footer. Nothing may be written after it.
   void close();
 
-  /// Metadata that write_in_emergency() adds after the last chunk. The value `time` is set then:
-  /// the time of the last pass(), s.
+  /// Metadata that write_in_emergency() adds after the last chunk. Its value `time` is set to the
+  /// time of the last pass(), s.
   void set_last_words(Metadata metadata, const std::string& time);
   /// For the last moments of a process, also in a signal's handler: writes the chunk that was begun
   /// without compression, and the last words, without allocating memory. Nothing may be written

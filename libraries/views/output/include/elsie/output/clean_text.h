@@ -11,9 +11,9 @@ namespace elsie::output {
 inline constexpr std::string_view kReplacement = "\xef\xbf\xbd";
 inline constexpr std::string_view kEllipsis = "\xe2\x80\xa6";
 
-/// Text that every reader accepts, also one of XML. U+FFFD replaces each byte that is not UTF-8,
-/// each control character but tabs and line feeds, what turns the direction of writing, and U+FFFE
-/// and U+FFFF.
+/// Text that every reader accepts, also XML readers. U+FFFD replaces each byte that is not UTF-8,
+/// each control character except tabs and line feeds, characters that change the direction of
+/// writing, and U+FFFE and U+FFFF.
 std::string clean(std::string_view text);
 
 /// clean(), on one line: line feeds and tabs become blanks.

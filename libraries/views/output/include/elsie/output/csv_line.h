@@ -21,7 +21,7 @@ class CsvLine {
   /// The shortest text that reads as this number, bit for bit.
   void number(double value) { cells(base::NumberText(value).view()); }
   void empty() { separate(); }
-  /// The line without its end; the next one begins.
+  /// Returns the line without its end, and begins the next one.
   std::string take() {
     first_ = true;
     return std::exchange(line_, {});

@@ -19,7 +19,7 @@ class RecordFile final : private base::EmergencyWriter {
 
   /// Creates the file, or empties it. This and all functions below throw std::runtime_error.
   void create(const std::filesystem::path& file) { out_.create(file); }
-  /// A line without its end.
+  /// Adds a line; `text` does not include its end.
   void line(std::string_view text) {
     buffer_.append(text).append("\n");
     if (buffer_.size() >= kFull) {

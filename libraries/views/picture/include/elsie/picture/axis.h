@@ -9,7 +9,7 @@
 
 namespace elsie::picture {
 
-/// A closed interval; at first there is nothing in it.
+/// A closed interval; empty at first.
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -19,7 +19,7 @@ struct Interval {
   double part(double value) const { return (value - low) / span(); }
   /// Widens it up to the value; values that are not finite change nothing.
   void include(double value);
-  /// With room on both sides of a single value or of nothing.
+  /// The interval, with room added on both sides if it is empty or has a single value.
   Interval widened() const;
 };
 
@@ -27,8 +27,8 @@ struct Interval {
 struct Ticks {
   std::vector<double> at;
   double step = 0.0;
-  bool powers = false;               // whether they are exponents of ten
-  std::vector<std::string> names{};  // their texts, if they are no numbers
+  bool powers = false;  // true: they are exponents of ten
+  std::vector<std::string> names{};  // their texts, if they are not numbers
 
   std::string label(double tick) const;
 };

@@ -1,4 +1,4 @@
-// A world as far as a picture shows it.
+// The part of a world that a picture shows.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace elsie::picture {
 
-/// The world of a text without sensors, behaviours, coordinators, measures, changes, limits, and
-/// goals about time. The rest needs no plugin; a robot whose drive is not among `drives` stands on
+/// Reads the world of a text without sensors, behaviours, coordinators, measures, changes, limits,
+/// and goals about time. The rest needs no plugin; a robot whose drive is not among `drives` gets
 /// the default one. `file` is the text's name in messages. Throws world::WorldError with all
-/// mistakes in what is shown.
+/// mistakes in the parts that are shown.
 world::World bodies_of(std::string_view text, const std::string& file, const plugin::Host& drives);
 
 }  // namespace elsie::picture

@@ -28,7 +28,7 @@ struct Tick {
 struct Axis {
   std::string label{};
   std::string unit{};  // "" for a pure number
-  // Empty: from the data.
+  // Empty: taken from the data.
   std::optional<double> low{};
   std::optional<double> high{};
   bool logarithmic = false;   // of a line chart: values that are not positive are not drawn
@@ -45,7 +45,7 @@ enum class Joining { lines, steps, nothing };
 struct Series {
   std::string name{};
   std::vector<Vector2> points{};  // x and y in the units of the axes
-  bool filled = false;            // whether the area down to zero, or to the axis, is tinted
+  bool filled = false;            // true: the area down to zero, or to the axis, is tinted
   Joining joining = Joining::lines;
   bool marked = false;  // a mark on every point; its shape follows from the place of the series
   /// Around each point, along y: an area behind the curve, or bars. Empty: none.
@@ -66,8 +66,8 @@ struct NumberRow {
 enum class Naming {
   legend,   // in a line above the chart; a single unnamed series has none
   at_peak,  // above the highest point of each curve
-  /// Only in an SVG, when the pointer is over a curve. The curves repeat the same thing: they are
-  /// thin and have one colour, in a page that of "--c".
+  /// Only in an SVG, when the pointer is over a curve. For curves that repeat the same thing: they
+  /// are thin and have one colour, which is "--c" in a page.
   in_titles,
 };
 
@@ -170,10 +170,10 @@ struct Page {
 /// cannot be written; an existing file is then unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
-/// The panel as an element of an HTML page. Its colours are those that the page's style names:
-/// --ink, --muted, --grid, --quiet, --surface, --c, and --c0 to --c5 for the first six of a chart.
-/// `label`: for readers who do not see it. With a height of 0 it is as high as suits it. Throws as
-/// save_page() for an axis.
+/// The panel as an element of an HTML page. The page's style defines its colours: --ink, --muted,
+/// --grid, --quiet, --surface, --c, and --c0 to --c5 for the first six of a chart. `label`: for
+/// readers who do not see it. A height of 0: as high as the content needs. Throws like save_page()
+/// for an axis.
 std::string page_chart(const Panel& panel, const std::string& label, const Size& size);
 
 }  // namespace elsie::picture

@@ -1,10 +1,10 @@
 // A coordination trace as a picture: who decided when, over the time of a run.
 //
-// Each robot has, from above to below: its events, a row for each kind; a band with the behaviour
+// Each robot has, from top to bottom: its events, a row for each kind; a band with the behaviour
 // whose command counted most; the shares of its behaviours in the command, stacked; their weights;
 // and a lane for each behaviour, with inner ones below the outer one. A lane shows the priority
-// that the user gave (and from when on, if it changed in the run), the share in the robot's
-// command, the activation, and when the behaviour was silenced.
+// that the user set (and since when, if it changed in the run), the share in the robot's command,
+// the activation, and when the behaviour was silenced.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace elsie::picture {
 /// The most robots that are shown in full; with more, lanes and weights are left out.
 inline constexpr std::size_t kTimelineRobotsInFull = 3;
 
-/// What to draw. The trace must outlive the timeline.
+/// The contents of a timeline. The trace must outlive it.
 struct Timeline {
   const traces::Trace& trace;
   std::vector<std::size_t> robots{};  // indices into the trace; empty: all

@@ -1,5 +1,5 @@
-// A world from above as a picture: the arena to scale, with its objects, the ways of the robots,
-// and what they saw.
+// A picture of a world from above: the arena to scale, with its objects, the paths of the robots,
+// and what their sensors saw.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ struct RobotTrack {
   std::vector<Pose> path;  // oldest first, TopView::path_period_s apart; may be empty
   Pose now;
   std::vector<Beam> beams;
-  std::vector<Vector2> touches;       // where it collided
+  std::vector<Vector2> touches;       // its positions when it collided
   std::vector<Pose> segments{};       // poses of its segments; missing ones stand in line
   std::vector<std::size_t> placed{};  // indices of poses to which it did not drive, ascending
   double from_s = 0.0;                // time of the first pose of the path
@@ -41,7 +41,7 @@ struct RobotTrack {
 
 /// The parts of the paths to draw. The long paths of many robots hide each other.
 struct PathChoice {
-  std::vector<std::string> robots{};  // whose paths and touches are drawn; empty: all
+  std::vector<std::string> robots{};  // robots whose paths and touches are drawn; empty: all
   /// The interval of the run's time, s.
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();
@@ -49,12 +49,12 @@ struct PathChoice {
   double fade_s = 0.0;
 };
 
-/// What to draw. The world must outlive the view.
+/// The contents of a view. The world must outlive it.
 struct TopView {
   const world::World& world;
   /// Robots of the world that are not listed are drawn at their start.
   std::vector<RobotTrack> robots{};
-  /// The present poses of the world's boxes, in the world's order; nullopt: removed (a collected
+  /// The current poses of the world's boxes, in the world's order; nullopt: removed (a collected
   /// resource). Boxes beyond the end of the list are at their start.
   std::vector<std::optional<Pose>> boxes{};
   /// Empty: the world's name.

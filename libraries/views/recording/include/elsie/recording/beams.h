@@ -1,4 +1,4 @@
-// What range and proximity sensors look at, for pictures.
+// The rays and volumes of range and proximity sensors, for pictures.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct RangeBeam {
   bool hit = false;
 };
 
-/// The rays of a robot's last readings, from the present places of its sensors, in the order of its
+/// The rays of a robot's last readings, from the current places of its sensors, in the order of its
 /// range sensors.
 std::vector<RangeBeam> range_beams(const simulation::Simulation& simulation, std::size_t robot);
 
@@ -27,7 +27,7 @@ struct SensedVolume {
   bool detected = false;
 };
 
-/// The volumes that a robot's sensors asked about last, from the present places of the sensors.
+/// The volumes of a robot's last proximity queries, from the current places of its sensors.
 std::vector<SensedVolume> sensed_volumes(const simulation::Simulation& simulation,
                                          std::size_t robot);
 

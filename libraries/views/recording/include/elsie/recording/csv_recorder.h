@@ -12,12 +12,12 @@ namespace elsie::recording {
 /// Writes one row per robot and sample, comma-separated, with a heading line. Columns:
 ///
 /// - time_s, robot, x_m, y_m, heading_rad, distance_m, energy;
-/// - forward_m_s, lateral_m_s, turn_rad_s: the measured motion; with asked_ in front of them what
-///   the coordinator asked for, with command_ what the drive can make of it;
+/// - forward_m_s, lateral_m_s, turn_rad_s: the measured motion; with asked_ in front, the
+///   motion that the coordinator asked for; with command_ in front, what the drive can make of it;
 /// - sensor[ID].VALUE for each number of each sensor's reading;
 /// - behavior[ID].asked, .forward_m_s, .lateral_m_s, .turn_rad_s, .activation, .strength, .weight,
-/// .share, .inhibited_by,
-///   .reason (and .time_s when time is measured): the coordinator's trace of its last decision.
+///   .share, .inhibited_by, .reason (and .time_s when time is measured): the coordinator's trace of
+///   its last decision.
 ///
 /// Poses are those at time_s; readings, commands and traces are those of the decision that led
 /// there, and empty in the first row, before any decision. Columns for what a robot does not have
@@ -26,13 +26,13 @@ namespace elsie::recording {
 /// during the run: after a plugin has failed, it is valid. A recorder serves one run.
 class CsvRecorder final : public simulation::Observer {
  public:
-  /// Creates the file at once; throws std::runtime_error with a sentence when that cannot be done.
+  /// Creates the file at once; throws std::runtime_error with a sentence when it cannot.
   /// `rate_hz`: samples per simulated second, rounded to whole steps, at most one a step; must be
   /// positive.
   CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false);
   ~CsvRecorder() override;
 
-  /// Its line in the table of formats.
+  /// Its entry in the table of formats.
   static Format format();
 
   void started(const simulation::Simulation& simulation) override;

@@ -16,9 +16,9 @@ namespace elsie::recording {
 struct RecorderOptions {
   /// Samples per simulated second, rounded to whole steps, at most one a step; must be positive.
   double rate_hz = 10.0;
-  /// Whether to record the cameras' pictures: in each sample, those that are new.
+  /// True: records the pictures of the cameras; each sample has those that are new.
   bool images = false;
-  /// Whether to record how long each behaviour took to answer; the simulation must measure it.
+  /// True: records the time that each behaviour took to answer; the simulation must measure it.
   bool with_times = false;
   /// The program that records: "elsie 0.1.0".
   std::string program = "elsie";
@@ -27,9 +27,9 @@ struct RecorderOptions {
 struct Format {
   std::string_view suffix;       // ".csv"
   std::string_view description;  // "a table"
-  std::string_view mark;         // how every such file begins
-  std::string_view maker;        // what its first kilobyte also has, so that it is ours
-  bool images = false;           // whether it has a place for pictures
+  std::string_view mark;         // the first bytes of every such file
+  std::string_view maker;        // text in its first kilobyte if Elsie wrote it
+  bool images = false;           // true: it has a place for pictures
   /// Creates the file at once, and throws an exception with a sentence when it cannot.
   std::unique_ptr<simulation::Observer> (*recorder)(const std::filesystem::path& file,
                                                     const RecorderOptions& options) = nullptr;
@@ -37,7 +37,7 @@ struct Format {
 
 /// All formats; a file without a suffix, such as a device, gets the first.
 std::span<const Format> formats();
-/// The format that a file's name asks for; null: none has this suffix.
+/// The format with the suffix of the file's name; null: no format has this suffix.
 const Format* format_of(const std::filesystem::path& file);
 /// The suffixes for messages and help: ".csv or .mcap" with " or " between them. `with_images`:
 /// only of formats with a place for pictures.

@@ -30,7 +30,7 @@ class McapRecorder final : public simulation::Observer {
   explicit McapRecorder(const std::filesystem::path& file, RecorderOptions options = {});
   ~McapRecorder() override;
 
-  /// Its line in the table of formats.
+  /// Its entry in the table of formats.
   static Format format();
 
   // Each throws mcap::McapError when the file cannot be written (a full disk).

@@ -1,5 +1,5 @@
-// A run read back from an MCAP file that McapRecorder wrote: what ran, what the file holds, what
-// the world looked like at any time, and who decided when.
+// A run read back from an MCAP file of McapRecorder: the run, the contents of the file, the state
+// of the world at any time, and who decided when.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct RecordedResult {
                         // by the user
   std::string reason;
   double simulated_s = 0.0;
-  // Not known, 0 and empty, when a plugin brought the program down.
+  // Unknown (0 and empty) when a plugin crashed the program.
   std::uint64_t steps = 0;
   std::string state_hash;  // 16 hexadecimal digits
   std::map<std::string, double>
@@ -46,9 +46,9 @@ struct RecordedRun {
   std::vector<RecordedChannel> channels;
   std::uint64_t messages = 0;
   double end_s = 0.0;       // the last message's time
-  std::string missing_end;  // a sentence, where the file breaks off; empty: it is whole
+  std::string missing_end;  // a sentence if the file breaks off; empty: it is complete
 
-  /// Whether Elsie recorded it. Otherwise the rest is empty.
+  /// True if Elsie recorded it. Otherwise the rest is empty.
   bool of_elsie = false;
   std::string world;  // its name
   std::string world_file;
@@ -62,7 +62,7 @@ struct RecordedRun {
   double period_s = 0.0;                 // likewise, s
   std::optional<RecordedResult> result;  // none: the file has no end
 
-  // As things were at the requested time.
+  // The state at the requested time.
   double shown_s = 0.0;                     // of the last sample until then
   std::vector<picture::RobotTrack> robots;  // their paths until then
   std::map<std::string, Pose> moved;        // boxes that may move, by their ids
@@ -80,9 +80,9 @@ RecordedRun read_recorded_run(const std::filesystem::path& file,
 /// that breaks off before its first message.
 traces::Trace read_trace(const std::filesystem::path& file);
 
-/// Draws the world as it was. This needs neither the world's file nor plugins but drives; a robot
-/// whose drive is not there is drawn on the default one.
-/// Throws world::WorldError when the world's text cannot be read (a file of a later version), and
+/// Draws the world as it was. This does not need the world's file, and no plugins except drives; a
+/// robot whose drive is missing is drawn on the default one. Throws world::WorldError when the
+/// world's text cannot be read (a file of a later version), and
 /// as picture::save_top_view().
 void save_picture(const RecordedRun& run, const plugin::Host& drives,
                   const std::vector<std::string>& subtitles, const std::filesystem::path& file,

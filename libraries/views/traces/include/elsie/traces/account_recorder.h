@@ -1,4 +1,4 @@
-// Who decides when, added up while a run goes on.
+// Sums over who decides when, computed while a run goes on.
 #pragma once
 
 #include <memory>
@@ -28,7 +28,7 @@ class AccountRecorder final : public simulation::Observer {
   const std::vector<TraceRobot>& robots() const;
   /// One for each of the robots, once the run has ended.
   const std::vector<RobotAccount>& accounts() const;
-  /// The list in which Episode::Part::reason is a place; the first one is empty.
+  /// The list that Episode::Part::reason indexes; its first entry is empty.
   const std::vector<std::string>& reasons() const;
 
  private:

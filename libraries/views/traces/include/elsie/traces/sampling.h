@@ -13,7 +13,7 @@ inline std::uint64_t steps_in(double period_s, double step_s) {
   return static_cast<std::uint64_t>(std::clamp(std::round(period_s / step_s), 1.0, kForever));
 }
 
-/// Says when a sample is due: one a period, the first at the first time that is asked about. An
+/// Decides when a sample is due: one per period, the first at the first time that is queried. An
 /// edit may change the length of the steps between two samples.
 class Sampling {
  public:
@@ -21,7 +21,7 @@ class Sampling {
   explicit Sampling(double period_s) : period_s_(period_s) {}
 
   double period_s() const { return period_s_; }
-  /// To be asked once for each time, in ascending order.
+  /// Must be asked once for each time, in ascending order.
   bool is_due(double time_s) {
     constexpr double kNearly = 1e-6;  // periods; sums of steps have rounding errors
     const double number = std::floor(time_s / period_s_ + kNearly);

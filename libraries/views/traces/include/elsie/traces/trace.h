@@ -12,7 +12,7 @@
 
 namespace elsie::traces {
 
-/// What a coordinator noted about one of its behaviours. It holds from `time_s` until the next note
+/// A coordinator's note about one of its behaviours. It holds from `time_s` until the next note
 /// about the same behaviour, or the end. The members are those of elsie::TraceRow, rounded by
 /// kept() (trace_rows.h).
 struct TraceNote {
@@ -27,7 +27,7 @@ struct TraceNote {
   bool asked = false;        // otherwise command, activation and strength are zero
 };
 
-/// How long a behaviour took to answer, where that was measured.
+/// The time that a behaviour took to answer, if it was measured.
 struct TraceTimes {
   std::uint64_t answers = 0;
   double mean_s = 0.0;
@@ -41,7 +41,7 @@ struct TraceMember {
   std::string coordinator;       // the plugin that decides about it
   double priority = 1.0;         // as the world file sets it
   int depth = 0;                 // 0: the robot's own
-  int parent = -1;               // place of the behaviour that it is inside of; -1: none
+  int parent = -1;               // index of the behaviour around it; -1: none
   std::vector<TraceNote> notes;  // ascending in time
   TraceTimes times;
 };
@@ -52,20 +52,20 @@ struct TraceEvent {
   std::string detail;
 };
 
-/// A robot with the behaviours that it has for a time. One whose behaviours an edit changes is
-/// another TraceRobot of the same id from then on.
+/// A robot with its behaviours during a time. If an edit changes the behaviours, another TraceRobot
+/// with the same id begins.
 struct TraceRobot {
   std::string id;
   std::string team;
   std::string coordinator;           // its own, the outermost
   std::vector<TraceMember> members;  // each before those inside it, in file order
   std::vector<TraceEvent> events;
-  /// The time for which it is in the world with these behaviours, s.
+  /// The time during which it is in the world with these behaviours, s.
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();
 };
 
-/// Whether both are one robot with the same behaviours under the same coordinators.
+/// True if both are one robot with the same behaviours under the same coordinators.
 bool same_cast(const TraceRobot& a, const TraceRobot& b);
 
 struct Trace {
@@ -76,7 +76,7 @@ struct Trace {
   double period_s = 0.0;  // between two decisions
   std::vector<TraceRobot> robots;
   std::vector<std::string> reasons;  // the first one is empty
-  /// How far the trace goes: the end of the run if that is in it, else the last message or the end
+  /// The end of the trace: the end of the run if the trace has it, else the last message or the end
   /// of the last control period with a decision, whichever is later.
   double end_s = 0.0;
   /// "success", "failure", "time_limit"; "stopped": a plugin that failed or the user ended the run;

@@ -21,7 +21,7 @@ struct TimeSpan {
 /// The part of the span that is in the trace; may be empty (from_s == to_s). It begins with the
 /// first decision at the earliest.
 TimeSpan within(const TimeSpan& span, const Trace& trace);
-/// The part of the span for which the robot is there, likewise.
+/// The part of the span during which the robot is there, likewise.
 TimeSpan within(const TimeSpan& span, const TraceRobot& robot);
 
 /// Who decides: a place among the members of a robot, or one of the following.
@@ -58,17 +58,17 @@ struct PriorityFrom {
 std::vector<PriorityFrom> priorities(const TraceRobot& robot, const TraceMember& member,
                                      const TimeSpan& span);
 
-/// How long one member silenced another.
+/// The time during which one member silenced another.
 struct Inhibition {
   int by = -1;
-  int times = 0;        // how often it began
+  int times = 0;        // number of times that it began
   double time_s = 0.0;  // in total
 };
 
 /// One behaviour over a span. Means are over time.
 struct MemberAccount {
-  double decided_s = 0.0;     // how long it was the decider among its neighbours
-  int periods = 0;            // how often it became the decider
+  double decided_s = 0.0;     // time during which it was the decider among its neighbours
+  int periods = 0;            // number of times that it became the decider
   double longest_s = 0.0;     // the longest of these
   double longest_at_s = 0.0;  // when that began
   double asked_s = 0.0;
@@ -84,7 +84,7 @@ struct MemberAccount {
 
 /// A stretch of time with one decider, or several in quick turns.
 struct Episode {
-  /// What one decider did in it.
+  /// The part of one decider in it.
   struct Part {
     Decider decider = kNobody;
     double time_s = 0.0;
@@ -104,12 +104,12 @@ struct Episode {
 
 /// One coordinator over a span.
 struct CoordinatorAccount {
-  int parent = -1;  // the behaviour that it is inside of, by its place; -1: the robot's own
+  int parent = -1;  // index of the behaviour around it; -1: the robot's own coordinator
   std::string coordinator;
-  double asked_s = 0.0;  // how long it ran
+  double asked_s = 0.0;  // time during which it ran
   double nobody_s = 0.0;
   double together_s = 0.0;
-  int switches = 0;               // how often the decider changed while it ran
+  int switches = 0;               // number of changes of the decider while it ran
   std::vector<Episode> episodes;  // all of them, without gaps: none has a switch within it
 };
 

@@ -1,4 +1,4 @@
-// Where the robots went, for pictures of a run.
+// The paths of robots, for pictures of a run.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace elsie::traces {
 /// The path of one robot.
 struct Track {
   std::vector<Pose> path;        // a pose per period
-  std::vector<Vector2> touches;  // where it was when it collided
+  std::vector<Vector2> touches;  // its positions when it collided
   /// Poses that it did not drive to, because a user had moved it since the pose before. Places in
   /// `path`, ascending.
   std::vector<std::size_t> placed{};
@@ -46,7 +46,7 @@ class TrackRecorder final : public simulation::Observer {
   std::vector<Track> tracks_;
   std::vector<int> collisions_;
   std::vector<bool> was_placed_;  // since the last pose of its path
-  std::size_t events_ = 0;        // how many were looked at
+  std::size_t events_ = 0;        // number of events processed
 };
 
 }  // namespace elsie::traces

@@ -11,7 +11,6 @@
 // libelsie are unchanged. A library is kept only if none of its files changed while the compiler
 // ran; otherwise it is compiled again. The cache keeps the last kMostBuilds libraries of each
 // source, and removes a source's libraries after kCacheDays days without use.
-// kCacheDays days.
 #pragma once
 
 #include <filesystem>

@@ -3,7 +3,7 @@
 //   build::Watch watch(places);              // libraries, directories, and sources to compile
 //   simulation::Simulation simulation(world, watch.host());
 //   while (...) {
-// costs nothing if there is none
+//     if (auto renewal = watch.take()) {     // costs nothing if there is none
 //       simulation.replace_plugins(*renewal->host);
 //       watch.accept(std::move(*renewal));
 //     }
@@ -58,8 +58,8 @@ class Watch {
   const plugin::Host& host() const;
   /// All changes since the last call; none if there are none.
   std::optional<Renewal> take();
-  /// Makes the renewal's host the one in use. A renewal that is not accepted is dropped: its files
-  /// are checked again when they change again.
+  /// Makes the renewal's host the one in use. A renewal that is not accepted is dropped; its files
+  /// are checked again after their next change.
   void accept(Renewal renewal);
 
  private:

@@ -1,0 +1,70 @@
+#include "elsie/experiment/where.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "elsie/base/near_name.h"
+
+#include "factors.h"
+#include "grid.h"
+
+namespace elsie::experiment {
+
+namespace {
+
+const Labels& named(const std::string& factor, const std::vector<Labels>& known) {
+  const auto found = std::find_if(known.begin(), known.end(),
+                                  [&](const Labels& one) { return one.factor == factor; });
+  if (found == known.end()) {
+    std::vector<std::string> names;
+    for (const Labels& one : known) {
+      names.push_back(one.factor);
+    }
+    throw std::invalid_argument("there is no factor '" + factor + "'" +
+                                base::near_or_all(factor, names, "there are"));
+  }
+  return *found;
+}
+
+}  // namespace
+
+std::vector<Labels> labels_of(const Experiment& experiment) {
+  std::vector<Labels> all{{kWorldFactor, labels_of(experiment, kWorldFactor)}};
+  for (const Factor& factor : experiment.factors) {
+    all.push_back({factor.name, labels_of(experiment, factor.name)});
+  }
+  return all;
+}
+
+std::vector<Where> parse_where(const std::string& text, const std::vector<Labels>& known) {
+  std::vector<Where> all;
+  std::set<std::string> used;
+  for (const std::string& part : split(text, ';')) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) {
+      throw std::invalid_argument(
+          "expected FACTOR=LEVEL, several of them separated by \";\", found '" + part + "'");
+    }
+    Where where;
+    where.factor = trimmed(part.substr(0, equals));
+    const Labels& factor = named(where.factor, known);
+    if (!used.insert(where.factor).second) {
+      throw std::invalid_argument("'" + where.factor +
+                                  "' stands there twice; one of several levels is " + where.factor +
+                                  "=A|B");
+    }
+    where.levels = split(part.substr(equals + 1), '|');
+    for (const std::string& level : where.levels) {
+      if (std::none_of(factor.labels.begin(), factor.labels.end(),
+                       [&](const std::string& label) { return matches(level, label); })) {
+        throw std::invalid_argument("'" + where.factor + "' has no level '" + level + "'" +
+                                    base::near_or_all(level, factor.labels, "it has"));
+      }
+    }
+    all.push_back(std::move(where));
+  }
+  return all;
+}
+
+}  // namespace elsie::experiment

@@ -1,0 +1,105 @@
+// Layouts of a world file that is edited: they are edited, and what they draw is not.
+#include <catch2/catch.hpp>
+
+#include "elsie/editing/document.h"
+
+#include "../world/equal.h"
+#include "../world/fixture.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using Catch::Contains;
+using editing::Document;
+
+namespace {
+
+const std::string kWorld = R"(<world format="1">
+  <obstacles>
+    <static_box id="wall" x="1"/>
+  </obstacles>
+  <layouts seed="4"> <!-- drawn -->
+    <scatter id="clutter" count="3">
+      <static_box/>
+    </scatter>
+    <scatter id="fleet" count="2"><robot id="r"/></scatter>
+  </layouts>
+</world>
+)";
+
+Document document(std::uint64_t seed = 1, const std::string& text = kWorld) {
+  world::ReadOptions reading = options();
+  reading.check_plugins = false;
+  reading.seed = seed;
+  return Document(text, kFolder + "world.xml", host(), reading);
+}
+
+std::string refusal(const std::string& edit) {
+  Document d = document();
+  try {
+    d.apply(edit);
+  } catch (const world::WorldError& error) {
+    CHECK(d.text() == kWorld);
+    return error.problems().front().message;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("An edit of a layout changes its text, and the world follows") {
+  Document d = document();
+  CHECK(d.world().boxes.size() == 4);
+  const auto undo = d.apply("scatter[clutter]/@count=9");
+  CHECK(d.world().boxes.size() == 10);
+  CHECK_THAT(d.text(), Contains("<scatter id=\"clutter\" count=\"9\">"));
+  d.apply(undo);
+  CHECK(d.text() == kWorld);
+  CHECK(d.world().boxes.size() == 4);
+}
+
+TEST_CASE("The seed of layouts is edited, and undone as a text as well") {
+  Document d = document();
+  const double before = d.world().boxes.back().x;
+  const auto undo = d.apply("layouts/@seed=5");
+  CHECK_THAT(d.text(), Contains("<layouts seed=\"5\"> <!-- drawn -->"));
+  CHECK(d.world().boxes.back().x != before);
+  Document other = document(1, d.text());
+  other.apply(undo.texts());
+  CHECK(other.world().boxes.back().x == before);
+}
+
+TEST_CASE("Layouts are added and removed") {
+  Document d = document();
+  d.apply("scatter[+]=<scatter id=\"food\"><resource/></scatter>");
+  CHECK(d.world().boxes.size() == 5);
+  d.apply("scatter[clutter]/@remove=true");
+  CHECK(d.world().boxes.size() == 2);
+  Document empty = document(1, "<world format=\"1\"/>\n");
+  empty.apply("layout[+]=<maze columns=\"3\" rows=\"3\"/>");
+  CHECK(empty.world().boxes.size() > 1);
+}
+
+TEST_CASE("An edit of what a layout has drawn is refused, with the layout's name") {
+  CHECK(refusal("obstacle[clutter2]/@x=0.5") ==
+        "the layout 'clutter' draws this, another one from each seed; edit what scatter[clutter] "
+        "says instead");
+  CHECK_THAT(refusal("robot[r1]/@max_speed=0.3"), Contains("the layout 'fleet' draws this"));
+  CHECK_THAT(refusal("robot[r2]/@remove=true"), Contains("the layout 'fleet' draws this"));
+  CHECK_THAT(refusal("robot[r3]/@max_speed=0.3"), Contains("there is no"));
+}
+
+TEST_CASE("What is there beside layouts is edited as ever, and the layouts keep clear of it") {
+  Document d = document();
+  d.apply("obstacle[wall]/@length=4");
+  CHECK(d.world().boxes[0].length == 4.0);
+  d.apply("robot[*]/@max_speed=0.3");
+  CHECK_THAT(d.text(), Contains("<robot id=\"r\" max_speed=\"0.3\"/>"));
+  CHECK(d.world().robots.at(1).max_speed == 0.3);
+}
+
+TEST_CASE("A document has the layouts of the run's seed") {
+  std::string by_run = kWorld;
+  by_run.replace(by_run.find(" seed=\"4\""), 9, "");
+  CHECK_FALSE(same(document(1, by_run).world(), document(2, by_run).world()));
+  CHECK(same(document(4, by_run).world(), document(1).world()));
+}
