@@ -27,7 +27,7 @@ struct Interval {
 struct Ticks {
   std::vector<double> at;
   double step = 0.0;
-  bool powers = false;  // true: they are exponents of ten
+  bool powers = false;               // true: they are exponents of ten
   std::vector<std::string> names{};  // their texts, if they are not numbers
 
   std::string label(double tick) const;
