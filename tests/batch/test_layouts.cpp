@@ -138,5 +138,5 @@ TEST_CASE("A layout that was changed in the database is noticed") {
   batch::ResultsDatabase::create(file, plan_of(scattered(folder)));
   test::rows(file, "UPDATE layouts SET world_text = world_text || ' ' WHERE seed = 2");
   CHECK_THROWS_WITH(batch::ResultsDatabase::open(file),
-                    Contains("the world of cell 'few, seed 2' is not what its hash says"));
+                    Contains("the world of cell 'few, seed 2' does not match its hash"));
 }

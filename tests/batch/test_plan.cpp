@@ -103,6 +103,7 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   for (std::size_t i = 1; i < plan.program_files; ++i) {
     const char* const names[] = {"",
                                  "engines/ode.so",
+                                 "layouts.so",
                                  "libelsie-base",
                                  "libelsie-inference",
                                  "libelsie-views",

@@ -278,7 +278,7 @@ TEST_CASE("A pipeline that makes no sense is refused when it is put together") {
          "its size is 4 pixels, but must be an odd");
   refuse({{"blur", {{"size", std::int64_t{2}}}}, kMatch}, "must be an odd number");
   refuse({kMatch, {"blob", {{"min_area", 9.0}, {"max_area", 3.0}}}}, "no blob would do");
-  refuse({{"match_colour", {{"colours", "#d03030, blue"}}}}, "'#d03030,' is no colour");
+  refuse({{"match_colour", {{"colours", "#d03030, blue"}}}}, "'#d03030,' is not a colour");
   refuse({{"match_colour", {{"colours", "#d0303"}}}}, "is not a colour like");
   refuse({{"match_colour", {{"colours", "#+03030"}}}}, "is not a colour like");
   refuse({{"match_colour", {{"colours", "#777777"}}}}, "cannot look for the colour #777777");

@@ -98,7 +98,7 @@ TEST_CASE("A world that has no room for its layout is refused before it runs") {
 TEST_CASE("Equal experiments have equal layouts, whatever the number of workers") {
   Workplace here;
   here.write("e.xml",
-             "<experiment format='1'><worlds><world file='worlds/scattered/clutter.xml'/></worlds>"
+             "<experiment format='1'><worlds><world file='worlds/scattered/maze.xml'/></worlds>"
              "<seeds from='1' to='4'/><layouts rule='nested'/><limits time='1'/></experiment>");
   for (const std::string workers : {"1", "2"}) {
     const auto run = here.elsie("batch e.xml --quiet --workers " + workers + " --database " +

@@ -225,7 +225,9 @@ TEST_CASE("Every world that is shipped can be looked at without a plugin") {
       if (entry.path().extension() != ".xml") continue;
       CAPTURE(entry.path().string());
       const std::string file = entry.path().string();
-      CHECK_NOTHROW(elsie::picture::bodies_of(elsie::world::read_text(file), file, {}));
+      const std::string text = elsie::world::read_text(file);
+      if (text.find("<layouts") != std::string::npos) continue;  // a record has what it drew
+      CHECK_NOTHROW(elsie::picture::bodies_of(text, file, {}));
       ++count;
     }
   }

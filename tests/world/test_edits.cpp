@@ -139,7 +139,7 @@ TEST_CASE("An element that cannot be added is refused in a sentence") {
   CHECK_THAT(wrong("robot[+]=<robot/>"), Catch::Contains("lacks the attribute 'id'"));
   CHECK_THAT(wrong("robot[r1]/sensor[+]=<lidar/>"), Catch::Contains("lidar"));
   CHECK_THAT(wrong("robot[r1]/sensor[+]=<beam remove=\"true\"/>"),
-             Catch::Contains("could be taken away"));
+             Catch::Contains("could remove; to remove an element"));
 }
 
 TEST_CASE("An attribute that is removed has its default again") {
