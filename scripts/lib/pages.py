@@ -70,7 +70,8 @@ class Published:
         """How many runs the deciding experiment has."""
         told = [f"{study.number_of_runs} in {name} ({len(study.setups)} set-ups, {of(len(study.seeds), 20)} seeds)"
                 for name, study in ((ARENA, self.arena), (CLUTTER, self.clutter))]
-        return parts.builds(self.deciding) + f" There are {' and '.join(told)}. The same command goes on to all twenty seeds."
+        rest = "" if min(len(study.seeds) for study in (self.arena, self.clutter)) == 20 else " The same command goes on to all twenty seeds."
+        return parts.builds(self.deciding) + f" There are {' and '.join(told)}." + rest
 
     def draw(self, folder):
         """The pictures of the deciding experiment."""
