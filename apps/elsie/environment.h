@@ -1,6 +1,7 @@
 // Where the program finds plugins and data.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -64,7 +65,8 @@ std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options);
 std::vector<std::string> data_directories();
 
 /// How worlds are read here: with the data directories, and every plugin asked about its
-/// parameters.
-world::ReadOptions read_options(const std::vector<std::string>& overrides = {});
+/// parameters. `seed`: the run's, for layouts.
+world::ReadOptions read_options(const std::vector<std::string>& overrides = {},
+                                std::uint64_t seed = 1);
 
 }  // namespace elsie::program

@@ -145,7 +145,8 @@ std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
 /// The simulation of a world that is in order, with changes that can be made.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
                                      std::span<const simulation::TimedChange> changes) {
-  world::World world = world::read_world(options.world, host, read_options(options.overrides));
+  world::World world =
+      world::read_world(options.world, host, read_options(options.overrides, options.seed));
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,
                                      .measure_time = options.views.record.times,

@@ -13,7 +13,9 @@
 #include "elsie/world/markup.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/warnings.h"
+#include "elsie/world/writer.h"
 
+#include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "progress.h"
@@ -27,16 +29,22 @@ struct CheckOptions {
   PluginOptions plugins;
   std::vector<std::string> files;
   std::vector<std::string> overrides;
+  std::uint64_t seed = 1;
+  bool expand = false;
   bool quiet = false;
 };
 
 /// The line about a world without mistakes.
 std::string check_world(const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
-  const world::World world = world::read_world(file, host, read_options(options.overrides));
+  const world::World world =
+      world::read_world(file, host, read_options(options.overrides, options.seed));
   // This asks the plugins whether they fit their robots.
   const simulation::Simulation simulation(
-      world, host, {.data_directories = data_directories(), .cameras = render::world_cameras});
+      world, host,
+      {.seed = options.seed,
+       .data_directories = data_directories(),
+       .cameras = render::world_cameras});
   try {
     for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
       std::cerr << unmade.from << ": warning: " << unmade.sentence << '\n';
@@ -47,6 +55,9 @@ std::string check_world(const std::string& file, const plugin::Host& host,
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
   }
+  if (options.expand) {
+    out() << world::write_world(world);
+  }
   return base::counted(world.robots.size(), "robot") + ", " +
          base::counted(world.boxes.size(), "box", "boxes");
 }
@@ -56,6 +67,10 @@ std::string check_experiment(const std::string& file, const plugin::Host& host,
   if (!options.overrides.empty()) {
     throw BadInput("--set is for worlds; '" + file +
                    "' is an experiment, which has elements <set> for that");
+  }
+  if (options.expand) {
+    throw BadInput("--expand is for worlds; '" + file + "' is an experiment, whose worlds are in "
+                   "the database of its runs");
   }
   CheckProgress progress(!options.quiet);
   experiment::ReadOptions reading;
@@ -71,6 +86,10 @@ std::string check_experiment(const std::string& file, const plugin::Host& host,
 }
 
 int check(const CheckOptions& options) {
+  if (options.expand && options.files.size() != 1) {
+    throw BadInput("--expand writes one world; " + std::to_string(options.files.size()) +
+                   " files are given");
+  }
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
@@ -82,7 +101,7 @@ int check(const CheckOptions& options) {
       const auto root = world::parse_markup(world::read_text(path), path);
       const std::string found = root.name == "experiment" ? check_experiment(path, host, options)
                                                           : check_world(path, host, options);
-      if (!options.quiet) {
+      if (!options.quiet && !options.expand) {
         out() << file << ": in order: " << found << '\n';
       }
     } catch (const world::WorldError& error) {
@@ -103,7 +122,8 @@ void add_check_command(CLI::App& program, Job& job) {
       "check", "Read world and experiment files and report everything that is wrong");
   command->footer(
       "\nExamples:\n  elsie check worlds/*.xml experiments/*.xml\n"
-      "  elsie check worlds/maze.xml --set physics/@step=0.02\n");
+      "  elsie check worlds/maze.xml --set physics/@step=0.02\n"
+      "  elsie check worlds/scattered/clutter.xml --seed 7 --expand > clutter_7.xml\n");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("FILE", options->files, "World and experiment files")->required();
   command
@@ -112,6 +132,13 @@ void add_check_command(CLI::App& program, Job& job) {
                    "be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
+  command
+      ->add_option("--seed", options->seed, "Seed from which the layouts of worlds are drawn")
+      ->check(seed_number())
+      ->capture_default_str();
+  command->add_flag("--expand", options->expand,
+                    "Write the world as it runs to standard output: templates merged, layouts "
+                    "drawn, settings made");
   command->add_flag("--quiet", options->quiet, "Print nothing about files that are in order");
   options->plugins.add_to(*command);
   command->callback([&job, options] { job = [options] { return check(*options); }; });

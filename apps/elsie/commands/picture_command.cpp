@@ -9,6 +9,7 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
+#include "arguments.h"
 #include "command.h"
 #include "environment.h"
 #include "output_files.h"
@@ -25,6 +26,7 @@ struct PictureOptions {
   std::optional<std::string> picture;  // PICTURE, equivalent to --output
   std::optional<std::string> output;
   std::vector<std::string> overrides;
+  std::uint64_t seed = 1;
   int width = 1000;
   bool bare = false;
 };
@@ -35,8 +37,8 @@ int picture(const PictureOptions& options) {
   require_picture(file, options.picture ? "PICTURE" : "--output");
   const plugin::Host host = load_plugins(options.plugins);
   simulation::Simulation simulation(
-      world::read_world(options.world, host, read_options(options.overrides)), host,
-      {.cameras = render::world_cameras});
+      world::read_world(options.world, host, read_options(options.overrides, options.seed)), host,
+      {.seed = options.seed, .cameras = render::world_cameras});
   simulation.step();  // lets the sensors look once
   draw(simulation, nullptr, {}, file, options.width, {}, options.bare);
   out() << "wrote " << file.string() << '\n';
@@ -64,6 +66,9 @@ void add_picture_command(CLI::App& program, Job& job) {
   command->add_option("--set", options->overrides, "Change an attribute first; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
+  command->add_option("--seed", options->seed, "Seed of layouts, and of sensors' noise")
+      ->check(seed_number())
+      ->capture_default_str();
   command->add_option("--width", options->width, "Width in pixels")
       ->check(CLI::Range(200, 8000))
       ->capture_default_str();

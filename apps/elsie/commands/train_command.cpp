@@ -261,7 +261,7 @@ bool same_file(const std::string& a, const std::string& b) {
 }
 
 world::World read_world(const TrainOptions& options, const plugin::Host& host) {
-  const world::ReadOptions reading = read_options(options.overrides);
+  const world::ReadOptions reading = read_options(options.overrides, options.seed.value_or(1));
   if (!options.from_input) {
     return world::read_world(options.world, host, reading);
   }

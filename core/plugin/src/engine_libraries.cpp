@@ -15,9 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder() {
-  return fs::weakly_canonical(file_of_this_library()).parent_path() / "elsie/engines";
-}
+fs::path folder() { return fs::weakly_canonical(file_of_this_library()).parent_path() / "elsie"; }
+fs::path engines() { return folder() / "engines"; }
 
 /// A sentence if the file is no library that this program can load.
 std::string fault_of(const fs::path& file) {
@@ -32,7 +31,7 @@ std::string fault_of(const fs::path& file) {
 std::vector<std::string> engine_names() {
   std::vector<std::string> names;
   std::error_code error;
-  for (fs::directory_iterator at(folder(), error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(engines(), error), end; !error && at != end; at.increment(error)) {
     if (at->path().extension() == ".so") {
       names.push_back(at->path().stem().string());
     }
@@ -41,13 +40,18 @@ std::vector<std::string> engine_names() {
   return names;
 }
 
-fs::path engine_file(const std::string& name) { return folder() / (name + ".so"); }
+fs::path engine_file(const std::string& name) { return engines() / (name + ".so"); }
+
+fs::path layouts_file() { return folder() / "layouts.so"; }
 
 void* engine_symbol(const std::string& name, const char* symbol) {
-  const fs::path file = engine_file(name);
+  return part_symbol("the physics engine '" + name + "'", engine_file(name), symbol);
+}
+
+void* part_symbol(const std::string& what, const fs::path& file, const char* symbol) {
   const auto refuse = [&](const std::string& why) {
-    throw PluginError("the library of the physics engine '" + name + "', " + file.string() + ", " +
-                          why + "; install Elsie anew, or build it again",
+    throw PluginError("the library of " + what + ", " + file.string() + ", " + why +
+                          "; install Elsie anew, or build it again",
                       base::kOtherFailure);
   };
   // One that is loaded was inspected.

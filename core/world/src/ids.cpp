@@ -61,8 +61,11 @@ void yield_ids(Element& world, const ElementSpec& spec) {
 
 void complete_ids(Element& element, const ElementSpec& spec) {
   for (const ElementSpec& group : spec.below()) {
-    Element* list = group.group ? element.child(group.name) : nullptr;
-    if (!list) {
+    Element* list = element.child(group.name);
+    if (list && !group.group && !group.plugins) {
+      complete_ids(*list, group);  // a <robot> that is scattered
+    }
+    if (!list || !group.group) {
       continue;
     }
     const ElementSpec& member = group.children.front();

@@ -161,6 +161,25 @@ Concern concern_of(const std::string& override) {
   return Concern::other;
 }
 
+bool is_about_layouts(const std::string& override) {
+  const std::string first = override.substr(0, override.find_first_of("[/="));
+  const ElementSpec& layouts = *vocabulary().child("layouts");
+  return first == layouts.name || first == layouts.members || layouts.child(first);
+}
+
+std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const std::string& path) {
+  const Path parsed = parse_path(path);
+  if (parsed.attribute.empty() || parsed.from_attribute) {
+    fail("the path '" + path + "' leads to no attribute; expected one at its end, as in " +
+         "robot[*]/@heading_deg");
+  }
+  std::vector<Element*> elements;
+  for (const Place& place : find_places(world, parsed)) {
+    elements.push_back(place.element);
+  }
+  return {elements, parsed.attribute};
+}
+
 void apply_override(Element& world, const std::string& override, bool is_running,
                     Problems& problems) {
   const Location where{"--set " + override, 0};

@@ -65,6 +65,22 @@ std::vector<Place> children(const Place& place, const std::string& name) {
   return found;
 }
 
+// What a world's layouts scatter that a step of this name means, when it means all.
+std::vector<Place> scattered(const Place& world, const std::string& name) {
+  std::vector<Place> found;
+  for (const Place& scatter : children(world, "scatter")) {
+    for (const ElementSpec& group : world.spec->children) {
+      for (Element& thing : scatter.element->children) {
+        const ElementSpec* spec = group.group ? group.child(thing.name) : nullptr;
+        if (spec && (name == group.members || name == thing.name)) {
+          found.push_back({&thing, spec});
+        }
+      }
+    }
+  }
+  return found;
+}
+
 // The names that a step may have here.
 std::vector<std::string> names_at(const Place& place) {
   std::set<std::string> names;
@@ -144,6 +160,10 @@ Element empty_element(const std::string& name, const Place& parent) {
 
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
   std::vector<Place> found = children(place, step.name);
+  if (place.spec->root && step.key == "*") {
+    const auto more = scattered(place, step.name);
+    found.insert(found.end(), more.begin(), more.end());
+  }
   if (!found.empty()) {
     return chosen(found, step);
   }
@@ -166,7 +186,10 @@ std::string way_to_add(const Path& path, const PathStep& step) {
 // A part of a robot, named without a robot: that of every robot.
 std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
   std::vector<Place> result;
-  for (const Place& robot : children(world, "robot")) {
+  std::vector<Place> robots = children(world, "robot");
+  const auto more = scattered(world, "robot");
+  robots.insert(robots.end(), more.begin(), more.end());
+  for (const Place& robot : robots) {
     const auto found = step_from(robot, step);
     result.insert(result.end(), found.begin(), found.end());
   }

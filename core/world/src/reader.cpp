@@ -9,6 +9,7 @@
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
+#include "elsie/world/layouts.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/object_reader.h"
 #include "elsie/world/tree.h"
@@ -65,16 +66,24 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   const Files files(file, options.data_directories, options.overrides_from, options.files,
                     options.found);
   Element root = tree_of_world(text, file);
+  std::optional<Drawn> drawn;
+  std::vector<std::string> of_drawn;  // edits of what layouts draw
   const auto apply = [&](const std::string& override) {
     const Concern concern = concern_of(override);
-    if (options.is_running && concern == Concern::templates) {
+    if ((options.is_running || drawn) && concern == Concern::templates) {
       problems.add({"--set " + override, 0},
                    "what the template brings is in the robot since the start; replace the robot, "
                    "or edit what is in it");
       return;
     }
-    apply_override(root, override, options.is_running, problems);
-    if (options.is_running && concern == Concern::robots) {
+    Problems own;
+    apply_override(root, override, options.is_running, own);
+    if (!own.empty() && root.child("layouts") && !is_about_layouts(override)) {
+      of_drawn.push_back(override);
+      return;
+    }
+    problems.add(own);
+    if ((options.is_running || drawn) && concern == Concern::robots) {
       merge_templates(root, host, files, problems);
     }
   };
@@ -89,15 +98,24 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   std::for_each(overrides.begin(), later, apply);
   merge_templates(root, host, files, problems);
   std::for_each(later, overrides.end(), apply);
-  return world_of_tree(std::move(root), file, host, files, options, problems);
+  draw_layouts(root, file, host, files, options, drawn, problems);
+  if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
+  std::for_each(of_drawn.begin(), of_drawn.end(), apply);
+  World world = world_of_tree(std::move(root), file, host, files, options, problems);
+  world.drawn = drawn;
+  return world;
 }
 
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
                     const Files& files, const ReadOptions& options, Problems& problems) {
+  std::optional<Drawn> drawn;
+  draw_layouts(root, file, host, files, options, drawn, problems);
+  if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
   remove_overridden(root);
   Reading reading = read_tree(root, host, files, options.check_plugins, problems);
   World& world = reading.world;
   world.file = file;
+  world.drawn = drawn;
   add_default_teams(world.teams);
   colour_teams(world);
   build_bodies(reading, host, problems);

@@ -243,6 +243,11 @@ void merge_templates(Element& world, const plugin::Host& host, const Files& file
       templates.merge(robot);
     }
   }
+  if (Element* layouts = world.child("layouts")) {
+    for (Element& scatter : layouts->children) {
+      if (Element* robot = scatter.child("robot")) templates.merge(*robot);
+    }
+  }
 }
 
 }  // namespace elsie::world

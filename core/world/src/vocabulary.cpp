@@ -5,6 +5,7 @@
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/facts.h"
+#include "elsie/world/layouts.h"
 
 namespace elsie::world {
 
@@ -238,7 +239,9 @@ ElementSpec world() {
                  .each(measure(), &World::measures))
       .group(Describe<World>("changes", "What changes in the world while it runs")
                  .each(change(), &World::changes))
-      .one(limits(), &World::limits);
+      .one(limits(), &World::limits)
+      .before_reading(layouts_spec(
+          {static_box(), dynamic_box(), moving_box(), resource(), charger(), robot_spec()}));
 }
 
 }  // namespace

@@ -9,8 +9,9 @@
 namespace elsie::testing {
 namespace {
 
-world::ReadOptions read_options(const WorldOptions& options) {
+world::ReadOptions read_options(const WorldOptions& options, std::uint64_t seed) {
   world::ReadOptions how;
+  how.seed = seed;
   how.overrides = options.set;
   how.data_directories = data_directories();
   how.check_plugins = true;
@@ -21,19 +22,31 @@ world::ReadOptions read_options(const WorldOptions& options) {
 
 World World::from_file(const std::string& file, const WorldOptions& options,
                        const Plugins& plugins) {
-  return {world::read_world(file, plugins.host(), read_options(options)), options, plugins};
-}
-
-World World::from_text(std::string_view xml, const WorldOptions& options, const Plugins& plugins) {
-  return {world::parse_world(xml, "world in a test", plugins.host(), read_options(options)),
+  return {[=, host = plugins](std::uint64_t seed) {
+            return world::read_world(file, host.host(), read_options(options, seed));
+          },
           options, plugins};
 }
 
-World::World(world::World world, const WorldOptions& options, const Plugins& plugins)
-    : plugins_(plugins),
-      simulation_(std::make_unique<simulation::Simulation>(
-          std::move(world), plugins_.host(),
-          simulation::Options{.seed = options.seed, .cameras = render::world_cameras})) {}
+World World::from_text(std::string_view xml, const WorldOptions& options, const Plugins& plugins) {
+  return {[=, text = std::string(xml), host = plugins](std::uint64_t seed) {
+            return world::parse_world(text, "world in a test", host.host(),
+                                      read_options(options, seed));
+          },
+          options, plugins};
+}
+
+World::World(std::function<world::World(std::uint64_t)> read, const WorldOptions& options,
+             const Plugins& plugins)
+    : plugins_(plugins), read_(std::move(read)) {
+  begin(options.seed);
+}
+
+void World::begin(std::uint64_t seed) {
+  simulation_ = std::make_unique<simulation::Simulation>(
+      read_(seed), plugins_.host(),
+      simulation::Options{.seed = seed, .cameras = render::world_cameras});
+}
 
 World& World::step(int steps) {
   for (int i = 0; i < steps; ++i) {
@@ -60,7 +73,13 @@ simulation::RunResult World::run() {
 }
 
 World& World::reset(std::uint64_t seed) {
-  simulation_->reset(seed);
+  // Layouts that are drawn from the run's seed are others with this one.
+  const auto& drawn = simulation_->world().drawn;
+  if (drawn && drawn->by_run) {
+    begin(seed);
+  } else {
+    simulation_->reset(seed);
+  }
   return *this;
 }
 

@@ -66,7 +66,7 @@ Json catalog_json(const plugin::Host& host) {
 }
 
 Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const std::vector<std::string>& data_directories) {
+                const world::ReadOptions& options) {
   std::vector<base::Problem> problems;
   Json warnings = Json::array();
   const auto attempt = [&](const auto& check) {
@@ -79,9 +79,6 @@ Json check_json(const std::string& text, const std::string& file, const plugin::
     }
   };
   attempt([&] {
-    world::ReadOptions options;
-    options.data_directories = data_directories;
-    options.check_plugins = true;
     const world::World world = world::parse_world(text, file, host, options);
     // Plugins are asked whether they fit, but not prepared for a run: networks are not trained.
     for (std::size_t i = 0; i < world.robots.size(); ++i) {

@@ -27,6 +27,6 @@ Json catalog_json(const plugin::Host& host);
 
 /// What is wrong with a text, and what the physics may not simulate well, as `elsie check` says it.
 Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const std::vector<std::string>& data_directories);
+                const world::ReadOptions& options);
 
 }  // namespace elsie::server

@@ -35,10 +35,11 @@ bool may_make_plugins(const std::string& text) {
 
 }  // namespace
 
-world::ReadOptions Server::Impl::reading() const {
+world::ReadOptions Server::Impl::reading(std::uint64_t seed) const {
   world::ReadOptions options;
   options.data_directories = options_.data_directories;
   options.check_plugins = true;
+  options.seed = seed;
   return options;
 }
 
@@ -46,7 +47,7 @@ void Server::Impl::open(const Json& message, Json& answer) {
   const std::uint64_t seed = message.value("seed", seed_);
   const auto text = message.at("text").get<std::string>();
   answer["made_plugins"] = may_make_plugins(text);
-  editing::Document document(text, message.value("file", std::string()), host(), reading());
+  editing::Document document(text, message.value("file", std::string()), host(), reading(seed));
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
   inverses_.clear();
@@ -85,7 +86,7 @@ void Server::Impl::move(const Json& message, Json& answer) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const std::string before = document_->text(), begun = repetition_.text();
   const std::string old_file = document_->file();
-  editing::Document moved(document_->text_for(folder), file, host(), reading());
+  editing::Document moved(document_->text_for(folder), file, host(), reading(seed_));
   document_ = std::move(moved);
   repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
   inverses_.clear();  // they name other files as the old text did
@@ -99,13 +100,13 @@ std::string Server::Impl::from_elsewhere(const std::string& text, const std::str
   const std::filesystem::path here = folder_of(document_->file());
   return file.empty() || folder_of(file) == here
              ? text
-             : editing::Document(text, file, host(), reading()).text_for(here.string());
+             : editing::Document(text, file, host(), reading(seed_)).text_for(here.string());
 }
 
 void Server::Impl::check(const Json& message, Json& answer) {
   const std::string file = message.value("file", document_ ? document_->file() : "");
   answer.update(
-      check_json(message.at("text").get<std::string>(), file, host(), options_.data_directories));
+      check_json(message.at("text").get<std::string>(), file, host(), reading(seed_)));
 }
 
 void Server::Impl::ping(const Json&, Json&) {}
@@ -126,7 +127,7 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
       // In the document, edits are made one after the other, and what has no id is called by its
       // place; to the run, they may mean something else.
       const bool are_right =
-          !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading());
+          !edits.empty() && editing::lead_to(document_->world(), *before, edits, host(), reading(seed_));
       change_run(are_right ? std::move(edits) : edits_from(*before));
     }
   } catch (...) {
@@ -140,7 +141,7 @@ void Server::Impl::change(const std::function<editing::Edits()>& make,
 
 std::vector<std::string> Server::Impl::edits_from(const world::World& before) const {
   try {
-    return editing::edits_between(before, document_->world(), host(), reading());
+    return editing::edits_between(before, document_->world(), host(), reading(seed_));
   } catch (const world::WorldError&) {
     throw base::BadInput(
         "no edits lead from the world that runs to this one; reset the run, and it begins with "

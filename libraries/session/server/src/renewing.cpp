@@ -54,7 +54,7 @@ void Server::Impl::use(const plugin::Host& host, Json& event) {
   if (!document_) {
     return;
   }
-  editing::Document document(document_->text(), document_->file(), host, reading());
+  editing::Document document(document_->text(), document_->file(), host, reading(seed_));
   if (phase_ == Phase::ready) {
     auto simulation = simulation_of(document.world(), seed_, host);
     document_ = std::move(document);

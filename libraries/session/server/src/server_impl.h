@@ -83,7 +83,7 @@ class Server::Impl {
   // The document.
 
   const plugin::Host& host() const { return plugins_.host(); }
-  world::ReadOptions reading() const;
+  world::ReadOptions reading(std::uint64_t seed) const;
   /// Changes the document; `make` returns the inverse. A run that is under way becomes what the
   /// document is then, by `edits` or, if there are none, those that lead there.
   void change(const std::function<editing::Edits()>& make, std::vector<std::string> edits,

@@ -1,5 +1,6 @@
-// Physics engines are libraries of their own, `elsie/engines/NAME.so` beside libelsie, so that the
-// core links none of them. What they do is in elsie/physics/engine.h.
+// Parts of the core that are libraries of their own, beside libelsie, so that the core links none
+// of them: physics engines, `elsie/engines/NAME.so`, whose work is in elsie/physics/engine.h, and
+// what draws layouts, `elsie/layouts.so`, whose work is in elsie/world/layouts.h.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +15,14 @@ std::vector<std::string> engine_names();
 /// The library of an engine; it may not exist. `name` may also be a path without the suffix.
 std::filesystem::path engine_file(const std::string& name);
 
-/// The address of a symbol of an engine's library. The library is loaded at the first call for it
-/// and stays loaded; its ABI word is compared before. Throws PluginError, which names the library
-/// and what is wrong with it.
+/// The library that draws layouts; it may not exist.
+std::filesystem::path layouts_file();
+
+/// The address of a symbol of such a library. The library is loaded at the first call for it and
+/// stays loaded; its ABI word is compared before. Throws PluginError, which names the library as
+/// `what` ("the physics engine 'ode'") and says what is wrong with it.
+void* part_symbol(const std::string& what, const std::filesystem::path& file, const char* symbol);
+/// The same for an engine.
 void* engine_symbol(const std::string& name, const char* symbol);
 
 }  // namespace elsie::plugin

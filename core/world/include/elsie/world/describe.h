@@ -198,6 +198,13 @@ class Describe {
         });
   }
 
+  /// An element that others replace before objects are made.
+  Describe&& before_reading(ElementSpec child) && {
+    child.parts = [](const void*) { return std::vector<DescribedObject>(); };
+    spec_.children.push_back(std::move(child));
+    return std::move(*this);
+  }
+
   /// The element has the name of a plugin of this kind.
   Describe&& plugins(PluginKind kind) && {
     spec_.plugins = kind;

@@ -270,6 +270,12 @@ struct TimedEdit {
   std::string text() const { return path + "=" + (element ? *element : value.value_or("")); }
 };
 
+/// What the layouts of a world were drawn from; see layouts.h.
+struct Drawn {
+  std::uint64_t seed = 0;
+  bool by_run = false;  // it is the run's seed
+};
+
 struct World {
   std::string name;
   std::string description;
@@ -284,6 +290,7 @@ struct World {
   std::vector<PluginUse> measures;
   std::vector<TimedEdit> changes;  // in file order
   Limits limits;
+  std::optional<Drawn> drawn;  // none: its file has no layouts
 };
 
 }  // namespace elsie::world

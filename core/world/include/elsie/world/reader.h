@@ -1,6 +1,7 @@
 // Reads a world file into a checked description.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -67,6 +68,8 @@ struct ReadOptions {
   /// Whether the world runs: its robots, and boxes that can be pushed or taken, are not where it
   /// says, so it is not checked whether bodies stand in each other's way or in a wall.
   bool is_running = false;
+  /// The run's seed, from which layouts are drawn that have no seed of their own.
+  std::uint64_t seed = 1;
 };
 
 /// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws

@@ -4,13 +4,15 @@
 //   tree_of_world()      the text as a tree: what a file says, with all ids
 //   merge_templates()    with what templates say
 //   apply_override()     with an edit
-//   world_of_tree()      the world, checked
+//   draw_layouts()       with what its layouts draw; see layouts.h
+//   world_of_tree()      the world, checked, with its layouts drawn
 //
 // read_world() makes all these steps at once.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "elsie/world/error.h"
@@ -45,6 +47,12 @@ void merge_templates(Element& world, const plugin::Host& host, const Files& file
 /// has its default may be taken away as well.
 void apply_override(Element& world, const std::string& override, bool is_running,
                     Problems& problems);
+
+/// Whether the path of an override leads to layouts, or to something in them.
+bool is_about_layouts(const std::string& override);
+/// The elements to which the path of an attribute leads, and the attribute's name. Throws
+/// std::invalid_argument with a sentence that says what is there instead.
+std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const std::string& path);
 
 /// What an override is about. All but `other` concern the tree before merge_templates().
 enum class Concern {

@@ -42,7 +42,7 @@ class World {
   bool run_until(const std::function<bool(const World&)>& reached, double seconds);
   /// Runs from the start until a goal or a limit ends the run.
   simulation::RunResult run();
-  /// Returns to the start, with this seed.
+  /// Returns to the start, with this seed; layouts of the world are drawn anew.
   World& reset(std::uint64_t seed);
 
   double time_s() const { return simulation_->time_s(); }
@@ -64,12 +64,15 @@ class World {
   const simulation::Simulation& simulation() const { return *simulation_; }
 
  private:
-  World(world::World world, const WorldOptions& options, const Plugins& plugins);
+  World(std::function<world::World(std::uint64_t seed)> read, const WorldOptions& options,
+        const Plugins& plugins);
+  void begin(std::uint64_t seed);
   std::size_t index_of(const std::string& robot) const;
   const void* reading(const std::string& robot, const std::string& sensor,
                       const ReadingKind& kind) const;
 
   Plugins plugins_;
+  std::function<world::World(std::uint64_t seed)> read_;
   std::unique_ptr<simulation::Simulation> simulation_;
 };
 

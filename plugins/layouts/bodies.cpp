@@ -1,0 +1,147 @@
+#include "bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "elsie/world/error.h"
+#include "elsie/world/parts.h"
+#include "elsie/world/tree.h"
+
+namespace elsie::layouts {
+
+namespace {
+
+constexpr double kMarkHeight = 0.1;  // m: no box stands on the mark of a charger
+
+Footprint footprint_of(const world::Charger& charger) {
+  Footprint disc;
+  disc.x = charger.x;
+  disc.y = charger.y;
+  disc.half_length = disc.half_width = charger.radius;
+  disc.top = kMarkHeight;
+  disc.round = true;
+  return disc;
+}
+
+Body body_of(const world::Robot& robot) {
+  return world::footprints_of(world::plan_of(robot),
+                              {robot.x, robot.y, radians(robot.heading_deg)}, robot.z);
+}
+
+/// The world of a tree, whose bodies need not be where it says.
+std::optional<world::World> read(const Drawing& drawing, Element tree) {
+  world::ReadOptions options = drawing.options;
+  options.overrides.clear();
+  options.is_running = true;
+  Problems problems;
+  try {
+    return world::world_of_tree(std::move(tree), drawing.file, drawing.host, drawing.files, options,
+                                problems);
+  } catch (const world::WorldError& error) {
+    drawing.problems.add(error);
+    return std::nullopt;
+  }
+}
+
+/// The world without what may speak of things that are not drawn yet.
+Element without(const Element& world, std::initializer_list<const char*> names) {
+  Element rest = world;
+  std::erase_if(rest.children, [&](const Element& child) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* name) { return child.name == name; });
+  });
+  return rest;
+}
+
+}  // namespace
+
+double covered(const Body& body) {
+  double area = 0.0;
+  for (const Footprint& each : body) {
+    area += (each.round ? std::numbers::pi : 4.0) * each.half_length * each.half_width;
+  }
+  return area;
+}
+
+Body moved(const Body& body, double x, double y, double heading_deg) {
+  const Pose pose{x, y, radians(heading_deg)};
+  Body there = body;
+  for (Footprint& each : there) {
+    const Vector2 at = point_of(pose, {each.x, each.y});
+    each.x = at.x;
+    each.y = at.y;
+    each.heading_rad += pose.heading_rad;
+  }
+  return there;
+}
+
+std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
+                            std::vector<Element> things) {
+  Element tree = without(drawing.world, {"obstacles", "resources", "chargers", "robots", "goals",
+                                         "measures", "changes", "limits"});
+  Element holder;
+  holder.name = list;
+  holder.where = drawing.world.where;
+  for (Element& thing : things) {
+    thing.set("x", "0", thing.where);
+    thing.set("y", "0", thing.where);
+    thing.set("heading_deg", "0", thing.where);
+    if (list == "chargers") thing.erase("heading_deg");
+  }
+  holder.children = std::move(things);
+  tree.children.push_back(std::move(holder));
+  const auto world = read(drawing, std::move(tree));
+  std::vector<Body> bodies;
+  if (world) {
+    for (const world::Box& box : world->boxes) bodies.push_back({world::footprint_of(box)});
+    for (const auto& charger : world->chargers) bodies.push_back({footprint_of(charger)});
+    for (const world::Robot& robot : world->robots) bodies.push_back(body_of(robot));
+  }
+  return bodies;
+}
+
+bool Occupied::add_world(const Drawing& drawing) {
+  const auto world = read(drawing, without(drawing.world, {"goals", "measures", "changes", "limits"}));
+  if (!world) {
+    return false;
+  }
+  for (const world::Box& box : world->boxes) add({world::footprint_of(box)});
+  for (const world::Charger& charger : world->chargers) add({footprint_of(charger)});
+  for (const world::Robot& robot : world->robots) add(body_of(robot));
+  return true;
+}
+
+base::Grid::Block Occupied::cells(const Footprint& area) const {
+  const double x = area.reach(1.0, 0.0), y = area.reach(0.0, 1.0);
+  return grid_.block(area.x - x, area.y - y, area.x + x, area.y + y);
+}
+
+void Occupied::add(const Body& body) {
+  for (const Footprint& each : body) {
+    grid_.insert(static_cast<base::Grid::Id>(there_.size()), cells(each));
+    there_.push_back(each);
+  }
+}
+
+bool Occupied::has_room_for(const Body& body, double gap) const {
+  return std::all_of(body.begin(), body.end(), [&](Footprint area) {
+    area.half_length += gap;
+    area.half_width += gap;
+    if (world::outside(arena_, "", area)) {
+      return false;
+    }
+    const base::Grid::Block block = cells(area);
+    for (int y = block.y0; y <= block.y1; ++y) {
+      for (int x = block.x0; x <= block.x1; ++x) {
+        for (const base::Grid::Id other : grid_.cell(x, y)) {
+          if (world::overlap(area, there_[other])) return false;
+        }
+      }
+    }
+    return true;
+  });
+}
+
+}  // namespace elsie::layouts

@@ -1,0 +1,71 @@
+// What all kinds of layouts share: the world's tree that they add to, its arena, and streams of
+// random numbers.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "elsie/base/problems.h"
+#include "elsie/base/random.h"
+#include "elsie/world/layouts.h"
+
+namespace elsie::layouts {
+
+using base::Location;
+using base::Problems;
+using world::Element;
+
+/// A length or coordinate as it is written into the world: to a tenth of a millimetre, so that the
+/// last bits of sines and logarithms do not count.
+double rounded_m(double metres);
+/// An angle likewise, to a hundredth of a degree, in [-180, 180].
+double rounded_deg(double degrees);
+
+/// A whole number in [0, count).
+std::size_t drawn_index(Random& random, std::size_t count);
+
+/// A rectangle along the axes, m.
+struct Area {
+  double x = 0.0, y = 0.0, length = 0.0, width = 0.0;
+
+  double left() const { return x - 0.5 * length; }
+  double bottom() const { return y - 0.5 * width; }
+};
+
+struct Drawing {
+  Element& world;
+  std::uint64_t seed;
+  const std::string& file;
+  const plugin::Host& host;
+  const world::Files& files;
+  const world::ReadOptions& options;
+  Problems& problems;
+  world::Arena arena{};
+
+  /// A stream of random numbers of its own, "layouts/clutter/7".
+  Random stream(const std::string& path) const { return Random(seed, "layouts/" + path); }
+
+  /// A mistake of the layout; always false.
+  bool refuse(const Location& where, const std::string& layout, const std::string& problem);
+  /// Whether the area is inside of the arena, or a problem.
+  bool require_inside(const Area& area, const Location& where, const std::string& layout);
+
+  /// Adds an element to a list of the world, which is made if it is missing.
+  void add(const std::string& list, Element element);
+  /// Adds a static box that is a wall from one point to another, as long at both ends as it takes to
+  /// close corners.
+  void add_wall(const std::string& id, const world::PlanWall& wall, double thickness, double height,
+                const Location& where);
+  void add_box(const std::string& id, const Area& area, double heading_deg, double height,
+               const Location& where);
+};
+
+/// The area of a maze or of rooms: by default the arena.
+Area area_of(const world::WalledArea& walled, const world::Arena& arena);
+
+// Each draws one layout, or adds problems.
+void draw_maze(Drawing& drawing, const world::Maze& maze);
+void draw_rooms(Drawing& drawing, const world::Rooms& rooms);
+void draw_floor_plan(Drawing& drawing, const world::FloorPlan& plan, const Element& element);
+
+}  // namespace elsie::layouts

@@ -1,0 +1,141 @@
+// Rooms: an area is divided by a wall with a door, and each part likewise, until a part is too small
+// for two rooms. So all rooms are connected.
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "elsie/base/number_text.h"
+
+#include "drawing.h"
+
+namespace elsie::layouts {
+
+namespace {
+
+constexpr int kMostWallTries = 50;  // of a place for a wall that ends at no door
+
+struct Door {
+  double x = 0.0, y = 0.0;  // m, its middle
+};
+
+class Dividing {
+ public:
+  Dividing(Drawing& drawing, const world::Rooms& rooms)
+      : drawing_(drawing), rooms_(rooms), random_(drawing.stream(rooms.id)) {}
+
+  void divide(const Area& area) {
+    const bool may_length = area.length >= least(), may_width = area.width >= least();
+    if (!may_length && !may_width) {
+      return;
+    }
+    // Across the longer side, mostly: rooms are no corridors.
+    const bool across_x = may_length && (!may_width || random_.chance(area.length /
+                                                                      (area.length + area.width) >
+                                                                  0.5
+                                                                      ? 0.8
+                                                                      : 0.2));
+    const auto at = wall_place(area, across_x);
+    if (!at) {
+      return;
+    }
+    add_wall_with_door(area, across_x, *at);
+    Area low = area, high = area;
+    if (across_x) {
+      low.length = *at - area.left();
+      high.length = area.length - low.length;
+      low.x = area.left() + 0.5 * low.length;
+      high.x = *at + 0.5 * high.length;
+    } else {
+      low.width = *at - area.bottom();
+      high.width = area.width - low.width;
+      low.y = area.bottom() + 0.5 * low.width;
+      high.y = *at + 0.5 * high.width;
+    }
+    divide(low);
+    divide(high);
+  }
+
+  void add(double x1, double y1, double x2, double y2) {
+    drawing_.add_wall(rooms_.id + "_" + std::to_string(++count_), {x1, y1, x2, y2},
+                      rooms_.wall_thickness, rooms_.wall_height, rooms_.location);
+  }
+
+ private:
+  double least() const { return 2.0 * rooms_.smallest + rooms_.wall_thickness; }
+
+  /// Where a wall divides the area; none if there is no place that keeps its ends from doors.
+  std::optional<double> wall_place(const Area& area, bool across_x) {
+    const double from = (across_x ? area.left() : area.bottom()) + rooms_.smallest;
+    const double to = (across_x ? area.left() + area.length : area.bottom() + area.width) -
+                      rooms_.smallest;
+    for (int i = 0; i < kMostWallTries; ++i) {
+      const double at = rounded_m(random_.uniform(from, to));
+      const bool is_free = std::none_of(doors_.begin(), doors_.end(), [&](const Door& door) {
+        const double clearance = 0.5 * (rooms_.door + rooms_.wall_thickness);
+        const double off = std::abs((across_x ? door.x : door.y) - at);
+        const double beside = across_x ? door.y : door.x;
+        const double low = across_x ? area.bottom() : area.left();
+        const double high = low + (across_x ? area.width : area.length);
+        return off < clearance && (std::abs(beside - low) < rooms_.wall_thickness ||
+                                   std::abs(beside - high) < rooms_.wall_thickness);
+      });
+      if (is_free) {
+        return at;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void add_wall_with_door(const Area& area, bool across_x, double at) {
+    const double from = across_x ? area.bottom() : area.left();
+    const double to = from + (across_x ? area.width : area.length);
+    // Walls are longer than between their ends by half their thickness.
+    const double half = 0.5 * (rooms_.door + rooms_.wall_thickness);
+    const double door =
+        rounded_m(random_.uniform(from + half + rooms_.wall_thickness,
+                                  to - half - rooms_.wall_thickness));
+    doors_.push_back(across_x ? Door{at, door} : Door{door, at});
+    for (const auto& [begin, end] : {std::pair(from, door - half), std::pair(door + half, to)}) {
+      across_x ? add(at, begin, at, end) : add(begin, at, end, at);
+    }
+  }
+
+  Drawing& drawing_;
+  const world::Rooms& rooms_;
+  Random random_;
+  std::vector<Door> doors_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void draw_rooms(Drawing& drawing, const world::Rooms& rooms) {
+  const Area area = area_of(rooms, drawing.arena);
+  if (!drawing.require_inside(area, rooms.location, rooms.id)) {
+    return;
+  }
+  if (rooms.smallest < rooms.door + 3.0 * rooms.wall_thickness) {
+    drawing.refuse(rooms.location, rooms.id,
+                   "has rooms of " + base::number_text(rooms.smallest) +
+                       " m and less room beside a door of " + base::number_text(rooms.door) +
+                       " m than three thicknesses of a wall; make the smallest room larger, or the "
+                       "doors narrower");
+    return;
+  }
+  if (area.length * area.width / (rooms.smallest * rooms.smallest) > 1e4) {
+    drawing.refuse(rooms.location, rooms.id,
+                   "could have more than 10000 rooms; make the smallest room larger");
+    return;
+  }
+  Dividing dividing(drawing, rooms);
+  dividing.divide(area);
+  if (rooms.border) {
+    const double right = area.left() + area.length, top = area.bottom() + area.width;
+    dividing.add(area.left(), area.bottom(), right, area.bottom());
+    dividing.add(right, area.bottom(), right, top);
+    dividing.add(right, top, area.left(), top);
+    dividing.add(area.left(), top, area.left(), area.bottom());
+  }
+}
+
+}  // namespace elsie::layouts
