@@ -12,7 +12,8 @@ Job job_of(const Plan& plan, const PlannedRun& run) {
   const PlannedCell& cell = plan.cells[run.cell];
   Job job;
   job.run = run.id;
-  job.world_text = cell.world_text;
+  const auto layout = cell.layouts.find(run.seed);
+  job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
   job.world_file = cell.world_file;
   for (const PlannedCell::Data& data : cell.data) {
     job.files[data.name] = plan.files[data.file].path;

@@ -33,6 +33,9 @@ std::vector<fs::path> deciding_libraries() {
     }
     files["engine " + engine] = plugin::engine_file(engine);
   }
+  if (fs::exists(plugin::layouts_file())) {
+    files["layouts"] = plugin::layouts_file();
+  }
   dl_iterate_phdr(
       [](dl_phdr_info* library, std::size_t, void* found) {
         const fs::path file(library->dlpi_name);

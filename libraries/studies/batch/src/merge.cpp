@@ -20,7 +20,8 @@ using sqlite::Connection;
 using sqlite::Statement;
 
 constexpr const char* kOfExperiment[] = {"about", "factors",     "files",        "plugins",
-                                         "cells", "cell_levels", "cell_plugins", "cell_files"};
+                                         "cells", "cell_levels", "cell_plugins", "cell_files",
+                                         "layouts"};
 constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "trajectories",
                                   "curves",       "timelines",  "notes"};
 

@@ -88,7 +88,8 @@ class Planner {
           {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
     }
     add_file(FileKind::world, planned.world_file);
-    world::World world = world_of(cell);
+    const std::uint64_t first_seed = experiment_.seeds.front();
+    world::World world = world_of(cell, first_seed);
     Names names;
     std::vector<std::size_t> plugins;
     const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
@@ -119,7 +120,31 @@ class Planner {
     planned.goals = !world.goals.empty();
     planned.sha256 = results::sha256(planned.world_text);
     identities_.push_back(identity_of(planned, world, names));
+    if (world.drawn && !world.drawn->by_run) {
+      planned.layout_seed = world.drawn->seed;
+    } else if (world.drawn) {
+      add_layouts(cell, planned, names);
+    }
     plan_.cells.push_back(std::move(planned));
+  }
+
+  struct Names;
+
+  /// The worlds of the other seeds differ in what their layouts have drawn.
+  void add_layouts(const experiment::Cell& cell, PlannedCell& planned, Names& names) {
+    std::string identities;
+    for (const std::uint64_t seed : experiment_.seeds) {
+      world::World world = world_of(cell, seed);
+      for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
+        name_files(host_.find(kind, plugin.plugin), plugin, names);
+      });
+      PlannedCell of_seed = planned;
+      of_seed.world_text = world::write_world(world);
+      of_seed.sha256 = results::sha256(of_seed.world_text);
+      identities += identity_of(of_seed, world, names).sha256;
+      planned.layouts[seed] = {std::move(of_seed.world_text), std::move(of_seed.sha256)};
+    }
+    identities_.back().sha256 = results::sha256(identities);
   }
 
   /// The data files of a world's text.
@@ -167,10 +192,10 @@ class Planner {
     return identity;
   }
 
-  world::World world_of(const experiment::Cell& cell) const {
+  world::World world_of(const experiment::Cell& cell, std::uint64_t seed) const {
     experiment::ReadOptions options;
     options.data_directories = options_.data_directories;
-    world::World world = experiment::read_cell(experiment_, cell, host_, options);
+    world::World world = experiment::read_cell(experiment_, cell, host_, options, seed);
     world.limits.wall_time.reset();
     return world;
   }

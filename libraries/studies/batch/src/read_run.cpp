@@ -51,10 +51,11 @@ void read_measures(sqlite::Connection& connection, StoredRun& run) {
 std::optional<StoredRun> read_run(sqlite::Connection& connection, std::int64_t id) {
   sqlite::Statement query(
       connection,
-      "SELECT cells.id, label, world_text, world_file, seed, repetition, elsie_version, "
+      "SELECT cells.id, label, run_worlds.world_text, world_file, seed, repetition, elsie_version, "
       "wall_limit_s, trajectory_period_s, experiment, " +
           results::field_names() +
-          " FROM runs JOIN cells ON cells.id = runs.cell_id JOIN about WHERE runs.id = ?");
+          " FROM runs JOIN cells ON cells.id = runs.cell_id JOIN run_worlds ON run_id = runs.id "
+          "JOIN about WHERE runs.id = ?");
   query.bind(1, id);
   if (!query.next()) {
     return std::nullopt;

@@ -59,8 +59,11 @@ void write_plugins(sqlite::Connection& connection, const Plan& plan) {
 
 void write_cells(sqlite::Connection& connection, const Plan& plan) {
   sqlite::Statement cell(connection,
-                         "INSERT INTO cells (id, label, world, world_text, world_file, sha256) "
-                         "VALUES (?, ?, ?, ?, ?, ?)");
+                         "INSERT INTO cells (id, label, world, world_text, world_file, sha256, "
+                         "layout_seed) VALUES (?, ?, ?, ?, ?, ?, ?)");
+  sqlite::Statement layout(connection,
+                           "INSERT INTO layouts (cell_id, seed, world_text, sha256) "
+                           "VALUES (?, ?, ?, ?)");
   sqlite::Statement level(connection,
                           "INSERT INTO cell_levels (cell_id, factor_id, label, place) "
                           "VALUES (?, ?, ?, ?)");
@@ -75,8 +78,17 @@ void write_cells(sqlite::Connection& connection, const Plan& plan) {
         .bind(3, planned.world)
         .bind(4, planned.world_text)
         .bind(5, planned.world_file)
-        .bind(6, planned.sha256)
-        .run();
+        .bind(6, planned.sha256);
+    planned.layout_seed ? cell.bind(7, static_cast<std::int64_t>(*planned.layout_seed))
+                        : cell.bind_null(7);
+    cell.run();
+    for (const auto& [seed, drawn] : planned.layouts) {
+      layout.bind(1, id(i))
+          .bind(2, static_cast<std::int64_t>(seed))
+          .bind(3, drawn.world_text)
+          .bind(4, drawn.sha256)
+          .run();
+    }
     for (const PlannedLevel& of : planned.levels) {
       level.bind(1, id(i)).bind(2, id(of.factor)).bind(3, of.label).bind(4, id(of.place)).run();
     }

@@ -26,8 +26,10 @@ namespace elsie::experiment {
 namespace {
 
 world::World read(const Experiment& experiment, const Cell& cell, const std::string& file,
-                  const plugin::Host& host, const ReadOptions& options, bool check_plugins = true) {
+                  const plugin::Host& host, const ReadOptions& options, std::uint64_t seed,
+                  bool check_plugins = true) {
   world::ReadOptions reading;
+  reading.seed = seed;
   reading.overrides = cell.overrides;
   reading.overrides_from = experiment.file;
   reading.data_directories = options.data_directories;
@@ -113,6 +115,7 @@ class CellCheck {
     std::vector<Quantity> measures;
     std::string text;  // of the cell's world
     std::vector<std::string> warnings;
+    std::optional<world::Drawn> drawn;
   };
 
   void check(const Cell& cell) {
@@ -124,6 +127,47 @@ class CellCheck {
       }
     }
     compare(cell, found.text);
+    check_layouts(cell, found.drawn);
+  }
+
+  // An experiment without seeds has that problem already.
+  std::uint64_t first_seed() const {
+    return experiment_.seeds.empty() ? 1 : experiment_.seeds.front();
+  }
+
+  // That there is room for what every seed draws.
+  void check_layouts(const Cell& cell, const std::optional<world::Drawn>& drawn) {
+    if (experiment_.layouts_follow_seeds && !(drawn && drawn->by_run)) {
+      complain(cell, {experiment_.layouts_location.file, experiment_.layouts_location.line,
+                      "rule=\"nested\" of <layouts>: the layouts of '" +
+                          experiment_.worlds[cell.world].name + "' " +
+                          (drawn ? "have a seed of their own; take it out"
+                                 : "are none: the world has no <layouts>")});
+    }
+    if (!drawn || !drawn->by_run) {
+      return;
+    }
+    layouts_ += experiment_.seeds.size();
+    if (layouts_ > kMostLayouts) {
+      complain(cell, {experiment_.file, 0,
+                      "the layouts follow the seeds, which makes more than " +
+                          std::to_string(kMostLayouts) +
+                          " worlds; give fewer seeds, or the layouts a seed of their own"});
+      return;
+    }
+    for (const std::uint64_t seed : experiment_.seeds) {
+      try {
+        if (seed != first_seed()) {
+          read(experiment_, cell, files_[cell.world], host_, options_, seed, false);
+        }
+      } catch (const world::WorldError& error) {
+        for (base::Problem problem : error.problems()) {
+          problem.message += " (with the seed " + std::to_string(seed) + ")";
+          complain(cell, problem);
+        }
+        return;
+      }
+    }
   }
 
   Found look(const Cell& cell) const {
@@ -138,7 +182,7 @@ class CellCheck {
 
   Found look(const Cell& cell, bool plugins_before) const {
     const world::World world =
-        read(experiment_, cell, files_[cell.world], host_, options_, plugins_before);
+        read(experiment_, cell, files_[cell.world], host_, options_, first_seed(), plugins_before);
     simulation::Options running{.cameras = render::world_cameras};
     if (!world.changes.empty()) {
       world::ReadOptions reading;
@@ -149,7 +193,7 @@ class CellCheck {
     }
     // This asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_, running);
-    Found found{simulation::measure_names(world, host_), world::write_world(world), {}};
+    Found found{simulation::measure_names(world, host_), world::write_world(world), {}, world.drawn};
     try {
       for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
         found.warnings.push_back(unmade.from + ": warning: " + unmade.sentence);
@@ -179,7 +223,7 @@ class CellCheck {
     const auto [known, is_new] = cells_by_text_.emplace(std::hash<std::string>()(text), cell.index);
     const Cell& other = grid_[known->second];
     if (is_new || world::write_world(
-                      read(experiment_, other, files_[other.world], host_, options_)) != text) {
+                      read(experiment_, other, files_[other.world], host_, options_, first_seed())) != text) {
       return;
     }
     Location where = experiment_.worlds[cell.world].location;
@@ -282,7 +326,7 @@ class CellCheck {
     Cell cell = grid_[complaint.cells.front()];
     cell.overrides.erase(cell.overrides.begin());  // the time limit is the first one
     try {
-      read(experiment_, cell, files_[cell.world], host_, options_);
+      read(experiment_, cell, files_[cell.world], host_, options_, first_seed());
     } catch (const world::WorldError& error) {
       for (const base::Problem& problem : error.problems()) {
         if (problem.file == complaint.where.file && problem.line == complaint.where.line &&
@@ -304,6 +348,7 @@ class CellCheck {
   CellMeasures measures_;
   std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
   std::map<std::size_t, std::size_t> cells_by_text_;  // hash of the text to its first cell
+  std::uint64_t layouts_ = 0;  // that follow the seeds
   std::set<std::string> reported_;
   std::set<std::string> warned_;
   std::vector<std::pair<Location, std::string>> twins_;
@@ -322,8 +367,8 @@ CellMeasures check_cells(const Experiment& experiment, const std::vector<Cell>& 
 }
 
 world::World read_cell(const Experiment& experiment, const Cell& cell, const plugin::Host& host,
-                       const ReadOptions& options) {
-  return read(experiment, cell, experiment.worlds[cell.world].file, host, options);
+                       const ReadOptions& options, std::uint64_t seed) {
+  return read(experiment, cell, experiment.worlds[cell.world].file, host, options, seed);
 }
 
 }  // namespace elsie::experiment

@@ -59,6 +59,10 @@ struct SeedsDraft {
   Location location;
 };
 
+struct LayoutsDraft : SeedsDraft {
+  std::string rule = "crossed";
+};
+
 struct LimitsDraft {
   std::optional<double> time;  // s, simulated
   double wall_time = 600.0;    // s
@@ -95,6 +99,7 @@ struct ExperimentDraft {
   std::vector<AtDraft> changes;
   std::vector<FactorDraft> factors;
   std::optional<SeedsDraft> seeds;
+  std::optional<LayoutsDraft> layouts;
   std::optional<LimitsDraft> limits;
   std::optional<TrajectoriesDraft> trajectories;
   std::vector<MeasureDraft> measures;

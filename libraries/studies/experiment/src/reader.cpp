@@ -169,6 +169,33 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts, P
   return uses;
 }
 
+// The factor of layouts, or that they follow the seeds.
+void add_layouts(const LayoutsDraft& draft, Experiment& experiment, Problems& problems) {
+  constexpr const char* kFactor = "layout_seed";
+  experiment.layouts_location = draft.location;
+  experiment.layouts_follow_seeds = draft.rule == "nested";
+  if (experiment.layouts_follow_seeds) {
+    if (draft.from || draft.to || draft.list) {
+      problems.add(draft.location,
+                   "rule=\"nested\" of <layouts>: the seeds of the runs are those of the layouts; "
+                   "take from, to and list out, or write rule=\"crossed\"");
+    }
+    return;
+  }
+  Factor factor{kFactor, {}, draft.location};
+  for (const std::uint64_t seed : seeds_from(draft, "<layouts>", kMostLevels, problems)) {
+    const std::string text = std::to_string(seed);
+    factor.levels.push_back({text, {{"layouts/@seed", text, draft.location}}, draft.location});
+  }
+  for (const Factor& other : experiment.factors) {
+    if (other.name == kFactor) {
+      problems.add(draft.location, "<layouts> is the factor 'layout_seed', and there is another of "
+                                   "this name; rename that one");
+    }
+  }
+  experiment.factors.push_back(std::move(factor));
+}
+
 // An experiment with what is known while it is read.
 struct Parsed {
   Experiment experiment;
@@ -220,8 +247,11 @@ Parsed parsed(std::string_view text, const std::string& file, const world::Files
       result.lists.insert(i);
     }
   }
+  if (draft.layouts && reader.is_sound(draft.layouts->location)) {
+    add_layouts(*draft.layouts, experiment, grid_problems);
+  }
   if (draft.seeds && reader.is_sound(draft.seeds->location)) {
-    experiment.seeds = seeds_from(*draft.seeds, problems);
+    experiment.seeds = seeds_from(*draft.seeds, "<seeds>", kMostRuns, problems);
     experiment.repeats = draft.seeds->repeats;
   }
   if (grid_problems.empty() && reader.grid_is_sound()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "elsie/base/problems.h"
@@ -9,7 +10,9 @@
 
 namespace elsie::experiment {
 
-/// The valid seeds, each once, in order; the others become problems.
-std::vector<std::uint64_t> seeds_from(const SeedsDraft& draft, base::Problems& problems);
+/// The valid seeds, each once, in order; the others become problems. `element` names what says
+/// them, "<seeds>"; `most`: of them.
+std::vector<std::uint64_t> seeds_from(const SeedsDraft& draft, const std::string& element,
+                                      std::uint64_t most, base::Problems& problems);
 
 }  // namespace elsie::experiment

@@ -108,6 +108,19 @@ ElementSpec seeds() {
                              "the same run"});
 }
 
+ElementSpec layouts() {
+  return Describe<LayoutsDraft>("layouts",
+                                "The seeds from which layouts are drawn, as a factor "
+                                "\"layout_seed\", or those of the runs")
+      .attribute("rule", &LayoutsDraft::rule,
+                 {.choices = {"crossed", "nested"},
+                  .meaning = "crossed: each layout meets each seed; nested: each seed has a layout "
+                             "of its own, and none is given here"})
+      .attribute("from", &LayoutsDraft::from, {.min = 0, .meaning = "the first seed of a layout"})
+      .attribute("to", &LayoutsDraft::to, {.min = 0, .meaning = "the last seed of a layout"})
+      .attribute("list", &LayoutsDraft::list, fact("the seeds, separated by blanks"));
+}
+
 ElementSpec expectation() {
   const auto number = [](const char* meaning) { return fact(meaning); };
   return Describe<ExpectationDraft>("expect",
@@ -161,6 +174,7 @@ ElementSpec experiment() {
       .each(change(), &ExperimentDraft::changes)
       .each(factor(), &ExperimentDraft::factors)
       .optional(seeds(), &ExperimentDraft::seeds)
+      .optional(layouts(), &ExperimentDraft::layouts)
       .optional(
           Describe<LimitsDraft>("limits", "Limits of a run's time")
               .attribute("time", &LimitsDraft::time,

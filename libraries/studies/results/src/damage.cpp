@@ -99,6 +99,12 @@ std::optional<std::string> damage(sqlite::Connection& connection) {
                                "the world of cell")) {
     return found;
   }
+  if (auto found = broken_text(connection,
+                               "SELECT label || ', seed ' || seed, layouts.world_text, "
+                               "layouts.sha256 FROM layouts JOIN cells ON cells.id = cell_id",
+                               "the world of cell")) {
+    return found;
+  }
   return broken_text(connection,
                      "SELECT path, content, sha256 FROM files WHERE content IS NOT NULL",
                      "the content of");

@@ -49,7 +49,16 @@ CREATE TABLE cells (
   world      TEXT NOT NULL,           -- the id in the experiment
   world_text TEXT NOT NULL,           -- as resolved: templates merged in, settings made
   world_file TEXT NOT NULL,           -- whose folder relative names in it are looked up from
-  sha256     TEXT NOT NULL            -- of world_text
+  sha256     TEXT NOT NULL,           -- of world_text
+  layout_seed INTEGER                 -- the 64 bits as a signed number; null: no layouts, or they follow the seeds of the runs
+) STRICT;
+
+CREATE TABLE layouts (                -- of cells whose layouts follow the seeds: the world of each seed, as it came out
+  cell_id    INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
+  seed       INTEGER NOT NULL,        -- of the runs, as there
+  world_text TEXT NOT NULL,           -- of the first seed, the cell has it, too
+  sha256     TEXT NOT NULL,           -- of world_text
+  PRIMARY KEY (cell_id, seed)
 ) STRICT;
 
 CREATE TABLE cell_levels (
@@ -105,6 +114,12 @@ CREATE TABLE runs (
   CHECK (solver_unsolved BETWEEN 0 AND solver_gave_up)
 ) STRICT;
 CREATE INDEX runs_by_state ON runs (state);
+
+CREATE VIEW run_worlds AS             -- of each run: the seed of its layouts, null without layouts, and its world
+  SELECT runs.id AS run_id, coalesce(layouts.seed, cells.layout_seed) AS layout_seed,
+         coalesce(layouts.world_text, cells.world_text) AS world_text
+  FROM runs JOIN cells ON cells.id = runs.cell_id
+  LEFT JOIN layouts ON layouts.cell_id = runs.cell_id AND layouts.seed = runs.seed;
 
 CREATE TABLE measures (               -- what is measured, once for the experiment
   name    TEXT PRIMARY KEY,           -- "path_length_m"

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -72,6 +73,14 @@ struct PlannedCell {
   };
   std::vector<Data> data;  // sorted by name
   bool goals = true;       // the world has goals
+  /// From which its layouts are drawn; none: it has none, or they follow the seeds of the runs.
+  std::optional<std::uint64_t> layout_seed;
+  struct Layout {
+    std::string world_text;
+    std::string sha256;  // of world_text
+  };
+  /// If they follow the seeds: the world of each seed; world_text is that of the first.
+  std::map<std::uint64_t, Layout> layouts;
 };
 
 struct PlannedRun {

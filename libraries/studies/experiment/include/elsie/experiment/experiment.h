@@ -122,6 +122,10 @@ struct Experiment {
   /// How often each cell is run with each seed. Equal seeds must give equal runs: a repetition with
   /// another final state is reported as a fault of the plugins.
   int repeats = 1;
+  /// Whether the layouts of every world must follow the seeds of the runs: another layout for each
+  /// seed. Otherwise each world may say from which seed its layouts are drawn.
+  bool layouts_follow_seeds = false;
+  Location layouts_location;
   /// s, simulated; replaces the worlds' own. Already included in Cell::overrides.
   std::optional<double> time_limit;
   Location limits_location;        // of <limits>, if it exists

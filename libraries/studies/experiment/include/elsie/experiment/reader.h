@@ -21,6 +21,9 @@ namespace elsie::experiment {
 /// first run begins.
 inline constexpr std::uint64_t kMostRuns = 10'000'000;
 inline constexpr std::uint64_t kMostCells = 100'000;
+/// The most worlds whose layouts follow the seeds of their runs: each is drawn before the first run
+/// begins.
+inline constexpr std::uint64_t kMostLayouts = 100'000;
 /// The most levels of a factor.
 inline constexpr std::size_t kMostLevels = 10'000;
 
@@ -50,9 +53,9 @@ Experiment parse_experiment(std::string_view text, const std::string& file,
 /// mistakes that only worlds would show.
 Experiment parse_outline(std::string_view text, const std::string& file);
 
-/// The world of a cell with all its settings. Throws world::WorldError, because files may have
-/// changed since the experiment was read.
+/// The world of a cell with all its settings, with the layouts of a run with this seed. Throws
+/// world::WorldError, because files may have changed since the experiment was read.
 world::World read_cell(const Experiment& experiment, const Cell& cell, const plugin::Host& host,
-                       const ReadOptions& options = {});
+                       const ReadOptions& options = {}, std::uint64_t seed = 1);
 
 }  // namespace elsie::experiment

@@ -26,7 +26,7 @@ class DatabaseError : public base::Error {
 
 inline constexpr std::int64_t kApplicationId = 0x456C7369;  // "Elsi"
 /// The version of the schema that this program reads and writes.
-inline constexpr int kSchemaVersion = 3;
+inline constexpr int kSchemaVersion = 4;
 
 /// Opens an existing database. Throws DatabaseRefused when there is no such file, or it is no
 /// results database, has another version, was not begun, or is damaged; DatabaseError when the
