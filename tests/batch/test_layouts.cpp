@@ -98,8 +98,9 @@ TEST_CASE("A database that is extended by seeds gets their layouts, and keeps th
   experiment.seeds = {0, 1, 2, 3};
   batch::ResultsDatabase::extend(file, plan_of(experiment));
   CHECK(test::rows(file, "SELECT count(*) FROM layouts") == "8\n");
-  CHECK(test::rows(file, "SELECT seed, sha256 FROM layouts WHERE seed IN (1, 2) "
-                         "ORDER BY cell_id, 1") == before);
+  CHECK(test::rows(file,
+                   "SELECT seed, sha256 FROM layouts WHERE seed IN (1, 2) "
+                   "ORDER BY cell_id, 1") == before);
   CHECK(test::rows(file, "SELECT count(*) FROM run_worlds WHERE layout_seed IS NULL") == "0\n");
   experiment.settings.push_back(test::setting("scatter[c]/@gap", "1.5"));
   CHECK_THROWS_AS(batch::ResultsDatabase::resume(file, plan_of(experiment)),
@@ -119,7 +120,8 @@ TEST_CASE("The database has the layout of every run, also when it is merged from
   };
   const std::string all = write("all.sqlite", {});
   const std::string query = "SELECT run_id, layout_seed, world_text FROM run_worlds ORDER BY 1";
-  CHECK(test::rows(all, "SELECT layout_seed FROM run_worlds ORDER BY run_id") == "1\n2\n-1\n1\n2\n-1\n");
+  CHECK(test::rows(all, "SELECT layout_seed FROM run_worlds ORDER BY run_id") ==
+        "1\n2\n-1\n1\n2\n-1\n");
   CHECK(test::rows(all, "SELECT count(DISTINCT world_text) FROM run_worlds") == "6\n");
   batch::merge(folder.file("merged.sqlite"),
                {write("first.sqlite", {1, 2}), write("second.sqlite", {2, 2})});

@@ -220,7 +220,7 @@ void Workbench::lost(int exit_code, const QString& report) {
   ++deaths_;
   const bool was_stopped = std::exchange(is_stopping_, false);
   const QString said = !report.trimmed().isEmpty() ? report.trimmed()
-                       : was_stopped ? tr("No plugin was found at work.")
+                       : was_stopped               ? tr("No plugin was found at work.")
                                      : tr("The engine ended with exit code %1.").arg(exit_code);
   const QString deadly = under_way_;
   const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;
