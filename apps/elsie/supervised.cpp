@@ -28,16 +28,16 @@ using elsie::supervisor::Message;
 
 // A signal handler can only reach globals.
 int channel = -1;
-Message message;
+Message final_message;
 int kept_output = STDOUT_FILENO;
 
 /// The first number for descriptors that plugins should not find.
 constexpr int kHigh = 200;
 
 void announce(int exit_code) noexcept {
-  message.process = getpid();  // different in a copy of the process
-  message.exit_code = exit_code;
-  while (write(channel, &message, sizeof(message)) < 0 && errno == EINTR) {
+  final_message.process = getpid();  // different in a copy of the process
+  final_message.exit_code = exit_code;
+  while (write(channel, &final_message, sizeof(final_message)) < 0 && errno == EINTR) {
   }
 }
 
@@ -51,7 +51,8 @@ bool read_variable(std::string_view text) {
     const auto read = std::from_chars(part.data(), part.data() + part.size(), number);
     return read.ec == std::errc() && read.ptr == part.data() + part.size();
   };
-  return whole(text.substr(0, colon), channel) && whole(text.substr(colon + 1), message.token) &&
+  return whole(text.substr(0, colon), channel) &&
+         whole(text.substr(colon + 1), final_message.token) &&
          fcntl(channel, F_SETFD, FD_CLOEXEC) == 0;
 }
 
