@@ -126,7 +126,7 @@ class BareOde::Impl {
       dJointAttach(ball, caster, robot.chassis);
       dJointSetBallAnchor(ball, at[0], at[1], at[2]);
     }
-    for (dGeomID& beam : robot.beams) beam = dCreateRay(nullptr, kBeamRange);
+    for (dGeomID& beam : robot.beams) beam = dCreateRay(nullptr, kBeamRange_m);
     robots_.push_back(robot);
   }
 
@@ -167,7 +167,7 @@ class BareOde::Impl {
     const double c = std::cos(azimuths_[i]), s = std::sin(azimuths_[i]);
     dGeomRaySet(robot.beams[i], from[0], from[1], from[2], c * r[0] + s * r[1], c * r[4] + s * r[5],
                 c * r[8] + s * r[9]);
-    Beam beam{robot.beams[i], robot.space, kBeamRange};
+    Beam beam{robot.beams[i], robot.space, kBeamRange_m};
     const auto space = static_cast<dGeomID>(static_cast<void*>(space_));
     dSpaceCollide2(robot.beams[i], space, &beam, &on_beam);
     on_beam(&beam, robot.beams[i], floor_);

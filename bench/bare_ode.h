@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <span>
 
 #include "elsie/api/geometry.h"
-#include "elsie/api/motion.h"
 #include "elsie/world/description.h"
+
+#include "arena_of_robots.h"
 
 namespace elsie::bench {
 
@@ -18,11 +18,7 @@ namespace elsie::bench {
 /// tested against that space before every step.
 class BareOde {
  public:
-  static constexpr std::size_t kBeams = 8;
-  static constexpr double kBeamRange = 1.0;  // m
-
-  /// Wheel rates from the distances of the eight beams; `kBeamRange` means no hit.
-  using Rule = std::function<WheelRates(const double ranges[kBeams])>;
+  static constexpr std::size_t kBeams = kBeamAzimuths_deg.size();
 
   /// One robot with the default body for each pose. Each robot has a beam in each azimuth (rad,
   /// from its heading), which starts on top of the chassis at its front edge.

@@ -9,7 +9,6 @@
 // table in Markdown.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -35,36 +34,9 @@
 namespace {
 
 using elsie::Pose;
-using elsie::WheelRates;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kBase = 10.0;      // rad/s
-constexpr double kWeight = 12.0;    // rad/s
-constexpr double kMaxRange = 1.0;   // m
 constexpr int kStepsInAll = 40000;  // robot-steps in one measurement
-
-/// The weights of a beam for the left and right wheel, as in the braitenberg behaviour.
-WheelRates weights(double azimuth_deg) {
-  const double ahead = std::max(0.0, std::cos(elsie::radians(azimuth_deg)));
-  const double own = 0.5 * kWeight * ahead;
-  const double other = -1.5 * kWeight * ahead;
-  return azimuth_deg > 0 ? WheelRates{own, other} : WheelRates{other, own};
-}
-
-WheelRates rule(const double ranges[8]) {
-  static const std::vector<WheelRates> matrix = [] {
-    std::vector<WheelRates> all;
-    for (const double azimuth : elsie::bench::kBeamAzimuths_deg) {
-      all.push_back(weights(azimuth));
-    }
-    return all;
-  }();
-  WheelRates command{kBase, kBase};
-  for (std::size_t i = 0; i < 8; ++i) {
-    command += (1.0 - ranges[i] / kMaxRange) * matrix[i];
-  }
-  return command;
-}
 
 double seconds(Clock::time_point since) {
   return std::chrono::duration<double>(Clock::now() - since).count();
@@ -109,22 +81,12 @@ double memory_of_simulation(const elsie::plugin::Host& host, int robots) {
 
 void compare(const elsie::plugin::Host& host, int robots, int repeats, double memory) {
   const elsie::world::World description = elsie::bench::arena_of_robots(robots);
-  std::vector<Pose> poses;
-  for (const auto& robot : description.robots) {
-    poses.push_back({robot.x, robot.y, elsie::radians(robot.heading_deg)});
-  }
+  const std::vector<Pose> poses = elsie::bench::poses_of(description);
   elsie::simulation::Simulation simulation(description, host);
   std::vector<double> azimuths;
   for (const double azimuth : elsie::bench::kBeamAzimuths_deg) {
     azimuths.push_back(elsie::radians(azimuth));
   }
-  const double top_speed =
-      description.robots[0].max_speed / description.robots[0].body.wheel_radius;
-  const auto bounded_rule = [top_speed](const double ranges[8]) {
-    const WheelRates command = rule(ranges);
-    const double largest = std::max(std::abs(command.left), std::abs(command.right));
-    return largest > top_speed ? (top_speed / largest) * command : command;
-  };
   const int steps = kStepsInAll / robots;
   const auto rate = [&](auto& side) {
     for (int i = 0; i < steps / 4; ++i) {
@@ -141,7 +103,7 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats, double me
     // Both start anew: after some minutes of simulated time, the bare loop becomes unstable.
     simulation.reset();
     elsie::bench::BareOde bare(poses, description.boxes, azimuths, description.physics,
-                               description.arena, bounded_rule);
+                               description.arena, elsie::bench::steer);
     ours.push_back(rate(simulation));
     theirs.push_back(rate(bare));
     ratios.push_back(ours.back() / theirs.back());

@@ -1,11 +1,13 @@
 // Checks of arguments on the command line.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace CLI {
+class App;
 class Validator;
 }
 
@@ -25,5 +27,8 @@ CLI::Validator whole_number();
 
 /// Validates seeds: unsigned whole numbers of 64 bits.
 CLI::Validator seed_number();
+
+/// Adds the option that sets simulation::Options::threads.
+void add_threads_option(CLI::App& command, std::size_t& threads);
 
 }  // namespace elsie::program

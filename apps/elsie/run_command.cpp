@@ -41,6 +41,7 @@ struct RunOptions {
   std::optional<double> speed;
   double time_budget_ms = 0.0;
   double memory_budget_mb = 0.0;
+  std::size_t threads = 1;
   bool json = false;
   bool quiet = false;
 };
@@ -53,6 +54,7 @@ Examples:
   elsie run worlds/find_resource.xml --record find.mcap --record-images
   elsie run worlds/clutter.xml --record clutter.mcap && elsie explain clutter.mcap
   elsie run worlds/clutter.xml --set 'robot[r1]/behavior[wander]/@speed=15' --json
+  elsie run worlds/ten_robots.xml --threads 2
   elsie run my_world.xml --plugin my_behavior.cpp --watch --speed 1
   elsie run worlds/clutter.xml --at '5:robot[r1]/@max_speed=0.2' --at '10:robot[r1]/@max_speed=0.4'
 
@@ -152,6 +154,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
                                      .measure_time = options.views.record.times,
                                      .data_directories = data_directories(),
                                      .budget = budget_of(options),
+                                     .threads = options.threads,
                                      .time_limit_s = options.duration,
                                      .cameras = cameras});
   try {
@@ -163,6 +166,11 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
 }
 
 int run(const RunOptions& options) {
+  if (options.threads > 1 && (options.time_budget_ms > 0.0 || options.memory_budget_mb > 0.0)) {
+    throw BadInput(
+        "--threads " + std::to_string(options.threads) +
+        ": a budget of a plugin is measured in one thread; leave out --threads or the budget");
+  }
   auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
   const auto changes = changes_of(options);
   if (options.quiet) {
@@ -283,6 +291,7 @@ void add_run_command(CLI::App& program, Job& job) {
                    "plugin")
       ->check(positive_number())
       ->type_name("MB");
+  add_threads_option(*command, options->threads);
   command->add_flag("--json", options->json,
                     "Print the result as one JSON object, and nothing else");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");

@@ -275,7 +275,8 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
     return;
   }
   const auto is_placed = [&](const world::Robot& robot) {
-    const std::size_t place = place_of(was.robots, robot.id);
+    const auto i = static_cast<std::size_t>(&robot - world_.robots.data());
+    const std::size_t place = place_of(was.robots, robot.id, i);
     return place < was.robots.size() && new_place(was.robots[place], robot, becoming);
   };
   if (!world::same(world::vocabulary(), &was, &world_, world::Cost::body) ||
@@ -320,13 +321,14 @@ void Simulation::Impl::become_changes(const world::World& was) {
 void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {
   std::vector<std::shared_ptr<Robot>> gone = std::move(robots_);
   robots_.clear();
+  Teams teams(world_);
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
-    const std::size_t place = place_of(was.robots, world_.robots[i].id);
+    const std::size_t place = place_of(was.robots, world_.robots[i].id, i);
     if (place < was.robots.size()) {
       robots_.push_back(std::move(gone[place]));
-      robots_.back()->become(was.robots[place], world_, i, becoming);
+      robots_.back()->become(was.robots[place], world_, i, teams, becoming);
     } else {
-      robots_.push_back(std::make_shared<Robot>(world_, i, *host_, options_));
+      robots_.push_back(std::make_shared<Robot>(world_, i, teams, *host_, options_));
       robots_.back()->reset(seed_);
       robots_.back()->ask(becoming.said());
     }
@@ -352,11 +354,12 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   const auto before = engine_;
   const auto moving = std::exchange(moving_, {});
   engine_ = physics::make_engine(world_.arena, world_.physics);
+  engine_->work_with(loop_.crew());
   engine_->go_on_from(*before);
   using enum physics::BodyKind;
   for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
     const world::Box& next = world_.boxes[i];
-    const std::size_t place = place_of(was.boxes, next.id);
+    const std::size_t place = place_of(was.boxes, next.id, i);
     if (place == was.boxes.size() || !world::same(was.boxes[place], next, world::Cost::body)) {
       add_box(i);
       continue;
@@ -382,7 +385,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   }
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     const world::Robot& next = world_.robots[i];
-    const std::size_t place = place_of(was.robots, next.id);
+    const std::size_t place = place_of(was.robots, next.id, i);
     const BodyPlan plan = world::plan_of(next);
     if (place == was.robots.size()) {
       engine_->add_robot(plan, pose_of(next), next.z);
@@ -427,7 +430,7 @@ void Simulation::Impl::check_room(const world::World& was,
     require(room.problem_of(robot));
   }
   for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-    const std::size_t place = place_of(was.boxes, world_.boxes[i].id);
+    const std::size_t place = place_of(was.boxes, world_.boxes[i].id, i);
     if (place == was.boxes.size() ||
         !world::same(was.boxes[place], world_.boxes[i], world::Cost::body)) {
       require(room.problem_of_box(i));

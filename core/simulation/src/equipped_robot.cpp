@@ -3,11 +3,15 @@
 #include <stdexcept>
 
 #include "step/robot.h"
+#include "step/teams.h"
 
 namespace elsie::simulation {
 
-EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot, const plugin::Host& host)
-    : robot_(std::make_unique<Robot>(world, robot, host, Options{})) {}
+EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot,
+                             const plugin::Host& host) {
+  Teams teams(world);
+  robot_ = std::make_unique<Robot>(world, robot, teams, host, Options{});
+}
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@
 #include "step/carrier.h"
 #include "step/goals.h"
 #include "step/neighbours.h"
+#include "step/robot_loop.h"
 #include "step/teams.h"
 #include "step/touches.h"
 
@@ -40,12 +42,18 @@ class Simulation::Impl {
         time_limit_s_(options.time_limit_s.value_or(world_.limits.time)),
         seed_(options.seed),
         host_(&host),
-        options_(options) {
+        options_(options),
+        loop_(options.threads),
+        memory_(options.threads) {
+    if (options.threads > 1 && (options.budget.time_s > 0.0 || options.budget.memory > 0)) {
+      throw std::invalid_argument("A budget of plugins needs a simulation with one thread.");
+    }
     changes_.emplace(world_, host, options_);
     std::vector<base::Problem> problems;
+    Teams teams(world_);
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
-        robots_.push_back(std::make_shared<Robot>(world_, i, host, options));
+        robots_.push_back(std::make_shared<Robot>(world_, i, teams, host, options));
         world_.robots[i].driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
@@ -68,6 +76,7 @@ class Simulation::Impl {
     base_time_s_ = 0.0;
     // A new engine, so that ODE keeps no state of the last run.
     engine_ = physics::make_engine(world_.arena, world_.physics);
+    engine_->work_with(loop_.crew());
     goal_starts_.assign(world_.goals.size(), {});
     pending_.clear();
     moving_.clear();
@@ -111,16 +120,19 @@ class Simulation::Impl {
       }
       move();
     } catch (...) {
-      log_events();
+      // Robots after the failed one may have raised events in other threads.
+      const std::size_t failed = loop_.failed_at();
+      log_events(failed == RobotLoop::kNone ? robots_.size() : failed + 1);
       throw;
     }
     decided_ = decides;
     touches_.handle(world_, robots_, *engine_, time_s());
     if (decides) {
-      for (const auto& robot : robots_) {
-        const Pose& pose = robot->state().pose;
-        robot->charge(period, charger_rate(world_, robot->description().team, {pose.x, pose.y}));
-      }
+      loop_.each(robots_, [&](std::size_t i, std::size_t) {
+        Robot& robot = *robots_[i];
+        const Pose& pose = robot.state().pose;
+        robot.charge(period, charger_rate(world_, robot.description().team, {pose.x, pose.y}));
+      });
     }
     log_events();
     if (judgement_.outcome == Outcome::running) {
@@ -245,16 +257,12 @@ class Simulation::Impl {
       neighbours_.place(i, {robot.pose.x, robot.pose.y});
       farthest_call_m_ = std::max(farthest_call_m_, robot.coverage_m);
     }
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i]->sense(Carrier(*engine_, robots_, neighbours_, i), now);
-      update_team(i);
-    }
-    for (const auto& robot : robots_) {
-      robot->decide(now);
-    }
-    for (const auto& robot : robots_) {
-      robot->use_energy(period_s);
-    }
+    loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
+      robots_[i]->sense(Carrier(*engine_, robots_, neighbours_, i, memory_[thread]), now);
+      update_team(i, memory_[thread].near);
+    });
+    loop_.each(robots_, [&](std::size_t i, std::size_t) { robots_[i]->decide(now); });
+    loop_.each(robots_, [&](std::size_t i, std::size_t) { robots_[i]->use_energy(period_s); });
   }
 
   /// `is_start`: only measures that have not begun observe. See Measuring::observe().
@@ -275,23 +283,25 @@ class Simulation::Impl {
       throw fault_of(world_, failure.failure, steps_);
     }
     ++steps_;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
+    loop_.each(robots_, [&](std::size_t i, std::size_t) {
       robots_[i]->moved(engine_->robot(i), engine_->joints(i));
+    });
+  }
+
+  void log_events() { log_events(robots_.size()); }
+  /// Of the first robots only.
+  void log_events(std::size_t robots) {
+    for (std::size_t i = 0; i < robots; ++i) {
+      robots_[i]->take_log(time_s(), events_);
     }
   }
 
-  void log_events() {
-    for (const auto& robot : robots_) {
-      robot->take_log(time_s(), events_);
-    }
-  }
-
-  void update_team(std::size_t index) {
+  void update_team(std::size_t index, std::vector<base::Grid::Id>& memory) {
     Robot& robot = *robots_[index];
     const Pose& pose = robot.state().pose;
     robot.mates().clear();
     // A mate is perceived if the mate's own coverage reaches this robot.
-    for (const std::size_t i : neighbours_.near({pose.x, pose.y}, farthest_call_m_)) {
+    for (const std::size_t i : neighbours_.near({pose.x, pose.y}, farthest_call_m_, memory)) {
       const Pose& other = robots_[i]->state().pose;
       // A rough test first, because most are too far away.
       const double reach = robots_[i]->state().coverage_m;
@@ -324,6 +334,8 @@ class Simulation::Impl {
   double base_time_s_ = 0.0;
   std::vector<MovingBox> moving_;
   std::vector<GoalStart> goal_starts_;  // of the world's goals
+  RobotLoop loop_;
+  std::vector<SensingMemory> memory_;  // of each thread
   Touches touches_;
   Neighbours neighbours_{world_.arena};  // positions at the last control step
   double farthest_call_m_ = 0.0;         // the largest coverage of a robot then

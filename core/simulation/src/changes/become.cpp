@@ -9,6 +9,7 @@
 #include "changes/becoming.h"
 #include "step/controller.h"
 #include "step/robot.h"
+#include "step/teams.h"
 
 namespace elsie::simulation {
 namespace {
@@ -115,7 +116,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   slots_.clear();
   std::vector<std::size_t> places;  // index among the old slots; their number if new
   for (const world::BehaviorUse& use : next.behaviors) {
-    const std::size_t place = place_of(was.behaviors, use.id);
+    const std::size_t place = place_of(was.behaviors, use.id, 0);
     const bool is_known = place < slots.size();
     const bool stays = is_known && world::same(was.behaviors[place], use, world::Cost::object) &&
                        was.behaviors[place].inside.empty() == use.inside.empty() &&
@@ -160,7 +161,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
 }
 
 void Robot::become(const world::Robot& was, const world::World& world, std::size_t index,
-                   Becoming& becoming) {
+                   Teams& teams, Becoming& becoming) {
   const world::Robot& next = world.robots[index];
   Undo& undo = becoming.undo();
   std::vector<base::Problem>& problems = becoming.problems();
@@ -183,7 +184,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   description_ = &next;
   const bool had_charger = team_.charger.has_value();
   const std::vector<Colour> colours = resource_colours_;
-  take_membership(world, index);
+  take_membership(world, index, teams);
   // Objects that stay are equipped again if they could see a difference.
   const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
                           had_charger != team_.charger.has_value() || colours != resource_colours_;
@@ -237,7 +238,7 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, description_);
   sensors_.clear();
   for (const world::SensorUse& use : description_->sensors) {
-    const std::size_t place = place_of(was.sensors, use.id);
+    const std::size_t place = place_of(was.sensors, use.id, 0);
     const bool is_known = place < slots.size();
     // The default mounting depends on the body.
     if (is_known && same_body && world::same(was.sensors[place], use, world::Cost::object) &&

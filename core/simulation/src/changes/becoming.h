@@ -24,11 +24,17 @@
 
 namespace elsie::simulation {
 
-/// The index of the element with this id; the size when there is none.
+/// The index of the element with this id; the size when there is none. Looks from `near` on, where
+/// an edit of one element has left most others.
 template <class Things>
-std::size_t place_of(const Things& things, const std::string& id) {
-  const auto at =
-      std::find_if(things.begin(), things.end(), [&](const auto& thing) { return thing.id == id; });
+std::size_t place_of(const Things& things, const std::string& id, std::size_t near) {
+  const auto is_it = [&](const auto& thing) { return thing.id == id; };
+  const auto middle = things.begin() + static_cast<std::ptrdiff_t>(std::min(near, things.size()));
+  auto at = std::find_if(middle, things.end(), is_it);
+  if (at == things.end()) {
+    at = std::find_if(things.begin(), middle, is_it);
+    if (at == middle) return things.size();
+  }
   return static_cast<std::size_t>(at - things.begin());
 }
 

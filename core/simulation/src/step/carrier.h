@@ -31,17 +31,24 @@ inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other
           state.team_index};
 }
 
+/// Memory of one thread that is used again for each robot.
+struct SensingMemory {
+  std::vector<base::Grid::Id> near;
+  std::vector<Sensor::Update> updates;
+};
+
 class Carrier final : public Surroundings {
  public:
   Carrier(const physics::Engine& engine, Robots robots, const Neighbours& neighbours,
-          std::size_t robot)
-      : engine_(engine), robots_(robots), neighbours_(neighbours), robot_(robot) {}
+          std::size_t robot, SensingMemory& memory)
+      : engine_(engine), robots_(robots), neighbours_(neighbours), robot_(robot), memory_(memory) {}
 
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override {
     const auto hit = engine_.cast_ray(origin, direction, max_range_m, robot_);
     return hit ? std::optional(hit->distance) : std::nullopt;
   }
+  void cast_rays(std::span<RayQuery> rays) const override { engine_.cast_rays(rays, robot_); }
   bool anything_in(const Pyramid& pyramid) const override {
     volume_ = pyramid;
     return engine_.anything_in(pyramid, robot_);
@@ -63,6 +70,7 @@ class Carrier final : public Surroundings {
     return robots_[robot_]->resource_colours();
   }
 
+  SensingMemory& memory() const { return memory_; }
   /// The volume of the last query since the last call, for viewers.
   std::optional<Pyramid> take_volume() const { return std::exchange(volume_, std::nullopt); }
 
@@ -70,7 +78,7 @@ class Carrier final : public Surroundings {
   template <class Visit>
   void for_each_within(double radius_m, Visit visit) const {
     const Pose here = pose();
-    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m)) {
+    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
       if (i != robot_) {
         const TeamMate other = seen_from(robots_, robot_, i);
         if (other.distance_m <= radius_m) {
@@ -84,6 +92,7 @@ class Carrier final : public Surroundings {
   Robots robots_;
   const Neighbours& neighbours_;
   std::size_t robot_;
+  SensingMemory& memory_;
   mutable std::optional<Pyramid> volume_;
 };
 

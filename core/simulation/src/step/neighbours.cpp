@@ -18,7 +18,8 @@ void Neighbours::place(std::size_t robot, const Vector2& at) {
   }
 }
 
-std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double reach) const {
+std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double reach,
+                                                 std::vector<base::Grid::Id>& memory) const {
   constexpr std::size_t kFew = 8;
   if (all_.size() <= kFew) {
     return all_;
@@ -30,15 +31,15 @@ std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double re
   if (all_.size() <= static_cast<std::size_t>(cells)) {
     return all_;
   }
-  found_.clear();
+  memory.clear();
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       const auto cell = grid_.cell(x, y);
-      found_.insert(found_.end(), cell.begin(), cell.end());
+      memory.insert(memory.end(), cell.begin(), cell.end());
     }
   }
-  std::sort(found_.begin(), found_.end());
-  return found_;
+  std::sort(memory.begin(), memory.end());
+  return memory;
 }
 
 }  // namespace elsie::simulation

@@ -18,14 +18,14 @@ class Neighbours {
   /// Sets the present position of a robot.
   void place(std::size_t robot, const Vector2& at);
   /// All robots within `reach` of the place, m, along x and along y, and perhaps others, in the
-  /// order of their indices. Valid until the next call.
-  std::span<const base::Grid::Id> near(const Vector2& place, double reach) const;
+  /// order of their indices. Valid until `memory` changes.
+  std::span<const base::Grid::Id> near(const Vector2& place, double reach,
+                                       std::vector<base::Grid::Id>& memory) const;
 
  private:
   base::Grid grid_;
   std::vector<base::Grid::Block> cells_;  // of each robot: one cell
   std::vector<base::Grid::Id> all_;
-  mutable std::vector<base::Grid::Id> found_;
 };
 
 }  // namespace elsie::simulation

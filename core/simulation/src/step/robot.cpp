@@ -29,7 +29,7 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
 
 }  // namespace
 
-Robot::Robot(const world::World& world, std::size_t index, const plugin::Host& host,
+Robot::Robot(const world::World& world, std::size_t index, Teams& teams, const plugin::Host& host,
              const Options& options)
     : description_(&world.robots[index]), guard_(description_->id, options.budget) {
   const world::Robot& description = *description_;
@@ -46,7 +46,7 @@ Robot::Robot(const world::World& world, std::size_t index, const plugin::Host& h
   throw_if_any(problems);
   group_readings();
 
-  take_membership(world, index);
+  take_membership(world, index, teams);
   take_description();
   perception_.self = &state_;
   perception_.team = &team_;
@@ -86,18 +86,16 @@ std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& us
 
 /// Copies what only an edit of the description changes, and data of the team: the robot's index,
 /// whether there is a charger, and the colours of the resources that it may collect.
-void Robot::take_membership(const world::World& world, std::size_t index) {
+void Robot::take_membership(const world::World& world, std::size_t index, Teams& teams) {
   const world::Robot& robot = *description_;
   state_.id = robot.id;
   state_.length_m = robot.body.length;
   state_.width_m = robot.body.width;
-  state_.team_index = static_cast<int>(
-      std::count_if(world.robots.begin(), world.robots.begin() + static_cast<std::ptrdiff_t>(index),
-                    [&](const world::Robot& other) { return other.team == robot.team; }));
+  state_.team_index = teams.number_of(index);
   state_.capacity = robot.battery;
   team_.name = robot.team;
   team_.charger = nearest_charger(world, robot.team, {robot.x, robot.y});
-  resource_colours_ = simulation::resource_colours(world, robot.team);
+  resource_colours_ = teams.resource_colours(robot.team);
 }
 
 void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
@@ -177,6 +175,24 @@ void Robot::group_readings() {
     groups_.push_back({kind, std::span(sensed_).subspan(first)});
   }
   perception_.groups = groups_;
+  group_sensors();
+}
+
+void Robot::group_sensors() {
+  together_.clear();
+  may_share_threads_ = true;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const SensorSlot& slot = *sensors_[i];
+    if (i > 0 && slot.declaration == sensors_[i - 1]->declaration &&
+        slot.declaration->updates_all && !slot.camera) {
+      ++together_.back().count;
+    } else {
+      together_.push_back({i, 1});
+    }
+  }
+  for_each(Order::outer_first, [this](PluginObject& each, const auto&, const auto&) {
+    may_share_threads_ = may_share_threads_ && each.declaration->may_share_threads;
+  });
 }
 
 void Robot::reset(std::uint64_t seed) {
@@ -216,14 +232,27 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
   }
   guard_.begin_step(now.step);
   SensorContext context{now.time_s, now.period_s, {}, nullptr, &carrier, nullptr};
-  for (const auto& each : sensors_) {
-    SensorSlot& slot = *each;
+  const auto prepare = [&](SensorSlot& slot) {
     context.frame = body_frame_.frame(slot.frame);
     context.mounting = &slot.mounting;
     context.random = &slot.random;
     context.image = slot.camera ? &slot.picture : nullptr;
-    guard_.step(slot, [&] { slot.object().update(context); });
-    slot.volume = carrier.take_volume();
+  };
+  std::vector<Sensor::Update>& updates = carrier.memory().updates;
+  for (const Together& group : together_) {
+    SensorSlot& first = *sensors_[group.first];
+    if (group.count == 1) {
+      prepare(first);
+      guard_.step(first, [&] { first.object().update(context); });
+    } else {
+      updates.clear();
+      for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+        prepare(*sensors_[i]);
+        updates.push_back({&sensors_[i]->object(), context});
+      }
+      guard_.step(first, [&] { first.object().update_all(updates); });
+    }
+    first.volume = carrier.take_volume();
   }
 }
 

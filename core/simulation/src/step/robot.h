@@ -28,6 +28,7 @@ class Becoming;
 class Cameras;
 class Carrier;
 class Swap;
+class Teams;
 
 /// Time and identity of a control step, the same for all robots.
 struct Instant {
@@ -47,7 +48,7 @@ struct Tally {
 class Robot final : private Wishes {
  public:
   /// Makes the plugin objects of a robot of the world. Throws world::WorldError.
-  Robot(const world::World& world, std::size_t index, const plugin::Host& host,
+  Robot(const world::World& world, std::size_t index, Teams& teams, const plugin::Host& host,
         const Options& options);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -104,7 +105,7 @@ class Robot final : private Wishes {
 
   /// Becomes the robot with this index; `was` is its present description, with all changes. Objects
   /// with unchanged descriptions stay. Adds problems to `becoming`.
-  void become(const world::Robot& was, const world::World& world, std::size_t index,
+  void become(const world::Robot& was, const world::World& world, std::size_t index, Teams& teams,
               Becoming& becoming);
 
   /// Collects notes and curves of the plugins after a reset. Throws PluginFault.
@@ -151,6 +152,8 @@ class Robot final : private Wishes {
   std::span<const Member> members() const { return controller_->members(); }
   std::span<const TracedMember> trace() const { return trace_; }
   const Tally& tally() const { return tally_; }
+  /// Returns whether all its plugins may be called while other threads call those of other robots.
+  bool may_share_threads() const { return may_share_threads_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->frame); }
@@ -190,11 +193,12 @@ class Robot final : private Wishes {
   void check_needs() const;
   std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, const plugin::Host& host,
                                           std::vector<base::Problem>& problems) const;
-  void take_membership(const world::World& world, std::size_t index);
+  void take_membership(const world::World& world, std::size_t index, Teams& teams);
   void become_sensors(const world::Robot& was, Becoming& becoming);
   void take_live(bool has_new_drive, bool has_new_energy);
   void list_members();
   void group_readings();
+  void group_sensors();
   void take_description();
   Perception example();
   void stop_when_empty();
@@ -222,6 +226,14 @@ class Robot final : private Wishes {
   std::unique_ptr<Controller> controller_;
   std::vector<TracedMember> trace_;
   Random unused_random_;  // each plugin object draws from its own
+
+  /// Sensors that are updated in one call: one sensor, or several of one plugin.
+  struct Together {
+    std::size_t first;
+    std::size_t count;
+  };
+  std::vector<Together> together_;
+  bool may_share_threads_ = true;
 
   std::vector<SensedReading> sensed_;  // in groups of one kind
   std::vector<ReadingGroup> groups_;

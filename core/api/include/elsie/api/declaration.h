@@ -111,6 +111,9 @@ struct Declaration {
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
   std::vector<EventDeclaration> events;      // the events that it may raise
   std::vector<std::string> reacts_to;        // names of events
+  bool updates_all = false;                  // sensors: those of a robot are updated in one call
+  /// Its objects may be called from several threads at once, each from one of them.
+  bool may_share_threads = true;
   /// Makes an object with every parameter at its default; configured() has not been called yet.
   std::function<std::unique_ptr<Component>()> create;
 };
@@ -182,10 +185,17 @@ auto needs() {
 
 /// The readings that a sensor produces; ELSIE_SENSOR adds this item.
 template <class Reading>
-auto produces() {
-  return [](Declaration& declaration) {
+auto produces(bool updates_all = false) {
+  return [updates_all](Declaration& declaration) {
     declaration.produces.push_back({Reading::kind, sizeof(Reading)});
+    declaration.updates_all = updates_all;
   };
+}
+
+/// The plugin's objects share data that they change (a cache, a file, a library that is not safe):
+/// a simulation with several threads calls them from one thread only, in the order of the robots.
+inline auto one_thread() {
+  return [](Declaration& declaration) { declaration.may_share_threads = false; };
 }
 
 /// An event that the plugin may raise.

@@ -4,10 +4,12 @@
 // behaviour is asked. A sensor adds its own noise, from its own random stream.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/component.h"
@@ -28,6 +30,16 @@ struct Pyramid {
   double range_m = 0;             // height of the pyramid, along its axis
 };
 
+/// One of several rays that are cast in one query.
+struct RayQuery {
+  static constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+  Vector3 origin;     // in the world
+  Vector3 direction;  // a unit vector in the world
+  double max_range_m = 0.0;
+  double distance_m = kNothing;  // the answer: to the first surface; kNothing beyond the range
+};
+
 /// The queries that a sensor may make. They ignore the robot that carries the sensor.
 class Surroundings {
  public:
@@ -35,6 +47,13 @@ class Surroundings {
   /// `direction` (a unit vector), both in the world frame; none beyond `max_range_m`.
   virtual std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range_m) const = 0;
+  /// The same for all these rays, faster: sets their distances.
+  virtual void cast_rays(std::span<RayQuery> rays) const {
+    for (RayQuery& ray : rays) {
+      ray.distance_m =
+          cast_ray(ray.origin, ray.direction, ray.max_range_m).value_or(RayQuery::kNothing);
+    }
+  }
   /// True if a body that proximity sensors see reaches into the volume. The floor does not count.
   virtual bool anything_in(const Pyramid& pyramid) const = 0;
   /// The true pose of the robot that carries the sensor.
@@ -88,6 +107,20 @@ class Sensor : public Component {
   virtual ReadingKind kind() const = 0;
   /// Produces a new reading.
   virtual void update(const SensorContext& now) = 0;
+  /// One of several sensors of one plugin on one robot, which are updated in one call.
+  struct Update {
+    Sensor* sensor;  // of the same class as the called object
+    SensorContext now;
+  };
+  /// Produces new readings of all sensors of this plugin on the robot, in file order; the called
+  /// object is the first of them. Override this only for speed, where one query for all is cheaper
+  /// than one for each: readings and random numbers must be those of update(). A fault in it is
+  /// that of the first sensor. Sensors with a camera are always updated one by one.
+  virtual void update_all(std::span<const Update> all) {
+    for (const Update& each : all) {
+      each.sensor->update(each.now);
+    }
+  }
   /// The address of the current reading, the same for the whole life of the sensor.
   virtual const void* reading() const = 0;
   /// Forgets the current reading. The simulator calls this before each run.
@@ -110,6 +143,8 @@ class SensorOf : public Sensor {
 
   ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
   void update(const SensorContext& now) final { sense_into(now, reading_); }
+  /// Sets the present reading, for update_all().
+  void set_reading(Reading reading) { reading_ = std::move(reading); }
   const void* reading() const final { return &reading_; }
   void forget() final { reading_ = Reading{}; }
   void list_values(std::vector<NamedValue>& values) const final {
@@ -147,6 +182,13 @@ constexpr bool kInheritsSenseInto = requires {
                               const SensorContext&, typename Class::ReadingType&)>;
 };
 
+/// True if the class updates several sensors in one call.
+template <class Class>
+constexpr bool kUpdatesAll = !requires {
+  requires std::is_same_v<decltype(&Class::update_all),
+                          void (Sensor::*)(std::span<const Sensor::Update>)>;
+};
+
 }  // namespace detail
 
 /// Makes a sensor class a plugin; see ELSIE_BEHAVIOR. The kind of reading comes from its base
@@ -157,6 +199,7 @@ constexpr bool kInheritsSenseInto = requires {
       "this sensor senses nothing: override sense() or sense_into(), whose names and "        \
       "parameters must be those of SensorOf");                                                \
   ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::sensor, Class, name, description,               \
-                         ::elsie::produces<Class::ReadingType>() __VA_OPT__(, ) __VA_ARGS__)
+                         ::elsie::produces<Class::ReadingType>(                               \
+                             ::elsie::detail::kUpdatesAll<Class>) __VA_OPT__(, ) __VA_ARGS__)
 
 }  // namespace elsie

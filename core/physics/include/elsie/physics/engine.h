@@ -15,6 +15,7 @@
 #include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/sensor.h"
+#include "elsie/base/crew.h"
 #include "elsie/base/fnv1a.h"
 #include "elsie/world/description.h"
 
@@ -117,6 +118,9 @@ class Engine {
   /// bodies do not stop it. Call this before each step; otherwise the box rests in the step.
   virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
 
+  /// From now on step() may give parts of its work to this crew, which outlives the engine. The
+  /// states are the same with any crew and without one.
+  virtual void work_with(base::Crew& /*crew*/) {}
   /// One step of the length in world::Physics. Throws PhysicsFailure when the state of a body is no
   /// longer finite, or the body is at a place that nothing in the world could have moved it to
   /// (bounds.h). The state then stays as it is for inspection; further steps are meaningless.
@@ -142,6 +146,13 @@ class Engine {
   /// order is hit.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
+  /// The same for several rays: sets their distances.
+  virtual void cast_rays(std::span<RayQuery> rays, std::size_t except) const {
+    for (RayQuery& ray : rays) {
+      const auto hit = cast_ray(ray.origin, ray.direction, ray.max_range_m, except);
+      ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
+    }
+  }
   /// Returns whether a wall, a visible box or a robot other than `except` reaches into the pyramid,
   /// whose far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays,
   /// but with the boxes around their wheels, and around a chassis that is a ball or a capsule. The
@@ -168,7 +179,7 @@ using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics&
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 1;
+  std::uint32_t version = 2;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t box = sizeof(world::Box);

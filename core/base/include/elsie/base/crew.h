@@ -1,0 +1,77 @@
+// Threads that share the work of a step.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace elsie::base {
+
+/// The thread that owns the crew, and helpers that wait for work. Work must give the same result in
+/// any order: which thread does which items differs from call to call.
+class Crew {
+ public:
+  /// Consecutive items, from `first` to the one before `end`, for the thread with this number,
+  /// below threads().
+  struct Share {
+    std::size_t first;
+    std::size_t end;
+    std::size_t thread;
+  };
+
+  /// `threads`: with the owner's, at least 1. Helpers take no signals but those of their own
+  /// faults, for which they have a second stack. Throws std::system_error when the system has no
+  /// more threads.
+  explicit Crew(std::size_t threads = 1);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  std::size_t threads() const { return helpers_.size() + 1; }
+
+  /// Calls work(Share) for all items, at least `least` in a share, and returns when all is done. If
+  /// calls throw, throws the exception of the first items among them; the others are done.
+  template <class Work>
+  void divide(std::size_t items, std::size_t least, const Work& work) {
+    if (helpers_.empty() || items <= least) {
+      work(Share{0, items, 0});
+      return;
+    }
+    run(items, least, &work,
+        [](const void* some, const Share& share) { (*static_cast<const Work*>(some))(share); });
+  }
+
+ private:
+  using Call = void (*)(const void* work, const Share& share);
+
+  void run(std::size_t items, std::size_t least, const void* work, Call call);
+  void help(std::size_t thread);
+  void take_shares(std::size_t thread);
+
+  struct Stack;
+
+  // The present work. Written by the owner before it raises `calls_`.
+  const void* work_ = nullptr;
+  Call call_ = nullptr;
+  std::size_t items_ = 0;
+  std::size_t share_ = 0;
+
+  alignas(64) std::atomic<std::uint32_t> calls_{0};  // how often work was given out
+  alignas(64) std::atomic<std::size_t> next_{0};     // the first item that nobody has
+  alignas(64) std::atomic<std::uint32_t> busy_{0};   // helpers that are not ready yet
+  std::atomic<bool> over_{false};
+
+  std::mutex failing_;
+  std::exception_ptr failure_;
+  std::size_t failed_at_ = 0;
+
+  std::vector<std::unique_ptr<Stack>> stacks_;
+  std::vector<std::thread> helpers_;
+};
+
+}  // namespace elsie::base

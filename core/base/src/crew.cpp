@@ -1,0 +1,120 @@
+#include "elsie/base/crew.h"
+
+#include <algorithm>
+#include <csignal>
+#include <utility>
+
+#include <pthread.h>
+
+namespace elsie::base {
+namespace {
+
+/// Shares for each thread: few enough to cost nothing, enough that no thread waits long for
+/// another.
+constexpr std::size_t kSharesPerThread = 8;
+/// Looks for work before a thread sleeps: some microseconds, because the next work of a step
+/// follows soon.
+constexpr int kLooks = 2000;
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Waits until the value is not `old`, and returns it.
+std::uint32_t next_value(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
+  for (int i = 0; i < kLooks; ++i) {
+    if (const std::uint32_t now = value.load(std::memory_order_acquire); now != old) return now;
+    pause();
+  }
+  value.wait(old, std::memory_order_acquire);
+  return value.load(std::memory_order_acquire);
+}
+
+}  // namespace
+
+/// For handlers of signals, when a thread has used up its own.
+struct Crew::Stack {
+  alignas(16) char bytes[64 * 1024];
+};
+
+Crew::Crew(std::size_t threads) {
+  sigset_t others;
+  sigset_t before;
+  sigfillset(&others);
+  for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS}) {
+    sigdelset(&others, fault);
+  }
+  pthread_sigmask(SIG_SETMASK, &others, &before);
+  for (std::size_t i = 1; i < threads; ++i) {
+    stacks_.push_back(std::make_unique<Stack>());
+    helpers_.emplace_back([this, i] { help(i); });
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+Crew::~Crew() {
+  over_ = true;
+  calls_.fetch_add(1, std::memory_order_release);
+  calls_.notify_all();
+  for (std::thread& helper : helpers_) {
+    helper.join();
+  }
+}
+
+void Crew::run(std::size_t items, std::size_t least, const void* work, Call call) {
+  work_ = work;
+  call_ = call;
+  items_ = items;
+  share_ = std::max(least, items / (threads() * kSharesPerThread));
+  failure_ = nullptr;
+  next_.store(0, std::memory_order_relaxed);
+  busy_.store(static_cast<std::uint32_t>(helpers_.size()), std::memory_order_relaxed);
+  calls_.fetch_add(1, std::memory_order_release);
+  calls_.notify_all();
+  take_shares(0);
+  for (std::uint32_t busy = busy_.load(std::memory_order_acquire); busy != 0;) {
+    busy = next_value(busy_, busy);
+  }
+  if (failure_) {
+    std::rethrow_exception(std::exchange(failure_, nullptr));
+  }
+}
+
+void Crew::help(std::size_t thread) {
+  stack_t second{};
+  second.ss_sp = stacks_[thread - 1]->bytes;
+  second.ss_size = sizeof(Stack::bytes);
+  sigaltstack(&second, nullptr);
+  for (std::uint32_t calls = 0;;) {
+    calls = next_value(calls_, calls);
+    if (over_) {
+      return;
+    }
+    take_shares(thread);
+    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+      busy_.notify_one();
+    }
+  }
+}
+
+void Crew::take_shares(std::size_t thread) {
+  for (;;) {
+    const std::size_t first = next_.fetch_add(share_, std::memory_order_relaxed);
+    if (first >= items_) {
+      return;
+    }
+    try {
+      call_(work_, {first, std::min(items_, first + share_), thread});
+    } catch (...) {
+      const std::scoped_lock lock(failing_);
+      if (!failure_ || first < failed_at_) {
+        failure_ = std::current_exception();
+        failed_at_ = first;
+      }
+    }
+  }
+}
+
+}  // namespace elsie::base
