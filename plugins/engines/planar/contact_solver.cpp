@@ -57,6 +57,11 @@ bool ContactSolver::is_needed(const Contact& contact) const {
   return physics_.step * parting(contact) < -std::max(contact.gap, 0.0);
 }
 
+bool ContactSolver::is_driven(const Contact& contact) const {
+  return !movers_[contact.a].gives_way() ||
+         (contact.b != Contact::kFixed && !movers_[contact.b].gives_way());
+}
+
 void ContactSolver::prepare(Contact& contact) const {
   contact.across = row(contact, contact.normal);
   contact.along = row(contact, {-contact.normal.y, contact.normal.x});
@@ -102,10 +107,13 @@ double ContactSolver::relax(Contact& contact) {
 
 void ContactSolver::prepare(Hinge& hinge) const {
   const Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
-  const Vector2 arm = behind.ahead().turn(Vector2{hinge.joint.ahead, 0.0});
-  const Vector2 place{behind.place().x + arm.x, behind.place().y + arm.y};
-  hinge.from_front = minus(place, front.center());
-  hinge.from_behind = minus(place, behind.center());
+  // In the middle of the arcs, so that both ends of the joint move alike along theirs.
+  const auto arm = [](const Mover& mover, double ahead) {
+    const Vector2& center = mover.inertia().center;
+    return mover.middle().turn(Vector2{ahead - center.x, -center.y});
+  };
+  hinge.from_front = arm(front, -hinge.joint.behind);
+  hinge.from_behind = arm(behind, hinge.joint.ahead);
   hinge.kxx = hinge.kxy = hinge.kyy = 0.0;
   const auto add = [&](const Mover& mover, const Vector2& from) {
     const Twist x = at_point({1.0, 0.0}, from), y = at_point({0.0, 1.0}, from);
@@ -200,6 +208,9 @@ void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Conta
       }
     }
     if (changed < kSettled) break;
+  }
+  for (Contact& contact : contacts) {
+    if (is_driven(contact)) relax(contact);
   }
 }
 

@@ -79,6 +79,8 @@ class ContactSolver {
 
   /// True if the bodies would enter each other in this step without an impulse, or bounce.
   bool is_needed(const Contact& contact) const;
+  /// True if one of the bodies is a box that nothing stops.
+  bool is_driven(const Contact& contact) const;
   /// The speed at which they part, m/s.
   double parting(const Contact& contact) const;
   /// Bodies that come nearer at less than this do not bounce, m/s.

@@ -168,7 +168,8 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   };
   std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& x, const Contact& y) {
     const auto place = [&](const Contact& contact) {
-      return std::tuple(island(contact), ranks_[contact.a], rank_b(contact), contact.at.x,
+      // Boxes that nothing stops have the last word.
+      return std::tuple(island(contact), solver_.is_driven(contact), ranks_[contact.a], rank_b(contact), contact.at.x,
                         contact.at.y, contact.key.feature);
     };
     return place(x) < place(y);

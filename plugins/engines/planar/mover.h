@@ -68,6 +68,8 @@ class Mover {
 
   // In a step, after enter(), in the world:
   const Twist& moving() const { return moving_; }
+  /// Its direction in the middle of the arc.
+  const Direction& middle() const { return middle_; }
   /// The change of velocity that an impulse makes at first.
   const Symmetric& response() const { return response_; }
   /// How often the response has changed.

@@ -143,7 +143,8 @@ Mover mover_of(std::span<const Part> vehicle, const world::Physics& physics) {
   if (!rolls) {
     const Part& chassis = vehicle.front();
     const Outline outline = Outline::of(chassis.shape, chassis.frame.origin.z);
-    return {inertia, FloorFriction(inertia, lever_of(outline), physics)};
+    const bool is_ball = chassis.shape.kind == Shape::Kind::sphere;  // which rolls
+    return {inertia, is_ball ? FloorFriction() : FloorFriction(inertia, lever_of(outline), physics)};
   }
   return {inertia,
           Undercarriage(vehicle, loads_of(vehicle, inertia, physics.gravity), inertia, physics)};

@@ -106,6 +106,14 @@ double Undercarriage::force(const Grip& grip, const Twist& velocity) const {
   return known.stiffness * (known.speed - dot(grip.along, velocity));
 }
 
+/// The rate of a wheel after a step in which this torque holds it back.
+double Undercarriage::turning(const Spin& spin, double against) const {
+  const double per_torque = step_ / spin.inertia;
+  const double rolling = spin.rate - per_torque * against;
+  return std::clamp(spin.wanted, rolling - per_torque * spin.torque,
+                    rolling + per_torque * spin.torque);
+}
+
 /// The state of the grip at this velocity.
 Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& velocity) const {
   const Spin& spin = spins_[grip.wheel];
@@ -113,24 +121,25 @@ Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& veloci
   if (grip.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
     double rate = 0.0;
+    Hold otherwise = Hold::rolls;
     if (grip.driven) {
-      const double per_torque = step_ / spin.inertia;
-      const double rolling = spin.rate - per_torque * grip.rim * pull;
-      rate = std::clamp(spin.wanted, rolling - per_torque * spin.torque,
-                        rolling + per_torque * spin.torque);
+      rate = turning(spin, grip.rim * pull);
+      otherwise = rate < spin.wanted   ? Hold::motor_up
+                  : rate > spin.wanted ? Hold::motor_down
+                                       : Hold::rolls;
     }
     const double gliding = grip.rim * rate - dot(grip.along, velocity);
     const double least = slip_ * grip.limit;
     const bool still = grip.hold == Hold::slides_up ? gliding >= least : gliding <= -least;
-    return still ? grip.hold : Hold::rolls;
+    return still ? grip.hold : otherwise;
+  }
+  // Most motors are at their limit before their tyres are.
+  if (grip.driven && grip.hold == Hold::rolls) {
+    const double torque = spin.inertia * (spin.wanted - spin.rate) / step_ + grip.rim * pull;
+    if (std::abs(torque) > spin.torque) return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
   }
   if (std::abs(pull) > grip.limit) return pull > 0.0 ? Hold::slides_up : Hold::slides_down;
-  if (!grip.driven) return Hold::rolls;
-  if (grip.hold == Hold::rolls) {
-    const double torque = spin.inertia * (spin.wanted - spin.rate) / step_ + grip.rim * pull;
-    if (std::abs(torque) <= spin.torque) return Hold::rolls;
-    return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
-  }
+  if (grip.hold == Hold::rolls) return Hold::rolls;
   const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
   const double rate = spin.rate + step_ / spin.inertia * (torque - grip.rim * pull);
   const bool is_short = grip.hold == Hold::motor_up ? rate <= spin.wanted : rate >= spin.wanted;
@@ -189,11 +198,8 @@ void Undercarriage::settle(const Twist& velocity) {
       spin.rate = spin.wanted;
       continue;
     }
-    const double per_torque = step_ / spin.inertia;
     const double pull = std::clamp(force(grip, velocity), -grip.limit, grip.limit);
-    const double rolling = spin.rate - per_torque * grip.rim * pull;
-    spin.rate = std::clamp(spin.wanted, rolling - per_torque * spin.torque,
-                           rolling + per_torque * spin.torque);
+    spin.rate = turning(spin, grip.rim * pull);
   }
 }
 

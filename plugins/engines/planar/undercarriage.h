@@ -90,6 +90,7 @@ class Undercarriage {
   };
 
   Law law(const Grip& grip) const;
+  double turning(const Spin& spin, double against) const;
   double force(const Grip& grip, const Twist& velocity) const;
   Hold fitting(const Grip& grip, const Twist& velocity) const;
   void aim(Grip& grip, double heading_rad);
@@ -111,7 +112,7 @@ class Undercarriage {
 /// manipulation", 1996).
 class FloorFriction {
  public:
-  FloorFriction() = default;
+  FloorFriction() = default;  // none
   /// `lever`: the mean distance of its support from its middle, m.
   FloorFriction(const Inertia& inertia, double lever, const world::Physics& physics);
 
