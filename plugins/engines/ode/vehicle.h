@@ -32,10 +32,6 @@ struct Vehicle {
   std::vector<Solid> casters;
 };
 
-/// Sensors on top of a chassis look level over it. So that robots of one size see each other, range
-/// sensors see a flat-topped chassis as higher by the height of such a sensor.
-inline constexpr double kSensorDeck = 0.02;  // m
-
 /// How a vehicle moves.
 struct VehicleMotion {
   Frame frame;       // origin on the floor side

@@ -9,6 +9,10 @@
 
 namespace elsie::physics {
 
+/// Sensors on top of a chassis look level over it. So that robots of one size see each other, range
+/// sensors see a flat-topped chassis as higher by the height of such a sensor.
+inline constexpr double kSensorDeck = 0.02;  // m
+
 inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

@@ -1,0 +1,243 @@
+#include "contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elsie/world/engine_facts.h"
+
+namespace elsie::physics {
+namespace {
+
+constexpr int kMostSweeps = 60;
+constexpr int kSeparations = 4;
+constexpr double kLeastDepth = 5e-6;  // m, that is corrected
+constexpr double kSettled = 1e-8;  // m/s: changes below this end the sweeps
+
+Twist at_point(const Vector2& direction, const Vector2& from) {
+  return {direction.x, direction.y, from.x * direction.y - from.y * direction.x};
+}
+
+}  // namespace
+
+double ContactSolver::bounce_threshold() const {
+  return 2.0 * std::abs(physics_.gravity) * physics_.step;
+}
+
+Contact::Row ContactSolver::row(const Contact& contact, const Vector2& direction) const {
+  Contact::Row row;
+  const Mover& a = movers_[contact.a];
+  row.a = at_point(direction, minus(contact.at, a.center()));
+  row.change_a = a.response() * row.a;
+  double softness = dot(row.a, row.change_a);
+  if (contact.b != Contact::kFixed) {
+    const Mover& b = movers_[contact.b];
+    row.b = -1.0 * at_point(direction, minus(contact.at, b.center()));
+    row.change_b = b.response() * row.b;
+    softness += dot(row.b, row.change_b);
+  }
+  row.scale = softness > 0.0 ? 1.0 / softness : 0.0;
+  return row;
+}
+
+double ContactSolver::speed(const Contact& contact, const Contact::Row& row) const {
+  double speed = dot(row.a, movers_[contact.a].moving());
+  if (contact.b != Contact::kFixed) speed += dot(row.b, movers_[contact.b].moving());
+  return speed;
+}
+
+double ContactSolver::parting(const Contact& contact) const {
+  const Mover& a = movers_[contact.a];
+  double speed = dot(at_point(contact.normal, minus(contact.at, a.center())), a.moving());
+  if (contact.b == Contact::kFixed) return speed;
+  const Mover& b = movers_[contact.b];
+  return speed - dot(at_point(contact.normal, minus(contact.at, b.center())), b.moving());
+}
+
+bool ContactSolver::is_needed(const Contact& contact) const {
+  return physics_.step * parting(contact) < -std::max(contact.gap, 0.0);
+}
+
+bool ContactSolver::is_driven(const Contact& contact) const {
+  return !movers_[contact.a].gives_way() ||
+         (contact.b != Contact::kFixed && !movers_[contact.b].gives_way());
+}
+
+void ContactSolver::prepare(Contact& contact) const {
+  contact.across = row(contact, contact.normal);
+  contact.along = row(contact, {-contact.normal.y, contact.normal.x});
+}
+
+void ContactSolver::apply(const Contact& contact, const Contact::Row& row, double impulse) {
+  movers_[contact.a].add(impulse * row.a, impulse * row.change_a);
+  if (contact.b != Contact::kFixed) {
+    movers_[contact.b].add(impulse * row.b, impulse * row.change_b);
+  }
+}
+
+void ContactSolver::aim(Contact& contact) const {
+  const double coming = std::max(contact.coming, -parting(contact));
+  const bool bounces = physics_.bounce > 0.0 && coming > bounce_threshold();
+  contact.target = contact.gap > kTouching ? -contact.gap / physics_.step
+                   : bounces               ? physics_.bounce * coming
+                                           : 0.0;
+  contact.coming = bounces && contact.gap > kTouching ? coming : 0.0;
+}
+
+void ContactSolver::warm(Contact& contact) {
+  apply(contact, contact.across, contact.push);
+  apply(contact, contact.along, contact.rub);
+}
+
+double ContactSolver::relax(Contact& contact) {
+  const double off = contact.target - speed(contact, contact.across);
+  const double push = std::max(0.0, contact.push + contact.across.scale * off);
+  const double pushed = push - contact.push;
+  contact.push = push;
+  if (pushed != 0.0) apply(contact, contact.across, pushed);
+
+  const double most = physics_.friction * push;
+  const double sliding = speed(contact, contact.along);
+  const double rub = std::clamp(contact.rub - contact.along.scale * sliding, -most, most);
+  const double rubbed = rub - contact.rub;
+  contact.rub = rub;
+  if (rubbed != 0.0) apply(contact, contact.along, rubbed);
+  return std::max(contact.across.scale > 0.0 ? std::abs(pushed) / contact.across.scale : 0.0,
+                  contact.along.scale > 0.0 ? std::abs(rubbed) / contact.along.scale : 0.0);
+}
+
+void ContactSolver::prepare(Hinge& hinge) const {
+  const Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
+  // In the middle of the arcs, so that both ends of the joint move alike along theirs.
+  const auto arm = [](const Mover& mover, double ahead) {
+    const Vector2& center = mover.inertia().center;
+    return mover.middle().turn(Vector2{ahead - center.x, -center.y});
+  };
+  hinge.from_front = arm(front, -hinge.joint.behind);
+  hinge.from_behind = arm(behind, hinge.joint.ahead);
+  hinge.kxx = hinge.kxy = hinge.kyy = 0.0;
+  const auto add = [&](const Mover& mover, const Vector2& from) {
+    const Twist x = at_point({1.0, 0.0}, from), y = at_point({0.0, 1.0}, from);
+    const Twist by_x = mover.response() * x, by_y = mover.response() * y;
+    hinge.kxx += dot(x, by_x);
+    hinge.kxy += dot(y, by_x);
+    hinge.kyy += dot(y, by_y);
+  };
+  add(front, hinge.from_front);
+  add(behind, hinge.from_behind);
+  hinge.turn_scale = 1.0 / (front.response().tt + behind.response().tt);
+}
+
+void ContactSolver::warm(Hinge& hinge) {
+  Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
+  const auto act = [](Mover& mover, const Twist& impulse) {
+    mover.add(impulse, mover.response() * impulse);
+  };
+  act(behind, at_point(hinge.pull, hinge.from_behind) + Twist{0.0, 0.0, hinge.twist});
+  act(front, -1.0 * (at_point(hinge.pull, hinge.from_front) + Twist{0.0, 0.0, hinge.twist}));
+}
+
+double ContactSolver::relax(Hinge& hinge) {
+  Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
+  const auto act = [](Mover& mover, const Twist& impulse) {
+    mover.add(impulse, mover.response() * impulse);
+  };
+  // The motor, or a limit.
+  const double step = physics_.step, rate = behind.moving().turn - front.moving().turn;
+  double twist = 0.0;
+  if (hinge.joint.torque > 0.0) {
+    const double wanted = std::clamp((hinge.wanted_yaw_rad - hinge.yaw_rad) / step,
+                                     -hinge.joint.yaw_rate_rad_s, hinge.joint.yaw_rate_rad_s);
+    const double most = step * hinge.joint.torque;
+    twist = std::clamp(hinge.twist + hinge.turn_scale * (wanted - rate), -most, most);
+  } else {
+    const double least = (-hinge.joint.max_yaw_rad - hinge.yaw_rad) / step;
+    const double most = (hinge.joint.max_yaw_rad - hinge.yaw_rad) / step;
+    // What the limit's impulse would have to be for either end.
+    const double up = hinge.twist + hinge.turn_scale * (least - rate);
+    const double down = hinge.twist + hinge.turn_scale * (most - rate);
+    twist = up > 0.0 ? up : down < 0.0 ? down : 0.0;
+  }
+  const Twist turned{0.0, 0.0, twist - hinge.twist};
+  hinge.twist = twist;
+  if (turned.turn != 0.0) {
+    act(behind, turned);
+    act(front, -1.0 * turned);
+  }
+
+  const auto velocity = [](const Mover& mover, const Vector2& from) {
+    const Twist& v = mover.moving();
+    return Vector2{v.x - v.turn * from.y, v.y + v.turn * from.x};
+  };
+  const Vector2 apart =
+      minus(velocity(behind, hinge.from_behind), velocity(front, hinge.from_front));
+  const double determinant = hinge.kxx * hinge.kyy - hinge.kxy * hinge.kxy;
+  if (!(determinant > 0.0)) return 0.0;
+  const Vector2 pull{-(hinge.kyy * apart.x - hinge.kxy * apart.y) / determinant,
+                     -(hinge.kxx * apart.y - hinge.kxy * apart.x) / determinant};
+  hinge.pull = {hinge.pull.x + pull.x, hinge.pull.y + pull.y};
+  act(behind, at_point(pull, hinge.from_behind));
+  act(front, -1.0 * at_point(pull, hinge.from_front));
+  return std::max(std::abs(apart.x), std::abs(apart.y));
+}
+
+void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                          std::span<Hinge* const> hinges) {
+  const auto prepare_all = [&] {
+    for (Hinge* const hinge : hinges) prepare(*hinge);
+    for (Contact& contact : contacts) prepare(contact);
+  };
+  prepare_all();
+  for (Contact& contact : contacts) aim(contact);
+  for (Contact& contact : contacts) warm(contact);
+  for (Hinge* const hinge : hinges) warm(*hinge);
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    double changed = 0.0;
+    std::uint32_t responses = 0, before = 0;
+    for (const std::uint32_t body : bodies) {
+      before += movers_[body].changes();
+      changed = std::max(changed, movers_[body].stand());
+      responses += movers_[body].changes();
+    }
+    if (responses != before) prepare_all();
+    for (Hinge* const hinge : hinges) changed = std::max(changed, relax(*hinge));
+    if (sweep % 2 == 0) {
+      for (Contact& contact : contacts) changed = std::max(changed, relax(contact));
+    } else {
+      for (auto contact = contacts.rbegin(); contact != contacts.rend(); ++contact) {
+        changed = std::max(changed, relax(*contact));
+      }
+    }
+    if (changed < kSettled) break;
+  }
+  for (Contact& contact : contacts) {
+    if (is_driven(contact)) relax(contact);
+  }
+}
+
+void ContactSolver::separate(std::span<const Contact> contacts) {
+  const auto light = [this](std::uint32_t mover) {
+    return mover != Contact::kFixed && movers_[mover].gives_way()
+               ? 1.0 / movers_[mover].inertia().mass
+               : 0.0;
+  };
+  for (int i = 0; i < kSeparations; ++i) {
+    for (const Contact& contact : contacts) {
+      if (contact.gap >= -kLeastDepth) continue;
+      const double of_a = light(contact.a), of_b = light(contact.b);
+      Vector2 moved = movers_[contact.a].shifted();
+      if (contact.b != Contact::kFixed) moved = minus(moved, movers_[contact.b].shifted());
+      const double depth =
+          -contact.gap - kLeastDepth - moved.x * contact.normal.x - moved.y * contact.normal.y;
+      if (depth <= 0.0 || of_a + of_b == 0.0) continue;
+      const double way = std::min(physics_.effective_erp() * depth,
+                                  world::kMaxCorrectingSpeed * physics_.step) /
+                         (of_a + of_b);
+      movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});
+      if (of_b > 0.0) {
+        movers_[contact.b].shift({-way * of_b * contact.normal.x, -way * of_b * contact.normal.y});
+      }
+    }
+  }
+}
+
+}  // namespace elsie::physics

@@ -1,0 +1,105 @@
+// The impulses between bodies that meet.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "elsie/world/description.h"
+
+#include "mover.h"
+
+namespace elsie::physics {
+
+/// Surfaces that are no further apart touch.
+inline constexpr double kTouching = 2e-5;  // m
+
+/// A point at which two bodies meet, or will meet in this step.
+struct Contact {
+  static constexpr std::uint32_t kFixed = 0xffffffff;
+
+  /// Names a contact from step to step, whatever else is in the world.
+  struct Key {
+    std::uint64_t a = 0, b = 0;  // the numbers of the bodies
+    std::uint64_t feature = 0;
+    friend auto operator<=>(const Key&, const Key&) = default;  // NOLINT(modernize-use-nullptr)
+  };
+
+  Key key;
+  std::uint32_t a = 0;       // a mover
+  std::uint32_t b = kFixed;  // a mover, or a fixed body
+  Vector2 at;
+  Vector2 normal;  // from b into a
+  double gap = 0.0;
+
+  double coming = 0.0;  // m/s, the speed at which they came nearer before they met
+  double push = 0.0;    // N s
+  double rub = 0.0;     // N s, along the normal turned to the left
+
+  // The solver's own.
+  double target = 0.0;
+  struct Row {
+    Twist a, b;                // velocities of the bodies to the speed of the row
+    Twist change_a, change_b;  // impulse of the row to changes of velocity
+    double scale = 0.0;
+  };
+  Row across, along;
+};
+
+/// The joint that pulls a vehicle.
+struct Hinge {
+  std::uint32_t front = 0, behind = 0;  // movers
+  HitchJoint joint;
+  double yaw_rad = 0.0;
+  double wanted_yaw_rad = 0.0;
+  Vector2 pull;        // N s, of the last step
+  double twist = 0.0;  // N m s, of the motor or of a limit
+
+  // The solver's own.
+  Vector2 from_front, from_behind;
+  double kxx = 0.0, kxy = 0.0, kyy = 0.0;
+  double turn_scale = 0.0;
+};
+
+/// Finds impulses that keep bodies from entering each other: projected Gauss-Seidel, beginning with
+/// those of the last step (Catto, "Iterative Dynamics with Temporal Coherence", 2005). Wheels and
+/// the floor's friction are solved anew after each sweep, exactly, and contacts take account of
+/// them from the start: each body answers to an impulse as its undercarriage lets it.
+class ContactSolver {
+ public:
+  ContactSolver(const world::Physics& physics, std::vector<Mover>& movers)
+      : physics_(physics), movers_(movers) {}
+
+  /// Solves an island; the bodies have been entered. Contacts and hinges are in a fixed order.
+  void solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+             std::span<Hinge* const> hinges);
+
+  /// Moves bodies that have entered each other a little apart, without a velocity.
+  void separate(std::span<const Contact> contacts);
+
+  /// True if the bodies would enter each other in this step without an impulse, or bounce.
+  bool is_needed(const Contact& contact) const;
+  /// True if one of the bodies is a box that nothing stops.
+  bool is_driven(const Contact& contact) const;
+  /// The speed at which they part, m/s.
+  double parting(const Contact& contact) const;
+  /// Bodies that come nearer at less than this do not bounce, m/s.
+  double bounce_threshold() const;
+
+ private:
+  void prepare(Contact& contact) const;
+  void prepare(Hinge& hinge) const;
+  void aim(Contact& contact) const;
+  void warm(Contact& contact);
+  void warm(Hinge& hinge);
+  double relax(Contact& contact);
+  double relax(Hinge& hinge);
+  Contact::Row row(const Contact& contact, const Vector2& direction) const;
+  void apply(const Contact& contact, const Contact::Row& row, double impulse);
+  double speed(const Contact& contact, const Contact::Row& row) const;
+
+  const world::Physics& physics_;
+  std::vector<Mover>& movers_;
+};
+
+}  // namespace elsie::physics

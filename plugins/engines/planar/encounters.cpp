@@ -1,0 +1,235 @@
+#include "encounters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace elsie::physics {
+namespace {
+
+constexpr std::uint32_t kNone = Contact::kFixed;
+
+}  // namespace
+
+bool Encounters::may_meet(const Thing& a, const Thing& b) const {
+  const bool gives_way = (a.mover != kNone && movers_[a.mover].gives_way()) ||
+                         (b.mover != kNone && movers_[b.mover].gives_way());
+  // The limits of their joint keep neighbours apart.
+  const bool neighbours = a.body == b.body && a.vehicle + 1 >= b.vehicle && b.vehicle + 1 >= a.vehicle;
+  return gives_way && !neighbours;
+}
+
+/// An order that does not depend on the numbers of the bodies.
+bool Encounters::is_before(const Thing& a, const Thing& b) const {
+  if (a.mover == kNone || b.mover == kNone) return a.mover != kNone;
+  const Vector2 &at_a = movers_[a.mover].place(), &at_b = movers_[b.mover].place();
+  return std::tie(at_a.x, at_a.y, a.number) < std::tie(at_b.x, at_b.y, b.number);
+}
+
+void Encounters::find(std::span<const std::uint32_t> moving, double margin) {
+  contacts_.clear();
+  touches_.clear();
+  for (const std::uint32_t id : moving) {
+    near_.clear();
+    scene_.for_each_near(id, margin, [&](std::uint32_t other) {
+      // Two movers find each other.
+      if (things_[other].mover == kNone || id < other) near_.push_back(other);
+    });
+    if (near_.empty()) continue;
+    std::sort(near_.begin(), near_.end());
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+    for (const std::uint32_t other : near_) {
+      const Thing &a = things_[id], &b = things_[other];
+      if (!may_meet(a, b)) continue;
+      if (is_before(a, b)) {
+        meet(id, other, margin);
+      } else {
+        meet(other, id, margin);
+      }
+    }
+  }
+  if (touches_.size() < 2) return;
+  std::sort(touches_.begin(), touches_.end(),
+            [](const Touch& x, const Touch& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  // Several of a robot's vehicles may touch the same body.
+  touches_.erase(
+      std::unique(touches_.begin(), touches_.end(),
+                  [](const Touch& x, const Touch& y) { return x.a == y.a && x.b == y.b; }),
+      touches_.end());
+}
+
+void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) {
+  const Thing &a = things_[first], &b = things_[second];
+  const auto place_of = [this](const Thing& thing) {
+    return thing.mover == kNone ? thing.place : movers_[thing.mover].place();
+  };
+  const auto ahead_of = [this](const Thing& thing) {
+    return thing.mover == kNone ? thing.ahead : movers_[thing.mover].ahead();
+  };
+  const Vector2 at_a = place_of(a), at_b = place_of(b);
+  const Direction ahead_a = ahead_of(a), ahead_b = ahead_of(b);
+  const auto middle = [](const Solid& solid, const Vector2& at, const Direction& ahead) {
+    const Vector2 turned = ahead.turn(solid.place);
+    return Vector2{at.x + turned.x, at.y + turned.y};
+  };
+  bool touches = false;
+  for (std::size_t i = 0; i < a.solids.size(); ++i) {
+    const Solid& of_a = a.solids[i];
+    const Vector2 middle_a = middle(of_a, at_a, ahead_a);
+    bool is_placed = false;
+    PlacedOutline placed_a;
+    for (std::size_t k = 0; k < b.solids.size(); ++k) {
+      const Solid& of_b = b.solids[k];
+      if (!of_a.outline.is_level_with(of_b.outline)) continue;
+      if (of_a.below && of_b.outline.is_level_with(a.solids.front().outline)) continue;
+      if (of_b.below && of_a.outline.is_level_with(b.solids.front().outline)) continue;
+      const Vector2 middle_b = middle(of_b, at_b, ahead_b);
+      const double dx = middle_a.x - middle_b.x, dy = middle_a.y - middle_b.y;
+      const double far = of_a.outline.reach + of_b.outline.reach + margin;
+      if (dx * dx + dy * dy > far * far) continue;
+      if (!is_placed) {
+        placed_a = placed(of_a.outline, middle_a, ahead_a.turned(of_a.ahead), space_a_);
+        is_placed = true;
+      }
+      const Meeting met = physics::meet(
+          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), space_b_), margin);
+      for (std::size_t n = 0; n < met.count; ++n) {
+        Contact& contact = contacts_.emplace_back();
+        contact.key = {a.number, b.number, static_cast<std::uint64_t>(i) << 48 |
+                                               static_cast<std::uint64_t>(k) << 32 |
+                                               met.points[n].feature};
+        contact.a = a.mover;
+        contact.b = b.mover;
+        contact.at = met.points[n].at;
+        contact.normal = met.normal;
+        contact.gap = met.points[n].gap;
+        touches = touches || contact.gap <= kTouching;
+      }
+    }
+  }
+  if (touches && a.body != b.body) {
+    touches_.push_back(a.body < b.body ? Touch{a.body, b.body} : Touch{b.body, a.body});
+  }
+}
+
+void Encounters::recall(Contact& contact) const {
+  const auto known =
+      std::lower_bound(memory_.begin(), memory_.end(), contact.key,
+                       [](const Memory& m, const Contact::Key& key) { return m.key < key; });
+  if (known == memory_.end() || known->key != contact.key) return;
+  contact.push = known->push;
+  contact.rub = known->rub;
+  contact.coming = known->coming;
+}
+
+std::uint32_t Encounters::root(std::uint32_t mover) {
+  while (parents_[mover] != mover) {
+    mover = parents_[mover] = parents_[parents_[mover]];
+  }
+  return mover;
+}
+
+void Encounters::join(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t of_a = root(a), of_b = root(b);
+  if (of_a != of_b) parents_[std::max(of_a, of_b)] = std::min(of_a, of_b);
+}
+
+void Encounters::involve(std::uint32_t mover) {
+  if (parents_[mover] != kNone) return;
+  parents_[mover] = mover;
+  involved_.push_back(mover);
+  movers_[mover].enter(physics_.step);
+}
+
+void Encounters::order(std::span<Hinge* const> hinges) {
+  for (const std::uint32_t mover : involved_) parents_[mover] = kNone;
+  involved_.clear();
+  parents_.resize(movers_.size(), kNone);
+  ranks_.resize(movers_.size());
+  const auto link = [this](std::uint32_t a, std::uint32_t b) {
+    involve(a);
+    if (b == kNone) return;
+    involve(b);
+    // A box that nothing stops passes nothing on.
+    if (movers_[a].gives_way() && movers_[b].gives_way()) join(a, b);
+  };
+  for (const Contact& contact : contacts_) link(contact.a, contact.b);
+  for (const Hinge* const hinge : hinges) link(hinge->front, hinge->behind);
+  std::sort(involved_.begin(), involved_.end(), [this](std::uint32_t a, std::uint32_t b) {
+    const Vector2 &at_a = movers_[a].place(), &at_b = movers_[b].place();
+    return std::tie(at_a.x, at_a.y, a) < std::tie(at_b.x, at_b.y, b);
+  });
+  for (std::uint32_t i = 0; i < involved_.size(); ++i) ranks_[involved_[i]] = i;
+  const auto island = [this](const Contact& contact) {
+    return root(movers_[contact.a].gives_way() ? contact.a : contact.b);
+  };
+  const auto rank_b = [this](const Contact& contact) {
+    return contact.b == kNone ? kNone : ranks_[contact.b];
+  };
+  std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& x, const Contact& y) {
+    const auto place = [&](const Contact& contact) {
+      // Boxes that nothing stops have the last word.
+      return std::tuple(island(contact), solver_.is_driven(contact), ranks_[contact.a], rank_b(contact), contact.at.x,
+                        contact.at.y, contact.key.feature);
+    };
+    return place(x) < place(y);
+  });
+  std::sort(involved_.begin(), involved_.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return std::pair(root(a), ranks_[a]) < std::pair(root(b), ranks_[b]);
+  });
+  hinges_.assign(hinges.begin(), hinges.end());
+  std::sort(hinges_.begin(), hinges_.end(), [this](const Hinge* a, const Hinge* b) {
+    return std::pair(root(a->front), ranks_[a->front]) < std::pair(root(b->front), ranks_[b->front]);
+  });
+}
+
+void Encounters::solve(std::span<Hinge* const> hinges) {
+  if (contacts_.empty() && hinges.empty()) {
+    memory_.clear();
+    return;
+  }
+  order(hinges);
+  for (Contact& contact : contacts_) recall(contact);
+  auto contact = contacts_.begin();
+  auto hinge = hinges_.begin();
+  for (auto first = involved_.begin(); first != involved_.end();) {
+    const std::uint32_t island = root(*first);
+    const auto last = std::find_if(first, involved_.end(),
+                                   [&](std::uint32_t mover) { return root(mover) != island; });
+    const auto last_contact = std::find_if(contact, contacts_.end(), [&](const Contact& each) {
+      return root(movers_[each.a].gives_way() ? each.a : each.b) != island;
+    });
+    const auto last_hinge = std::find_if(hinge, hinges_.end(), [&](const Hinge* each) {
+      return root(each->front) != island;
+    });
+    solve_island({first, last}, {contact, last_contact}, {hinge, last_hinge});
+    first = last;
+    contact = last_contact;
+    hinge = last_hinge;
+  }
+  memory_.clear();
+  for (const Contact& each : contacts_) {
+    if (each.push > 0.0 || each.coming > 0.0) {
+      memory_.push_back({each.key, each.push, each.rub, each.coming});
+    }
+  }
+  std::sort(memory_.begin(), memory_.end(),
+            [](const Memory& a, const Memory& b) { return a.key < b.key; });
+}
+
+void Encounters::solve_island(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                              std::span<Hinge* const> hinges) {
+  const bool is_needed =
+      !hinges.empty() || std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return contact.gap < 0.0 || contact.coming > 0.0 || solver_.is_needed(contact);
+      });
+  if (!is_needed) {
+    for (const std::uint32_t body : bodies) movers_[body].release();
+    for (Contact& contact : contacts) contact.push = contact.rub = 0.0;
+    return;
+  }
+  solver_.solve(bodies, contacts, hinges);
+  solver_.separate(contacts);
+}
+
+}  // namespace elsie::physics

@@ -1,0 +1,89 @@
+// Which bodies meet in a step, and what comes of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+
+#include "contact_solver.h"
+#include "mover.h"
+#include "outline.h"
+#include "planar_scene.h"
+#include "planar_vehicle.h"
+
+namespace elsie::physics {
+
+/// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
+struct Thing {
+  Body body;
+  std::size_t vehicle = 0;      // of a robot
+  std::uint64_t number = 0;     // the same in an engine that takes it over
+  std::uint32_t mover = Contact::kFixed;
+  std::vector<Solid> solids;
+  double reach = 0.0;  // m, from its place
+  Vector2 place;       // of a fixed body
+  Direction ahead;
+};
+
+/// Finds pairs of bodies that meet or may meet in this step, divides them into islands, and solves
+/// each. Results depend neither on the order in which bodies were added nor on far bodies: within
+/// an island, bodies are taken from west to east.
+class Encounters {
+ public:
+  Encounters(const world::Physics& physics, std::vector<Thing>& things,
+             std::vector<Mover>& movers, const PlanarScene& scene)
+      : physics_(physics),
+        things_(things),
+        movers_(movers),
+        scene_(scene),
+        solver_(physics, movers) {}
+
+  /// Finds the contacts of things that may come `margin` nearer in this step. `moving`: the things
+  /// with movers that are still there.
+  void find(std::span<const std::uint32_t> moving, double margin);
+  /// Gives the movers their velocities; the hinges join them.
+  void solve(std::span<Hinge* const> hinges);
+
+  std::span<const Touch> touches() const { return touches_; }
+  /// Takes over what another engine remembers of the last step.
+  void take(const Encounters& other) { memory_ = other.memory_; }
+
+ private:
+  /// A contact of the last step.
+  struct Memory {
+    Contact::Key key;
+    double push, rub, coming;
+  };
+
+  void meet(std::uint32_t first, std::uint32_t second, double margin);
+  bool may_meet(const Thing& a, const Thing& b) const;
+  bool is_before(const Thing& a, const Thing& b) const;
+  void recall(Contact& contact) const;
+  std::uint32_t root(std::uint32_t mover);
+  void join(std::uint32_t a, std::uint32_t b);
+  void involve(std::uint32_t mover);
+  void order(std::span<Hinge* const> hinges);
+  void solve_island(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                    std::span<Hinge* const> hinges);
+
+  const world::Physics& physics_;
+  std::vector<Thing>& things_;
+  std::vector<Mover>& movers_;
+  const PlanarScene& scene_;
+  ContactSolver solver_;
+  std::vector<Contact> contacts_;
+  std::vector<Touch> touches_;
+  std::vector<Memory> memory_;  // ascending
+  // Kept to reuse their memory.
+  std::vector<std::uint32_t> near_;
+  std::vector<Vector2> space_a_, space_b_;
+  std::vector<std::uint32_t> parents_;   // of movers; kFixed: not involved
+  std::vector<std::uint32_t> ranks_;     // of movers
+  std::vector<std::uint32_t> involved_;  // movers
+  std::vector<Hinge*> hinges_;
+};
+
+}  // namespace elsie::physics

@@ -1,0 +1,113 @@
+// A rigid body that moves in the plane.
+#pragma once
+
+#include <optional>
+
+#include "elsie/api/geometry.h"
+
+#include "plane.h"
+#include "undercarriage.h"
+
+namespace elsie::physics {
+
+/// A vehicle, a box that can be pushed, or a box that moves along its own path.
+///
+/// During a step its velocity, seen from the body, does not change: it moves along an arc, and the
+/// arc is exact. Between steps the momentum keeps its direction in the world, so that an
+/// undercarriage must turn it. Forces act in the middle of the arc.
+class Mover {
+ public:
+  /// A vehicle.
+  Mover(const Inertia& inertia, Undercarriage wheels)
+      : inertia_(inertia), wheels_(std::move(wheels)), gives_way_(true) {}
+  /// Something that slides.
+  Mover(const Inertia& inertia, const FloorFriction& friction)
+      : inertia_(inertia), friction_(friction), gives_way_(true) {}
+  /// A box that nothing stops.
+  Mover() = default;
+
+  void put(const Vector2& place, double heading_rad);
+  void stop();
+  /// Moves as a rigid body with this velocity (in the world) of a point in the world.
+  void push(const Twist& velocity, const Vector2& point);
+  /// Only for a box that nothing stops: the velocity in the world.
+  void drive(const Vector2& velocity) { velocity_ = ahead_.turn_back(Twist{velocity.x, velocity.y}); }
+  void take(const Mover& other);
+
+  // One step: begin(), then, if it meets something, enter() and any number of impulses and calls of
+  // stand(), then advance().
+
+  /// The velocity if it meets nothing.
+  void begin(double step);
+  /// Prepares for impulses.
+  void enter(double step);
+  /// An impulse in the world, and the change of the velocity that it makes at once.
+  void add(const Twist& impulse, const Twist& change) {
+    impulse_ = impulse_ + impulse;
+    moving_ = moving_ + change;
+  }
+  /// Applies the limits of the undercarriage again; returns the largest change of the velocity.
+  double stand();
+  void advance(double step);
+
+  const Inertia& inertia() const { return inertia_; }
+  bool gives_way() const { return gives_way_; }
+  Undercarriage* wheels() { return wheels_ ? &*wheels_ : nullptr; }
+  const Undercarriage* wheels() const { return wheels_ ? &*wheels_ : nullptr; }
+  const Vector2& place() const { return place_; }
+  const Direction& ahead() const { return ahead_; }
+  double heading_rad() const { return heading_rad_; }
+  /// Of its center of mass, in its own frame.
+  const Twist& velocity() const { return velocity_; }
+  /// Of its origin, in its own frame.
+  Twist velocity_of_origin() const {
+    const Twist& v = velocity_;
+    return {v.x + v.turn * inertia_.center.y, v.y - v.turn * inertia_.center.x, v.turn};
+  }
+  Vector2 center() const;
+
+  // In a step, after enter(), in the world:
+  const Twist& moving() const { return moving_; }
+  /// Its direction in the middle of the arc.
+  const Direction& middle() const { return middle_; }
+  /// The change of velocity that an impulse makes at first.
+  const Symmetric& response() const { return response_; }
+  /// How often the response has changed.
+  std::uint32_t changes() const { return wheels_ ? wheels_->changes() : 0; }
+
+  /// Goes on as if it had met nothing.
+  void release() { entered_ = false; }
+
+  /// Moves it without a velocity.
+  void shift(const Vector2& by) {
+    place_ = {place_.x + by.x, place_.y + by.y};
+    shifted_ = {shifted_.x + by.x, shifted_.y + by.y};
+  }
+  /// The sum of all shifts since enter().
+  const Vector2& shifted() const { return shifted_; }
+  void turn_to(double heading_rad);
+
+ private:
+  Twist ground(const Twist& free);
+  void respond();
+
+  Vector2 place_;  // of its origin
+  Direction ahead_;
+  double heading_rad_ = 0.0;
+  Twist velocity_;
+  Inertia inertia_;
+  std::optional<Undercarriage> wheels_;
+  FloorFriction friction_;
+  bool gives_way_ = false;
+
+  bool entered_ = false;
+  Vector2 shifted_;
+  Twist free_;
+  Direction middle_;  // in the middle of the arc
+  Twist moving_;
+  Twist impulse_;
+  Symmetric response_;
+  std::uint32_t known_ = 0;  // changes()
+};
+
+}  // namespace elsie::physics

@@ -1,0 +1,492 @@
+// The planar engine: bodies are added, meet, and move along their arcs.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "elsie/api/abi.h"
+#include "elsie/base/fnv1a.h"
+#include "elsie/physics/engine.h"
+#include "elsie/physics/failure.h"
+#include "elsie/world/parts.h"
+
+#include "bounds.h"
+#include "checks.h"
+#include "encounters.h"
+#include "mover.h"
+#include "planar_robot.h"
+#include "planar_scene.h"
+#include "planar_vehicle.h"
+
+namespace elsie::physics {
+namespace {
+
+// The additional distance that a body may move in a step because it is accelerated.
+constexpr double kSlack = 1e-4;  // m
+
+void check_height(double z) {
+  require(z == 0.0, "The planar engine keeps robots on the floor; expected a robot with z=\"0\".");
+}
+
+Frame frame_at(const Vector2& place, double z, const Direction& ahead) {
+  return {{place.x, place.y, z}, {ahead.c, ahead.s, 0.0}, {-ahead.s, ahead.c, 0.0}, {0, 0, 1}};
+}
+
+class PlanarEngine final : public Engine {
+ public:
+  PlanarEngine(const world::Arena& arena, const world::Physics& physics);
+
+  std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
+  std::size_t add_box(const world::Box& box) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                           const Pose& pose) override;
+  std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) override;
+  void go_on_from(const Engine& other) override;
+  void remove_box(std::size_t box) override;
+  void place_robot(std::size_t robot, const Pose& pose, double z) override;
+  void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
+  std::span<const JointSetting> joints(std::size_t robot) const override {
+    return robots_.at(robot).joints();
+  }
+  void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void step() override;
+
+  RobotState robot(std::size_t robot) const override;
+  std::size_t segments(std::size_t robot) const override {
+    return robots_.at(robot).vehicles() - 1;
+  }
+  SegmentState segment(std::size_t robot, std::size_t segment) const override;
+  Frame box(std::size_t box) const override;
+  bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
+  std::span<const Touch> touches() const override { return encounters_.touches(); }
+  std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
+                                 std::size_t except) const override {
+    return scene_.cast_ray(origin, direction, max_range, except);
+  }
+  bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
+    return scene_.anything_in(pyramid, except);
+  }
+  std::uint64_t hash_state(std::uint64_t hash) const override;
+  GiveUps give_ups() const override { return {}; }
+
+ private:
+  struct BoxBody {
+    world::BoxKind kind = world::BoxKind::fixed;
+    bool present = true;
+    std::uint32_t thing = 0;
+    double bottom = 0.0;
+    bool stays_within = false;  // within the arena's walls
+    // For a moving box: its place at the end of the next step.
+    bool driven = false;
+    Vector2 target;
+  };
+  struct RobotBody {
+    std::uint32_t first_thing = 0;
+    bool stays_within = false;
+  };
+
+  std::uint32_t add_thing(const Body& body, std::size_t vehicle, std::vector<Solid> solids,
+                          const Look& look, bool sensed, const Pose& pose,
+                          std::optional<Mover> mover);
+  std::uint32_t add_upright(const Body& body, const Shape& shape, double bottom, const Pose& pose,
+                            bool sensed, std::optional<Mover> mover);
+  Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
+  void enter_robot(std::size_t robot);
+  void place_in_scene(std::size_t robot);
+  void start_moving_boxes();
+  double farthest() const;
+  void settle();
+  void judge(const Mover& mover, double limit, bool stays_within, const Body& body,
+             std::optional<std::size_t> segment = std::nullopt) const;
+
+  world::Physics physics_;
+  double time_ = 0.0;
+  std::uint64_t next_number_ = 0;
+  PlanarScene scene_;
+  std::vector<Thing> things_;
+  std::vector<Mover> movers_;
+  std::vector<std::uint32_t> moving_;  // things with movers that are there
+  std::vector<PlanarRobot> robots_;
+  std::vector<RobotBody> robot_bodies_;
+  std::vector<BoxBody> boxes_;
+  std::vector<std::uint32_t> mobile_boxes_;
+  Encounters encounters_;
+  Bounds bounds_;
+  std::vector<Hinge*> hinges_;  // of all robots, in each step
+};
+
+PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& physics)
+    : physics_((check(arena, physics), physics)),
+      scene_(arena),
+      encounters_(physics_, things_, movers_, scene_),
+      bounds_(arena, physics) {
+  require(physics.gravity <= 0.0,
+          "The planar engine keeps all bodies on the floor; expected gravity that is not upwards.");
+  std::size_t index = 0;
+  for (const world::Fixture& wall : world::walls_of(arena)) {
+    const Vector3& at = wall.frame.origin;
+    const double heading = std::atan2(wall.frame.forward.y, wall.frame.forward.x);
+    add_upright({BodyKind::wall, index++}, wall.shape, at.z - 0.5 * wall.shape.size.z,
+                {at.x, at.y, heading}, true, std::nullopt);
+  }
+}
+
+std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
+                                      std::vector<Solid> solids, const Look& look, bool sensed,
+                                      const Pose& pose, std::optional<Mover> mover) {
+  Thing thing;
+  thing.body = body;
+  thing.vehicle = vehicle;
+  thing.number = next_number_++;
+  thing.solids = std::move(solids);
+  thing.reach = look.reach;
+  thing.place = {pose.x, pose.y};
+  thing.ahead = Direction::of(pose.heading_rad);
+  const std::uint32_t id = scene_.add(body, sensed, look, thing.place, thing.ahead);
+  if (mover) {
+    mover->put(thing.place, pose.heading_rad);
+    thing.mover = static_cast<std::uint32_t>(movers_.size());
+    movers_.push_back(std::move(*mover));
+    moving_.push_back(id);
+  }
+  things_.push_back(std::move(thing));
+  return id;
+}
+
+std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, double bottom,
+                                        const Pose& pose, bool sensed,
+                                        std::optional<Mover> mover) {
+  return add_thing(body, 0, {{Outline::of(shape, bottom + 0.5 * shape.size.z), {}, {}}},
+                   Look::of_box(shape.size, bottom), sensed, pose, std::move(mover));
+}
+
+std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
+  world::check(plan);
+  check(pose, z);
+  check_height(z);
+  const std::size_t index = robots_.size();
+  PlanarRobot robot(plan, static_cast<std::uint32_t>(movers_.size()));
+  robot_bodies_.push_back({static_cast<std::uint32_t>(things_.size()), false});
+  for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
+    const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
+    add_thing({BodyKind::robot, index}, vehicle, solids_of(parts), Look::of(parts), true, pose,
+              physics::mover_of(parts, physics_));
+  }
+  robot.put(pose, movers_);
+  robots_.push_back(std::move(robot));
+  enter_robot(index);
+  return index;
+}
+
+void PlanarEngine::enter_robot(std::size_t robot) {
+  const Vector2& at = movers_[robots_[robot].first()].place();
+  robot_bodies_[robot].stays_within = bounds_.within_walls({at.x, at.y, 0.0});
+  place_in_scene(robot);
+}
+
+std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
+  const auto& before = dynamic_cast<const PlanarEngine&>(other);
+  const PlanarRobot& same = before.robots_.at(robot);
+  const std::size_t index = add_robot(same.plan(), {}, 0.0);
+  PlanarRobot& made = robots_[index];
+  made.take(same);
+  for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
+    movers_[made.first() + i].take(before.movers_[same.first() + i]);
+    things_[robot_bodies_[index].first_thing + i].number =
+        before.things_[before.robot_bodies_[robot].first_thing + i].number;
+  }
+  enter_robot(index);
+  return index;
+}
+
+std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot,
+                                       const BodyPlan& plan, const Pose& pose) {
+  const auto& before = dynamic_cast<const PlanarEngine&>(other);
+  const Mover& same = before.movers_[before.robots_.at(robot).first()];
+  const std::size_t index = add_robot(plan, pose, 0.0);
+  const PlanarRobot& made = robots_[index];
+  const Twist velocity = same.ahead().turn(same.velocity_of_origin());
+  for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
+    movers_[made.first() + i].push(velocity, same.place());
+  }
+  robots_[index].settle(movers_);
+  return index;
+}
+
+std::size_t PlanarEngine::add_box(const world::Box& box) {
+  check(box);
+  const bool is_dynamic = box.kind == world::BoxKind::dynamic;
+  require(!is_dynamic || box.z == 0.0,
+          "The planar engine keeps boxes on the floor; expected a dynamic box with z=\"0\".");
+  const std::size_t index = boxes_.size();
+  const Shape shape = world::fixture_of(box).shape;
+  std::optional<Mover> mover;
+  if (is_dynamic) {
+    const double around = shape.size.x * shape.size.x + shape.size.y * shape.size.y;
+    const Inertia inertia{box.mass, {}, box.mass / 12.0 * around};
+    const double lever = physics::lever_of(Outline::of(shape, 0.0));
+    mover.emplace(inertia, FloorFriction(inertia, lever, physics_));
+  } else if (box.kind == world::BoxKind::moving) {
+    mover.emplace();
+  }
+  BoxBody& made = boxes_.emplace_back();
+  made.kind = box.kind;
+  made.bottom = box.z;
+  made.thing = add_upright({BodyKind::box, index}, shape, box.z,
+                           {box.x, box.y, radians(box.heading_deg)}, box.seen_by_range_sensors,
+                           std::move(mover));
+  if (things_[made.thing].mover != Contact::kFixed) {
+    mobile_boxes_.push_back(static_cast<std::uint32_t>(index));
+  }
+  made.stays_within = is_dynamic && bounds_.within_walls({box.x, box.y, 0.0});
+  return index;
+}
+
+std::size_t PlanarEngine::add_box_of(const Engine& other, std::size_t box,
+                                     const world::Box& added) {
+  const auto& before = dynamic_cast<const PlanarEngine&>(other);
+  const BoxBody& same = before.boxes_.at(box);
+  const std::size_t index = add_box(added);
+  Thing& thing = things_[boxes_[index].thing];
+  const Thing& known = before.things_[same.thing];
+  thing.number = known.number;
+  if (!same.present) {
+    remove_box(index);
+  } else if (thing.mover != Contact::kFixed) {
+    Mover& mover = movers_[thing.mover];
+    mover.take(before.movers_[known.mover]);
+    scene_.move(boxes_[index].thing, mover.place(), mover.ahead());
+    boxes_[index].stays_within = boxes_[index].kind == world::BoxKind::dynamic &&
+                                 bounds_.within_walls({mover.place().x, mover.place().y, 0.0});
+  }
+  return index;
+}
+
+void PlanarEngine::go_on_from(const Engine& other) {
+  const auto& before = dynamic_cast<const PlanarEngine&>(other);
+  time_ = before.time_;
+  next_number_ = std::max(next_number_, before.next_number_);
+  bounds_.add(before.bounds_);
+  encounters_.take(before.encounters_);
+}
+
+void PlanarEngine::remove_box(std::size_t box) {
+  BoxBody& gone = boxes_.at(box);
+  if (!gone.present) return;
+  gone.present = false;
+  scene_.remove(gone.thing);
+  std::erase(moving_, gone.thing);
+  std::erase(mobile_boxes_, static_cast<std::uint32_t>(box));
+}
+
+void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
+  check(pose, z);
+  check_height(z);
+  robots_.at(robot).put(pose, movers_);
+  enter_robot(robot);
+}
+
+void PlanarEngine::place_in_scene(std::size_t robot) {
+  const PlanarRobot& made = robots_[robot];
+  const std::uint32_t first = robot_bodies_[robot].first_thing;
+  if (made.is_steered()) {
+    made.for_each_steered([&](std::uint32_t vehicle, std::uint32_t wheel, double heading) {
+      const Direction ahead = Direction::of(heading);
+      scene_.look(first + vehicle).wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
+      std::size_t number = 0;
+      for (Solid& solid : things_[first + vehicle].solids) {
+        if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;
+      }
+    });
+  }
+  for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
+    const Mover& mover = movers_[made.first() + i];
+    scene_.move(first + i, mover.place(), mover.ahead());
+  }
+}
+
+void PlanarEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
+  PlanarRobot& set = robots_.at(robot);
+  require(settings.size() == set.joints().size(),
+          "A robot needs one setting for each joint with a motor or steering.");
+  double sum = 0.0;
+  for (const JointSetting& setting : settings) {
+    sum += setting.rate_rad_s + setting.angle_rad + setting.turn_rad_s;
+  }
+  require(std::isfinite(sum),
+          "The rates and angles that a robot's joints are to hold must be finite.");
+  set.set_joints(settings, movers_);
+  bounds_.add_robot_speed(set.lever() * set.rim_speed(settings));
+}
+
+void PlanarEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
+  BoxBody& driven = boxes_.at(box);
+  require(driven.kind == world::BoxKind::moving, "Only a moving box can be driven.");
+  require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
+          "The position and velocity of a moving box must be finite.");
+  if (!driven.present) return;
+  driven.driven = true;
+  driven.target = position;
+  bounds_.add_moving_speed(std::hypot(velocity.x, velocity.y));
+  mover_of_box(driven).drive(velocity);
+}
+
+RobotState PlanarEngine::robot(std::size_t robot) const {
+  const Mover& mover = movers_[robots_.at(robot).first()];
+  const Twist velocity = mover.velocity_of_origin();
+  const Vector2& at = mover.place();
+  return {frame_at(at, 0.0, mover.ahead()),
+          {at.x, at.y, mover.heading_rad()},
+          velocity.x,
+          velocity.y,
+          velocity.turn};
+}
+
+SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const {
+  const PlanarRobot& asked = robots_.at(robot);
+  const Hinge& hinge = asked.hinges().at(segment);
+  const Mover& mover = movers_[hinge.behind];
+  const Vector2& at = mover.place();
+  return {frame_at(at, 0.0, mover.ahead()), {at.x, at.y, mover.heading_rad()}, hinge.yaw_rad, 0.0};
+}
+
+Frame PlanarEngine::box(std::size_t box) const {
+  const BoxBody& asked = boxes_.at(box);
+  const Thing& thing = things_[asked.thing];
+  if (thing.mover == Contact::kFixed) return frame_at(thing.place, asked.bottom, thing.ahead);
+  const Mover& mover = movers_[thing.mover];
+  return frame_at(mover.place(), asked.bottom, mover.ahead());
+}
+
+void PlanarEngine::start_moving_boxes() {
+  for (const std::uint32_t index : mobile_boxes_) {
+    BoxBody& box = boxes_[index];
+    if (box.kind != world::BoxKind::moving) continue;
+    Mover& mover = mover_of_box(box);
+    if (!box.driven) {
+      mover.drive({});
+      continue;
+    }
+    // Moved back by the distance of this step, so that the box arrives with it.
+    const Twist velocity = mover.ahead().turn(mover.velocity());
+    const Vector2& at = mover.place();
+    mover.shift({box.target.x - physics_.step * velocity.x - at.x,
+                 box.target.y - physics_.step * velocity.y - at.y});
+  }
+}
+
+/// How far two bodies may come nearer in this step, m.
+double PlanarEngine::farthest() const {
+  double most = 0.0;
+  for (const std::uint32_t id : moving_) {
+    const Twist& v = movers_[things_[id].mover].velocity();
+    const double square = v.x * v.x + v.y * v.y;
+    const double edge = things_[id].reach * std::abs(v.turn);
+    most = std::max(most, 2.0 * (square + edge * edge));  // at least the square of their sum
+  }
+  return 2.0 * physics_.step * (1.0 + physics_.bounce) * std::sqrt(most) + kSlack;
+}
+
+void PlanarEngine::step() {
+  start_moving_boxes();
+  hinges_.clear();
+  for (PlanarRobot& robot : robots_) {
+    robot.begin(physics_.step, movers_);
+    for (Hinge& hinge : robot.hinges()) hinges_.push_back(&hinge);
+  }
+  for (const std::uint32_t id : moving_) movers_[things_[id].mover].begin(physics_.step);
+  encounters_.find(moving_, farthest());
+  encounters_.solve(hinges_);
+  for (const std::uint32_t id : moving_) movers_[things_[id].mover].advance(physics_.step);
+  time_ += physics_.step;
+  settle();
+}
+
+void PlanarEngine::settle() {
+  const double limit = bounds_.most_speed();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    PlanarRobot& robot = robots_[i];
+    robot.settle(movers_);
+    for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
+      judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within,
+            {BodyKind::robot, i}, k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+    }
+    place_in_scene(i);
+  }
+  for (const std::uint32_t index : mobile_boxes_) {
+    BoxBody& box = boxes_[index];
+    Mover& mover = mover_of_box(box);
+    if (box.kind == world::BoxKind::moving) {
+      if (!box.driven) continue;
+      box.driven = false;
+      mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
+    } else {
+      judge(mover, limit, box.stays_within, {BodyKind::box, index});
+    }
+    scene_.move(box.thing, mover.place(), mover.ahead());
+  }
+}
+
+void PlanarEngine::judge(const Mover& mover, double limit, bool stays_within, const Body& body,
+                         std::optional<std::size_t> segment) const {
+  const Vector2& at = mover.place();
+  const Twist& v = mover.velocity();
+  const bool is_well = v.x * v.x + v.y * v.y <= limit * limit &&
+                       std::isfinite(at.x + at.y + v.turn) &&
+                       (!stays_within || bounds_.within_walls({at.x, at.y, 0.0}));
+  if (is_well) return;
+  Failure failure;
+  if (auto found = bounds_.check({at.x, at.y, 0.0}, {v.x, v.y, 0.0}, stays_within)) {
+    failure = *found;
+  } else {
+    failure.kind = Failure::Kind::not_finite;
+  }
+  failure.body = body;
+  failure.segment = segment;
+  failure.time_s = time_;
+  throw PhysicsFailure(failure);
+}
+
+std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
+  base::Fnv1a all(hash);
+  const auto add = [&](const Thing& thing) {
+    const bool moves = thing.mover != Contact::kFixed;
+    const Vector2& at = moves ? movers_[thing.mover].place() : thing.place;
+    const Direction& ahead = moves ? movers_[thing.mover].ahead() : thing.ahead;
+    for (const double number : {at.x, at.y, ahead.c, ahead.s}) all.add(number);
+    if (!moves) return;
+    const Twist& v = movers_[thing.mover].velocity();
+    for (const double number : {v.x, v.y, v.turn}) all.add(number);
+  };
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    for (std::size_t k = 0; k < robots_[i].vehicles(); ++k) {
+      add(things_[robot_bodies_[i].first_thing + k]);
+    }
+    for (const JointSetting& joint : robots_[i].joints()) {
+      all.add(joint.rate_rad_s);
+      all.add(joint.angle_rad);
+    }
+  }
+  for (const BoxBody& box : boxes_) {
+    all.add(std::uint64_t{box.present});
+    if (box.present) add(things_[box.thing]);
+  }
+  return all.value();
+}
+
+}  // namespace
+
+}  // namespace elsie::physics
+
+extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_make_engine(
+    const elsie::world::Arena& arena, const elsie::world::Physics& physics) {
+  return new elsie::physics::PlanarEngine(arena, physics);
+}
+
+extern "C" {
+__attribute__((
+    visibility("default"))) extern const elsie::physics::EngineInterface elsie_engine_interface{};
+}
+
+ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);

@@ -1,0 +1,100 @@
+// The places of all bodies in a grid: what sensors see, and which bodies are near each other.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "elsie/api/body.h"
+#include "elsie/api/sensor.h"
+#include "elsie/base/grid.h"
+#include "elsie/physics/engine.h"
+
+#include "plane.h"
+#include "ray_tests.h"
+#include "shapes.h"
+
+namespace elsie::physics {
+
+/// A body as range sensors see it, in its own upright frame.
+struct Look {
+  Shape::Kind kind = Shape::Kind::box;
+  OrientedBox box;  // around it, with the sensor deck of a flat top
+  Cylinder round;   // unused for a box; for a ball or a capsule, the cylinder around it
+  std::vector<Cylinder> wheels;
+  double wheels_top = 0.0;  // m
+  double reach = 0.0;       // m, from above: the radius of the circle around it
+
+  /// `vehicle`: a chassis and what is below it.
+  static Look of(std::span<const Part> vehicle);
+  static Look of_box(const Vector3& size, double bottom);
+};
+
+class PlanarScene {
+ public:
+  using Id = base::Grid::Id;
+
+  explicit PlanarScene(const world::Arena& arena) : grid_(arena.length, arena.width) {}
+
+  /// Adds a body; its ids count upwards from 0. Only `sensed` bodies take part in rays and
+  /// pyramids.
+  Id add(Body body, bool sensed, Look look, const Vector2& place, const Direction& ahead);
+  void move(Id id, const Vector2& place, const Direction& ahead);
+  void remove(Id id);
+  Look& look(Id id) { return looks_[id]; }
+
+  /// Calls `call` with every other body whose circle is no further than `margin` away from that of
+  /// this one; perhaps more than once.
+  template <class Call>
+  void for_each_near(Id id, double margin, Call call) const;
+
+  std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
+                                 std::size_t except) const;
+  bool anything_in(const Pyramid& pyramid, std::size_t except) const;
+
+ private:
+  struct Entry {
+    Vector2 place;
+    Direction ahead;
+    double reach = 0.0;
+    double bottom = 0.0, top = 0.0;
+    Body body;
+    bool sensed = false;
+    bool is_box = false;  // without wheels
+    Vector2 half;         // of a box
+    base::Grid::Block block;
+    bool placed = false;
+  };
+  struct Best {
+    RayHit hit;
+    bool found = false;
+  };
+
+  base::Grid::Block block_of(const Entry& entry, double margin) const;
+  void try_entry(Id id, const Ray& ray, Best& best) const;
+  bool is_seen(const Entry& entry, std::size_t except) const {
+    return entry.sensed && !(entry.body.kind == BodyKind::robot && entry.body.index == except);
+  }
+
+  base::Grid grid_;
+  std::vector<Entry> entries_;
+  std::vector<Look> looks_;
+};
+
+template <class Call>
+void PlanarScene::for_each_near(Id id, double margin, Call call) const {
+  const Entry& self = entries_[id];
+  const base::Grid::Block block = block_of(self, margin);
+  for (int y = block.y0; y <= block.y1; ++y) {
+    for (int x = block.x0; x <= block.x1; ++x) {
+      for (const Id other : grid_.cell(x, y)) {
+        const Entry& entry = entries_[other];
+        const double dx = entry.place.x - self.place.x, dy = entry.place.y - self.place.y;
+        const double far = self.reach + entry.reach + margin;
+        if (other != id && dx * dx + dy * dy <= far * far) call(other);
+      }
+    }
+  }
+}
+
+}  // namespace elsie::physics

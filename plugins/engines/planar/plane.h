@@ -1,0 +1,113 @@
+// Vectors and small matrices in the plane.
+#pragma once
+
+#include <cmath>
+
+#include "elsie/api/geometry.h"
+
+namespace elsie::physics {
+
+inline Vector2 plus(const Vector2& a, const Vector2& b) { return {a.x + b.x, a.y + b.y}; }
+inline Vector2 minus(const Vector2& a, const Vector2& b) { return {a.x - b.x, a.y - b.y}; }
+
+/// A velocity of a rigid body (m/s, m/s, rad/s), or an impulse on it (N s, N s, N m s).
+struct Twist {
+  double x = 0.0;
+  double y = 0.0;
+  double turn = 0.0;
+
+  friend bool operator==(const Twist&, const Twist&) = default;
+  friend Twist operator+(const Twist& a, const Twist& b) {
+    return {a.x + b.x, a.y + b.y, a.turn + b.turn};
+  }
+  friend Twist operator*(double s, const Twist& t) { return {s * t.x, s * t.y, s * t.turn}; }
+};
+
+inline double dot(const Twist& a, const Twist& b) { return a.x * b.x + a.y * b.y + a.turn * b.turn; }
+
+/// The cosine and sine of an angle.
+struct Direction {
+  double c = 1.0;
+  double s = 0.0;
+
+  static Direction of(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+  Vector2 turn(const Vector2& v) const { return {c * v.x - s * v.y, s * v.x + c * v.y}; }
+  Vector2 turn_back(const Vector2& v) const { return {c * v.x + s * v.y, c * v.y - s * v.x}; }
+  Twist turn(const Twist& t) const { return {c * t.x - s * t.y, s * t.x + c * t.y, t.turn}; }
+  Twist turn_back(const Twist& t) const { return {c * t.x + s * t.y, c * t.y - s * t.x, t.turn}; }
+  /// This direction turned by another one.
+  Direction turned(const Direction& by) const { return {c * by.c - s * by.s, s * by.c + c * by.s}; }
+  /// Of length one again, after small errors of rounding (a step of Newton's method).
+  Direction normal() const {
+    const double factor = 1.5 - 0.5 * (c * c + s * s);
+    return {factor * c, factor * s};
+  }
+};
+
+/// The sine of h, the cosine of h and sin(h) / h.
+struct HalfTurn {
+  double s, c, sinc;
+
+  explicit HalfTurn(double h) {
+    const double q = h * h;
+    if (q < 0.01) {  // the next terms are below the rounding
+      sinc = 1.0 -
+             q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0 * (1.0 - q / 110.0))));
+      s = h * sinc;
+      c = 1.0 - q / 2.0 *
+                    (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
+    } else {
+      s = std::sin(h);
+      c = std::cos(h);
+      sinc = s / h;
+    }
+  }
+  Direction half() const { return {c, s}; }
+  Direction whole() const { return {1.0 - 2.0 * s * s, 2.0 * s * c}; }
+};
+
+/// A symmetric matrix over twists.
+struct Symmetric {
+  double xx = 0.0, xy = 0.0, yy = 0.0, xt = 0.0, yt = 0.0, tt = 0.0;
+
+  friend Twist operator*(const Symmetric& m, const Twist& t) {
+    return {m.xx * t.x + m.xy * t.y + m.xt * t.turn, m.xy * t.x + m.yy * t.y + m.yt * t.turn,
+            m.xt * t.x + m.yt * t.y + m.tt * t.turn};
+  }
+  /// Adds factor t t'.
+  void add(double factor, const Twist& t) {
+    const double x = factor * t.x, y = factor * t.y;
+    xx += x * t.x;
+    xy += x * t.y;
+    yy += y * t.y;
+    xt += x * t.turn;
+    yt += y * t.turn;
+    tt += factor * t.turn * t.turn;
+  }
+  /// The inverse of a positive definite matrix, by its Cholesky factors, so that very unlike
+  /// numbers keep their digits.
+  Symmetric inverse() const;
+  /// The same matrix with the axes of x and y turned by `by`.
+  Symmetric turned(const Direction& by) const {
+    const double c = by.c, s = by.s, both = c * s * (xx - yy);
+    return {c * c * xx - 2.0 * c * s * xy + s * s * yy,
+            both + (c * c - s * s) * xy,
+            s * s * xx + 2.0 * c * s * xy + c * c * yy,
+            c * xt - s * yt,
+            s * xt + c * yt,
+            tt};
+  }
+};
+
+inline Symmetric Symmetric::inverse() const {
+  // L L' with the diagonal inverted; then the inverse of L, and its square.
+  const double a = 1.0 / std::sqrt(xx);
+  const double b = xy * a, d = xt * a;
+  const double e = 1.0 / std::sqrt(yy - b * b);
+  const double f = (yt - b * d) * e;
+  const double g = 1.0 / std::sqrt(tt - d * d - f * f);
+  const double p = -b * a * e, r = -f * e * g, q = -(d * a + f * p) * g;
+  return {a * a + p * p + q * q, p * e + q * r, e * e + r * r, q * g, r * g, g * g};
+}
+
+}  // namespace elsie::physics

@@ -1,0 +1,228 @@
+#include "undercarriage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace elsie::physics {
+namespace {
+
+// Rubber tyres have more grip than chassis and boxes, as in the other engine.
+constexpr double kTyreGrip = 3.0;
+
+// Grips that do not glide at all would leave no digits for the masses.
+constexpr double kLeastSlip = 1e-7;  // m/s per N
+
+// After this many changes of mind, grips only become looser.
+constexpr int kSearches = 6;
+constexpr int kMostSearches = 12;
+
+}  // namespace
+
+Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<double>& loads,
+                             const Inertia& inertia, const world::Physics& physics)
+    : inertia_(inertia),
+      step_(physics.step),
+      slip_(std::max(physics.wheel_slip, kLeastSlip)),
+      friction_(kTyreGrip * physics.friction) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    const auto* wheel = std::get_if<WheelJoint>(&part.joint);
+    if (!wheel) continue;
+    const Vector3& at = part.frame.origin;
+    Spin& spin = spins_.emplace_back();
+    spin.torque = wheel->torque;
+    spin.radius = part.shape.radius();
+    spin.inertia = std::max(0.5 * part.mass * spin.radius * spin.radius, 1e-300);
+    spin.place = {at.x - inertia.center.x, at.y - inertia.center.y};
+    Grip grip;
+    grip.wheel = spins_.size() - 1;
+    grip.limit = friction_ * loads[i];
+    const double heading = std::atan2(part.frame.forward.y, part.frame.forward.x);
+    const auto add = [&](double angle) {
+      grip.angle = angle;
+      grip.driven = wheel->torque > 0.0 && std::abs(std::cos(angle)) > 1e-9;
+      grip.rim = grip.driven ? spin.radius * std::cos(angle) : 0.0;
+      aim(grip, heading);
+      grips_.push_back(grip);
+    };
+    if (wheel->rollers_rad) {
+      add(*wheel->rollers_rad);
+    } else {
+      if (wheel->torque > 0.0) add(0.0);
+      add(0.5 * std::numbers::pi);
+    }
+  }
+}
+
+void Undercarriage::aim(Grip& grip, double heading_rad) {
+  const Direction along = Direction::of(heading_rad + grip.angle);
+  const Vector2& at = spins_[grip.wheel].place;
+  grip.along = {along.c, along.s, at.x * along.s - at.y * along.c};
+  is_known_ = false;
+}
+
+void Undercarriage::point(std::size_t wheel, double heading_rad) {
+  for (Grip& grip : grips_) {
+    if (grip.wheel == wheel) aim(grip, heading_rad);
+  }
+}
+
+void Undercarriage::roll(const Twist& velocity) {
+  for (Grip& grip : grips_) {
+    if (grip.driven) spins_[grip.wheel].rate = dot(grip.along, velocity) / grip.rim;
+    grip.hold = Hold::rolls;
+  }
+  is_known_ = false;
+}
+
+void Undercarriage::take(const Undercarriage& other) {
+  for (std::size_t i = 0; i < spins_.size(); ++i) {
+    spins_[i].rate = other.spins_[i].rate;
+    spins_[i].wanted = other.spins_[i].wanted;
+  }
+  for (std::size_t i = 0; i < grips_.size(); ++i) {
+    grips_[i].along = other.grips_[i].along;
+    grips_[i].hold = other.grips_[i].hold;
+  }
+  is_known_ = false;
+}
+
+Undercarriage::Law Undercarriage::law(const Grip& grip) const {
+  if (!grip.driven) return {1.0 / slip_, 0.0};
+  const Spin& spin = spins_[grip.wheel];
+  if (grip.hold == Hold::rolls) return {1.0 / slip_, grip.rim * spin.wanted};
+  // The motor gives its most, and the wheel turns as tyre and motor make it.
+  const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
+  const double per_torque = step_ / spin.inertia;
+  return {1.0 / (slip_ + grip.rim * grip.rim * per_torque),
+          grip.rim * (spin.rate + per_torque * torque)};
+}
+
+double Undercarriage::force(const Grip& grip, const Twist& velocity) const {
+  if (grip.hold == Hold::slides_up) return grip.limit;
+  if (grip.hold == Hold::slides_down) return -grip.limit;
+  const Law known = law(grip);
+  return known.stiffness * (known.speed - dot(grip.along, velocity));
+}
+
+/// The rate of a wheel after a step in which this torque holds it back.
+double Undercarriage::turning(const Spin& spin, double against) const {
+  const double per_torque = step_ / spin.inertia;
+  const double rolling = spin.rate - per_torque * against;
+  return std::clamp(spin.wanted, rolling - per_torque * spin.torque,
+                    rolling + per_torque * spin.torque);
+}
+
+/// The state of the grip at this velocity.
+Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& velocity) const {
+  const Spin& spin = spins_[grip.wheel];
+  const double pull = force(grip, velocity);
+  if (grip.hold >= Hold::slides_up) {
+    // The rim is still faster than the floor below it, in the direction of the force.
+    double rate = 0.0;
+    Hold otherwise = Hold::rolls;
+    if (grip.driven) {
+      rate = turning(spin, grip.rim * pull);
+      otherwise = rate < spin.wanted   ? Hold::motor_up
+                  : rate > spin.wanted ? Hold::motor_down
+                                       : Hold::rolls;
+    }
+    const double gliding = grip.rim * rate - dot(grip.along, velocity);
+    const double least = slip_ * grip.limit;
+    const bool still = grip.hold == Hold::slides_up ? gliding >= least : gliding <= -least;
+    return still ? grip.hold : otherwise;
+  }
+  // Most motors are at their limit before their tyres are.
+  if (grip.driven && grip.hold == Hold::rolls) {
+    const double torque = spin.inertia * (spin.wanted - spin.rate) / step_ + grip.rim * pull;
+    if (std::abs(torque) > spin.torque) return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
+  }
+  if (std::abs(pull) > grip.limit) return pull > 0.0 ? Hold::slides_up : Hold::slides_down;
+  if (grip.hold == Hold::rolls) return Hold::rolls;
+  const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
+  const double rate = spin.rate + step_ / spin.inertia * (torque - grip.rim * pull);
+  const bool is_short = grip.hold == Hold::motor_up ? rate <= spin.wanted : rate >= spin.wanted;
+  return is_short ? grip.hold : Hold::rolls;
+}
+
+void Undercarriage::respond() {
+  Symmetric inertia;
+  inertia.xx = inertia.yy = inertia_.mass;
+  inertia.tt = inertia_.about_center;
+  for (const Grip& grip : grips_) {
+    if (grip.hold < Hold::slides_up) inertia.add(step_ * law(grip).stiffness, grip.along);
+  }
+  response_ = inertia.inverse();
+  is_known_ = true;
+  ++changes_;
+}
+
+Twist Undercarriage::solve(const Twist& free) {
+  Twist velocity;
+  for (int search = 1; search <= kMostSearches; ++search) {
+    if (!is_known_) respond();
+    Twist momentum{inertia_.mass * free.x, inertia_.mass * free.y,
+                   inertia_.about_center * free.turn};
+    for (const Grip& grip : grips_) {
+      double push = 0.0;
+      if (grip.hold < Hold::slides_up) {
+        if (!grip.driven) continue;
+        const Law known = law(grip);
+        push = known.stiffness * known.speed;
+      } else {
+        push = grip.hold == Hold::slides_up ? grip.limit : -grip.limit;
+      }
+      momentum = momentum + step_ * push * grip.along;
+    }
+    velocity = response_ * momentum;
+    if (search == kMostSearches) break;
+    bool fits = true;
+    for (Grip& grip : grips_) {
+      Hold next = fitting(grip, velocity);
+      if (search > kSearches && next < grip.hold) next = grip.hold;
+      if (next == grip.hold) continue;
+      grip.hold = next;
+      fits = is_known_ = false;
+    }
+    if (fits) break;
+  }
+  return velocity;
+}
+
+void Undercarriage::settle(const Twist& velocity) {
+  for (const Grip& grip : grips_) {
+    if (!grip.driven) continue;
+    Spin& spin = spins_[grip.wheel];
+    if (grip.hold == Hold::rolls) {
+      spin.rate = spin.wanted;
+      continue;
+    }
+    const double pull = std::clamp(force(grip, velocity), -grip.limit, grip.limit);
+    spin.rate = turning(spin, grip.rim * pull);
+  }
+}
+
+FloorFriction::FloorFriction(const Inertia& inertia, double lever, const world::Physics& physics)
+    : inertia_(inertia),
+      force_(physics.step * physics.friction * inertia.mass * std::abs(physics.gravity)),
+      torque_(lever * force_) {}
+
+Twist FloorFriction::solve(const Twist& free) const {
+  const double speed = std::hypot(free.x, free.y);
+  if (speed == 0.0 && free.turn == 0.0) return free;
+  const double by_force = inertia_.mass * speed / force_;
+  const double by_torque = inertia_.about_center * std::abs(free.turn) / torque_;
+  if (by_force * by_force + by_torque * by_torque <= 1.0) return {};
+  // The impulse on the ellipsoid that takes the most energy.
+  const double x = force_ * speed, t = torque_ * free.turn;
+  const double scale = std::hypot(x, t);
+  if (!(scale > 0.0)) return free;
+  const double braked = force_ * x / scale / inertia_.mass;
+  const double turned = torque_ * std::abs(t) / scale / inertia_.about_center;
+  const double factor = speed > braked ? 1.0 - braked / speed : 0.0;
+  const double turn = std::max(0.0, std::abs(free.turn) - turned);
+  return {factor * free.x, factor * free.y, std::copysign(turn, free.turn)};
+}
+
+}  // namespace elsie::physics

@@ -1,0 +1,128 @@
+// What holds a body on the floor: the wheels of a vehicle, or the friction of something that slides.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "elsie/api/body.h"
+#include "elsie/world/description.h"
+
+#include "plane.h"
+
+namespace elsie::physics {
+
+/// The mass of a vehicle in the plane.
+struct Inertia {
+  double mass = 0.0;         // kg
+  Vector2 center;            // m, of mass, in the frame of its origin
+  double about_center = 0.0;  // kg m2, about the vertical axis through the center of mass
+
+  /// The velocity after an impulse, in the frame of both.
+  Twist after(const Twist& velocity, const Twist& impulse) const {
+    return {velocity.x + impulse.x / mass, velocity.y + impulse.y / mass,
+            velocity.turn + impulse.turn / about_center};
+  }
+};
+
+/// The wheels of a vehicle, with their motors and tyres.
+///
+/// A tyre grips in two directions, ahead and across; a wheel with rollers only along their axles,
+/// one without a motor only across. In each direction the contact glides at `slip` times the force,
+/// and the force is at most the friction of the wheel's load. So a grip with the velocity J V of
+/// the body above it, and the speed g s of the rim of a wheel that turns at the rate s, has the
+/// force F = (g s - J V) / slip. A motor holds its rate as far as its torque goes.
+///
+/// The velocity after a step follows from a linear system of three unknowns, as long as it is known
+/// which motors and tyres are at their limits. solve() begins with those of the last step, and
+/// changes them until they fit; usually nothing changes.
+class Undercarriage {
+ public:
+  /// `loads`: the weight on each part, N. The chassis comes first.
+  Undercarriage(std::span<const Part> parts, const std::vector<double>& loads,
+                const Inertia& inertia, const world::Physics& physics);
+
+  /// Sets the direction of a wheel, rad counter-clockwise from ahead.
+  void point(std::size_t wheel, double heading_rad);
+  void set_rate(std::size_t wheel, double wanted) { spins_[wheel].wanted = wanted; }
+  double rate(std::size_t wheel) const { return spins_[wheel].rate; }
+  /// Lets all wheels stand still, or roll along with a velocity of the body (at its center of
+  /// mass, in its frame).
+  void roll(const Twist& velocity);
+
+  /// The velocity after a step in which the wheels act on a body that would otherwise move at
+  /// `free`. Both are those of the center of mass, in the body's frame.
+  Twist solve(const Twist& free);
+  /// The velocity that an impulse adds while the grips stay as solve() found them.
+  const Symmetric& response() const { return response_; }
+  /// How often the response has changed.
+  std::uint32_t changes() const { return changes_; }
+  /// Takes the rates of the wheels after a step that ends with this velocity.
+  void settle(const Twist& velocity);
+
+  std::size_t wheels() const { return spins_.size(); }
+  void take(const Undercarriage& other);
+
+ private:
+  enum class Hold : std::uint8_t { rolls, motor_up, motor_down, slides_up, slides_down };
+  /// A direction in which a wheel grips.
+  struct Grip {
+    Twist along;         // its velocity from that of the body
+    double rim = 0.0;    // m, its velocity from the wheel's rate
+    double limit = 0.0;  // N
+    double angle = 0.0;  // of `along`, from the wheel's heading
+    std::size_t wheel = 0;
+    bool driven = false;
+    Hold hold = Hold::rolls;
+  };
+  struct Spin {
+    double rate = 0.0;    // rad/s
+    double wanted = 0.0;  // rad/s
+    double torque = 0.0;  // N m, maximum
+    double inertia = 1.0;  // kg m2
+    Vector2 place;        // from the center of mass
+    double radius = 0.0;
+  };
+  /// A force that depends on the velocity J V: stiffness (speed - J V), or `force` if it slides.
+  struct Law {
+    double stiffness = 0.0;
+    double speed = 0.0;
+  };
+
+  Law law(const Grip& grip) const;
+  double turning(const Spin& spin, double against) const;
+  double force(const Grip& grip, const Twist& velocity) const;
+  Hold fitting(const Grip& grip, const Twist& velocity) const;
+  void aim(Grip& grip, double heading_rad);
+  void respond();
+
+  std::vector<Grip> grips_;
+  std::vector<Spin> spins_;
+  Inertia inertia_;
+  Symmetric response_;
+  double step_;
+  double slip_;
+  double friction_;
+  std::uint32_t changes_ = 0;
+  bool is_known_ = false;  // the response
+};
+
+/// The friction of a body that slides on the floor, for translation and turning together: the
+/// forces lie within an ellipsoid (Howe and Cutkosky, "Practical force-motion models for sliding
+/// manipulation", 1996).
+class FloorFriction {
+ public:
+  FloorFriction() = default;  // none
+  /// `lever`: the mean distance of its support from its middle, m.
+  FloorFriction(const Inertia& inertia, double lever, const world::Physics& physics);
+
+  /// As Undercarriage::solve(), in any frame.
+  Twist solve(const Twist& free) const;
+
+ private:
+  Inertia inertia_;
+  double force_ = 0.0;   // N s, the most in a step
+  double torque_ = 0.0;  // N m s
+};
+
+}  // namespace elsie::physics
