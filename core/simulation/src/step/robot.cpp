@@ -231,27 +231,29 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
     return;
   }
   guard_.begin_step(now.step);
-  SensorContext context{now.time_s, now.period_s, {}, nullptr, &carrier, nullptr};
-  const auto prepare = [&](SensorSlot& slot) {
-    context.frame = body_frame_.frame(slot.frame);
-    context.mounting = &slot.mounting;
-    context.random = &slot.random;
-    context.image = slot.camera ? &slot.picture : nullptr;
-  };
   std::vector<Sensor::Update>& updates = carrier.memory().updates;
   for (const Together& group : together_) {
-    SensorSlot& first = *sensors_[group.first];
-    if (group.count == 1) {
-      prepare(first);
-      guard_.step(first, [&] { first.object().update(context); });
-    } else {
-      updates.clear();
-      for (std::size_t i = group.first; i < group.first + group.count; ++i) {
-        prepare(*sensors_[i]);
-        updates.push_back({&sensors_[i]->object(), context});
-      }
-      guard_.step(first, [&] { first.object().update_all(updates); });
+    updates.resize(group.count);
+    for (std::size_t i = 0; i < group.count; ++i) {
+      SensorSlot& slot = *sensors_[group.first + i];
+      updates[i].sensor = &slot.object();
+      SensorContext& context = updates[i].now;
+      context.time_s = now.time_s;
+      context.period_s = now.period_s;
+      context.frame = body_frame_.frame(slot.frame);
+      context.mounting = &slot.mounting;
+      context.world = &carrier;
+      context.random = &slot.random;
+      context.image = slot.camera ? &slot.picture : nullptr;
     }
+    SensorSlot& first = *sensors_[group.first];
+    guard_.step(first, [&] {
+      if (group.count == 1) {
+        first.object().update(updates.front().now);
+      } else {
+        first.object().update_all(updates);
+      }
+    });
     first.volume = carrier.take_volume();
   }
 }
