@@ -257,12 +257,14 @@ class Simulation::Impl {
       neighbours_.place(i, {robot.pose.x, robot.pose.y});
       farthest_call_m_ = std::max(farthest_call_m_, robot.coverage_m);
     }
+    // What a robot decides now, no other robot perceives before the next step.
     loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
-      robots_[i]->sense(Carrier(*engine_, robots_, neighbours_, i, memory_[thread]), now);
+      Robot& robot = *robots_[i];
+      robot.sense(Carrier(*engine_, robots_, neighbours_, i, memory_[thread]), now);
       update_team(i, memory_[thread].near);
+      robot.decide(now);
+      robot.use_energy(period_s);
     });
-    loop_.each(robots_, [&](std::size_t i, std::size_t) { robots_[i]->decide(now); });
-    loop_.each(robots_, [&](std::size_t i, std::size_t) { robots_[i]->use_energy(period_s); });
   }
 
   /// `is_start`: only measures that have not begun observe. See Measuring::observe().

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -68,7 +68,7 @@ class Guard {
 
   [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem) {
     if (!fault_) {
-      fault_.emplace(use.plugin, use.id, robot_, step_, problem);
+      fault_ = std::make_unique<PluginFault>(use.plugin, use.id, robot_, step_, problem);
     }
     throw *fault_;
   }
@@ -141,7 +141,7 @@ class Guard {
   std::string robot_;
   Budget budget_;
   std::uint64_t step_ = 0;
-  std::optional<PluginFault> fault_;
+  std::unique_ptr<PluginFault> fault_;
   std::vector<ChangedArithmetic> arithmetic_;
 };
 

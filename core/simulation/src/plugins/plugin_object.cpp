@@ -52,7 +52,7 @@ Setup PluginObject::completed(Setup setup, const Setup& now) const {
 
 void PluginObject::set(Setup setup, const Perception& example) {
   // Stored first, because a plugin that refuses parameters may have set some of them.
-  changed = completed(std::move(setup), this->setup());
+  changed = std::make_shared<const Setup>(completed(std::move(setup), this->setup()));
   apply(*held, *changed, example);
   if (camera) {
     camera = camera_of(*held);

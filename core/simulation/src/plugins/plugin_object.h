@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -71,8 +72,8 @@ class PluginObject {
   const Declaration* declaration;  // null: there is no such plugin
   plugin::Object<Component> held;
   Random random;
-  std::optional<Setup> changed;  // its parameters, if they differ from the world's
-  std::optional<Camera> camera;  // its camera, if it has one
+  std::shared_ptr<const Setup> changed;  // its parameters, if they differ from the world's
+  std::optional<Camera> camera;          // its camera, if it has one
   Heap heap;
   bool is_new = true;  // until it is reset
 

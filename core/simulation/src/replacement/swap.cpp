@@ -125,11 +125,13 @@ void Swap::fit(PluginObject& object, const std::string& path) {
             " of <" + element.element + ">");
   }
   if (object.changed) {
-    auto& [parameters, elements] = *object.changed;
+    auto fitted = std::make_shared<Setup>(*object.changed);
+    auto& [parameters, elements] = *fitted;
     strip(declaration, parameters, elements, [](const std::string&) {});
     for (const auto& [name, file] : default_files(declaration, parameters, files)) {
       parameters[name] = file;
     }
+    object.changed = std::move(fitted);
   }
 }
 

@@ -254,7 +254,14 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
         first.object().update_all(updates);
       }
     });
-    first.volume = carrier.take_volume();
+    const std::optional<Pyramid> volume = carrier.take_volume();
+    if (!volume) {
+      first.volume.reset();
+    } else if (first.volume) {
+      *first.volume = *volume;
+    } else {
+      first.volume = std::make_unique<Pyramid>(*volume);
+    }
   }
 }
 
@@ -429,7 +436,7 @@ SensorView Robot::sensor(std::size_t index) const {
           &slot.mounting,
           slot.camera ? &*slot.camera : nullptr,
           slot.picture.empty() ? nullptr : &slot.picture,
-          slot.volume ? &*slot.volume : nullptr};
+          slot.volume.get()};
 }
 
 }  // namespace elsie::simulation

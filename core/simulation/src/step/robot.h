@@ -179,7 +179,7 @@ class Robot final : private Wishes {
     Mounting mounting;
     Frame frame;  // in the robot's frame
     Image picture;
-    std::optional<Pyramid> volume;  // of its last query
+    std::unique_ptr<Pyramid> volume;  // of its last query; null: none
   };
   using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 
