@@ -8,9 +8,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
@@ -74,6 +76,13 @@ struct RayHit {
   bool floor = false;  // then `body` means nothing
 };
 
+/// One of several rays; see Engine::cast_ray().
+struct RayQuery {
+  Vector3 origin;
+  Vector3 direction;  // a unit vector
+  double max_range = 0.0;
+};
+
 /// Indices are those that add_robot() and add_box() returned; others throw std::out_of_range.
 /// Several threads may call const functions at once between steps.
 class Engine {
@@ -106,6 +115,9 @@ class Engine {
   /// Moves a robot to another pose, at rest, with its segments in line behind it. The set points of
   /// its motors stay. Throws as add_robot() does.
   virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
+
+  /// Why no robot can stand so high, in a sentence that begins with "the robot"; none: it can.
+  virtual std::optional<std::string> fault_of_height(double /*z*/) const { return std::nullopt; }
 
   /// Sets the set points of a robot's joints that can be set (can_be_set()), in the order of its
   /// parts. The caller limits rates to those that the motors can make. Throws std::invalid_argument
@@ -142,6 +154,16 @@ class Engine {
   /// order is hit.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
+  /// Casts all rays of a robot's sensors at once, which is faster. Writes the distance of each hit;
+  /// infinity: none.
+  virtual void cast_rays(std::span<const RayQuery> rays, std::size_t except,
+                         std::span<double> distances) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const auto& [origin, direction, max_range] = rays[i];
+      const auto hit = cast_ray(origin, direction, max_range, except);
+      distances[i] = hit ? hit->distance : std::numeric_limits<double>::infinity();
+    }
+  }
   /// Returns whether a wall, a visible box or a robot other than `except` reaches into the pyramid,
   /// whose far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays,
   /// but with the boxes around their wheels, and around a chassis that is a ball or a capsule. The
@@ -160,15 +182,15 @@ class Engine {
 /// positive, an erp outside of (0, 1]...).
 std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
 
-/// The function that the library of an engine exports as `elsie_make_engine`. The caller owns the
-/// engine. Throws std::invalid_argument as make_engine() does.
+/// The function that the library of an engine exports as `elsie_make_engine`; it also exports a
+/// world::EngineCheck. The caller owns the engine. Throws std::invalid_argument as make_engine() does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 
 /// The object that it exports as `elsie_engine_interface`: the version of this header (raise it
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 1;
+  std::uint32_t version = 2;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t box = sizeof(world::Box);
