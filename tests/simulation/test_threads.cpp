@@ -49,7 +49,7 @@ std::string account(const simulation::RunResult& result) {
             std::to_string(each.collisions);
   }
   for (const auto& event : result.events) {
-    text += " " + std::to_string(event.time_s) + event.robot + std::to_string(event.what.index());
+    text += " " + std::to_string(event.time_s) + event.robot + event.name() + event.detail();
   }
   return text;
 }

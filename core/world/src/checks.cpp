@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -10,7 +11,9 @@
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
+#include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/host.h"
+#include "elsie/world/engine_facts.h"
 #include "elsie/world/parts.h"
 
 #include "reading.h"
@@ -353,6 +356,14 @@ void check_changes(const World& world, Problems& problems) {
   }
 }
 
+void check_engine(const World& world, Problems& problems) {
+  const std::string& engine = world.physics.engine;
+  if (std::filesystem::exists(plugin::engine_file(engine))) {
+    reinterpret_cast<EngineCheck>(plugin::engine_symbol(engine, "elsie_check_world"))(world,
+                                                                                      problems);
+  }
+}
+
 }  // namespace
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
@@ -361,6 +372,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   check_mentions(reading, problems);
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);
+  check_engine(reading.world, problems);
   for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
     check_robot(reading, i, host, is_running, problems);
   }

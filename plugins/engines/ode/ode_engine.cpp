@@ -561,6 +561,10 @@ extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_
   return new elsie::physics::OdeEngine(arena, physics);
 }
 
+// Everything that a world can describe.
+extern "C" __attribute__((visibility("default"))) void elsie_check_world(
+    const elsie::world::World& /*world*/, elsie::base::Problems& /*problems*/) {}
+
 extern "C" {
 __attribute__((
     visibility("default"))) extern const elsie::physics::EngineInterface elsie_engine_interface{};

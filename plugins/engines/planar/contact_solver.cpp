@@ -192,13 +192,13 @@ void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Conta
   for (Hinge* const hinge : hinges) warm(*hinge);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double changed = 0.0;
-    std::uint32_t responses = 0, before = 0;
+    bool is_looser = false;
     for (const std::uint32_t body : bodies) {
-      before += movers_[body].changes();
-      changed = std::max(changed, movers_[body].stand());
-      responses += movers_[body].changes();
+      const Mover::Stand stood = movers_[body].stand();
+      changed = std::max(changed, stood.changed);
+      is_looser = is_looser || stood.is_looser;
     }
-    if (responses != before) prepare_all();
+    if (is_looser) prepare_all();
     for (Hinge* const hinge : hinges) changed = std::max(changed, relax(*hinge));
     if (sweep % 2 == 0) {
       for (Contact& contact : contacts) changed = std::max(changed, relax(contact));

@@ -107,9 +107,23 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) 
       }
     }
   }
-  if (touches && a.body != b.body) {
+  if ((touches || pushed(a.number, b.number)) && a.body != b.body) {
     touches_.push_back(a.body < b.body ? Touch{a.body, b.body} : Touch{b.body, a.body});
   }
+}
+
+/// Whether they pushed each other in the last step; perhaps they have bounced off since.
+bool Encounters::pushed(std::uint64_t a, std::uint64_t b) const {
+  for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
+    const Contact::Key least{first, second, 0};
+    for (auto known = std::lower_bound(
+             memory_.begin(), memory_.end(), least,
+             [](const Memory& m, const Contact::Key& key) { return m.key < key; });
+         known != memory_.end() && known->key.a == first && known->key.b == second; ++known) {
+      if (known->push > 0.0) return true;
+    }
+  }
+  return false;
 }
 
 void Encounters::recall(Contact& contact) const {

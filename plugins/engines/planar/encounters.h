@@ -61,6 +61,7 @@ class Encounters {
   void meet(std::uint32_t first, std::uint32_t second, double margin);
   bool may_meet(const Thing& a, const Thing& b) const;
   bool is_before(const Thing& a, const Thing& b) const;
+  bool pushed(std::uint64_t a, std::uint64_t b) const;
   void recall(Contact& contact) const;
   std::uint32_t root(std::uint32_t mover);
   void join(std::uint32_t a, std::uint32_t b);

@@ -60,26 +60,30 @@ void Mover::enter(double step) {
   moving_ = middle_.turn(velocity_);
   impulse_ = {};
   shifted_ = {};
-  respond();
+  response_ = answer();
 }
 
-void Mover::respond() {
-  known_ = changes();
-  if (wheels_) {
-    response_ = wheels_->response().turned(middle_);
-  } else if (gives_way_) {
-    response_ = {};
-    response_.xx = response_.yy = 1.0 / inertia_.mass;
-    response_.tt = 1.0 / inertia_.about_center;
-  }
+Symmetric Mover::answer() const {
+  if (wheels_) return wheels_->response().turned(middle_);
+  if (!gives_way_) return {};
+  Symmetric free;
+  free.xx = free.yy = 1.0 / inertia_.mass;
+  free.tt = 1.0 / inertia_.about_center;
+  return free;
 }
 
-double Mover::stand() {
-  if (!gives_way_) return 0.0;
+Mover::Stand Mover::stand() {
+  if (!gives_way_) return {};
   const Twist before = moving_;
+  const std::uint32_t known = wheels_ ? wheels_->changes() : 0;
   moving_ = middle_.turn(ground(inertia_.after(free_, middle_.turn_back(impulse_))));
-  if (known_ != changes()) respond();
-  return std::max(std::abs(moving_.x - before.x), std::abs(moving_.y - before.y));
+  Stand stood{std::max(std::abs(moving_.x - before.x), std::abs(moving_.y - before.y))};
+  if (wheels_ && known != wheels_->changes()) {
+    const Symmetric next = answer();
+    stood.is_looser = next.xx + next.yy + next.tt > response_.xx + response_.yy + response_.tt;
+    if (stood.is_looser) response_ = next;
+  }
+  return stood;
 }
 
 void Mover::advance(double step) {

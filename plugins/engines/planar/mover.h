@@ -46,8 +46,13 @@ class Mover {
     impulse_ = impulse_ + impulse;
     moving_ = moving_ + change;
   }
-  /// Applies the limits of the undercarriage again; returns the largest change of the velocity.
-  double stand();
+  /// The result of stand().
+  struct Stand {
+    double changed = 0.0;    // m/s, the largest change of the velocity
+    bool is_looser = false;  // the response has changed
+  };
+  /// Lets the undercarriage hold against the impulses so far.
+  Stand stand();
   void advance(double step);
 
   const Inertia& inertia() const { return inertia_; }
@@ -70,10 +75,9 @@ class Mover {
   const Twist& moving() const { return moving_; }
   /// Its direction in the middle of the arc.
   const Direction& middle() const { return middle_; }
-  /// The change of velocity that an impulse makes at first.
+  /// The change of velocity that an impulse makes. In a step it only grows: if it were smaller than
+  /// what the undercarriage lets through, impulses would overshoot for ever.
   const Symmetric& response() const { return response_; }
-  /// How often the response has changed.
-  std::uint32_t changes() const { return wheels_ ? wheels_->changes() : 0; }
 
   /// Goes on as if it had met nothing.
   void release() { entered_ = false; }
@@ -89,7 +93,7 @@ class Mover {
 
  private:
   Twist ground(const Twist& free);
-  void respond();
+  Symmetric answer() const;
 
   Vector2 place_;  // of its origin
   Direction ahead_;
@@ -107,7 +111,6 @@ class Mover {
   Twist moving_;
   Twist impulse_;
   Symmetric response_;
-  std::uint32_t known_ = 0;  // changes()
 };
 
 }  // namespace elsie::physics

@@ -17,6 +17,7 @@
 #include "planar_robot.h"
 #include "planar_scene.h"
 #include "planar_vehicle.h"
+#include "refusals.h"
 
 namespace elsie::physics {
 namespace {
@@ -24,9 +25,7 @@ namespace {
 // The additional distance that a body may move in a step because it is accelerated.
 constexpr double kSlack = 1e-4;  // m
 
-void check_height(double z) {
-  require(z == 0.0, "The planar engine keeps robots on the floor; expected a robot with z=\"0\".");
-}
+void refuse_if(const std::optional<std::string>& fault) { require(!fault, fault.value_or("")); }
 
 Frame frame_at(const Vector2& place, double z, const Direction& ahead) {
   return {{place.x, place.y, z}, {ahead.c, ahead.s, 0.0}, {-ahead.s, ahead.c, 0.0}, {0, 0, 1}};
@@ -45,6 +44,9 @@ class PlanarEngine final : public Engine {
   void go_on_from(const Engine& other) override;
   void remove_box(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
+  std::optional<std::string> fault_of_height(double z) const override {
+    return physics::fault_of_height(z, "the robot");
+  }
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
   std::span<const JointSetting> joints(std::size_t robot) const override {
     return robots_.at(robot).joints();
@@ -121,8 +123,7 @@ PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& phys
       scene_(arena),
       encounters_(physics_, things_, movers_, scene_),
       bounds_(arena, physics) {
-  require(physics.gravity <= 0.0,
-          "The planar engine keeps all bodies on the floor; expected gravity that is not upwards.");
+  refuse_if(fault_of(physics));
   std::size_t index = 0;
   for (const world::Fixture& wall : world::walls_of(arena)) {
     const Vector3& at = wall.frame.origin;
@@ -164,7 +165,8 @@ std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, do
 std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
   world::check(plan);
   check(pose, z);
-  check_height(z);
+  refuse_if(physics::fault_of_height(z, "a robot"));
+  refuse_if(fault_of(plan, "a robot"));
   const std::size_t index = robots_.size();
   PlanarRobot robot(plan, static_cast<std::uint32_t>(movers_.size()));
   robot_bodies_.push_back({static_cast<std::uint32_t>(things_.size()), false});
@@ -217,8 +219,7 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot,
 std::size_t PlanarEngine::add_box(const world::Box& box) {
   check(box);
   const bool is_dynamic = box.kind == world::BoxKind::dynamic;
-  require(!is_dynamic || box.z == 0.0,
-          "The planar engine keeps boxes on the floor; expected a dynamic box with z=\"0\".");
+  refuse_if(fault_of(box, "a box"));
   const std::size_t index = boxes_.size();
   const Shape shape = world::fixture_of(box).shape;
   std::optional<Mover> mover;
@@ -282,7 +283,7 @@ void PlanarEngine::remove_box(std::size_t box) {
 
 void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   check(pose, z);
-  check_height(z);
+  refuse_if(physics::fault_of_height(z, "a robot"));
   robots_.at(robot).put(pose, movers_);
   enter_robot(robot);
 }

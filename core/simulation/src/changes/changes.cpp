@@ -199,6 +199,9 @@ void check_room(const std::vector<Placed>& places, const world::World& world,
     room.place(placed.robot, placed.pose, placed.z);
   }
   for (const Placed& placed : places) {
+    if (const auto fault = engine.fault_of_height(placed.z)) {
+      refuse(placed.text, *fault);
+    }
     if (const auto problem = room.problem_of(placed.robot)) {
       refuse(placed.text, *problem + "; expected a free place in the arena");
     }

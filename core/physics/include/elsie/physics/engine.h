@@ -8,9 +8,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
@@ -108,6 +110,9 @@ class Engine {
   /// its motors stay. Throws as add_robot() does.
   virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
 
+  /// Why no robot can stand so high, in a sentence that begins with "the robot"; none: it can.
+  virtual std::optional<std::string> fault_of_height(double /*z*/) const { return std::nullopt; }
+
   /// Sets the set points of a robot's joints that can be set (can_be_set()), in the order of its
   /// parts. The caller limits rates to those that the motors can make. Throws std::invalid_argument
   /// if the number of settings is wrong or one is not finite.
@@ -171,8 +176,8 @@ class Engine {
 /// positive, an erp outside of (0, 1]...).
 std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
 
-/// The function that the library of an engine exports as `elsie_make_engine`. The caller owns the
-/// engine. Throws std::invalid_argument as make_engine() does.
+/// The function that the library of an engine exports as `elsie_make_engine`; it also exports a
+/// world::EngineCheck. The caller owns the engine. Throws std::invalid_argument as make_engine() does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 
 /// The object that it exports as `elsie_engine_interface`: the version of this header (raise it

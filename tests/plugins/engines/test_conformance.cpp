@@ -1,0 +1,564 @@
+// What every engine must do. Each case runs with each engine that is installed.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/base/random.h"
+#include "elsie/plugin/engine_libraries.h"
+
+#include "physics_context.h"
+
+using namespace elsie;
+using namespace elsie::physics;
+using world::BoxKind;
+
+namespace {
+
+world::Physics with(const std::string& engine, double step = 0.01) {
+  world::Physics physics = with_step(step);
+  physics.engine = engine;
+  return physics;
+}
+
+/// Returns one engine after the other, and says which in the messages of a case.
+std::string each_engine() { return GENERATE(from_range(plugin::engine_names())); }
+
+double each_step() { return GENERATE(0.001, 0.005, 0.01, 0.02); }
+
+/// The sine of the angle between the headings of two frames.
+double cross_z(const Frame& a, const Frame& b) {
+  return a.forward.x * b.forward.y - a.forward.y * b.forward.x;
+}
+
+double across(const Vector3& a, const Vector3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+}  // namespace
+
+TEST_CASE("Straight on: the wheels' rate gives the speed") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  PhysicsContext context(with(engine, step), open_field());
+  const std::size_t robot = context.robot(-3.0, 1.0, 30);
+  context.drive(robot, {20, 20});
+  context.run(1.0);
+  const Pose from = context.pose(robot);
+  context.run(5.0);
+  const Pose to = context.pose(robot);
+  CHECK(distance(from, to) == Approx(5.0 * 20 * 0.02).epsilon(1e-4));
+  CHECK(to.heading_rad == Approx(radians(30)).margin(1e-4));
+  CHECK(bearing(from, to.x, to.y) == Approx(0.0).margin(1e-4));
+  const RobotState state = context.engine->robot(robot);
+  CHECK(state.speed == Approx(0.4).epsilon(1e-4));
+  CHECK(state.lateral == Approx(0.0).margin(1e-4));
+  CHECK(context.engine->joints(robot)[0].rate_rad_s == Approx(20.0).epsilon(1e-3));
+}
+
+TEST_CASE("An arc: a circle closes where it began") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  PhysicsContext context(with(engine, step), open_field());
+  const world::RobotBody body;
+  const std::size_t robot = context.robot(0, 0);
+  context.drive(robot, {10, 20});
+  context.run(1.0);
+  const RobotState from = context.engine->robot(robot);
+  const double rate = body.wheel_radius * 10 / (2 * body.half_axle());
+  CHECK(from.turn_rate == Approx(rate).epsilon(2e-3));
+  // The middle of the circle is to its left.
+  const double radius = 0.5 * body.wheel_radius * 30 / rate;
+  const Vector2 middle = point_of(from.pose, {0.0, radius});
+  double farthest = 0.0;
+  context.run(2.0 * std::numbers::pi / rate, [&] {
+    const Pose pose = context.pose(robot);
+    const double off = std::hypot(pose.x - middle.x, pose.y - middle.y) - radius;
+    farthest = std::max(farthest, std::abs(off));
+  });
+  CHECK(farthest < 0.005);
+  CHECK(distance(from.pose, context.pose(robot)) < 0.02);
+}
+
+TEST_CASE("A spin: the middle of the axle stays") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  PhysicsContext context(with(engine, step), open_field());
+  const world::RobotBody body;
+  const std::size_t robot = context.robot(1.0, -1.0);
+  context.drive(robot, {-20, 20});
+  double turned = 0.0, last = 0.0;
+  context.run(5.0, [&] {
+    const double now = context.pose(robot).heading_rad;
+    turned += wrap_angle(now - last);
+    last = now;
+  });
+  const double rate = body.wheel_radius * 20 / body.half_axle();
+  CHECK(turned == Approx(5.0 * rate).epsilon(0.02));
+  CHECK(distance(context.pose(robot), {1.0, -1.0, 0.0}) < 2e-3);
+}
+
+TEST_CASE("A push: a box goes along, and friction stops it") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  PhysicsContext context(with(engine, step), open_field());
+  const std::size_t ram = context.box(BoxKind::moving, -0.3, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box = context.box(BoxKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
+  context.drive(ram, {1.0, 0.0}, 0.5);
+  const Vector3 let_go = context.engine->box(box).origin;
+  CHECK(let_go.x == Approx(0.4).margin(0.025));
+  context.drive(ram, {-1.0, 0.0}, 0.01);
+  context.run(2.0);
+  const Vector3 end = context.engine->box(box).origin;
+  // v2 / (2 mu g)
+  CHECK(end.x - let_go.x == Approx(1.0 / (2 * 0.3 * 9.81)).margin(0.025));
+  CHECK(std::abs(end.y) < 2e-3);
+  context.run(5.0);
+  CHECK(across(context.engine->box(box).origin, end) < 1e-4);
+}
+
+TEST_CASE("A push off the middle turns the box") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine), open_field());
+  const std::size_t ram = context.box(BoxKind::moving, -0.2, 0.08, {0.1, 0.02, 0.1});
+  const std::size_t box = context.box(BoxKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
+  context.drive(ram, {0.2, 0.0}, 1.0);
+  const Frame frame = context.engine->box(box);
+  const double turned = std::atan2(frame.forward.y, frame.forward.x);
+  CHECK(turned < -0.05);
+  CHECK(turned > -1.5);
+  CHECK(frame.origin.x > 0.05);
+}
+
+TEST_CASE("A wall: a robot stops at it, touches it, and presses") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  world::Arena arena;
+  arena.length = 2.0;
+  PhysicsContext context(with(engine, step), arena);
+  const std::size_t robot = context.robot(0.0, 0.0);
+  context.drive(robot, {25, 25});
+  double farthest = 0.0;
+  context.run(4.0, [&] { farthest = std::max(farthest, context.pose(robot).x); });
+  CHECK(farthest < 0.96 + 1e-3);
+  CHECK(context.pose(robot).x == Approx(0.96).margin(1e-3));
+  CHECK(context.engine->robot(robot).speed == Approx(0.0).margin(1e-3));
+  CHECK(context.touching(robot_body(robot), wall_body(0)));
+  context.drive(robot, {-10, -10});
+  context.run(1.0);
+  CHECK(context.pose(robot).x < 0.8);
+  CHECK(context.engine->touches().empty());
+}
+
+// The motors press with 1 N, and each box holds against it with 0.3 x 0.02 kg x 9.81 m/s2.
+TEST_CASE("A stack of pushes: a row of boxes gives way if the motors are strong enough") {
+  const std::string engine = each_engine();
+  const int boxes = GENERATE(1, 3, 10, 22);
+  CAPTURE(engine, boxes);
+  PhysicsContext context(with(engine), open_field());
+  const std::size_t robot = context.robot(0, 0);
+  std::size_t last = 0;
+  for (int i = 0; i < boxes; ++i) {
+    world::Box box;
+    box.kind = BoxKind::dynamic;
+    box.length = box.width = box.height = 0.08;
+    box.x = 0.1 + 0.081 * i;
+    box.mass = 0.02;
+    last = context.engine->add_box(box);
+  }
+  const double from = context.engine->box(last).origin.x;
+  context.drive(robot, {10, 10});
+  context.run(5.0);
+  const double pushed = context.engine->box(last).origin.x - from;
+  if (boxes <= 10) {
+    CHECK(pushed > 0.2);
+  } else {
+    CHECK(pushed < 0.03);
+  }
+}
+
+TEST_CASE("No tunnelling: nothing goes through a thin wall at the greatest speed") {
+  const std::string engine = each_engine();
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  const double heading = GENERATE(0.0, 20.0, 45.0);
+  CAPTURE(engine, step, heading);
+  PhysicsContext context(with(engine, step), open_field());
+  world::RobotBody body;
+  body.wheel_torque = 0.05;
+  const std::size_t robot = context.robot(-3.0, -3.0 * std::tan(radians(heading)), heading, body);
+  const std::size_t wall = context.box(BoxKind::fixed, 0.0, 0.0, {0.002, 6.0, 0.3});
+  context.drive(robot, {250, 250});  // 5 m/s
+  double farthest = -3.0;
+  bool touched = false;
+  context.run(2.5, [&] {
+    farthest = std::max(farthest, context.pose(robot).x);
+    touched = touched || context.touching(robot_body(robot), box_body(wall));
+  });
+  CHECK((touched || heading > 0.0));  // a corner may have bounced off within the step
+  CHECK(farthest < -0.03);
+}
+
+TEST_CASE("No tunnelling: a light box that is hit does not leave the arena") {
+  const std::string engine = each_engine();
+  const double step = GENERATE(0.001, 0.01, 0.02);
+  CAPTURE(engine, step);
+  world::Arena arena;
+  arena.length = arena.width = 1.0;
+  arena.wall_thickness = 0.005;
+  PhysicsContext context(with(engine, step), arena);
+  world::Box light;
+  light.kind = BoxKind::dynamic;
+  light.length = light.width = light.height = 0.05;
+  light.mass = 0.005;
+  light.x = 0.2;
+  const std::size_t box = context.engine->add_box(light);
+  const std::size_t ram = context.box(BoxKind::moving, -0.2, 0.0, {0.2, 0.2, 0.2});
+  context.drive(ram, {2.0, 0.0}, 0.2);
+  context.run(1.0);
+  CHECK(context.engine->box(box).origin.x < 0.48);
+  CHECK(context.engine->box(box).origin.x > 0.2);
+}
+
+TEST_CASE("At rest, nothing creeps") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  PhysicsContext context(with(engine, step));
+  const std::size_t robot = context.robot(1.0, 1.0, 40);
+  const std::size_t box = context.box(BoxKind::dynamic, -1.0, 2.0, {0.1, 0.2, 0.3}, 25);
+  const std::size_t beside = context.box(BoxKind::dynamic, -1.5, 0.0, {0.2, 0.2, 0.2});
+  context.box(BoxKind::dynamic, -1.3, 0.0, {0.2, 0.2, 0.2});
+  context.run(30.0);
+  CHECK(distance(context.pose(robot), {1.0, 1.0, 0.0}) < 1e-4);
+  CHECK(across(context.engine->box(box).origin, {-1.0, 2.0, 0.0}) < 1e-4);
+  CHECK(across(context.engine->box(beside).origin, {-1.5, 0.0, 0.0}) < 1e-4);
+  CHECK(context.engine->robot(robot).frame.up.z == Approx(1.0));
+}
+
+TEST_CASE("Energy never comes from nothing") {
+  const std::string engine = each_engine();
+  world::Physics physics = with(engine, 0.005);
+  physics.bounce = GENERATE(0.0, 0.5);
+  const std::uint64_t seed = GENERATE(1, 2, 3);
+  CAPTURE(engine, physics.bounce, seed);
+  world::Arena arena;
+  arena.length = arena.width = 1.2;
+  PhysicsContext context(physics, arena);
+  Random random(seed);
+  std::vector<std::size_t> boxes;
+  for (int i = 0; i < 9; ++i) {
+    boxes.push_back(context.box(BoxKind::dynamic, 0.14 * (i % 3 - 1), 0.14 * (i / 3 - 1),
+                                {0.1, 0.1, 0.1}, random.uniform(-20, 20)));
+  }
+  const std::size_t ram = context.box(BoxKind::moving, -0.4, 0.03, {0.1, 0.1, 0.1});
+  context.drive(ram, {1.0, 0.0}, 0.25);
+  context.engine->remove_box(ram);
+  // The kinetic energy from the ways of the last step; boxes have 0.2 kg and 0.2/6 a2 kg m2.
+  std::vector<Frame> before;
+  const auto energy = [&] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const Frame now = context.engine->box(boxes[i]);
+      if (before.size() == boxes.size()) {
+        const Vector3 way = now.point({0, 0, 0.05}) - before[i].point({0, 0, 0.05});
+        const double turn = std::asin(std::clamp(cross_z(before[i], now), -1.0, 1.0));
+        sum += 0.1 * dot(way, way) + 0.5 * 0.2 / 6.0 * 0.01 * turn * turn;
+      }
+    }
+    before.clear();
+    for (const std::size_t box : boxes) before.push_back(context.engine->box(box));
+    return sum / (physics.step * physics.step);
+  };
+  energy();
+  context.run(physics.step);
+  double last = energy();
+  CHECK(last > 0.005);
+  double most_gain = 0.0;
+  context.run(2.0, [&] {
+    const double now = energy();
+    most_gain = std::max(most_gain, now - last);
+    last = now;
+  });
+  CHECK(most_gain < 0.002);
+  CHECK(last < 1e-6);
+}
+
+TEST_CASE("The order of adding does not matter") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  const world::Arena arena{.length = 2.0, .width = 2.0};
+  const std::vector<Pose> poses{{-0.5, 0.0, 0.1}, {0.5, 0.05, 3.0}, {0.0, -0.6, 1.5}};
+  // The robots where they end, in the order of `poses`.
+  const auto ends = [&](const std::vector<std::size_t>& order) {
+    PhysicsContext context(with(engine), arena);
+    std::vector<std::size_t> robots(order.size());
+    for (const std::size_t i : order) {
+      robots[i] = context.robot(poses[i].x, poses[i].y, degrees(poses[i].heading_rad));
+      context.drive(robots[i], {12.0 + static_cast<double>(i), 12.0});
+    }
+    context.box(BoxKind::dynamic, 0.0, 0.0, {0.1, 0.1, 0.1});
+    context.run(1.5);
+    std::vector<Pose> found;
+    for (const std::size_t robot : robots) found.push_back(context.pose(robot));
+    return found;
+  };
+  const std::vector<Pose> one = ends({0, 1, 2}), other = ends({2, 0, 1});
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    CAPTURE(i);
+    CHECK(distance(one[i], other[i]) < 5e-3);
+    CHECK(wrap_angle(one[i].heading_rad - other[i].heading_rad) == Approx(0.0).margin(0.05));
+    if (engine == "planar") CHECK(one[i] == other[i]);  // to the bit
+  }
+}
+
+namespace {
+
+/// A crowd in a small arena that runs into everything; the hash after every tenth step.
+std::vector<std::uint64_t> history(const std::string& engine, std::uint64_t seed) {
+  PhysicsContext context(with(engine), {.length = 3.0, .width = 3.0});
+  Random random(seed);
+  for (int i = 0; i < 9; ++i) {
+    context.robot(0.8 * (i % 3 - 1), 0.8 * (i / 3 - 1), random.uniform(-180, 180));
+  }
+  for (int i = 0; i < 4; ++i) {
+    context.box(BoxKind::dynamic, 0.4 + 0.8 * (i % 2 - 1), 0.4 + 0.8 * (i / 2 - 1), {0.1, 0.2, 0.1},
+                30.0 * i);
+  }
+  std::vector<std::uint64_t> hashes;
+  for (int i = 0; i < 300; ++i) {
+    for (std::size_t robot = 0; i % 50 == 0 && robot < 9; ++robot) {
+      context.drive(robot, {random.uniform(-10, 25), random.uniform(-10, 25)});
+    }
+    context.engine->step();
+    if (i % 10 == 9) hashes.push_back(context.engine->hash_state());
+  }
+  return hashes;
+}
+
+}  // namespace
+
+TEST_CASE("The same calls give the same bits, alone and beside other threads") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  const auto first = history(engine, 1);
+  CHECK(history(engine, 2) != first);
+  CHECK(history(engine, 1) == first);
+  std::vector<std::uint64_t> one, two;
+  std::thread a([&] { one = history(engine, 1); });
+  std::thread b([&] { two = history(engine, 1); });
+  a.join();
+  b.join();
+  CHECK(one == first);
+  CHECK(two == first);
+}
+
+TEST_CASE("An engine goes on where another one was, to the bit") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  const world::Arena arena{.length = 3.0, .width = 3.0};
+  world::Box pushed, taken;
+  pushed.kind = BoxKind::dynamic;
+  pushed.x = pushed.y = 0.4;
+  taken.x = taken.y = 1.2;
+  const auto hash = [&](int takeover) {
+    PhysicsContext context(with(engine), arena);
+    Random random(5);
+    for (int i = 0; i < 9; ++i) {
+      context.robot(0.8 * (i % 3 - 1), 0.8 * (i / 3 - 1), random.uniform(-180, 180));
+      context.drive(static_cast<std::size_t>(i), {10.0 + i, 12.0});
+    }
+    const std::size_t train = context.train(1.0, -1.2, 180, {world::Segment{}});
+    context.drive(train, {8, 10});
+    context.engine->add_box(pushed);
+    context.engine->add_box(taken);
+    context.engine->remove_box(1);
+    for (int i = 0; i < 300; ++i) {
+      if (i == takeover) {
+        auto next = make_engine(arena, context.physics);
+        next->go_on_from(*context.engine);
+        next->add_box_of(*context.engine, 0, pushed);
+        next->add_box_of(*context.engine, 1, taken);
+        for (std::size_t robot = 0; robot <= train; ++robot) {
+          next->add_robot_of(*context.engine, robot);
+        }
+        CHECK(next->hash_state() == context.engine->hash_state());
+        CHECK_FALSE(next->has_box(1));
+        context.engine = std::move(next);
+      }
+      context.engine->step();
+    }
+    return context.engine->hash_state();
+  };
+  const std::uint64_t alone = hash(-1);
+  for (const int takeover : {0, 1, 100, 299}) {
+    CAPTURE(takeover);
+    CHECK(hash(takeover) == alone);
+  }
+}
+
+TEST_CASE("Rays find surfaces at their exact distances") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
+  const std::size_t box = context.box(BoxKind::fixed, 1.0, 0.0, {0.2, 0.4, 0.3});
+  const std::size_t turned = context.box(BoxKind::fixed, -1.0, 0.0, {0.2, 0.2, 0.3}, 45);
+  const std::size_t disc = context.robot(0.0, 1.0, 20, round_body(0.12));
+  const std::size_t square = context.robot(0.0, -1.0, 90);
+  const std::size_t hidden = context.engine->add_box([] {
+    world::Box none;
+    none.x = 0.5;
+    none.seen_by_range_sensors = false;
+    return none;
+  }());
+  static_cast<void>(hidden);
+  const Vector3 eye{0.0, 0.0, 0.05};
+  const auto look = [&](const Vector3& direction, double range = 10.0,
+                        std::size_t except = Engine::kNobody) {
+    return context.engine->cast_ray(eye, direction, range, except);
+  };
+  const double s = std::sqrt(0.5);
+  struct Expected {
+    Vector3 direction;
+    double distance;
+    Body body;
+  };
+  for (const Expected& each : std::vector<Expected>{
+           {{1, 0, 0}, 0.9, box_body(box)},
+           {{-1, 0, 0}, 1.0 - 0.1 * std::sqrt(2.0), box_body(turned)},
+           {{0, 1, 0}, 0.94, robot_body(disc)},
+           {{0, -1, 0}, 0.96, robot_body(square)},
+           {{s, s, 0}, 5.0 / s, wall_body(0)},
+       }) {
+    const auto hit = look(each.direction);
+    REQUIRE(hit);
+    CHECK(hit->distance == Approx(each.distance).epsilon(1e-9));
+    CHECK((hit->body == each.body || each.body.kind == BodyKind::wall));
+    CHECK_FALSE(look(each.direction, each.distance - 1e-6));
+  }
+  CHECK_FALSE(look({0, 1, 0}, 2.0, disc));
+  // Over the box, into the floor, and into the top.
+  const auto floor = look({0.6, 0.0, -0.8});
+  REQUIRE(floor);
+  CHECK(floor->floor);
+  CHECK(floor->distance == Approx(0.05 / 0.8));
+  const auto over = context.engine->cast_ray({0.0, 0.0, 0.31}, {1, 0, 0}, 3.0, Engine::kNobody);
+  CHECK_FALSE(over);
+  const auto top = context.engine->cast_ray({1.0, 0.1, 1.0}, {0, 0, -1}, 3.0, Engine::kNobody);
+  REQUIRE(top);
+  CHECK(top->distance == Approx(0.7));
+  CHECK(top->body == box_body(box));
+  // The deck of a robot: 9 cm to the top of the chassis, 2 cm more for sensors.
+  const auto deck = context.engine->cast_ray({0.0, 0.0, 0.105}, {0, -1, 0}, 3.0, Engine::kNobody);
+  CHECK((deck && deck->body == robot_body(square)));
+  const auto above = context.engine->cast_ray({0.0, 0.0, 0.115}, {0, -1, 0}, 3.0, Engine::kNobody);
+  CHECK_FALSE(above);
+}
+
+TEST_CASE("A pyramid notices what reaches into it") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
+  context.box(BoxKind::fixed, 1.0, 0.0, {0.2, 0.2, 0.3});
+  const std::size_t disc = context.robot(0.0, 1.0, 0, round_body(0.12));
+  const auto anything = [&](double heading_deg, double range, std::size_t except) {
+    const Frame frame = Frame::turned({0.0, 0.0, 0.05}, radians(heading_deg), 0.0);
+    return context.engine->anything_in({frame, radians(20), radians(20), range}, except);
+  };
+  CHECK(anything(0, 0.91, Engine::kNobody));
+  CHECK_FALSE(anything(0, 0.89, Engine::kNobody));
+  CHECK(anything(90, 0.95, Engine::kNobody));
+  CHECK_FALSE(anything(90, 0.93, Engine::kNobody));
+  CHECK_FALSE(anything(90, 0.95, disc));
+  CHECK_FALSE(anything(180, 2.0, Engine::kNobody));
+}
+
+TEST_CASE("Touches name each pair once, in order, while there is no gap") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
+  const std::size_t first = context.box(BoxKind::dynamic, 4.9, 0.0, {0.2, 0.2, 0.2});
+  context.box(BoxKind::fixed, 4.7, 0.5, {0.2, 0.2, 0.2});
+  const std::size_t ahead = context.robot(4.75, 0.0);
+  const std::size_t behind = context.robot(4.66, 0.0);
+  context.robot(0.0, 0.0);
+  context.drive(ahead, {10, 10});
+  context.drive(behind, {10, 10});
+  context.run(1.0);
+  std::vector<std::pair<Body, Body>> found;
+  for (const Touch& touch : context.engine->touches()) found.emplace_back(touch.a, touch.b);
+  const std::vector<std::pair<Body, Body>> expected{{robot_body(ahead), robot_body(behind)},
+                                                    {robot_body(ahead), box_body(first)},
+                                                    {box_body(first), wall_body(0)}};
+  CHECK(found == expected);
+  context.drive(behind, {-10, -10});
+  context.run(1.0);
+  CHECK_FALSE(context.touching(robot_body(ahead), robot_body(behind)));
+}
+
+TEST_CASE("A moving box arrives where it is driven, and takes along what stands in its way") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  const double heading = GENERATE(0.0, 45.0, 90.0);
+  CAPTURE(engine, step, heading);
+  PhysicsContext context(with(engine, step));
+  const std::size_t robot = context.robot(0.5, 0, heading);
+  const std::size_t box = context.box(BoxKind::moving, 0.0, 0.0, {0.2, 0.4, 0.2});
+  bool touched = false;
+  context.drive(box, {0.2, 0.0}, 5.0,
+                [&] { touched = touched || context.touching(robot_body(robot), box_body(box)); });
+  CHECK(touched);
+  CHECK(context.engine->box(box).origin.x == Approx(1.0));
+  CHECK(context.engine->box(box).origin.y == 0.0);
+  CHECK(context.pose(robot).x > 1.0 + 0.1 + 0.03);
+  const Frame there = context.engine->box(box);
+  context.run(1.0);
+  CHECK(context.engine->box(box).origin == there.origin);
+}
+
+TEST_CASE("Segments follow: on a circle each axle keeps its own radius") {
+  const std::string engine = each_engine();
+  const double step = each_step();
+  CAPTURE(engine, step);
+  PhysicsContext context(with(engine, step), open_field());
+  const std::size_t train = context.train(0, 0, 0, {world::Segment{}, world::Segment{}});
+  CHECK(context.engine->segments(train) == 2);
+  context.drive(train, {14, 20});
+  context.run(30.0);
+  const RobotState state = context.engine->robot(train);
+  const world::RobotBody body;
+  const double radius = body.half_axle() * 34.0 / 6.0;
+  const Vector2 center = point_of(state.pose, {0.0, radius});
+  // The joint is 0.06 m behind one axle and 0.06 m ahead of the next.
+  double squared = radius * radius;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SegmentState segment = context.engine->segment(train, i);
+    const double found = std::hypot(segment.pose.x - center.x, segment.pose.y - center.y);
+    CHECK(found == Approx(std::sqrt(squared)).margin(2e-3));
+    CHECK(segment.yaw_rad < -0.2);
+  }
+}
+
+TEST_CASE("A robot that backs does not turn a segment past its limit") {
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine), open_field());
+  world::Segment segment;
+  segment.max_yaw_deg = 40.0;
+  const std::size_t train = context.train(0, 0, 0, {segment});
+  context.drive(train, {-10, -12});
+  double most = 0.0;
+  context.run(4.0, [&] {
+    most = std::max(most, std::abs(context.engine->segment(train, 0).yaw_rad));
+  });
+  CHECK(most > radians(35));
+  CHECK(most <= radians(40) + 1e-9);
+}
