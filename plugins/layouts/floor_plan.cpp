@@ -103,12 +103,13 @@ class Planning {
     }
     const double top = plan_.y + 0.5 * area.width;
     for (const PixelBox& box : *boxes) {
-      const double length = metres * static_cast<double>(box.width);
-      const double width = metres * static_cast<double>(box.height);
+      const double left = edge(area.left() + metres * static_cast<double>(box.x));
+      const double right = edge(area.left() + metres * static_cast<double>(box.x + box.width));
+      const double high = edge(top - metres * static_cast<double>(box.y));
+      const double low = edge(top - metres * static_cast<double>(box.y + box.height));
       drawing_.add_box(next_id(),
-                       {area.left() + metres * static_cast<double>(box.x) + 0.5 * length,
-                        top - metres * static_cast<double>(box.y) - 0.5 * width, length, width},
-                       0.0, plan_.wall_height, plan_.location);
+                       {0.5 * (left + right), 0.5 * (low + high), right - left, high - low}, 0.0,
+                       plan_.wall_height, plan_.location);
     }
   }
 
@@ -172,6 +173,9 @@ class Planning {
   }
 
  private:
+  /// The edge of a box, m: boxes have no gap between them, as their middles and sizes are rounded
+  /// to half of this.
+  static double edge(double metres) { return 2.0 * rounded_m(0.5 * metres); }
   std::string next_id() { return plan_.id + "_" + std::to_string(++count_); }
 
   Drawing& drawing_;
