@@ -8,8 +8,8 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
-#include "elsie/world/ahead.h"
 #include "elsie/world/attributes.h"
+#include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
 #include "elsie/world/writer.h"
@@ -220,7 +220,7 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
         becoming.said().notes.push_back({"", "changes",
                                          "An edit at " + becoming.time() + " sets " + edit.text() +
                                              ": an object with another id is a new object and "
-                                             "starts anew."});
+                                             "starts again."});
       }
     }
     std::vector<std::string> robots = world::robots_at(was, edit.path);

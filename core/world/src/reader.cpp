@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "elsie/plugin/host.h"
-#include "elsie/world/ahead.h"
+#include "elsie/world/changed_worlds.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
@@ -138,7 +138,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   if (options.check_plugins && !options.is_running) {
-    worlds_ahead(world, host, options);
+    changed_worlds(world, host, options);
   }
   return std::move(world);
 }
