@@ -19,7 +19,7 @@ constexpr const char* kScattered = R"(<world format="1">
 
 }  // namespace
 
-TEST_CASE("A reset with another seed draws the layouts anew, and one with the same does not") {
+TEST_CASE("A reset with another seed draws the layouts again, and one with the same does not") {
   Session session;
   const auto place_of_c1 = [&] {
     const auto snapshot = session.connection().snapshots().take();

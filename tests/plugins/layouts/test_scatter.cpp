@@ -214,7 +214,7 @@ TEST_CASE("Nothing stands where it is kept clear") {
   for (const world::Box& box : world.boxes) CHECK(std::hypot(box.x - 1, box.y - 1) > 2.0);
 }
 
-TEST_CASE("Attributes are drawn within their bounds, for each thing anew") {
+TEST_CASE("Attributes are drawn within their bounds, for each thing separately") {
   const world::World world =
       drawn(scattered("count='30'",
                       "<robot id='r' template='robots/scout.xml'/>"
