@@ -155,7 +155,8 @@ Described described(const Element& layouts, const world::Arena& arena, std::uint
     const ElementSpec* const known = spec.child(element.name);
     if (!known || element.removed_by) continue;
     if (!ids.insert(element.value("id")).second) {
-      problems.add(element.where, "a second layout with the id '" + element.value("id") + "'");
+      problems.add(element.where, "there is another layout with the id '" + element.value("id") +
+                                      "'; give one of them another id");
     }
     if (element.name == "scatter") {
       all.scatters.push_back(reading.scatter(*known, element));

@@ -59,7 +59,7 @@ void set(Element& element, const std::string& attribute, double value, const Loc
 /// What is wrong with a distribution; "" if nothing is.
 std::string mistake(const Draw& draw) {
   if (draw.mean.has_value() != draw.sd.has_value() || (!draw.mean && !(draw.from && draw.to))) {
-    return "without saying from what; expected from and to, or mean and sd";
+    return "without a distribution; expected from and to, or mean and sd";
   }
   const std::string bounds = (draw.from ? " from " + number_text(*draw.from) : "") +
                              (draw.to ? " to " + number_text(*draw.to) : "");

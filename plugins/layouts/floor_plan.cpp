@@ -141,8 +141,8 @@ class Planning {
                                   base::in_quotes(std::string_view(content).substr(
                                       content.rfind('\n', end == 0 ? 0 : end - 1) + 1,
                                       end - content.rfind('\n', end == 0 ? 0 : end - 1) - 1)) +
-                                  "; expected a line X1 Y1 X2 Y2, m, of the floor plan '" +
-                                  plan_.id + "', or else a PNG or PGM image");
+                                  "; expected X1 Y1 X2 Y2 (m), a wall of the floor plan '" +
+                                  plan_.id + "', or a file that is a PNG or PGM image");
         return;
       }
       if (!add_wall({numbers[0], numbers[1], numbers[2], numbers[3]})) {
@@ -150,7 +150,8 @@ class Planning {
       }
     }
     if (count_ == 0) {
-      refuse("names the file '" + name + "', which has no walls");
+      refuse("names the file '" + name +
+             "', which has no walls; expected a line X1 Y1 X2 Y2 (m) for each");
     }
   }
 
@@ -162,7 +163,7 @@ class Planning {
       return false;
     }
     if (count_ == kMostBoxes) {
-      return refuse("has more than " + std::to_string(kMostBoxes) + " walls");
+      return refuse("has more than " + std::to_string(kMostBoxes) + " walls; leave some out");
     }
     drawing_.add_wall(next_id(), placed, plan_.wall_thickness, plan_.wall_height, plan_.location);
     return true;

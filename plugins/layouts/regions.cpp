@@ -93,7 +93,8 @@ bool Places::check_heading(Drawing& drawing) const {
   const HeadingRule& rule = *scatter_.heading;
   if (rule.rule == "along" && !std::holds_alternative<OnLine>(region_)) {
     return drawing.refuse(rule.location, scatter_.id,
-                          "has things that face along a line, but no <on_line>");
+                          "has things that face along a line, but no <on_line>; add one, or choose "
+                          "another rule");
   }
   if (rule.rule == "uniform" && rule.from_deg > rule.to_deg) {
     return drawing.refuse(rule.location, scatter_.id,

@@ -124,10 +124,10 @@ void draw_rooms(Drawing& drawing, const Rooms& rooms) {
   }
   if (rooms.smallest < rooms.door + 3.0 * rooms.wall_thickness) {
     drawing.refuse(rooms.location, rooms.id,
-                   "has rooms of " + base::number_text(rooms.smallest) +
-                       " m and less room beside a door of " + base::number_text(rooms.door) +
-                       " m than three thicknesses of a wall; make the smallest room larger, or the "
-                       "doors narrower");
+                   "has rooms of " + base::number_text(rooms.smallest) + " m, but a door of " +
+                       base::number_text(rooms.door) + " m and the walls beside it need " +
+                       base::number_text(rounded_m(rooms.door + 3.0 * rooms.wall_thickness)) +
+                       " m; make the smallest room larger, or the doors narrower");
     return;
   }
   if (area.length * area.width / (rooms.smallest * rooms.smallest) > 1e4) {

@@ -311,7 +311,7 @@ TEST_CASE("What cannot be scattered is refused in a sentence, at its line") {
   CHECK_THAT(refusal("<layouts><maze/></layouts><layouts><rooms/></layouts>"),
              Contains("more than one <layouts>"));
   CHECK_THAT(refusal("<layouts><maze id='m'/><rooms id='m'/></layouts>"),
-             Contains("a second layout with the id 'm'"));
+             Contains("there is another layout with the id 'm'"));
   CHECK_THAT(refusal("<arena/>", 1, {"layouts/@seed=3"}), Contains("the world has no layouts"));
   CHECK_THAT(refusal(kClutter, 1, {"obstacle[clutter31]/@x=0"}),
              Contains("there is no obstacle[clutter31]"));

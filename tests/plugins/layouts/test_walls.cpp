@@ -157,8 +157,7 @@ TEST_CASE("A floor plan has the walls that are listed in it, or in a file") {
   CHECK(text_of(plan(file, "wall_thickness='0.2'"), 1).find("x=\"0.5\"") != std::string::npos);
   CHECK(drawn(plan(file)).boxes.size() == 2);
   write(file, "-1 0 2 0\n1 2 3\n");
-  CHECK_THAT(refusal(plan(file)),
-             Contains("walls.txt:2: found '1 2 3'; expected a line X1 Y1 X2 Y2"));
+  CHECK_THAT(refusal(plan(file)), Contains("walls.txt:2: found '1 2 3'; expected X1 Y1 X2 Y2 (m)"));
   write(file, "# none\n");
   CHECK_THAT(refusal(plan(file)), Contains("which has no walls"));
   write(file, "0 0 9 0\n");
