@@ -66,6 +66,7 @@ TEST_CASE("A layout that is added later follows the seed of the run, not that of
                  {"file", ""},
                  {"seed", opened}});
     session.ask({{"do", "reset"}, {"seed", reset}});
+    session.ask({{"do", "step"}});  // the run is under way: it is not read again
     session.edit({"scatter[+]=" + scatter});
     const auto snapshot = session.connection().snapshots().take();
     REQUIRE(snapshot);

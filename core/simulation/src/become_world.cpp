@@ -206,6 +206,7 @@ world::World Simulation::Impl::reread(const world::World& from,
   options.is_running = true;
   options.check_plugins = check_plugins;
   options.overrides = edits;
+  options.seed = seed_;
   return world::parse_world(world::write_world(from), from.file, *host_, options);
 }
 
