@@ -100,7 +100,7 @@ void compare(const elsie::plugin::Host& host, int robots, int repeats, double me
   };
   std::vector<double> ours, theirs, ratios;
   for (int i = 0; i < repeats; ++i) {
-    // Both start anew: after some minutes of simulated time, the bare loop becomes unstable.
+    // Both start again: after some minutes of simulated time, the bare loop becomes unstable.
     simulation.reset();
     elsie::bench::BareOde bare(poses, description.boxes, azimuths, description.physics,
                                description.arena, elsie::bench::steer);

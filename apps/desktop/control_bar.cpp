@@ -84,7 +84,7 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
   seed_label->setBuddy(seed_);
   seed_->setObjectName("seed");
   seed_->setAccessibleName(tr("Seed"));
-  seed_->setToolTip(tr("Seed of all random numbers; a new one begins the run anew"));
+  seed_->setToolTip(tr("Seed of all random numbers; a new one starts the run again"));
   seed_->setMaximumWidth(10 * fontMetrics().averageCharWidth() + 20);
   connect(seed_, &QLineEdit::editingFinished, this, [this] {
     bool is_right = false;
@@ -239,6 +239,7 @@ void TimeLine::show_past(double time_s) {
   is_in_the_past_ = true;
   workbench_.ask({{"do", "at"}, {"time_s", wanted}}, [this](const Json& answer) {
     if (answer.contains("refused")) {
+      stop_playing();  // there is no past to play on from
       is_in_the_past_ = false;
     } else {
       until_s_ = answer.value("to_s", until_s_);  // it ran on until it heard of the pause

@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   const QString program = parser.isSet(elsie) ? parser.value(elsie) : program_beside();
   if (!QFileInfo(program).isExecutable()) {
     std::cerr << "elsie-desktop: '" << program.toStdString()
-              << "' is no program; install Elsie anew, or name it with --elsie FILE\n";
+              << "' is no program; reinstall Elsie, or name it with --elsie FILE\n";
     return kBadInput;
   }
   if (parser.positionalArguments().size() > 1) {

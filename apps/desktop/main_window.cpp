@@ -126,10 +126,10 @@ void MainWindow::show_title() {
       (workbench_.text().isEmpty() && workbench_.file().isEmpty() ? QString() : name + "[*] - ") +
       "Elsie");
   setWindowModified(workbench_.is_modified() && !workbench_.text().isEmpty());
-  offer_actions();
+  enable_actions();
 }
 
-void MainWindow::offer_actions() {
+void MainWindow::enable_actions() {
   const bool has_world = workbench_.tree().is_object();
   for (const char* name :
        {"add_robot",   "add_sensor",   "behaviors",    "coordinator",    "add_static",

@@ -112,7 +112,7 @@ class MainWindow : public QMainWindow {
   void show_lock();
   void show_title();
   /// What needs a world is offered only where there is one.
-  void offer_actions();
+  void enable_actions();
   void show_teams();
   void show_recent();
   void note_recent(const QString& file);

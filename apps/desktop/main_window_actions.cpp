@@ -138,7 +138,7 @@ void MainWindow::make_actions() {
   action("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
   action(
       "stop_engine", tr("Stop the engine &now"), {}, [this] { workbench_.stop_engine(); },
-      tr("For a plugin that does not come back: the engine begins anew, the world stays"));
+      tr("For a plugin that does not come back: the engine starts again, the world stays"));
 
   action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
   action("frame", tr("Go &near to what is chosen"), key("F"),

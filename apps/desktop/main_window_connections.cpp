@@ -156,7 +156,7 @@ void MainWindow::connect_workbench() {
     } else if (is_stuck_) {
       statusBar()->showMessage(
           tr("The engine does not answer: a plugin takes long. 'Stop the engine now' in the menu "
-             "Simulation begins it anew, and the world stays."));
+             "Simulation starts it again, and the world stays."));
     }
   });
   watch_dog->start(1000);
@@ -307,7 +307,7 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
        : workbench_.tree().is_null() && !workbench_.problems().empty()
            ? tr("Your world and its unsaved changes are here as a text; it is opened again when "
                 "you change it.")
-           : tr("Your world and its unsaved changes are here; the run begins anew.")));
+           : tr("Your world and its unsaved changes are here; the run starts again.")));
   box->setInformativeText(cause_in(report));
   box->setDetailedText(report);
   box->open();

@@ -205,7 +205,7 @@ bool MainWindow::save(bool elsewhere) {
   warn(tr("Not saved"), saving->why.value_or(tr(
                             "The engine does not answer: a plugin takes long. The world is saved "
                             "as soon as it does. 'Stop the engine now' in the menu Simulation "
-                            "begins it anew; then save again.")));
+                            "starts it again; then save again.")));
   return false;
 }
 

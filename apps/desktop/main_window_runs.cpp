@@ -148,8 +148,8 @@ void MainWindow::begin_anew(quint64 seed) {
   const bool may_begin =
       !is_under_way ||
       is_agreed("new_seed", tr("A new seed"),
-                tr("The run is at %1 s. A new seed begins it anew, and this run is gone. Begin "
-                   "anew with seed %2?")
+                tr("The run is at %1 s. A new seed starts it again, and this run is lost. Start "
+                   "again with seed %2?")
                     .arg(workbench_.latest_s(), 0, 'f', 2)
                     .arg(seed));
   is_seed_asked_ = false;

@@ -7,7 +7,6 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -62,6 +61,17 @@ std::vector<StoredRun> runs_in(const QString& table) {
     }
   }
   return runs;
+}
+
+/// What `elsie replay --json` says about the end of a run; a run of a database has no outcome here.
+RecordedEnd end_in(const Json& said) {
+  const auto outcome = said.find("outcome");
+  const auto duration = said.find("duration_s");
+  const bool is_stopped =
+      outcome != said.end() && (outcome->is_null() || *outcome == Json("stopped"));
+  return {0.0, said.value("steps", qint64{0}),
+          QString::fromStdString(said.value("state_hash", std::string())),
+          is_stopped || (duration != said.end() && !duration->is_null())};
 }
 
 RecordedEvents events_in(const QByteArray& answer) {
@@ -143,24 +153,23 @@ void RunReader::read_world(const QString& file, int run,
   if (run > 0) {
     words << QString::number(run);
   }
-  start(words + QStringList{"--world", world.file} + options_,
+  start(words + QStringList{"--json", "--world", world.file} + options_,
         [this, world, done = std::move(done)](QProcess& replay) mutable {
           if (replay.exitStatus() != QProcess::NormalExit || replay.exitCode() != 0 ||
               !QFileInfo::exists(world.file)) {
             Q_EMIT failed(QString::fromUtf8(replay.readAllStandardError()).trimmed());
             return;
           }
-          static const QRegularExpression seed("^the same run: .* --seed (\\d+)");
-          static const QRegularExpression end("^state hash ([0-9a-f]{16}) after (\\d+) steps$",
-                                              QRegularExpression::MultilineOption);
-          const QString said = QString::fromUtf8(replay.readAllStandardOutput());
-          world.seed = seed.match(said.section('\n', 0, 0)).captured(1).toULongLong();
-          static const QRegularExpression cut("^(no outcome: |stopped after )",
-                                              QRegularExpression::MultilineOption);
-          const QRegularExpressionMatch ended = end.match(said);
-          const bool is_cut =
-              said.section('\n', 0, 0).contains(" --duration ") || cut.match(said).hasMatch();
-          world.end = {0.0, ended.captured(2).toLongLong(), ended.captured(1), is_cut};
+          const Json said =
+              Json::parse(replay.readAllStandardOutput().toStdString(), nullptr, false);
+          if (!said.is_object()) {
+            Q_EMIT failed(tr("'%1' has not said what it has read from the recording; install it "
+                             "and this window again, from one version.")
+                              .arg(elsie_));
+            return;
+          }
+          world.seed = said.value("seed", std::uint64_t{1});
+          world.end = end_in(said);
           done(world);
         });
 }

@@ -28,7 +28,7 @@ struct RecordedEnd {
   double time_s = 0.0;  // 0: not known
   qint64 steps = 0;     // 0: not known
   QString state_hash;   // 16 hexadecimal digits; "": not known
-  bool is_cut = false;  // the world made anew goes on there: --duration, Ctrl-C, a crash
+  bool is_cut = false;  // a run of its world goes on there: --duration, Ctrl-C, a crash
 };
 
 struct RecordedWorld {

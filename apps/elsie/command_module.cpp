@@ -17,13 +17,12 @@ const CommandModule& load() {
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (!module) {
     throw base::Error("'" + file + "', which belongs to this program, cannot be loaded: " +
-                      dlerror() + "\ninstall Elsie anew, or build it again");
+                      dlerror() + "\nreinstall Elsie, or build it again");
   }
   using Get = const CommandModule* (*)();
   const auto get = reinterpret_cast<Get>(dlsym(module, kCommandModule));
   if (!get) {
-    throw base::Error("'" + file +
-                      "' is not of this program\ninstall Elsie anew, or build it again");
+    throw base::Error("'" + file + "' is not of this program\nreinstall Elsie, or build it again");
   }
   return *get();
 }

@@ -87,8 +87,7 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
   for (Element& thing : things) {
     thing.set("x", "0", thing.where);
     thing.set("y", "0", thing.where);
-    thing.set("heading_deg", "0", thing.where);
-    if (list == "chargers") thing.erase("heading_deg");
+    if (list != "chargers") thing.set("heading_deg", "0", thing.where);
   }
   holder.children = std::move(things);
   tree.children.push_back(std::move(holder));

@@ -21,8 +21,9 @@ double covered(const Body& body);
 /// The body at another place.
 Body moved(const Body& body, double x, double y, double heading_deg);
 
-/// The bodies of robots, boxes and chargers, in the order given. `list`: the group of the world
-/// that they belong to. Empty if one is wrong in itself; then `problems` gets all that is wrong.
+/// The bodies of robots, boxes and chargers, in the order given, wherever they are. `list`: the
+/// group of the world that they belong to. Empty if one is wrong in itself; then `problems` gets
+/// all that is wrong.
 std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
                             std::vector<Element> things, Problems& problems);
 

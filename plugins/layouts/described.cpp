@@ -50,7 +50,8 @@ class Reading {
 
   Scatter scatter(const ElementSpec& spec, const Element& element) {
     const Given given(spec, element, problems_);
-    Scatter scatter{element.value("id"),
+    Scatter scatter{&element,
+                    element.value("id"),
                     given.whole("count"),
                     given.number("density"),
                     given["gap"],
@@ -87,8 +88,13 @@ class Reading {
   }
 
   WalledArea walled(const Given& given, const Element& element) const {
-    return {element.value("id"),  area_of(given, arena_), given["wall_thickness"],
-            given["wall_height"], given.flag("border"),   element.where};
+    return {&element,
+            element.value("id"),
+            area_of(given, arena_),
+            given["wall_thickness"],
+            given["wall_height"],
+            given.flag("border"),
+            element.where};
   }
   Maze maze(const ElementSpec& spec, const Element& element) {
     const Given given(spec, element, problems_);
@@ -100,7 +106,8 @@ class Reading {
   }
   FloorPlan plan(const ElementSpec& spec, const Element& element) {
     const Given given(spec, element, problems_);
-    FloorPlan plan{element.value("id"),
+    FloorPlan plan{&element,
+                   element.value("id"),
                    given.text("file"),
                    given["x"],
                    given["y"],
@@ -109,7 +116,6 @@ class Reading {
                    given["wall_thickness"],
                    given["wall_height"],
                    {},
-                   &element,
                    element.where};
     for (const Element& child : element.children) {
       if (child.name == "wall" && !child.removed_by) {
@@ -149,7 +155,8 @@ Described described(const Element& layouts, const world::Arena& arena, std::uint
     const ElementSpec* const known = spec.child(element.name);
     if (!known || element.removed_by) continue;
     if (!ids.insert(element.value("id")).second) {
-      problems.add(element.where, "a second layout with the id '" + element.value("id") + "'");
+      problems.add(element.where, "there is another layout with the id '" + element.value("id") +
+                                      "'; give one of them another id");
     }
     if (element.name == "scatter") {
       all.scatters.push_back(reading.scatter(*known, element));

@@ -50,6 +50,7 @@ struct Draw {
 };
 
 struct Scatter {
+  const Element* element = nullptr;
   std::string id;
   std::optional<int> count;
   std::optional<double> density;
@@ -65,6 +66,7 @@ struct Scatter {
 
 /// What mazes and rooms have in common: an area and its walls.
 struct WalledArea {
+  const Element* element = nullptr;
   std::string id;
   Area area;
   double wall_thickness = 0.0, wall_height = 0.0;
@@ -79,13 +81,13 @@ struct Rooms : WalledArea {
 };
 
 struct FloorPlan {
+  const Element* element = nullptr;
   std::string id, file;
   double x = 0.0, y = 0.0;
   double metres_per_pixel = 0.0;
   double threshold = 0.0;
   double wall_thickness = 0.0, wall_height = 0.0;
   std::vector<Wall> walls;
-  const Element* element = nullptr;
   Location location;
 };
 
@@ -99,7 +101,8 @@ struct Described {
   std::vector<Draw> draws;
 };
 
-/// Reads <layouts>, of which edits may have removed some. Adds a problem for each mistake.
+/// Reads <layouts>, of which edits may have removed some. Adds a problem for each mistake. What is
+/// returned refers to the elements.
 Described described(const Element& layouts, const world::Arena& arena, std::uint64_t seed_of_run,
                     Problems& problems);
 

@@ -23,18 +23,18 @@ std::size_t drawn_index(Random& random, std::size_t count) {
                   static_cast<std::size_t>(random.uniform() * static_cast<double>(count)));
 }
 
-bool Drawing::refuse(const Location& where, const std::string& layout, const std::string& problem) {
-  problems.add(where, "the layout '" + layout + "' " + problem);
+bool Drawing::refuse(const Location& where, const std::string& id, const std::string& problem) {
+  problems.add(where, "the layout '" + id + "' " + problem);
   return false;
 }
 
-bool Drawing::require_inside(const Area& area, const Location& where, const std::string& layout) {
+bool Drawing::require_inside(const Area& area, const Location& where, const std::string& id) {
   constexpr double kHair = 1e-9;  // m
   const double x = std::abs(area.x) + 0.5 * area.length, y = std::abs(area.y) + 0.5 * area.width;
   if (x <= 0.5 * arena.length + kHair && y <= 0.5 * arena.width + kHair) {
     return true;
   }
-  return refuse(where, layout,
+  return refuse(where, id,
                 "reaches from (" + number_text(rounded_m(area.left())) + ", " +
                     number_text(rounded_m(area.bottom())) + ") to (" +
                     number_text(rounded_m(area.x + 0.5 * area.length)) + ", " +
@@ -53,6 +53,7 @@ void Drawing::add(const std::string& list, Element element) {
     world.children.push_back(std::move(made));
     holder = &world.children.back();
   }
+  if (layout) element.object = layout->object;
   holder->children.push_back(std::move(element));
 }
 

@@ -30,6 +30,8 @@ struct Area {
 
   double left() const { return x - 0.5 * length; }
   double bottom() const { return y - 0.5 * width; }
+  /// Smaller by a margin on each side, m.
+  Area shrunk(double margin) const { return {x, y, length - 2.0 * margin, width - 2.0 * margin}; }
 };
 
 /// A wall from one point to another, m.
@@ -49,16 +51,18 @@ struct Drawing {
   const world::ReadOptions& options;
   Problems& problems;
   world::Arena arena{};
+  const Element* layout = nullptr;  // what is being drawn
 
   /// A stream of random numbers of its own, "layouts/clutter/7".
   Random stream(const std::string& path) const { return Random(seed, "layouts/" + path); }
 
   /// A mistake of the layout; always false.
-  bool refuse(const Location& where, const std::string& layout, const std::string& problem);
+  bool refuse(const Location& where, const std::string& id, const std::string& problem);
   /// Whether the area is inside of the arena, or a problem.
-  bool require_inside(const Area& area, const Location& where, const std::string& layout);
+  bool require_inside(const Area& area, const Location& where, const std::string& id);
 
-  /// Adds an element to a list of the world, which is made if it is missing.
+  /// Adds an element to a list of the world, which is made if it is missing. The element's `object`
+  /// becomes that of the layout which draws it.
   void add(const std::string& list, Element element);
   /// Adds a static box that is a wall from one point to another, as long at both ends as it takes
   /// to close corners.

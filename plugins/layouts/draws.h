@@ -5,28 +5,36 @@
 
 namespace elsie::layouts {
 
-/// Whether a <draw> says one distribution; else a problem is added.
-bool check_draw(Drawing& drawing, const Draw& draw, const std::string& layout);
+/// Whether each <draw> says one distribution, and no two of them have one path; else problems are
+/// added. `layout`: the id of the <scatter> that they are in; none: each is a layout of its own.
+bool check_draws(Drawing& drawing, const std::vector<Draw>& draws,
+                 const std::optional<std::string>& layout);
 
 /// Draws the attributes of a scattered thing, its number from 0, before it has a place. `list`: the
 /// group of the world that it belongs to.
 void draw_in(const Drawing& drawing, const Scatter& scatter, Element& thing,
              const std::string& list, std::size_t number);
 
-/// Draws the values of one <draw>, in two parts: for what is there before anything is scattered,
-/// and for what was scattered.
-class PathDraw {
+/// Draws the values of the <draw>s of a world for everything at their paths. The n-th element at a
+/// path gets the same value in every call, so that calls may repeat while elements are added.
+class PathDraws {
  public:
-  PathDraw(const Drawing& drawing, const Draw& draw)
-      : draw_(draw), random_(drawing.stream(draw.id)) {}
+  PathDraws(const Drawing& drawing, const std::vector<Draw>& draws);
 
-  /// Adds a problem if the path leads nowhere, unless more is `expected`.
-  void apply(Drawing& drawing, bool is_more_expected);
+  bool empty() const { return draws_.empty(); }
+  /// A path that leads nowhere may lead to something later.
+  void apply(Drawing& drawing);
+  /// The last call: adds a problem for each path that never led anywhere.
+  void finish(Drawing& drawing);
 
  private:
-  Draw draw_;
-  Random random_;
-  std::size_t drawn_ = 0;
+  struct One {
+    Draw draw;
+    Random random;
+    std::vector<double> values;
+    std::string why_not;  // "" once the path has led somewhere
+  };
+  std::vector<One> draws_;
 };
 
 }  // namespace elsie::layouts

@@ -103,12 +103,13 @@ class Planning {
     }
     const double top = plan_.y + 0.5 * area.width;
     for (const PixelBox& box : *boxes) {
-      const double length = metres * static_cast<double>(box.width);
-      const double width = metres * static_cast<double>(box.height);
+      const double left = edge(area.left() + metres * static_cast<double>(box.x));
+      const double right = edge(area.left() + metres * static_cast<double>(box.x + box.width));
+      const double high = edge(top - metres * static_cast<double>(box.y));
+      const double low = edge(top - metres * static_cast<double>(box.y + box.height));
       drawing_.add_box(next_id(),
-                       {area.left() + metres * static_cast<double>(box.x) + 0.5 * length,
-                        top - metres * static_cast<double>(box.y) - 0.5 * width, length, width},
-                       0.0, plan_.wall_height, plan_.location);
+                       {0.5 * (left + right), 0.5 * (low + high), right - left, high - low}, 0.0,
+                       plan_.wall_height, plan_.location);
     }
   }
 
@@ -140,8 +141,8 @@ class Planning {
                                   base::in_quotes(std::string_view(content).substr(
                                       content.rfind('\n', end == 0 ? 0 : end - 1) + 1,
                                       end - content.rfind('\n', end == 0 ? 0 : end - 1) - 1)) +
-                                  "; expected a line X1 Y1 X2 Y2, m, of the floor plan '" +
-                                  plan_.id + "', or else a PNG or PGM image");
+                                  "; expected X1 Y1 X2 Y2 (m), a wall of the floor plan '" +
+                                  plan_.id + "', or a file that is a PNG or PGM image");
         return;
       }
       if (!add_wall({numbers[0], numbers[1], numbers[2], numbers[3]})) {
@@ -149,7 +150,8 @@ class Planning {
       }
     }
     if (count_ == 0) {
-      refuse("names the file '" + name + "', which has no walls");
+      refuse("names the file '" + name +
+             "', which has no walls; expected a line X1 Y1 X2 Y2 (m) for each");
     }
   }
 
@@ -161,7 +163,7 @@ class Planning {
       return false;
     }
     if (count_ == kMostBoxes) {
-      return refuse("has more than " + std::to_string(kMostBoxes) + " walls");
+      return refuse("has more than " + std::to_string(kMostBoxes) + " walls; leave some out");
     }
     drawing_.add_wall(next_id(), placed, plan_.wall_thickness, plan_.wall_height, plan_.location);
     return true;
@@ -172,6 +174,9 @@ class Planning {
   }
 
  private:
+  /// The edge of a box, m: boxes have no gap between them, as their middles and sizes are rounded
+  /// to half of this.
+  static double edge(double metres) { return 2.0 * rounded_m(0.5 * metres); }
   std::string next_id() { return plan_.id + "_" + std::to_string(++count_); }
 
   Drawing& drawing_;

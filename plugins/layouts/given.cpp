@@ -11,7 +11,7 @@ namespace elsie::layouts {
 
 Given::Given(const world::ElementSpec& spec, const Element& element, Problems& problems)
     : spec_(spec), element_(element) {
-  // What stands in it is read by itself.
+  // The elements in it are read separately.
   Element own = element;
   std::erase_if(own.children, [&](const Element& child) { return spec.child(child.name); });
   world::read_object(spec, own, nullptr, problems);

@@ -26,36 +26,49 @@ Element taken(Element& world, Problems& problems) {
   return layouts;
 }
 
-bool are_right(Drawing& drawing, const Described& all) {
-  bool right = true;
-  for (const Scatter& scatter : all.scatters) {
-    for (const Draw& draw : scatter.draws) right &= check_draw(drawing, draw, scatter.id);
+world::Arena arena_of(const Element& world, Problems& problems) {
+  world::Arena arena;
+  if (const auto* given = world.child("arena")) {
+    world::read_object(*world::vocabulary().child("arena"), *given, &arena, problems);
   }
-  for (const Draw& draw : all.draws) right &= check_draw(drawing, draw, draw.id);
+  return arena;
+}
+
+bool are_right(Drawing& drawing, const Described& all) {
+  bool right = check_draws(drawing, all.draws, std::nullopt);
+  for (const Scatter& scatter : all.scatters) {
+    right &= check_draws(drawing, scatter.draws, scatter.id);
+  }
   return right;
 }
 
-void draw(Drawing& drawing, const Described& all) {
+void draw(Drawing& drawing, const Element& element, Described all) {
   const std::size_t before = drawing.problems.size();
   const auto failed = [&] { return drawing.problems.size() > before; };
-  const bool is_more_expected =
-      !all.scatters.empty() || !all.mazes.empty() || !all.rooms.empty() || !all.plans.empty();
-  std::vector<PathDraw> draws;
-  for (const Draw& each : all.draws) {
-    draws.emplace_back(drawing, each).apply(drawing, is_more_expected);
+  PathDraws draws(drawing, all.draws);
+  if (!draws.empty()) {  // the arena may be drawn, which decides about areas
+    draws.apply(drawing);
+    drawing.arena = arena_of(drawing.world, drawing.problems);
+    all = described(element, drawing.arena, drawing.seed, drawing.problems);
   }
-  for (const Maze& maze : all.mazes) draw_maze(drawing, maze);
-  for (const Rooms& rooms : all.rooms) draw_rooms(drawing, rooms);
-  for (const FloorPlan& plan : all.plans) draw_floor_plan(drawing, plan);
+  const auto draw_each = [&](const auto& layouts, const auto& draw_one) {
+    for (const auto& each : layouts) {
+      drawing.layout = each.element;
+      draw_one(each);
+    }
+  };
+  draw_each(all.mazes, [&](const Maze& maze) { draw_maze(drawing, maze); });
+  draw_each(all.rooms, [&](const Rooms& rooms) { draw_rooms(drawing, rooms); });
+  draw_each(all.plans, [&](const FloorPlan& plan) { draw_floor_plan(drawing, plan); });
   if (!failed() && !all.scatters.empty()) {
+    draws.apply(drawing);
     Occupied occupied(drawing.arena);
     if (occupied.add_world(drawing)) {
-      for (const Scatter& scatter : all.scatters) draw_scatter(drawing, scatter, occupied);
+      draw_each(all.scatters,
+                [&](const Scatter& scatter) { draw_scatter(drawing, scatter, draws, occupied); });
     }
   }
-  if (!failed() && is_more_expected) {
-    for (PathDraw& each : draws) each.apply(drawing, false);
-  }
+  if (!failed()) draws.finish(drawing);
 }
 
 }  // namespace
@@ -69,15 +82,12 @@ extern "C" __attribute__((visibility("default"))) void elsie_draw_layouts(
   namespace layouts = elsie::layouts;
   const std::size_t before = problems.size();
   const elsie::world::Element element = layouts::taken(world, problems);
-  elsie::world::Arena arena;
-  if (const auto* given = world.child("arena")) {
-    elsie::world::read_object(*elsie::world::vocabulary().child("arena"), *given, &arena, problems);
-  }
+  const elsie::world::Arena arena = layouts::arena_of(world, problems);
   const layouts::Described all = layouts::described(element, arena, options.seed, problems);
   drawn = {all.seed, all.by_run};
   layouts::Drawing drawing{world, all.seed, file, host, files, options, problems, arena};
   if (problems.size() == before && layouts::are_right(drawing, all)) {
-    layouts::draw(drawing, all);
+    layouts::draw(drawing, element, all);
   }
 }
 

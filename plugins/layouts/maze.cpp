@@ -62,11 +62,12 @@ class Cells {
 }  // namespace
 
 void draw_maze(Drawing& drawing, const Maze& maze) {
-  const Area& area = maze.area;
-  const double length = area.length / maze.columns, width = area.width / maze.rows;
-  if (!drawing.require_inside(area, maze.location, maze.id)) {
+  if (!drawing.require_inside(maze.area, maze.location, maze.id)) {
     return;
   }
+  // The middles of its walls.
+  const Area area = maze.border ? maze.area.shrunk(0.5 * maze.wall_thickness) : maze.area;
+  const double length = area.length / maze.columns, width = area.width / maze.rows;
   if (std::min(length, width) <= maze.wall_thickness) {
     drawing.refuse(maze.location, maze.id,
                    "has cells of " + base::number_text(rounded_m(length)) + " m by " +

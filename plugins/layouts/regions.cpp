@@ -93,7 +93,8 @@ bool Places::check_heading(Drawing& drawing) const {
   const HeadingRule& rule = *scatter_.heading;
   if (rule.rule == "along" && !std::holds_alternative<OnLine>(region_)) {
     return drawing.refuse(rule.location, scatter_.id,
-                          "has things that face along a line, but no <on_line>");
+                          "has things that face along a line, but no <on_line>; add one, or choose "
+                          "another rule");
   }
   if (rule.rule == "uniform" && rule.from_deg > rule.to_deg) {
     return drawing.refuse(rule.location, scatter_.id,
@@ -151,19 +152,21 @@ std::optional<Spot> Places::next(std::size_t thing, int attempt, Random& random)
           },
           [&](const OnGrid& grid) -> std::optional<Spot> {
             // Without jitter, each cell has one place.
-            const auto passed =
-                static_cast<std::size_t>(grid.jitter > 0.0 ? attempt / kTriesInCell : attempt);
-            if (passed >= cells_.size()) {
+            const int tries = grid.jitter > 0.0 ? kTriesInCell : 1;
+            if (static_cast<std::size_t>(attempt / tries) >= cells_.size()) {
               return std::nullopt;
             }
-            cell_ = cells_.size() - 1 - passed;
+            if (attempt > 0 && attempt % tries == 0) {
+              cells_.push_front(cells_.back());
+              cells_.pop_back();
+            }
             const Area area = grid.area;
             const auto columns = static_cast<std::size_t>(grid.columns);
             const double length = area.length / grid.columns, width = area.width / grid.rows;
             const double x =
-                area.left() + length * (0.5 + static_cast<double>(cells_[cell_] % columns));
+                area.left() + length * (0.5 + static_cast<double>(cells_.back() % columns));
             const double y =
-                area.bottom() + width * (0.5 + static_cast<double>(cells_[cell_] / columns));
+                area.bottom() + width * (0.5 + static_cast<double>(cells_.back() / columns));
             const double off = 0.5 * grid.jitter * length;
             return Spot{x + random.uniform(-off, off),
                         y + 0.5 * grid.jitter * width * random.uniform(-1.0, 1.0)};
@@ -185,7 +188,7 @@ std::optional<Spot> Places::next(std::size_t thing, int attempt, Random& random)
 }
 
 void Places::take() {
-  if (most()) cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(cell_));
+  if (most()) cells_.pop_back();
 }
 
 std::optional<double> Places::heading_deg(const Spot& spot, Random& random) const {

@@ -1,6 +1,7 @@
 // Where a scattered thing may stand, and which way it faces.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,9 @@ class Places {
   const Scatter& scatter_;
   Region region_;
   std::size_t count_ = 1;
-  std::vector<std::size_t> cells_;  // of a grid: those that are free, in random order
-  std::size_t cell_ = 0;            // the one that is tried
+  // Of a grid: the cells that are free, in random order. The last is tried; where there was no room
+  // for one thing, the next one tries last.
+  std::deque<std::size_t> cells_;
   bool is_right_ = true;
 };
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
 #include "elsie/world/markup.h"
 
-#include "draws.h"
 #include "regions.h"
 
 namespace elsie::layouts {
@@ -19,26 +19,36 @@ namespace {
 
 using base::number_text;
 
-constexpr std::size_t kMost = 1'000'000;  // things
+constexpr std::size_t kMost = 1'000'000;         // things
+constexpr std::size_t kFewest = 16;              // things that are made together
+constexpr std::uint64_t kMostTries = 2'000'000;  // places for the things of one <scatter>: seconds
+constexpr std::string_view kHeading = "heading_deg";
 
 class Scattering {
  public:
-  Scattering(Drawing& drawing, const Scatter& scatter, const Element& thing, Occupied& occupied)
+  Scattering(Drawing& drawing, const Scatter& scatter, const Element& thing, PathDraws& draws,
+             Occupied& occupied)
       : drawing_(drawing),
         scatter_(scatter),
         thing_(thing),
         list_(list_of(thing.name)),
+        draws_(draws),
+        are_alike_(draws.empty() && scatter.draws.empty()),
         occupied_(occupied),
-        places_(drawing, scatter) {}
+        places_(drawing, scatter) {
+    const Element* const list = drawing.world.child(list_);
+    first_ = list ? list->children.size() : 0;
+  }
 
   void draw() {
-    if (!check() || !places_.is_right() || !make_things()) {
+    if (!check() || !places_.is_right() || !count_things()) {
       return;
     }
     places_.expect(count_);
     for (std::size_t i = 0; i < count_; ++i) {
       if (!place(i)) return;
     }
+    forget_from(count_);
   }
 
  private:
@@ -64,62 +74,96 @@ class Scattering {
         return false;
       }
     }
-    if (const auto* given = thing_.find("heading_deg"); given && scatter_.heading) {
+    if (const auto* given = thing_.find(kHeading); given && scatter_.heading) {
       drawing_.problems.add(given->where, world::in_words(*given, thing_) +
                                               ": <heading> draws it; take one of them out");
       return false;
     }
+    if (scatter_.heading && thing_.name == "charger") {
+      return drawing_.refuse(scatter_.heading->location, scatter_.id,
+                             "has a <heading>, but chargers face no way; leave it out");
+    }
+    for (const Draw& draw : scatter_.draws) {
+      if (draw.path == "@x" || draw.path == "@y" || draw.path == "@id" ||
+          (draw.path == "@heading_deg" && scatter_.heading)) {
+        return refuse_draw(draw.location, draw.path.substr(1));
+      }
+    }
     return true;
   }
 
-  /// The n-th thing (from 0) without a place and a name.
+  /// The n-th thing (from 0) without a place.
   Element thing(std::size_t i) const {
     Element made = thing_;
     draw_in(drawing_, scatter_, made, list_, i);
+    const std::string name = thing_.find("id") ? thing_.value("id") : scatter_.id;
+    made.set("id", count_ == 1 ? name : name + std::to_string(i + 1), scatter_.location);
     return made;
   }
 
-  std::vector<Body> bodies_of_things(std::size_t from, std::size_t count) {
-    std::vector<Element> things;
-    for (std::size_t i = from; i < from + count; ++i) {
-      things.push_back(thing(i));
-      things.back().set("id", "thing_" + std::to_string(i + 1), scatter_.location);
-    }
-    Problems problems;
-    std::vector<Body> bodies = bodies_of(drawing_, list_, std::move(things), problems);
-    const std::vector<base::Problem> found = problems.sorted(drawing_.file);
-    // Of things that differ, each may be wrong in the same way.
-    const bool are_alike = scatter_.draws.empty();
-    drawing_.problems.add(
-        std::span(found).first(are_alike ? found.size() : std::min<std::size_t>(1, found.size())));
-    return bodies;
+  /// Things that have been added to the world, with or without a place.
+  std::span<Element> made() {
+    Element* const list = drawing_.world.child(list_);
+    return list ? std::span(list->children).subspan(first_) : std::span<Element>();
   }
 
-  /// Finds out how many there are, and their bodies: one for all if they are alike.
-  bool make_things() {
-    const bool are_alike = scatter_.draws.empty();
-    const std::size_t before = drawing_.problems.size();
-    if (!scatter_.density) {
-      count_ = static_cast<std::size_t>(scatter_.count.value_or(1));
-      bodies_ = bodies_of_things(0, are_alike ? 1 : count_);
-    } else {
-      bodies_ = bodies_of_things(0, 1);
-      double missing = *scatter_.density * *places_.area();
-      count_ = 0;
-      for (std::size_t known = 0; !bodies_.empty() && drawing_.problems.size() == before;) {
-        const double area = covered(bodies_[are_alike ? 0 : known]);
-        // The nearest count: the last may be left out.
-        if (missing < 0.5 * area || count_ == kMost) break;
-        missing -= area;
-        ++count_;
-        if (!are_alike && ++known == bodies_.size()) {
-          const auto more = bodies_of_things(known, known);
-          bodies_.insert(bodies_.end(), more.begin(), more.end());
-        }
+  void forget_from(std::size_t count) {
+    if (made().size() > count) {
+      auto& list = drawing_.world.child(list_)->children;
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(first_ + count), list.end());
+    }
+    bodies_.resize(std::min(bodies_.size(), count));
+  }
+
+  /// Adds things to the world until there are `count`, with all that is drawn for them, and finds
+  /// out their bodies: one for all if they are alike. Returns whether they are in order.
+  bool make(std::size_t count) {
+    const std::size_t from = made().size(), before = drawing_.problems.size();
+    for (std::size_t i = from; i < count; ++i) {
+      drawing_.add(list_, thing(i));
+    }
+    draws_.apply(drawing_);
+    std::vector<Element> things(made().begin() + static_cast<std::ptrdiff_t>(from), made().end());
+    if (are_alike_) things.resize(bodies_.empty() ? 1 : 0);
+    if (things.empty()) {
+      return true;
+    }
+    if (!std::all_of(things.begin(), things.end(),
+                     [&](auto& each) { return has_no_place(each); })) {
+      return false;
+    }
+    Problems problems;
+    const auto bodies = bodies_of(drawing_, list_, std::move(things), problems);
+    bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
+    const std::vector<base::Problem> found = problems.sorted(drawing_.file);
+    // Of things that differ, each may be wrong in the same way.
+    drawing_.problems.add(
+        std::span(found).first(are_alike_ ? found.size() : std::min<std::size_t>(1, found.size())));
+    return drawing_.problems.size() == before;
+  }
+
+  /// Whether no <draw> of the world draws what the layout itself decides.
+  bool has_no_place(const Element& thing) {
+    for (const std::string_view name : {std::string_view("x"), std::string_view("y"), kHeading}) {
+      const auto* drawn = thing.find(name);
+      if (drawn && (name != kHeading || scatter_.heading)) {
+        return refuse_draw(drawn->where, std::string(name));
       }
     }
-    if (drawing_.problems.size() > before) {
-      return false;
+    return true;
+  }
+  bool refuse_draw(const Location& where, const std::string& name) {
+    return drawing_.refuse(where, scatter_.id,
+                           "decides about '" + name + "' of what it scatters, which a <draw> " +
+                               "draws as well; leave out this <draw>" +
+                               (name == kHeading ? " or <heading>" : ""));
+  }
+
+  bool count_things() {
+    if (scatter_.density) {
+      if (!count_by_density()) return false;
+    } else {
+      count_ = static_cast<std::size_t>(scatter_.count.value_or(1));
     }
     if (count_ == 0) {
       return refuse("has a density of " + number_text(*scatter_.density) +
@@ -132,31 +176,53 @@ class Scattering {
     return true;
   }
 
+  bool count_by_density() {
+    double missing = *scatter_.density * *places_.area();
+    std::size_t count = 0;
+    while (true) {
+      if (!are_alike_ || bodies_.empty()) {
+        if (count >= bodies_.size() && !make(std::max(kFewest, 2 * count))) return false;
+      }
+      const double area = covered(bodies_[are_alike_ ? 0 : count]);
+      // The nearest count: the last may be left out.
+      if (missing < 0.5 * area || count == kMost) break;
+      missing -= area;
+      ++count;
+    }
+    count_ = count;
+    forget_from(count == 1 ? 0 : count);  // a single one has another name
+    return true;
+  }
+
   bool place(std::size_t i) {
-    const Body& body = bodies_[bodies_.size() == 1 ? 0 : i];
-    const std::string number = std::to_string(i + 1);
-    Random random = drawing_.stream(scatter_.id + "/" + number);
-    const std::string own = thing_.value("heading_deg");
+    if (i == made().size() && !make(std::min(count_, std::max(kFewest, 2 * i)))) {
+      return false;
+    }
+    Element& thing = made()[i];
+    const Body& body = bodies_[are_alike_ ? 0 : i];
+    const std::string own_heading = thing.value(kHeading);
+    const double own_heading_deg = std::strtod(own_heading.c_str(), nullptr);  // 0 for ""
+    Random random = drawing_.stream(scatter_.id + "/" + std::to_string(i + 1));
     for (int attempt = 0;; ++attempt) {
       const auto spot = places_.next(i, attempt, random);
-      if (!spot) {
+      if (!spot || tried_ == kMostTries) {
         return no_room(i, attempt);
       }
+      ++tried_;
       const auto heading = places_.heading_deg(*spot, random);
-      const Body there = moved(body, spot->x, spot->y, heading ? *heading : own_heading_deg());
+      const Body there = moved(body, spot->x, spot->y, heading.value_or(own_heading_deg));
       if (is_kept_clear(there) || !occupied_.has_room_for(there, scatter_.gap)) {
         continue;
       }
       occupied_.add(there);
       places_.take();
-      add(i, *spot, heading);
+      const Location& where = scatter_.location;
+      thing.where = where;
+      thing.set("x", number_text(spot->x), where);
+      thing.set("y", number_text(spot->y), where);
+      if (heading) thing.set(kHeading, number_text(*heading), where);
       return true;
     }
-  }
-
-  double own_heading_deg() const {
-    const std::string text = thing_.value("heading_deg");
-    return text.empty() ? 0.0 : std::strtod(text.c_str(), nullptr);
   }
 
   bool is_kept_clear(const Body& body) const {
@@ -173,42 +239,35 @@ class Scattering {
   }
 
   bool no_room(std::size_t placed, int tries) {
+    const bool is_all = tried_ == kMostTries;
     return refuse("has no room for the " + std::string(placed == 0 ? "first" : "next") +
-                  " of its " + base::counted(count_, "thing") + (placed == 0 ? "" : " after ") +
-                  (placed == 0 ? "" : std::to_string(placed)) + ": " +
-                  base::counted(static_cast<std::uint64_t>(tries), "place was", "places were") +
-                  " tried, with a gap of " + number_text(scatter_.gap) +
+                  " of its " + base::counted(count_, "thing") +
+                  (placed == 0 ? "" : " after " + std::to_string(placed)) + ": " +
+                  base::counted(is_all ? tried_ : static_cast<std::uint64_t>(tries), "place was",
+                                "places were") +
+                  " tried" + (is_all ? " for all of them, and no layout tries more" : "") +
+                  ", with a gap of " + number_text(scatter_.gap) +
                   " m to everything else; lower the " + (scatter_.density ? "density" : "count") +
                   " or the gap, or give them more area");
-  }
-
-  void add(std::size_t i, const Spot& spot, const std::optional<double>& heading) {
-    Element made = thing(i);
-    const Location& where = scatter_.location;
-    made.where = where;
-    const std::string name = thing_.find("id") ? thing_.value("id") : scatter_.id;
-    made.set("id", count_ == 1 ? name : name + std::to_string(i + 1), where);
-    made.set("x", number_text(spot.x), where);
-    made.set("y", number_text(spot.y), where);
-    if (heading && thing_.name != "charger") {
-      made.set("heading_deg", number_text(*heading), where);
-    }
-    drawing_.add(list_, std::move(made));
   }
 
   Drawing& drawing_;
   const Scatter& scatter_;
   const Element& thing_;
   const char* const list_;
+  PathDraws& draws_;
+  const bool are_alike_;
+  std::size_t first_ = 0;  // in the list of the world
   Occupied& occupied_;
   Places places_;
   std::size_t count_ = 0;
   std::vector<Body> bodies_;
+  std::uint64_t tried_ = 0;
 };
 
 }  // namespace
 
-void draw_scatter(Drawing& drawing, const Scatter& scatter, Occupied& occupied) {
+void draw_scatter(Drawing& drawing, const Scatter& scatter, PathDraws& draws, Occupied& occupied) {
   if (scatter.things.size() != 1) {
     drawing.refuse(
         scatter.location, scatter.id,
@@ -220,7 +279,7 @@ void draw_scatter(Drawing& drawing, const Scatter& scatter, Occupied& occupied) 
   const Element& thing = *scatter.things.front();
   // An edit may have removed all of them; that a template could not be read is a problem already.
   if (!thing.removed_by && !thing.incomplete) {
-    Scattering(drawing, scatter, thing, occupied).draw();
+    Scattering(drawing, scatter, thing, draws, occupied).draw();
   }
 }
 

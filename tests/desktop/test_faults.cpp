@@ -281,6 +281,30 @@ TEST_CASE("A seed that the engine refuses is not shown as the one that runs") {
   CHECK(window.findChild<QLabel*>("seed_shown")->text().contains("seed 1"));
 }
 
+TEST_CASE("Playing the past stops when the past is refused") {
+  ScriptedEngine elsie(QString(kOpens) +
+                       R"(at) if [ -e "$(dirname "$0")/past" ]; then
+      say "{\"answer\":$id,\"refused\":[{\"message\":\"no\"}]}"
+    else
+      touch "$(dirname "$0")/past"; say "{\"answer\":$id,\"to_s\":1000}"
+    fi ;;
+)");
+  MainWindow window(elsie.program(), {});
+  window.show();
+  window.workbench().open_text("<world/>", {});
+  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  auto* line = window.findChild<TimeLine*>();
+  line->go_to(0.0);
+  REQUIRE(wait_for([&] { return QFileInfo::exists(elsie.folder() + "/past"); }));
+  bool was_playing = false;
+  QObject::connect(line, &TimeLine::past_changed, &window,
+                   [&] { was_playing |= line->is_playing(); });
+  line->play();
+  CHECK(was_playing);
+  CHECK(wait_for([&] { return !line->is_playing(); }));
+  CHECK_FALSE(line->is_in_the_past());
+}
+
 TEST_CASE("A run that is refused is said, and the window does not show one") {
   Window window;
   window.open(window.file(kRoom));

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QSpinBox>
 #include <QTimer>
+#include <optional>
 
 #include <catch2/catch.hpp>
 
@@ -168,7 +169,7 @@ TEST_CASE("A run with a network trained in the window is the one of the saved fi
         headless_hash({window.bench().file()}));
 }
 
-TEST_CASE("A network is trained anew while its robot drives; the old weights stay for undo") {
+TEST_CASE("A network is trained again while its robot drives; the old weights stay for undo") {
   School school;
   Window& window = school.window;
   auto* dialog = school.new_network("arbiter_neural_network");
@@ -349,4 +350,56 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
   window.open(window.file(kRoom));
   CHECK_FALSE(QFileInfo::exists(kept));
   headless({window.folder() + "/pupil.xml", "--duration", "1"});
+}
+
+TEST_CASE("Saving removes no weights that it did not make, and names all that it cannot copy") {
+  School school;
+  Window& window = school.window;
+  window.bench().open_text(kPupil, {}, false);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
+  auto* dialog = school.new_network();
+  School::enter(dialog, "training", school.samples);
+  school.ok(dialog);
+  const QString kept =
+      attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
+  const QString one = Workbench::kept_folder() + "/one.weights";
+  const QString two = Workbench::kept_folder() + "/two.weights";
+  REQUIRE((QFile::copy(kept, one) && QFile::copy(kept, two)));
+
+  // Robots r1 and r2, with weights that another window has made.
+  QString text = window.bench().text();
+  const qsizetype begin = text.indexOf("<robot "), end = text.indexOf("</robot>") + 8;
+  QString second = text.mid(begin, end - begin).replace("\"r1\"", "\"r2\"").replace(kept, two);
+  second.replace("<robot ", "<robot y=\"1.5\" ");
+  text = text.insert(end, second).replace(kept, one);
+  const auto save_as = [&](const QString& name) {
+    std::optional<QString> why;
+    window.bench().save_as(window.folder() + '/' + name, [&](const QString& said) { why = said; });
+    REQUIRE(wait_for([&] { return why.has_value(); }));
+    REQUIRE(why->isEmpty());
+  };
+  window.bench().open_text(text, {}, false);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  save_as("copied.xml");
+  CHECK(school.weight_files() == QStringList{"one.weights", "two.weights"});
+  window.open(window.file(kRoom));
+  CHECK(QFileInfo::exists(one));
+  CHECK(QFileInfo::exists(two));
+
+  QString note;
+  QObject::connect(&window.bench(), &Workbench::noted, &window.window(),
+                   [&](const QString& said) { note = said; });
+  window.bench().open_text(text, {}, false);
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  // No file can be made where a link is that leads nowhere.
+  for (const char* name : {"/one.weights", "/two.weights"}) {
+    REQUIRE(QFile::remove(window.folder() + name));
+    REQUIRE(QFile::link("/proc/nowhere/file", window.folder() + name));
+  }
+  save_as("not_copied.xml");
+  REQUIRE(wait_for([&] { return !note.isEmpty(); }));
+  CHECK(note.contains("could not be copied beside it"));
+  CHECK((note.contains("one.weights") && note.contains("two.weights")));
+  window.bench().give_up_unsaved();
 }

@@ -178,7 +178,7 @@ TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
   scene.camera().yaw += 1.0;
   scene.show_all();
   scene.camera().yaw -= 1.0;
-  scene.show_all();  // the lines are painted anew
+  scene.show_all();  // the lines are painted again
   const QImage at_once = scene.picture().convertToFormat(QImage::Format_Grayscale8);
   REQUIRE(bit_by_bit.size() == at_once.size());
   int different = 0;

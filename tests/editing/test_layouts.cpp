@@ -103,3 +103,41 @@ TEST_CASE("A document has the layouts of the run's seed") {
   CHECK_FALSE(same(document(1, by_run).world(), document(2, by_run).world()));
   CHECK(same(document(4, by_run).world(), document(1).world()));
 }
+
+TEST_CASE("The layout that draws something is found, though others stand on its line") {
+  std::string text = kWorld;
+  text.replace(text.find("    <scatter id=\"fleet\""), 4, "");
+  text.replace(text.find("</scatter>\n<scatter"), 11, "</scatter>");
+  text.replace(text.find("\n      <static_box/>\n    "), 25, "<static_box/>");
+  Document d = document(1, text);
+  CHECK_THAT(text, Contains("</scatter><scatter"));
+  try {
+    d.apply("robot[r1]/@max_speed=0.3");
+    FAIL("the edit was made");
+  } catch (const world::WorldError& error) {
+    CHECK_THAT(error.what(), Contains("the layout 'fleet' draws this"));
+  }
+}
+
+TEST_CASE("An edit of an attribute that a <draw> draws is refused, with the layout's name") {
+  std::string text = kWorld;
+  text.replace(text.find("    <scatter id=\"fleet\""), 0,
+               "    <draw id=\"place\" path=\"obstacle[wall]/@y\" from=\"2\" to=\"3\"/>\n");
+  text.replace(text.find("      <static_box/>"), 0,
+               "      <in_box/><draw path=\"@length\" from=\"0.2\" to=\"0.3\"/>\n");
+  Document d = document(1, text);
+  const auto refusal = [&](const std::string& edit) -> std::string {
+    try {
+      d.apply(edit);
+      return "";
+    } catch (const world::WorldError& error) {
+      return error.what();
+    }
+  };
+  CHECK_THAT(refusal("obstacle[wall]/@y=1"), Contains("the layout 'place' draws this"));
+  CHECK_THAT(refusal("scatter[clutter]/static_box/@length=1"),
+             Contains("the layout 'clutter' draws this"));
+  CHECK(refusal("scatter[clutter]/in_box/@length=4") == "");
+  CHECK(refusal("obstacle[wall]/@x=2") == "");
+  CHECK(d.world().boxes[0].x == 2.0);
+}

@@ -38,7 +38,7 @@ TEST_CASE("Untidy statements are noted with their lines, and change nothing") {
   SECTION("a repeated rule number") {
     parts.rules.replace(parts.rules.find("RULE 2"), 6, "RULE 1");
     CHECK(notes(read(parts)) == Notes{"20: A second rule 1 in this block; the first is in line "
-                                      "19. Both count: number it anew."});
+                                      "19. Both count: give it another number."});
   }
   SECTION("a repeated point, and a third one on a step") {
     parts.cold =

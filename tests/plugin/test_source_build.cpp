@@ -70,7 +70,7 @@ std::string refusal(const std::filesystem::path& source, const std::filesystem::
 
 }  // namespace
 
-TEST_CASE("A source file becomes a plugin, and is compiled anew only when something has changed") {
+TEST_CASE("A source file becomes a plugin, and is compiled again only when something has changed") {
   Folder here, cache;
   write(here / "straight.cpp", std::string_view(kSource));
   write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));

@@ -257,7 +257,7 @@ TEST_CASE("A robot that is not to move need not make progress") {
   }
 }
 
-TEST_CASE("When others drove meanwhile, it starts to watch anew") {
+TEST_CASE("When others drove meanwhile, it starts to watch again") {
   Drive drive;
   drive.held(8);
   drive.time_s += 2.0;

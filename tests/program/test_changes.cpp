@@ -143,9 +143,9 @@ TEST_CASE("elsie lists what may change while a world runs") {
                                     "runs"));
   CHECK_THAT(world, !Catch::Contains("its battery when full; may change"));
   CHECK_THAT(here.elsie("describe fusion_neural_network").out,
-             Catch::Contains("an edit in a run makes the plugin anew"));
+             Catch::Contains("an edit in a run creates the plugin again"));
   CHECK_THAT(here.elsie("describe wander").out,
-             !Catch::Contains("an edit in a run makes the plugin anew"));
+             !Catch::Contains("an edit in a run creates the plugin again"));
   const json network = json::parse(here.elsie("describe fusion_neural_network --json").out);
   for (const json& parameter : network.at("parameters")) {
     CHECK(parameter.value("live", true) == (parameter.at("name") == "weights"));
@@ -210,6 +210,14 @@ TEST_CASE("A recording gives its run again, with all edits") {
   CHECK(hash("run again.xml --seed 5 --duration 4") == first);
   CHECK(hash("run worlds/open_arena.xml --seed 5 --duration 4") != first);
   CHECK(here.elsie("replay run.mcap --world again.xml").exit_code == 2);
+
+  const json said = json::parse(here.elsie("replay run.mcap --json --world third.xml").out);
+  CHECK(said.at("seed") == 5);
+  CHECK(said.at("state_hash") == first);
+  CHECK(said.at("complete") == true);
+  CHECK(said.at("duration_s") == 4.0);
+  CHECK(said.at("command") == "elsie run third.xml --seed 5 --duration 4");
+  CHECK_FALSE(json::parse(here.elsie("replay run.mcap --json").out).contains("command"));
 }
 
 TEST_CASE("A run of a batch is done again with its edits and the data files of its world") {
@@ -257,6 +265,11 @@ TEST_CASE("The world of a run of a database is written, and makes the same run")
   CHECK_THAT(again.out, Catch::Contains("the same: state hash " +
                                         json::parse(run.out).at("state_hash").get<std::string>()));
   CHECK(here.elsie("replay s.sqlite 3 --world 'of run 3.xml'").exit_code == 2);
+  const json said = json::parse(here.elsie("replay s.sqlite 3 --json --world other.xml").out);
+  CHECK(said == json{{"seed", 5}, {"command", "elsie run other.xml --seed 5"}});
+  const auto alone = here.elsie("replay s.sqlite 3 --json");
+  CHECK(alone.exit_code == 2);
+  CHECK_THAT(alone.err, Catch::Contains("it needs --world"));
 }
 
 TEST_CASE("Edits after the end of a run are warned of by check and batch, at their lines") {

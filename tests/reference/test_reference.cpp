@@ -25,11 +25,11 @@ TEST_CASE("The world reference has every element and attribute") {
 TEST_CASE("The world reference says what an edit costs") {
   const std::string page = reference::world_reference();
   CHECK_THAT(page, Contains("its middle is the origin.\n\nWhile the "
-                            "world runs, an edit makes the physics engine anew.\n"));
+                            "world runs, an edit creates the physics engine again.\n"));
   CHECK_THAT(page, Contains("| steps in one control period; an edit costs nothing |"));
   CHECK_THAT(page, Contains("no wheel rolls faster than this; may change while the world runs |"));
-  CHECK_THAT(page, Contains("While the world runs, an edit makes the robot's body anew."));
-  CHECK_THAT(page, Contains("While the world runs, an edit makes the plugin's object anew."));
+  CHECK_THAT(page, Contains("While the world runs, an edit creates the robot's body again."));
+  CHECK_THAT(page, Contains("While the world runs, an edit creates the plugin's object again."));
 }
 
 TEST_CASE("A plugin's page is its declaration") {

@@ -19,7 +19,7 @@ constexpr const char* kScattered = R"(<world format="1">
 
 }  // namespace
 
-TEST_CASE("A reset with another seed draws the layouts anew, and one with the same does not") {
+TEST_CASE("A reset with another seed draws the layouts again, and one with the same does not") {
   Session session;
   const auto place_of_c1 = [&] {
     const auto snapshot = session.connection().snapshots().take();
@@ -55,4 +55,24 @@ TEST_CASE("A run that is under way becomes what an edited layout draws") {
   const Json more = session.edit({"scatter[c]/@count=6"});
   CHECK_FALSE(more.contains("refused"));
   CHECK(more["scene"].dump().find("c6") != std::string::npos);
+}
+
+TEST_CASE("A layout that is added later follows the seed of the run, not that of the opening") {
+  const std::string scatter = "<scatter id=\"c\" count=\"4\"><static_box/></scatter>";
+  const auto place_of_c1 = [&](std::uint64_t opened, std::uint64_t reset) {
+    Session session;
+    session.ask({{"do", "open"},
+                 {"text", "<world format=\"1\">\n  <robots><robot id=\"r\"/></robots>\n</world>\n"},
+                 {"file", ""},
+                 {"seed", opened}});
+    session.ask({{"do", "reset"}, {"seed", reset}});
+    session.ask({{"do", "step"}});  // the run is under way: it is not read again
+    session.edit({"scatter[+]=" + scatter});
+    const auto snapshot = session.connection().snapshots().take();
+    REQUIRE(snapshot);
+    REQUIRE(snapshot->bodies.size() == 5);
+    return snapshot->bodies.back().origin[0];
+  };
+  CHECK(place_of_c1(1, 2) == place_of_c1(2, 2));
+  CHECK(place_of_c1(1, 2) != place_of_c1(1, 1));
 }

@@ -163,7 +163,7 @@ TEST_CASE("A lowered maximum speed scales both wheels alike, at once") {
   advance(simulation, 20);
   CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});
   set(simulation, 0, "max_speed", 1.0);
-  CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});  // until it decides anew
+  CHECK(rates(simulation.robot(0).command) == WheelRates{15, 7.5});  // until it decides again
   advance(simulation, 10);
   CHECK(rates(simulation.robot(0).command) == WheelRates{50, 25});
   set(simulation, 0, "max_speed", 0.0);

@@ -535,7 +535,7 @@ TEST_CASE("Edits of one instant are made in the order given, whatever they cost"
   CHECK(speed_after({{"robot[r3]", r3}, {"robot[r3]/@max_speed", "0.1"}}) == 0.1);
 }
 
-TEST_CASE("What is put in place by itself is put in place together with what is made anew") {
+TEST_CASE("What is put in place by itself is put in place together with what is created again") {
   Simulation simulation(lively(), shipped(), {7});
   advance(simulation, 100);
   const OwnState before = *simulation.robot(0).state;

@@ -157,7 +157,7 @@ TEST_CASE("A measure that fails is named, with the step") {
   CHECK(result.steps == 3);
   CHECK_FALSE(value(result, "scripted_measure"));
   CHECK(*value(result, "path_length_m") > 0.0);
-  // A new run begins anew.
+  // A new run starts again.
   simulation.reset();
   CHECK(value(simulation.result(), "scripted_measure") == 1.0);
 }

@@ -309,7 +309,7 @@ TEST_CASE("Files that a change names are found as those of the world are") {
   CHECK(rates(simulation.robot(0).command).left < rates(untouched.robot(0).command).left - 1.0);
 }
 
-TEST_CASE("A network that is to be trained otherwise is trained anew, and says so") {
+TEST_CASE("A network that is to be trained otherwise is trained again, and says so") {
   world::World world = one_robot(behavior("wander", 1));
   world.robots[0].sensors = {beam("left", 15), beam("right", -15)};
   world.robots[0].behaviors.push_back(behavior("avoid_obstacle", 1, models("avoid_obstacle")));

@@ -197,7 +197,7 @@ TEST_CASE("A parameter that is gone is left out and reported, a new one has its 
   CHECK(simulation.world().robots[0].behaviors[0].parameters.contains("stale"));
 }
 
-TEST_CASE("What an object remembers is handed over; one that hands over nothing begins anew") {
+TEST_CASE("What an object remembers is handed over; one that hands over nothing starts again") {
   Stage stage;
   stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("forgetful")));
   Simulation& simulation = stage.start();

@@ -385,7 +385,7 @@ TEST_CASE("Edits of later edits are followed before the run") {
              Catch::Contains("there is no robot[r8]"));
 }
 
-TEST_CASE("What gets another id begins anew, which a note says with the time") {
+TEST_CASE("What gets another id starts again, which a note says with the time") {
   ScriptedHost scripted([](const Perception&) { return wheels(10, 10); });
   world::World world;
   world.limits.time = 4;
@@ -399,5 +399,5 @@ TEST_CASE("What gets another id begins anew, which a note says with the time") {
   REQUIRE(result.notes.size() == 1);
   CHECK(result.notes[0].text ==
         "An edit at 2.5 s sets robot[r1]/@id=r9: an object with another id is a new object and "
-        "starts anew.");
+        "starts again.");
 }

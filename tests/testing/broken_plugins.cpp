@@ -59,7 +59,7 @@ class SharesStatic final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(SharesStatic, "shares_static", "Counts in a static");
 
-/// Correct alone: each run begins anew.
+/// Correct alone: each run starts again.
 class SharesQuietly final : public elsie::Behavior {
  public:
   void reset(elsie::Random&) override { last = 0.0; }

@@ -72,7 +72,7 @@ TEST_CASE("Wrong worlds, and wrong ids, are reported") {
   CHECK_THROWS_WITH(world.reading<VisionReading>("r1", "eye"), Catch::Contains("not 'vision'"));
 }
 
-TEST_CASE("A reset with another seed draws layouts that follow the run's seed anew") {
+TEST_CASE("A reset with another seed draws layouts that follow the run's seed again") {
   const auto boxes = [](const World& world) {
     std::vector<double> places;
     for (const auto& box : world.simulation().world().boxes) places.push_back(box.x);

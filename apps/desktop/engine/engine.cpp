@@ -135,7 +135,7 @@ void Engine::read_messages() {
       Q_EMIT event(message);
     }
     if (generation != generation_ || !connection_) {
-      return;  // started anew by a listener
+      return;  // started again by a listener
     }
   }
   take_snapshot();

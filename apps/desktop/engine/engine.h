@@ -20,7 +20,7 @@ namespace elsie::desktop {
 using client::Json;
 
 /// Orders go to the engine, answers and snapshots come from it (docs/session.md); nothing waits.
-/// When the process ends by itself, died() says so, and start() begins anew.
+/// When the process ends by itself, died() says so, and start() starts it again.
 class Engine : public QObject {
   Q_OBJECT
 

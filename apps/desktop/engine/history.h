@@ -8,7 +8,7 @@
 namespace elsie::desktop {
 
 /// A list of edits that were made, each with a name for the menu, and a place in it. The engine has
-/// the inverses; the texts are for an engine that was started anew.
+/// the inverses; the texts are for an engine that was started again.
 class History {
  public:
   struct Entry {

@@ -72,6 +72,9 @@ class Workbench : public QObject {
   void save_as(const QString& file, std::function<void(const QString&)> done);
   /// Where files of worlds are that have no folder of their own yet.
   static QString kept_folder();
+  /// Says that a file there was made for this world: it goes with its copy, once nothing leads to
+  /// it.
+  void has_made(const QString& file) { made_ << file; }
   /// Whether another program wrote the file since it was read or saved.
   bool is_changed_on_disk() const;
   /// Calls back when all changes that are ordered now are made or refused.
@@ -228,7 +231,8 @@ class Workbench : public QObject {
   std::uint64_t seed_ = 1;
   int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
-  QSet<QString> copied_;      // files in kept_folder() to which undo may lead
+  QSet<QString> made_;        // files in kept_folder() that only the world here may use
+  QSet<QString> copied_;      // those of them to which undo may lead
   Recovery recovery_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;

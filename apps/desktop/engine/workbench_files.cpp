@@ -238,30 +238,36 @@ void Workbench::save_elsewhere(const QString& target) {
 
 bool Workbench::has_kept_files() const { return !named_files_in(kept_folder(), tree_).isEmpty(); }
 
-/// The text with the names of copies in the folder of `target`. `why`: a sentence if there is
-/// one that could not be copied, which keeps its name.
+/// The text with the names of copies in the folder of `target`. `why`: a sentence if there are
+/// files that could not be copied, which keep their names.
 QString Workbench::bring_beside(const QString& target, QString text, QString& why) {
   const QString folder = folder_of(target);
+  QStringList left;
   for (const QString& file : named_files_in(kept_folder(), tree_)) {
     const std::optional<QByteArray> content = bytes_of(file);
     const QString name = free_name(folder, QFileInfo(file).fileName(), content);
     const QString copy = folder + '/' + name;
     QFile original(file);
     if (!QFileInfo::exists(copy) && !original.copy(copy)) {
-      why = tr("The world is saved, but '%1' could not be copied beside it: %2. It is used where "
-               "it is.")
-                .arg(file, original.errorString());
+      left << tr("'%1' (%2)").arg(file, original.errorString());
+      made_.remove(file);  // the saved world uses it from now on
       continue;
     }
-    copied_ << file;
+    if (made_.contains(file)) copied_ << file;
     for (const QChar mark : {u'"', u'\''}) {
       text.replace(mark + escaped(file) + mark, mark + escaped(name) + mark);
     }
   }
+  if (!left.isEmpty()) {
+    why = tr("The world is saved, but these files could not be copied beside it, and it uses them "
+             "where they are: %1.")
+              .arg(left.join(", "));
+  }
   return text;
 }
 
-// The originals of copies go when undo leads to them no more.
+// The originals of copies that this window has made go when undo leads to them no more; another
+// world may use any other file.
 void Workbench::remove_copied() {
   for (const QString& file : std::as_const(copied_)) {
     QFile::remove(file);

@@ -243,6 +243,7 @@ void TrainingPage::choose_weights() {
   const QString name = free_name(folder, robot_id(coordinator_) + ".weights");
   weights_file_ = folder + '/' + name;
   weights_ = has_file ? name : weights_file_;
+  if (!has_file) workbench_.has_made(weights_file_);
 }
 
 void TrainingPage::train(const QStringList& edits, bool has_seed) {

@@ -34,6 +34,7 @@ Examples:
   elsie replay clutter.mcap --picture end.png
   elsie replay clutter.mcap --picture half-way.svg --at 30
   elsie replay clutter.mcap --world again.xml
+  elsie replay clutter.mcap --json
   elsie batch experiments/top_speed.xml --database speed.sqlite
   elsie replay speed.sqlite 17
   elsie replay speed.sqlite 17 --picture run.png --record run.mcap
@@ -114,8 +115,10 @@ int replay_matching(const CLI::App& command, const ReplayOptions& options) {
     throw BadInput("--where chooses runs, and a number names one; expected one of the two");
   }
   refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
-  if (options.picture || options.world) {
-    throw BadInput(std::string(options.picture ? "--picture" : "--world") +
+  if (options.picture || options.world || options.again.json) {
+    throw BadInput(std::string(options.picture ? "--picture"
+                               : options.world ? "--world"
+                                               : "--json") +
                    " is for one run; expected its number instead of --where");
   }
   return replay_runs({.plugins = options.again.plugins,
@@ -130,8 +133,9 @@ int replay_matching(const CLI::App& command, const ReplayOptions& options) {
 
 int replay(const CLI::App& command, const ReplayOptions& options) {
   require_content(options.file);
-  const RecordingOptions recording{options.file, options.picture, options.world,
-                                   options.at,   options.width,   options.again.plugins};
+  const RecordingOptions recording{options.file,         options.picture, options.world,
+                                   options.at,           options.width,   options.again.json,
+                                   options.again.plugins};
   if (mcap::may_be_mcap(options.file)) {
     refuse(command, kForRuns,
            "'" + options.file + "' is a recording of one run, in which nothing is run again");
@@ -206,6 +210,8 @@ void add_replay_command(CLI::App& program, Job& job) {
                    "database is not made again then")
       ->type_name("FILE.xml");
   RunAgainOptions& again = options->again;
+  command->add_flag("--json", again.json,
+                    "Print what a recording has, or the seed and the command of --world, as JSON");
   again.plugins.add_to(*command);
   const auto before = command->get_options().size();
   command

@@ -1,8 +1,11 @@
 #include "replay_recording.h"
 
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
 #include "elsie/mcap/records.h"
@@ -97,8 +100,39 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
   recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
 }
 
-/// Writes the world, and returns the command that repeats the run.
-std::string write_world(const RecordedRun& run, const RecordingOptions& options) {
+/// The contents of the recording, and the command that repeats the run if its world was written.
+std::string json(const RecordedRun& run, const std::optional<StartWorld>& written) {
+  using Json = nlohmann::ordered_json;
+  Json object = {{"recorded_by", run.library}, {"complete", run.missing_end.empty()}};
+  if (run.of_elsie) {
+    object["world"] = run.world;
+    object["world_file"] = run.world_file;
+    object["seed"] = run.seed;
+    object["end_s"] = run.end_s;
+    object["period_s"] = run.period_s;
+    object["outcome"] = run.result ? Json(run.result->outcome) : Json();
+    if (run.result) {
+      object["reason"] = run.result->reason;
+      object["simulated_s"] = run.result->simulated_s;
+      object["steps"] = run.result->steps;
+      object["state_hash"] = run.result->state_hash;
+      object["measures"] = Json::object();
+      for (const auto& [name, value] : run.result->measures) object["measures"][name] = value;
+    }
+  }
+  object["channels"] = Json::array();
+  for (const auto& channel : run.channels) {
+    object["channels"].push_back(
+        {{"topic", channel.topic}, {"schema", channel.schema}, {"messages", channel.messages}});
+  }
+  if (written) {
+    object["command"] = written->command;
+    object["duration_s"] = written->duration_s ? Json(*written->duration_s) : Json();
+  }
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+StartWorld write_world(const RecordedRun& run, const RecordingOptions& options) {
   if (run.start_xml.empty()) {
     throw BadInput("--world: there is no world in the recording");
   }
@@ -120,8 +154,9 @@ int replay_recording(const RecordingOptions& options) {
   if (options.picture) {
     draw(run, options);
   }
-  const std::string again = options.world ? write_world(run, options) : "";
-  out() << again << report(run);
+  std::optional<StartWorld> written;
+  if (options.world) written = write_world(run, options);
+  out() << (options.json ? json(run, written) : (written ? written->in_words() : "") + report(run));
   return kSuccess;
 }
 

@@ -15,7 +15,8 @@ struct RecordingOptions {
   std::optional<std::string> world;  // file for the world with the run's edits
   std::optional<double> at;          // s; none: at the end
   int width = 1000;                  // of the picture, pixels
-  PluginOptions plugins;             // for drawing and checking the world
+  bool json = false;
+  PluginOptions plugins;  // for drawing and checking the world
 };
 
 /// Prints its contents, draws it, and returns the exit code. Throws BadInput.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -133,14 +134,25 @@ int write_world(const StoredRun& run, const RunAgainOptions& options) {
   }
   world::ReadOptions reading = read_options();
   reading.files = restored.files();
-  out() << write_start_world({run.job.world_text, run.job.world_file, run.job.seed},
-                             restored.host(), reading, options.plugins, *options.world);
+  const StartWorld written =
+      write_start_world({run.job.world_text, run.job.world_file, run.job.seed}, restored.host(),
+                        reading, options.plugins, *options.world);
+  out() << (options.json
+                ? nlohmann::ordered_json{{"seed", run.job.seed}, {"command", written.command}}.dump(
+                      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                      '\n'
+                : written.in_words());
   return kSuccess;
 }
 
 }  // namespace
 
 int replay_run(const RunAgainOptions& options) {
+  if (options.json && !options.world) {
+    throw BadInput(
+        "--json: for a run of a database, it needs --world; `elsie report --json` "
+        "has the results");
+  }
   auto views = make_views(options.views);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);

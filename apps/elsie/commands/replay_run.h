@@ -19,6 +19,7 @@ struct RunAgainOptions {
   std::optional<std::string> world;    // file for the world; then the run is not repeated
   std::optional<double> wall_limit_s;  // 0: none; by default that of the batch, if it was exceeded
   bool quiet = false;
+  bool json = false;  // of what is printed about the world
 };
 
 /// Runs it again, reports whether the result is the same, and returns the exit code. Throws

@@ -45,21 +45,24 @@ void require_new_world(const std::string& file) {
   }
 }
 
-std::string write_start_world(const RunToWrite& run, const plugin::Host& host,
-                              const world::ReadOptions& reading, const PluginOptions& plugins,
-                              const std::string& file) {
+StartWorld write_start_world(const RunToWrite& run, const plugin::Host& host,
+                             const world::ReadOptions& reading, const PluginOptions& plugins,
+                             const std::string& file) {
   const std::string text = text_from(run, host, reading, std::filesystem::path(file).parent_path());
   if (const int problem = base::write_whole(file, text)) {
     throw BadInput("--world: '" + file +
                    "' cannot be written: " + std::generic_category().message(problem));
   }
   std::vector<std::string> words{"elsie", "run", file, "--seed", std::to_string(run.seed)};
+  StartWorld written;
   if (run.time_limit_s > 0.0 && run.time_limit_s != own_time_limit(run)) {
+    written.duration_s = run.time_limit_s;
     words.insert(words.end(), {"--duration", base::number_text(run.time_limit_s)});
   }
   const std::vector<std::string> of_plugins = plugins.words();
   words.insert(words.end(), of_plugins.begin(), of_plugins.end());
-  return "the same run: " + process::shell_line(words) + "\n\n";
+  written.command = process::shell_line(words);
+  return written;
 }
 
 }  // namespace elsie::program

@@ -10,7 +10,7 @@ std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Phys
   if (*interface != EngineInterface()) {
     throw plugin::PluginError("the physics engine '" + physics.engine + "', " +
                                   plugin::engine_file(physics.engine).string() +
-                                  ", is of another version of Elsie; install Elsie anew, or build "
+                                  ", is of another version of Elsie; reinstall Elsie, or build "
                                   "it again",
                               base::kOtherFailure);
   }

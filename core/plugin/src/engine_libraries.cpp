@@ -51,7 +51,7 @@ void* engine_symbol(const std::string& name, const char* symbol) {
 void* part_symbol(const std::string& what, const fs::path& file, const char* symbol) {
   const auto refuse = [&](const std::string& why) {
     throw PluginError("the library of " + what + ", " + file.string() + ", " + why +
-                          "; install Elsie anew, or build it again",
+                          "; reinstall Elsie, or build it again",
                       base::kOtherFailure);
   };
   // A loaded library was inspected before.

@@ -8,8 +8,8 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
-#include "elsie/world/ahead.h"
 #include "elsie/world/attributes.h"
+#include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
 #include "elsie/world/writer.h"
@@ -206,6 +206,7 @@ world::World Simulation::Impl::reread(const world::World& from,
   options.is_running = true;
   options.check_plugins = check_plugins;
   options.overrides = edits;
+  options.seed = seed_;
   return world::parse_world(world::write_world(from), from.file, *host_, options);
 }
 
@@ -220,7 +221,7 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
         becoming.said().notes.push_back({"", "changes",
                                          "An edit at " + becoming.time() + " sets " + edit.text() +
                                              ": an object with another id is a new object and "
-                                             "starts anew."});
+                                             "starts again."});
       }
     }
     std::vector<std::string> robots = world::robots_at(was, edit.path);

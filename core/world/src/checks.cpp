@@ -204,7 +204,7 @@ class CoordinationCheck {
     if (other_version) {
       problems_.add(use.location, what + " as it was built with, but those of the sensor '" +
                                       other_version->plugin +
-                                      "' have another layout; build both plugins anew against the "
+                                      "' have another layout; build both plugins again with the "
                                       "same header");
     } else if (!met) {
       std::vector<std::string> makers;

@@ -1,10 +1,12 @@
 #include "elsie/world/reader.h"
 
 #include <algorithm>
+#include <numeric>
+#include <set>
 #include <utility>
 
 #include "elsie/plugin/host.h"
-#include "elsie/world/ahead.h"
+#include "elsie/world/changed_worlds.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/data_directories.h"
 #include "elsie/world/error.h"
@@ -67,8 +69,10 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
                     options.found);
   Element root = tree_of_world(text, file);
   std::optional<Drawn> drawn;
-  std::vector<std::string> of_drawn;  // edits of what layouts draw
-  const auto apply = [&](const std::string& override) {
+  const std::vector<std::string>& overrides = options.overrides;
+  std::set<std::size_t> of_drawn;  // edits of what layouts draw
+  const auto apply = [&](std::size_t number) {
+    const std::string& override = overrides[number];
     const Concern concern = concern_of(override);
     if ((options.is_running || drawn) && concern == Concern::templates) {
       problems.add({"--set " + override, 0},
@@ -79,7 +83,7 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
     Problems own;
     apply_override(root, override, options.is_running, own);
     if (!own.empty() && root.child("layouts") && !is_about_layouts(override)) {
-      of_drawn.push_back(override);
+      of_drawn.insert(number);
       return;
     }
     problems.add(own);
@@ -88,19 +92,29 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
     }
   };
   // A running world has no templates any more: its edits are made in the given order.
-  std::vector<std::string> overrides = options.overrides;
-  const auto later =
-      options.is_running
-          ? overrides.begin()
-          : std::stable_partition(overrides.begin(), overrides.end(), [](const auto& override) {
-              return concern_of(override) >= Concern::robots;
-            });
-  std::for_each(overrides.begin(), later, apply);
+  std::vector<std::size_t> order(overrides.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto later = options.is_running
+                         ? order.begin()
+                         : std::stable_partition(order.begin(), order.end(), [&](std::size_t each) {
+                             return concern_of(overrides[each]) >= Concern::robots;
+                           });
+  std::for_each(order.begin(), later, apply);
   merge_templates(root, host, files, problems);
-  std::for_each(later, overrides.end(), apply);
+  std::for_each(later, order.end(), apply);
   draw_layouts(root, file, host, files, options, drawn, problems);
   if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
-  std::for_each(of_drawn.begin(), of_drawn.end(), apply);
+  // The last edit decides: those after one that had to wait are made again, unless they add.
+  for (std::size_t i = of_drawn.empty() ? overrides.size() : *of_drawn.begin();
+       i < overrides.size(); ++i) {
+    const std::string path = overrides[i].substr(0, overrides[i].find('='));
+    if (of_drawn.contains(i)) {
+      apply(i);
+    } else if (concern_of(path) <= Concern::removed_robots && path.find("[+") == path.npos) {
+      Problems made_already;
+      apply_override(root, overrides[i], options.is_running, made_already);
+    }
+  }
   World world = world_of_tree(std::move(root), file, host, files, options, problems);
   world.drawn = drawn;
   return world;
@@ -124,7 +138,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   if (options.check_plugins && !options.is_running) {
-    worlds_ahead(world, host, options);
+    changed_worlds(world, host, options);
   }
   return std::move(world);
 }

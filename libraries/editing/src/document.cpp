@@ -17,6 +17,7 @@
 #include "elsie/world/tree.h"
 #include "elsie/world/values.h"
 
+#include "drawn.h"
 #include "meaning.h"
 #include "rewriting.h"
 #include "undo.h"
@@ -352,32 +353,14 @@ std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::stri
   return inverse;
 }
 
-// What a layout draws has the layout's place in the file.
+// The layout that draws what the edit changes; null if none does.
 const Element* Document::Impl::layout_of(const Element& tree, const std::string& edit) const {
-  const Element* const layouts = tree.child("layouts");
   Element drawn = tree;
   std::optional<world::Drawn> seed;
   Problems problems;
   world::draw_layouts(drawn, file_, host_, files_, options_, seed, problems);
   world::apply_override(drawn, edit, options_.is_running, problems);
-  if (!layouts || !problems.empty()) {
-    return nullptr;
-  }
-  const std::string by_edit = "--set " + edit;
-  for (const Element& list : drawn.children) {
-    for (const Element& member : list.children) {
-      bool is_edited = false;
-      world::for_each_element(member, [&](const Element& element) {
-        is_edited |= element.removed_by || element.where.file == by_edit ||
-                     std::any_of(element.attributes.begin(), element.attributes.end(),
-                                 [&](const Attribute& each) { return each.where.file == by_edit; });
-      });
-      for (const Element& layout : layouts->children) {
-        if (is_edited && layout.where.line == member.where.line) return &layout;
-      }
-    }
-  }
-  return nullptr;
+  return problems.empty() ? layout_that_made_edited(tree, drawn, edit) : nullptr;
 }
 
 WorldText Document::Impl::edited(const WorldText& from, const std::string& edit, Element& wanted,
@@ -387,7 +370,9 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
   wanted = before;
   Problems problems;
   world::apply_override(wanted, edit, options_.is_running, problems);
-  if (const Element* layout = problems.empty() ? nullptr : layout_of(before, edit)) {
+  Element tree = wanted;  // looking for a path may add elements
+  if (const Element* layout =
+          problems.empty() ? layout_that_draws(tree, edit) : layout_of(before, edit)) {
     refuse(edit, "the layout '" + layout->value("id") +
                      "' draws this, another one from each seed; edit what " + layout->name + "[" +
                      layout->value("id") + "] says instead");

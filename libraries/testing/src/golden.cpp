@@ -250,7 +250,7 @@ Verdict compare_with_golden(const Trace& trace, const std::string& file, double 
   }
   if (!verdict) {
     verdict.sentence =
-        file + ": " + verdict.sentence + " (" + kUpdateVariable + "=1 writes the file anew)";
+        file + ": " + verdict.sentence + " (" + kUpdateVariable + "=1 writes the file again)";
   }
   return verdict;
 }

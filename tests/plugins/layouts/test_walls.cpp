@@ -2,6 +2,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <queue>
+#include <set>
 
 #include <catch2/catch.hpp>
 
@@ -156,8 +157,7 @@ TEST_CASE("A floor plan has the walls that are listed in it, or in a file") {
   CHECK(text_of(plan(file, "wall_thickness='0.2'"), 1).find("x=\"0.5\"") != std::string::npos);
   CHECK(drawn(plan(file)).boxes.size() == 2);
   write(file, "-1 0 2 0\n1 2 3\n");
-  CHECK_THAT(refusal(plan(file)),
-             Contains("walls.txt:2: found '1 2 3'; expected a line X1 Y1 X2 Y2"));
+  CHECK_THAT(refusal(plan(file)), Contains("walls.txt:2: found '1 2 3'; expected X1 Y1 X2 Y2 (m)"));
   write(file, "# none\n");
   CHECK_THAT(refusal(plan(file)), Contains("which has no walls"));
   write(file, "0 0 9 0\n");
@@ -236,4 +236,91 @@ TEST_CASE("Walls that cannot be are refused in a sentence") {
                      "</floor_plan></layouts>"),
              Contains("has a file and <wall>s; expected one of them"));
   CHECK_THAT(refusal(plan("nothing.png")), Contains("there is no such file"));
+}
+
+namespace {
+
+/// The least distance, m, from a point to a wall or the arena's edge in the directions of the axes:
+/// those to the left and to the right together, and likewise up and down.
+double least_side(const world::World& world, double x, double y) {
+  double left = -0.5 * world.arena.length, right = -left;
+  double low = -0.5 * world.arena.width, high = -low;
+  for (const world::Box& box : world.boxes) {
+    const bool is_turned = box.heading_deg != 0.0 && std::abs(box.heading_deg) != 180.0;
+    const double half_x = 0.5 * (is_turned ? box.width : box.length);
+    const double half_y = 0.5 * (is_turned ? box.length : box.width);
+    if (std::abs(y - box.y) < half_y) {
+      (box.x < x ? left : right) =
+          box.x < x ? std::max(left, box.x + half_x) : std::min(right, box.x - half_x);
+    }
+    if (std::abs(x - box.x) < half_x) {
+      (box.y < y ? low : high) =
+          box.y < y ? std::max(low, box.y + half_y) : std::min(high, box.y - half_y);
+    }
+  }
+  return std::min(right - left, high - low);
+}
+
+}  // namespace
+
+TEST_CASE("No room is narrower between its walls than the smallest may be") {
+  for (const char* const border : {"false", "true"}) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const world::World rooms =
+          drawn("<layouts><rooms smallest='1.33333' door='0.6' wall_thickness='0.15' border='" +
+                    std::string(border) + "'/></layouts>",
+                seed);
+      double least = 10.0;
+      for (double x = -4.8; x < 4.81; x += 0.1973) {
+        for (double y = -4.8; y < 4.81; y += 0.1973) {
+          const bool is_in_wall =
+              std::any_of(rooms.boxes.begin(), rooms.boxes.end(), [&](const world::Box& box) {
+                world::Footprint here = world::footprint_of(box);
+                here.x = x, here.y = y, here.heading_rad = 0.0;
+                here.half_length = here.half_width = 0.35;  // doors are no rooms
+                return world::overlap(here, world::footprint_of(box));
+              });
+          if (!is_in_wall) least = std::min(least, least_side(rooms, x, y));
+        }
+      }
+      CHECK(least >= 1.33333 - 1e-6);
+    }
+  }
+  CHECK_THAT(refusal("<layouts><rooms length='2' smallest='2' border='true'/></layouts>"),
+             Contains("has no room of 2 m between the walls around it"));
+}
+
+TEST_CASE("The walls around a maze or rooms are as thick as the others, within their area") {
+  for (const std::string layout : {"maze columns='4' rows='4'", "rooms smallest='2'"}) {
+    const world::World world = drawn("<layouts><" + layout +
+                                     " length='8' width='6' wall_thickness='0.2' border='true'/>"
+                                     "</layouts>");
+    double right = 0.0, top = 0.0;
+    for (const world::Footprint& wall : footprints(world)) {
+      right = std::max(right, wall.x + wall.reach(1, 0));
+      top = std::max(top, wall.y + wall.reach(0, 1));
+      CHECK(wall.half_width == 0.1);
+    }
+    CHECK(right == Approx(4.0));
+    CHECK(top == Approx(3.0));
+  }
+}
+
+TEST_CASE("The boxes of an image leave no gaps, whatever the size of a pixel") {
+  const Folder folder;
+  const std::string file = folder.file("steps.pgm");
+  write(file, "P2 3 3 255\n0 0 0\n255 0 0\n255 255 0\n");
+  const world::World world = drawn(plan(file, "metres_per_pixel='0.33333'"));
+  const auto edges = [&](bool is_low) {
+    std::set<std::int64_t> all;
+    for (const world::Box& box : world.boxes) {
+      all.insert(std::llround(1e5 * (box.y + (is_low ? -0.5 : 0.5) * box.width)));
+    }
+    return all;
+  };
+  REQUIRE(world.boxes.size() > 1);
+  // Every lower edge but the lowest is an upper edge too.
+  const auto low = edges(true), high = edges(false);
+  CHECK(std::count_if(low.begin(), low.end(), [&](auto each) { return !high.contains(each); }) ==
+        1);
 }

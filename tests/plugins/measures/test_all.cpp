@@ -69,7 +69,7 @@ TEST_CASE("Measures about robots take one, those of a team, or all, and know who
   }
 }
 
-TEST_CASE("A measure begins anew with each run") {
+TEST_CASE("A measure starts again with each run") {
   Scene now = three_robots();
   for (const char* name : {"path_length", "collected", "collisions", "energy"}) {
     CAPTURE(name);

@@ -35,7 +35,7 @@ void ModelBuilder::rule_block(const ast::RuleBlock& block) {
       problems_.add_note(written.label.line, "A second rule " + written.label.text +
                                                  " in this block; the first is in line " +
                                                  std::to_string(place->second) +
-                                                 ". Both count: number it anew.");
+                                                 ". Both count: give it another number.");
     }
     rule(block, written, operators, scales);
   }

@@ -76,7 +76,7 @@ class Reader {
   void next(const char* expected) {
     if (!advance()) {
       refuse(std::string("the file ends here, expected ") + expected +
-             "; was it cut off? Write it anew with elsie train");
+             "; was it cut off? Write it again with elsie train");
     }
   }
 

@@ -34,9 +34,8 @@ std::unique_ptr<Simulation> Server::Impl::simulation_of(const world::World& worl
 }
 
 void Server::Impl::restart(std::uint64_t seed) {
-  const auto& drawn = document_->world().drawn;
-  std::optional<editing::Document> other;  // with the layouts that this seed draws
-  if (drawn && drawn->by_run && drawn->seed != seed) {
+  std::optional<editing::Document> other;  // with the layouts that this seed draws, now or later
+  if (seed != seed_) {
     other.emplace(document_->text(), document_->file(), host(), reading(seed));
   }
   auto simulation = simulation_of((other ? other : document_)->world(), seed, host());

@@ -15,7 +15,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/results/hash.h"
-#include "elsie/world/ahead.h"
+#include "elsie/world/changed_worlds.h"
 #include "elsie/world/writer.h"
 
 #include "plugins_in_use.h"
@@ -99,7 +99,7 @@ class Planner {
       name_files(host_.find(kind, plugin.plugin), plugin, names);
     };
     std::map<std::string, std::string> found;
-    std::vector<world::World> ahead = worlds_ahead(world, found);
+    std::vector<world::World> ahead = changed_worlds(world, found);
     for_each_use(world, see);
     for (world::World& later : ahead) {
       for_each_use(later, see);
@@ -204,12 +204,12 @@ class Planner {
   }
 
   /// The worlds after each of the world's edits. Adds the files that the edits name to `found`.
-  std::vector<world::World> worlds_ahead(const world::World& world,
-                                         std::map<std::string, std::string>& found) const {
+  std::vector<world::World> changed_worlds(const world::World& world,
+                                           std::map<std::string, std::string>& found) const {
     world::ReadOptions options;
     options.data_directories = options_.data_directories;
     options.found = &found;
-    return world::worlds_ahead(world, host_, options);
+    return world::changed_worlds(world, host_, options);
   }
 
   std::size_t add_plugin(PluginKind kind, const std::string& name) {

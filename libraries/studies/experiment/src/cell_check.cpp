@@ -14,7 +14,7 @@
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/measures.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/world/ahead.h"
+#include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/writer.h"
 
@@ -189,7 +189,7 @@ class CellCheck {
       reading.data_directories = running.data_directories = options_.data_directories;
       reading.check_plugins = true;
       reading.found = &running.files;
-      world::worlds_ahead(world, host_, reading);
+      world::changed_worlds(world, host_, reading);
     }
     // This asks the plugins whether they fit their robots.
     const simulation::Simulation simulation(world, host_, running);

@@ -148,7 +148,7 @@ void Painter::draw(const Shape& shape, std::size_t first, std::size_t count) {
 }
 
 void Painter::paint(const DrawList& list, const Colour& sky, int width, int height) {
-  // Sets all state anew, because painters may share a context.
+  // Sets all state again, because painters may share a context.
   glUseProgram(program_);
   glViewport(0, 0, width, height);
   glScissor(0, 0, width, height);

@@ -18,7 +18,7 @@ class AccountRecorder::Impl {
  public:
   void start(const simulation::Simulation& simulation) { list_robots(simulation); }
 
-  /// A robot whose behaviours have changed begins anew.
+  /// A robot whose behaviours have changed starts again.
   void list_robots(const simulation::Simulation& simulation) {
     const double now_s = output::tidy_time(simulation.time_s());
     const std::vector<std::size_t> before = std::exchange(present_, {});

@@ -73,7 +73,7 @@ std::string table_of(const std::vector<ParameterDeclaration>& parameters) {
     text += table_row({"`" + field.name + "`", type_in_words(field.type), field.facts.unit,
                        default_text(field), range_in_words(field),
                        field.facts.meaning +
-                           (field.is_live() ? "" : "; an edit in a run makes the plugin anew")});
+                           (field.is_live() ? "" : "; an edit in a run creates the plugin again")});
   }
   return text;
 }

@@ -56,13 +56,13 @@ const char* in_words(world::Cost cost) {
     case world::Cost::value:
       return "may change while the world runs";
     case world::Cost::object:
-      return "an edit makes the plugin's object anew";
+      return "an edit creates the plugin's object again";
     case world::Cost::body:
-      return "an edit makes the robot's body anew";
+      return "an edit creates the robot's body again";
     case world::Cost::engine:
       break;
   }
-  return "an edit makes the physics engine anew";
+  return "an edit creates the physics engine again";
 }
 
 /// `cost`: the cost of attributes that do not specify one.
@@ -125,7 +125,8 @@ std::string world_reference() {
       ". Units are SI; angles are in degrees, as their names say. x points east, y north, z up; "
       "headings are counter-clockwise from east. Numbers are written with a point, and are "
       "finite.\n\nEach element states the cost of an edit in a running world, and so does each "
-      "attribute with another cost. Objects that are made anew take over the state of the objects "
+      "attribute with another cost. Objects that are created again take over the state of the "
+      "objects "
       "that remain. Where nothing is stated, an edit has no cost.\n";
   describe(world::vocabulary(), "world", text);
   text += "\n## robot_template\n\n" + cell(world::template_vocabulary().meaning) +

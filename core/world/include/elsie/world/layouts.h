@@ -1,4 +1,4 @@
-// Layouts: what of a world is drawn anew from each seed. <layouts> stands in a world's file; what
+// Layouts: what of a world is drawn from each seed. <layouts> stands in a world's file; what
 // runs has the robots and boxes that came out of it instead.
 //
 // The core has the vocabulary, whose elements have no objects. What reads and draws them is the

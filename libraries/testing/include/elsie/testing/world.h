@@ -42,7 +42,7 @@ class World {
   bool run_until(const std::function<bool(const World&)>& reached, double seconds);
   /// Runs from the start until a goal or a limit ends the run.
   simulation::RunResult run();
-  /// Returns to the start, with this seed; layouts of the world are drawn anew.
+  /// Returns to the start, with this seed; layouts of the world are drawn again.
   World& reset(std::uint64_t seed);
 
   double time_s() const { return simulation_->time_s(); }

@@ -1,4 +1,4 @@
-#include "elsie/world/ahead.h"
+#include "elsie/world/changed_worlds.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,8 +10,8 @@
 
 namespace elsie::world {
 
-std::vector<World> worlds_ahead(const World& world, const plugin::Host& host,
-                                const ReadOptions& options) {
+std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
+                                  const ReadOptions& options) {
   std::vector<TimedEdit> edits = world.changes;
   std::stable_sort(edits.begin(), edits.end(),
                    [](const TimedEdit& a, const TimedEdit& b) { return a.time < b.time; });

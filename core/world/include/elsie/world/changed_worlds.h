@@ -11,8 +11,8 @@ namespace elsie::world {
 /// effects of the run itself. Each world is checked like a file. Files that an edit names are
 /// searched in the folder of the file with the edit. Throws WorldError with all edits that cannot
 /// be made, each with its file and line.
-std::vector<World> worlds_ahead(const World& world, const plugin::Host& host,
-                                const ReadOptions& options);
+std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
+                                  const ReadOptions& options);
 
 /// Removes line numbers from a message about the text of a running world, because the user has
 /// never seen that text. `file` is the text's name.
