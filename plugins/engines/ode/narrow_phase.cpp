@@ -40,12 +40,21 @@ bool bulges(const Solid& solid) {
   return solid.kind == SolidKind::wheel || solid.kind == SolidKind::ball;
 }
 
-std::variant<Rectangle, Disc> seen_from_above(const Solid& solid) {
+std::variant<Rectangle, Disc, Polygon> seen_from_above(const Solid& solid) {
   const OrientedBox& box = solid.shape;
   if (solid.kind == SolidKind::pillar || solid.kind == SolidKind::ball) {
     return Disc{{box.center.x, box.center.y}, box.half.x};
   }
   const double level = std::hypot(box.axes[0].x, box.axes[0].y);
+  if (solid.kind == SolidKind::prism) {
+    Polygon polygon{{box.center.x, box.center.y}, {}, solid.outline.size()};
+    const double c = box.axes[0].x / level, s = box.axes[0].y / level;
+    std::transform(solid.outline.begin(), solid.outline.end(), polygon.corners.begin(),
+                   [&](const Vector2& corner) {
+                     return Vector2{c * corner.x - s * corner.y, s * corner.x + c * corner.y};
+                   });
+    return polygon;
+  }
   return Rectangle{{box.center.x, box.center.y},
                    {box.axes[0].x / level, box.axes[0].y / level},
                    box.half.x,
