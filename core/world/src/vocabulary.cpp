@@ -64,10 +64,22 @@ ElementSpec point() {
       .attribute("y", &Vector2::y, metres("along its own y"), kRequired);
 }
 
+Describe<Box> with_size(Describe<Box> box, BoxShape shape) {
+  if (shape == BoxShape::cylinder) {
+    return std::move(box).attribute("radius", &Box::radius, size("of its outline"));
+  }
+  if (shape == BoxShape::prism) {
+    return std::move(box).each(point(), &Box::points);
+  }
+  return std::move(box)
+      .attribute("length", &Box::length, size("along its own x"))
+      .attribute("width", &Box::width, size("along its own y"));
+}
+
 // The attributes that all kinds of boxes have.
 Describe<Box> box(const std::string& name, const std::string& meaning,
                   BoxShape shape = BoxShape::box) {
-  Describe<Box> described =
+  auto placed =
       Describe<Box>(name, meaning)
           .costs(Cost::engine)
           .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
@@ -75,16 +87,7 @@ Describe<Box> box(const std::string& name, const std::string& meaning,
           .attribute("y", &Box::y, metres("its middle, north"))
           .attribute("z", &Box::z, range("m", 0, 100, "its bottom"))
           .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"));
-  if (shape == BoxShape::cylinder) {
-    described = std::move(described).attribute("radius", &Box::radius, size("of its outline"));
-  } else if (shape == BoxShape::prism) {
-    described = std::move(described).each(point(), &Box::points);
-  } else {
-    described = std::move(described)
-                    .attribute("length", &Box::length, size("along its own x"))
-                    .attribute("width", &Box::width, size("along its own y"));
-  }
-  return std::move(described)
+  return with_size(std::move(placed), shape)
       .attribute("height", &Box::height, size("along z"))
       .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"),
                  {.cost = Cost::nothing})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace elsie::physics {
@@ -57,6 +58,13 @@ std::pair<Side, double> best_side(const Polygon& polygon, const Polygon& other) 
   return best;
 }
 
+PlanarManifold reversed(PlanarManifold manifold) {
+  manifold.normal = {-manifold.normal.x, -manifold.normal.y};
+  return manifold;
+}
+
+}  // namespace
+
 Polygon polygon_of(const Rectangle& r) {
   Polygon polygon{r.center, {}, 4};
   const Vector2 side = left_of(r.along);
@@ -68,12 +76,38 @@ Polygon polygon_of(const Rectangle& r) {
   return polygon;
 }
 
-PlanarManifold reversed(PlanarManifold manifold) {
-  manifold.normal = {-manifold.normal.x, -manifold.normal.y};
-  return manifold;
+Polygon polygon_of(const Disc& disc) {
+  constexpr std::size_t kCorners = 12;
+  Polygon polygon{disc.center, {}, kCorners};
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kCorners;
+    polygon.corners[i] = {disc.radius * std::cos(angle), disc.radius * std::sin(angle)};
+  }
+  return polygon;
 }
 
-}  // namespace
+std::vector<Vector2> common_area(const Polygon& a, const Polygon& b) {
+  std::vector<Vector2> left(a.outline().begin(), a.outline().end()), kept;
+  for (Vector2& corner : left) corner = {a.center.x + corner.x, a.center.y + corner.y};
+  for (std::size_t i = 0; i < b.count; ++i) {
+    const Side side = side_of(b.outline(), i);
+    const auto gap_of = [&](const Vector2& p) {
+      return side.gap_to({p.x - b.center.x, p.y - b.center.y});
+    };
+    kept.clear();
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const Vector2 &from = left[k], &to = left[(k + 1) % left.size()];
+      const double gap = gap_of(from), next = gap_of(to);
+      if (gap <= 0.0) kept.push_back(from);
+      if (gap * next < 0.0) {
+        const double part = gap / (gap - next);
+        kept.push_back({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
+      }
+    }
+    left.swap(kept);
+  }
+  return left;
+}
 
 PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin) {
   const Face of_a = best_face(a, b);

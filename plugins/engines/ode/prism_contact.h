@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "outlines.h"
 #include "shapes.h"
@@ -37,6 +38,15 @@ struct Polygon {
 
   Outline outline() const { return {corners.data(), count}; }
 };
+
+Polygon polygon_of(const Rectangle& rectangle);
+/// A regular polygon within a disc.
+Polygon polygon_of(const Disc& disc);
+inline const Polygon& polygon_of(const Polygon& polygon) { return polygon; }
+
+/// The corners of the area that two polygons have in common, counter-clockwise (Sutherland and
+/// Hodgman 1974); empty if there is none.
+std::vector<Vector2> common_area(const Polygon& a, const Polygon& b);
 
 struct PlanarContact {
   Vector2 point;
