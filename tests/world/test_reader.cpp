@@ -268,6 +268,22 @@ TEST_CASE("What may stand where") {
     CHECK_THAT(problems("<obstacles><static_box length='0.3' width='0.3'/></obstacles>" + robot),
                Contains("the robot 'r' overlaps the box 'static_box_1' (line 1)"));
   }
+  SECTION("cylinders and prisms are judged by their own outlines") {
+    const std::string robot = "<robots><robot id='r' x='0.15' y='0.15'/></robots>";
+    CHECK(problems("<obstacles><static_cylinder radius='0.15'/></obstacles>" + robot) == "");
+    CHECK_THAT(problems("<obstacles><static_cylinder radius='0.16'/></obstacles>" + robot),
+               Contains("the robot 'r' overlaps the cylinder 'static_cylinder_1' (line 1)"));
+    const std::string prism =
+        "<point x='0' y='0'/><point x='0.3' y='0'/><point x='0' y='0.3'/></dynamic_prism>"
+        "</obstacles>";
+    CHECK(problems("<obstacles><dynamic_prism id='p'>" + prism + robot) == "");
+    CHECK(problems("<obstacles><dynamic_prism id='p' x='4.8' y='4'>" + prism) == "");
+    CHECK_THAT(problems("<obstacles><dynamic_prism id='p' x='4.81' y='4'>" + prism),
+               Contains("the prism 'p' reaches 0.01 m into the east wall"));
+    CHECK(problems("<obstacles><dynamic_prism id='p' x='-4.9' y='4'>" + prism) == "");
+    CHECK_THAT(problems("<obstacles><dynamic_prism id='p' x='-4.91' y='4'>" + prism),
+               Contains("the prism 'p' reaches 0.01 m into the west wall"));
+  }
   SECTION("a bridge may stand over a robot") {
     CHECK(
         problems("<obstacles><static_box z='0.2'/></obstacles><robots><robot id='r'/></robots>") ==
