@@ -19,6 +19,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "authoring/authoring.h"
 #include "hands.h"
 #include "scene/scene_view.h"
 #include "watch/control_surface.h"
@@ -243,7 +244,7 @@ TEST_CASE("A prism begins as a regular polygon with the corners that its dialog 
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().count("<point ") == 5);
   CHECK(window.bench().text().contains("<point x=\"0.3000\" y=\"0.0000\"/>"));
-  window.after([&] { window->authoring().add_point("obstacle[static_prism_1]"); });
+  window.after([&] { window->findChild<Authoring*>()->add_point("obstacle[static_prism_1]"); });
   CHECK(window.bench().text().count("<point ") == 6);
 }
 

@@ -303,6 +303,7 @@ TEST_CASE("The scene has the outline of a prism, from its middle") {
   const Json scene = session.edit({"obstacle[static_cylinder_1]/@radius=0.3"})["scene"];
   const Json &prism = scene["shapes"].at(scene["shapes"].size() - 2),
              &cylinder = scene["shapes"].back();
+  INFO(prism.dump());
   REQUIRE(prism["outline"].size() == 3);
   double x = 0.0;
   for (const Json& corner : prism["outline"]) x += corner.at(0).get<double>();

@@ -338,8 +338,8 @@ void Authoring::resize(const QString& path, double length, double width) {
   }
   QStringList edits{path + "/@length=" + number(length), path + "/@width=" + number(width)};
   if (solid->shape.kind == Shape::Kind::cylinder) {
-    edits =
-        QStringList{path + "/@radius=" + number(0.5 * resized(*solid, length, width).shape.size.x)};
+    edits = QStringList{path +
+                        "/@radius=" + number(0.5 * with_size(*solid, length, width).shape.size.x)};
   } else if (!solid->outline.empty()) {
     edits.clear();
     const double by_x = length / solid->shape.size.x, by_y = width / solid->shape.size.y;

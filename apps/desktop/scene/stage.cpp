@@ -125,7 +125,7 @@ double way_to(const Stage::Solid& solid, const Frame& frame, const Vector3& from
 
 double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
 
-Stage::Solid resized(const Stage::Solid& solid, double length, double width) {
+Stage::Solid with_size(const Stage::Solid& solid, double length, double width) {
   Stage::Solid made = solid;
   Vector3& size = made.shape.size;
   const double x = size.x, y = size.y;

@@ -99,7 +99,7 @@ double heading_rad(const Frame& frame);
 
 /// The solid with another length and width, m; an upright cylinder stays round and takes the one
 /// that differs more.
-Stage::Solid resized(const Stage::Solid& solid, double length, double width);
+Stage::Solid with_size(const Stage::Solid& solid, double length, double width);
 
 /// The edges of a prism, of an upright cylinder (with some of its side) or of the box of another
 /// solid, as pairs of points.

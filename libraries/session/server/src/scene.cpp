@@ -123,7 +123,7 @@ Json scene_json(const simulation::Simulation& simulation) {
     shapes.push_back(json(shape, {.origin = {0.0, 0.0, 0.5 * shape.size.z}},
                           world::box_colour(world, box, kBoxes), ++body));
     for (const Vector2& corner : fixture.outline) {
-      shapes.back()["outline"].push_back({corner.x, corner.y});
+      shapes.back()["outline"].push_back(Json::array({corner.x, corner.y}));
     }
   }
   return {{"arena", {world.arena.length, world.arena.width}},
