@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "elsie/api/geometry.h"
@@ -149,12 +150,13 @@ std::vector<QPointF> Authoring::places_in(const QString& path, const QString& na
 void Authoring::add_place(const QString& path, const QString& name, const QPointF& at) {
   const auto number_of_it = places_in(path, name).size() + 1;
   const QString list = path + '/' + name;
-  workbench_.edit(
-      {QString("%1[+]=<%2 x=\"%3\" y=\"%4\"/>").arg(list, name, number(at.x()), number(at.y()))},
-      tr("add %1").arg(name), {}, this, [this, list, number_of_it](const Problems& problems) {
-        problems.empty() ? select({QString("%1[%2]").arg(list).arg(number_of_it)})
-                         : Q_EMIT said(problems.front().message);
-      });
+  workbench_.edit({QString("%1[+]=<%2 x=\"%3\" y=\"%4\"/>")
+                       .arg(list, name, number(at.x(), 1e-4), number(at.y(), 1e-4))},
+                  tr("add %1").arg(name), {}, this,
+                  [this, list, number_of_it](const Problems& problems) {
+                    problems.empty() ? select({QString("%1[%2]").arg(list).arg(number_of_it)})
+                                     : Q_EMIT said(problems.front().message);
+                  });
 }
 
 // Beside the last one.
@@ -163,12 +165,19 @@ void Authoring::add_waypoint(const QString& path) {
   add_place(path, "waypoint", (places.empty() ? QPointF() : places.back()) + QPointF(0.0, 0.5));
 }
 
-// In the middle of the last side, from where it may be moved outwards.
+// Just outside of the middle of the last side, so that the outline stays convex.
 void Authoring::add_point(const QString& path) {
   const std::vector<QPointF> places = places_in(path, "point");
-  if (!places.empty()) {
-    add_place(path, "point", 0.5 * (places.back() + places.front()));
+  if (places.empty()) {
+    return;
   }
+  const QPointF side = places.front() - places.back();
+  const QPointF middle =
+      std::accumulate(places.begin(), places.end(), QPointF()) / static_cast<double>(places.size());
+  const QPointF at = 0.5 * (places.back() + places.front());
+  QPointF outwards(side.y(), -side.x());
+  if (QPointF::dotProduct(outwards, at - middle) < 0.0) outwards = -outwards;
+  add_place(path, "point", at + 0.02 * outwards);
 }
 
 void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "coordinator"); }

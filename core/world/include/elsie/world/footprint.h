@@ -47,7 +47,7 @@ std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, dou
 /// What is wrong with points as the outline of a prism, to follow its name: "is not convex: ...".
 /// None if they go around it once, either way.
 std::optional<std::string> problem_of_outline(std::span<const Vector2> points);
-/// The corners counter-clockwise, with the center of their area at the origin.
+/// The corners of points without a problem, counter-clockwise, the center of area at the origin.
 std::vector<Vector2> centered_outline(std::span<const Vector2> points);
 /// m2; negative if the corners go clockwise.
 double area_of(std::span<const Vector2> corners);
