@@ -118,6 +118,12 @@ void MainWindow::make_actions() {
   action("add_moving", tr("&Moving box..."), {}, [this] {
     authoring_->add_element({}, "obstacles", {"moving_box", {}, {}});
   });
+  action("add_cylinder", tr("C&ylinder..."), {}, [this] {
+    authoring_->add_element({}, "obstacles", {"static_cylinder", {}, {}});
+  });
+  action("add_prism", tr("&Prism..."), {}, [this] {
+    authoring_->add_element({}, "obstacles", {"static_prism", {}, {}});
+  });
   action("add_resource", tr("R&esource..."), {},
          [this] { authoring_->add_element({}, "resources"); });
   action("add_charger", tr("&Charger..."), {}, [this] { authoring_->add_element({}, "chargers"); });
@@ -279,9 +285,9 @@ void MainWindow::make_menus() {
               "rename", "more", "start_pose", "lock", ""});
   QMenu* add = edit->addMenu(tr("&Add"));
   add->setObjectName("add_menu");
-  fill(add,
-       {"add_robot", "add_sensor", "behaviors", "coordinator", "", "add_static", "add_dynamic",
-        "add_moving", "add_resource", "add_charger", "", "add_goal", "add_measure", "add_team"});
+  fill(add, {"add_robot", "add_sensor", "behaviors", "coordinator", "", "add_static", "add_dynamic",
+             "add_moving", "add_cylinder", "add_prism", "add_resource", "add_charger", "",
+             "add_goal", "add_measure", "add_team"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view,
        {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure", "",
@@ -321,10 +327,13 @@ void MainWindow::make_menus() {
   }
   boxes_ = new QToolButton;
   boxes_->setObjectName("boxes");
-  boxes_->setText(tr("Box"));
-  boxes_->setToolTip(tr("Add a box: one that stands, one that can be pushed, or one that moves"));
+  boxes_->setText(tr("Obstacle"));
+  boxes_->setToolTip(
+      tr("Add a box, cylinder or prism: one that stands, one that can be pushed, or "
+         "one that moves"));
   boxes_->setPopupMode(QToolButton::InstantPopup);
-  for (const char* name : {"add_static", "add_dynamic", "add_moving"}) {
+  for (const char* name :
+       {"add_static", "add_dynamic", "add_moving", "add_cylinder", "add_prism"}) {
     boxes_->addAction(actions_[name]);
   }
   environment->addWidget(boxes_);

@@ -60,7 +60,9 @@ Element without(const Element& world, std::initializer_list<const char*> names) 
 double covered(const Body& body) {
   double area = 0.0;
   for (const Footprint& each : body) {
-    area += (each.round ? std::numbers::pi : 4.0) * each.half_length * each.half_width;
+    area += !each.outline.empty()
+                ? world::area_of(each.outline)
+                : (each.round ? std::numbers::pi : 4.0) * each.half_length * each.half_width;
   }
   return area;
 }
@@ -115,8 +117,8 @@ bool Occupied::add_world(const Drawing& drawing) {
 }
 
 base::Grid::Block Occupied::cells(const Footprint& area) const {
-  const double x = area.reach(1.0, 0.0), y = area.reach(0.0, 1.0);
-  return grid_.block(area.x - x, area.y - y, area.x + x, area.y + y);
+  return grid_.block(area.x - area.reach(-1.0, 0.0), area.y - area.reach(0.0, -1.0),
+                     area.x + area.reach(1.0, 0.0), area.y + area.reach(0.0, 1.0));
 }
 
 void Occupied::add(const Body& body) {
@@ -127,9 +129,8 @@ void Occupied::add(const Body& body) {
 }
 
 bool Occupied::has_room_for(const Body& body, double gap) const {
-  return std::all_of(body.begin(), body.end(), [&](Footprint area) {
-    area.half_length += gap;
-    area.half_width += gap;
+  return std::all_of(body.begin(), body.end(), [&](const Footprint& each) {
+    const Footprint area = each.grown(gap);
     if (world::outside(arena_, "", area)) {
       return false;
     }

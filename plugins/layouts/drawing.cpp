@@ -85,11 +85,11 @@ void Drawing::add_wall(const std::string& id, const Wall& wall, double thickness
 }
 
 const char* list_of(const std::string& name) {
-  return name == "robot"                                                         ? "robots"
-         : name == "resource"                                                    ? "resources"
-         : name == "charger"                                                     ? "chargers"
-         : name == "static_box" || name == "dynamic_box" || name == "moving_box" ? "obstacles"
-                                                                                 : nullptr;
+  return name == "robot"                                       ? "robots"
+         : name == "resource"                                  ? "resources"
+         : name == "charger"                                   ? "chargers"
+         : world::vocabulary().child("obstacles")->child(name) ? "obstacles"
+                                                               : nullptr;
 }
 
 }  // namespace elsie::layouts

@@ -272,8 +272,8 @@ void draw_scatter(Drawing& drawing, const Scatter& scatter, PathDraws& draws, Oc
     drawing.refuse(
         scatter.location, scatter.id,
         (scatter.things.empty() ? "does not say what it scatters" : "scatters several things") +
-            std::string("; expected one of <static_box>, <dynamic_box>, <moving_box>, "
-                        "<resource>, <charger> and <robot>"));
+            std::string("; expected one of <static_box> or another obstacle, <resource>, "
+                        "<charger> and <robot>"));
     return;
   }
   const Element& thing = *scatter.things.front();

@@ -19,6 +19,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "authoring/authoring.h"
 #include "hands.h"
 #include "scene/scene_view.h"
 #include "watch/control_surface.h"
@@ -205,11 +206,16 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
   Window window;
   window.open(window.file(kRoom));
   auto* tree = window.get<WorldTree>("world_tree");
-  const std::pair<const char*, const char*> added[] = {
-      {"add_static", "<static_box"}, {"add_dynamic", "<dynamic_box"},
-      {"add_moving", "<moving_box"}, {"add_resource", "<resource "},
-      {"add_charger", "<charger "},  {"add_measure", "<measures>"},
-      {"add_team", "<teams>"},       {"add_goal", "<goals>"}};
+  const std::pair<const char*, const char*> added[] = {{"add_static", "<static_box"},
+                                                       {"add_dynamic", "<dynamic_box"},
+                                                       {"add_moving", "<moving_box"},
+                                                       {"add_resource", "<resource "},
+                                                       {"add_cylinder", "<static_cylinder"},
+                                                       {"add_prism", "<static_prism"},
+                                                       {"add_charger", "<charger "},
+                                                       {"add_measure", "<measures>"},
+                                                       {"add_team", "<teams>"},
+                                                       {"add_goal", "<goals>"}};
   for (const auto& [action, text] : added) {
     INFO(action);
     const qsizetype before = window.bench().text().count(text);
@@ -226,6 +232,20 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
   dialog->findChild<Form*>("form_static_box")->set_value("length", "0.75");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().contains("length=\"0.75\""));
+}
+
+TEST_CASE("A prism begins as a regular polygon with the corners that its dialog says") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.act("add_prism");
+  QDialog* dialog = window.dialog("element_dialog");
+  dialog->findChild<Form*>("form_outline")->set_value("corners", "5");
+  dialog->findChild<Form*>("form_outline")->set_value("radius", "0.3");
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().count("<point ") == 5);
+  CHECK(window.bench().text().contains("<point x=\"0.3000\" y=\"0.0000\"/>"));
+  window.after([&] { window->findChild<Authoring*>()->add_point("obstacle[static_prism_1]"); });
+  CHECK(window.bench().text().count("<point ") == 6);
 }
 
 TEST_CASE("Every window is shown and hidden from the menu") {

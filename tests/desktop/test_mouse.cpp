@@ -111,6 +111,31 @@ TEST_CASE("A box is turned by its knob and resized by its corner") {
   CHECK(window.bench().undo_name() == "resize crate");
 }
 
+TEST_CASE("A cylinder stays round, and a prism keeps its form, when they are resized") {
+  Window window;
+  open_room(window);
+  const auto resize = [&](const QString& element, const QPointF& to) {
+    window.after([&] { window.bench().edit({"obstacle[crate]=" + element}, "replace"); });
+    SceneView& scene = window->scene();
+    press_key(&scene, Qt::Key_7);
+    click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+    REQUIRE(wait_for([&] { return scene.handle(SceneView::Tool::resize).has_value(); }));
+    const QPoint corner = scene.handle(SceneView::Tool::resize)->toPoint();
+    window.after([&] {
+      drag_by_hand(&scene, Qt::LeftButton, corner, pixel(window, {to.x(), to.y(), 0.0}));
+    });
+  };
+  resize("<static_cylinder id=\"crate\" x=\"1\" y=\"1\" radius=\"0.2\"/>", {1.4, 1.25});
+  CHECK(number_in(window, "obstacle[crate]", "radius") == Approx(0.4).margin(0.03));
+  // Its farthest corners are 0.4 m and 0.2 m from its middle.
+  resize(
+      "<static_prism id=\"crate\" x=\"1\" y=\"1\"><point x=\"0\" y=\"0\"/><point x=\"0.6\" "
+      "y=\"0\"/><point x=\"0\" y=\"0.3\"/></static_prism>",
+      {1.8, 1.1});
+  CHECK(number_in(window, "obstacle[crate]/point[2]", "x") == Approx(1.2).margin(0.05));
+  CHECK(number_in(window, "obstacle[crate]/point[3]", "y") == Approx(0.15).margin(0.03));
+}
+
 TEST_CASE("Ctrl during a drag snaps to 0.1 m, Shift makes it finer") {
   Window window;
   open_room(window);

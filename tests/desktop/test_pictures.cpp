@@ -120,6 +120,14 @@ TEST_CASE("Pictures: dialogs", "[.pictures]") {
   keep_dialog(window, "add_moving", "dialog_moving_box");
 }
 
+TEST_CASE("Pictures: obstacles of all forms", "[.pictures]") {
+  Window window(world_file("shapes"));
+  resize(window);
+  window.choose("obstacle[hexagon]");
+  keep(window.window(), "shapes");
+  keep_dialog(window, "add_prism", "dialog_prism");
+}
+
 TEST_CASE("Pictures: errors, teams, keys and the wizard", "[.pictures]") {
   Window window;
   resize(window);

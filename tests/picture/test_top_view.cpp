@@ -361,3 +361,27 @@ TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot"
   CHECK(red(-0.8, 0.2) > 30);
   CHECK(red(0, 0) == 0);
 }
+
+TEST_CASE("Cylinders and prisms have their own outlines") {
+  Scene scene;
+  world::Box& cylinder = scene.add_box(world::BoxKind::fixed, -2.0, 0.0, 0.2);
+  cylinder.shape = world::BoxShape::cylinder;
+  cylinder.radius = 0.8;
+  cylinder.colour = Colour{220, 30, 20};
+  world::Box& prism = scene.add_box(world::BoxKind::fixed, 2.0, 0.0, 0.2);
+  prism.shape = world::BoxShape::prism;
+  prism.points = {{0, 0}, {1.5, 0}, {0, 1.5}};  // its middle is 0.5 m from both legs
+  prism.heading_deg = 90.0;                     // the right angle is in the south-east
+  prism.colour = Colour{220, 30, 20};
+  const Bitmap image = scene.image();
+  const auto is_red = [&](double x, double y) { return image.at(scene.place(x, y)).reddish(); };
+  for (const double angle : {0.3, 1.0, 2.5, 4.0}) {
+    CHECK(is_red(-2.0 + 0.75 * std::cos(angle), 0.75 * std::sin(angle)));
+    CHECK_FALSE(is_red(-2.0 + 0.85 * std::cos(angle), 0.85 * std::sin(angle)));
+  }
+  CHECK(is_red(2.45, -0.45));
+  CHECK(is_red(2.45, 0.85));
+  CHECK(is_red(1.15, -0.45));
+  CHECK_FALSE(is_red(2.55, 0.0));
+  CHECK_FALSE(is_red(1.5, 0.5));
+}

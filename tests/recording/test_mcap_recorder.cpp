@@ -382,3 +382,43 @@ TEST_CASE("A round robot is a cylinder that stands, on two that lie") {
     CHECK(upwards(cylinders[wheel]) == Approx(0.0).margin(1e-9));
   }
 }
+
+TEST_CASE("Cylinders are cylinders, and prisms are triangles that enclose their volume") {
+  McapFile file;
+  world::World world;
+  world.boxes.push_back(box("drum", world::BoxKind::dynamic, 1, 0));
+  world.boxes.back().shape = world::BoxShape::cylinder;
+  world.boxes.back().radius = 0.3;
+  world.boxes.push_back(box("wedge", world::BoxKind::fixed, 0, 1));
+  world.boxes.back().shape = world::BoxShape::prism;
+  world.boxes.back().points = {{0, 0}, {0, 1}, {1, 1}, {1.5, 0.5}, {1, 0}};
+  world.boxes.back().height = 0.4;
+  world.limits.time = 0.1;
+  Simulation simulation(world, shipped());
+  record(simulation, file.path);
+  const auto entities = recorded(file.path)["/scene"].at(0).content.at("entities");
+  const auto& drum = entities.at(1).at("cylinders").at(0);
+  CHECK(entities.at(1).at("cubes").empty());
+  CHECK(drum.at("size").at("x") == 0.6);
+  CHECK(drum.at("size").at("z") == 0.2);
+  const auto& wedge = entities.at(2).at("triangles").at(0);
+  CHECK(entities.at(2).at("cubes").empty());
+  CHECK(wedge.at("pose").at("position").at("y") == 1.0);
+  CHECK(wedge.at("pose").at("position").at("z") == 0.2);
+  // The signed volumes of the tetrahedra between the middle and the triangles (divergence theorem).
+  double volume = 0.0;
+  const auto& indices = wedge.at("indices");
+  REQUIRE(indices.size() == 3 * (2 * 5 + 2 * 3));
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    Vector3 corner[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& point = wedge.at("points").at(indices[i + k].get<std::size_t>());
+      corner[k] = {point.at("x"), point.at("y"), point.at("z")};
+    }
+    const auto& [a, b, c] = corner;
+    volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+               a.z * (b.x * c.y - b.y * c.x)) /
+              6.0;
+  }
+  CHECK(volume == Approx(1.25 * 0.4));
+}

@@ -227,3 +227,64 @@ TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictur
   CHECK(boxes[6].frame.origin.x == Approx(1.0));
   CHECK_THROWS_AS(scene.place_segment(0, 2, {}), std::out_of_range);
 }
+
+namespace {
+
+/// A cylinder, or a triangle with its slope towards the west, 2 m ahead of the camera.
+world::World with_form(world::BoxShape shape) {
+  world::World world = empty_world();
+  world::Box& box = world.boxes.emplace_back(box_at(2.0, 0.0, world::BoxKind::dynamic));
+  box.shape = shape;
+  box.radius = 0.2;
+  box.points = {{0, 0.3}, {-0.6, 0}, {0, -0.3}};  // its middle is 0.2 m west of the east side
+  box.height = 0.3;
+  box.colour = kRed;
+  return world;
+}
+
+constexpr Camera kWide{400, 300, radians(30.0)};
+
+}  // namespace
+
+TEST_CASE("A camera sees a cylinder as wide as its tangents") {
+  const Patch seen = find(
+      picture_of(with_form(world::BoxShape::cylinder), view_from({0, 0, 0.15}, 0, 0, kWide)), kRed);
+  const double half = std::tan(std::asin(0.2 / 2.0));  // for one unit along the axis
+  const double pixels = 200.0 / std::tan(radians(15.0));
+  CHECK(seen.right - seen.left + 1 == Approx(2.0 * half * pixels).epsilon(0.015));  // 20 sides
+  CHECK(seen.column == Approx(200.0).margin(0.6));
+  // Its nearest line is 1.8 m away.
+  CHECK(seen.bottom - seen.top + 1 == Approx(0.3 / 1.8 * pixels).epsilon(0.015));
+}
+
+TEST_CASE("A camera sees a prism between its outermost corners, and each side in its own light") {
+  const world::World world = with_form(world::BoxShape::prism);
+  const Image picture = picture_of(world, view_from({0, 0, 0.15}, 0, 0, kWide));
+  const Patch seen = find(picture, kRed);
+  const double pixels = 200.0 / std::tan(radians(15.0));
+  CHECK(seen.right - seen.left + 1 == Approx(0.6 / 2.2 * pixels).margin(1.5));
+  CHECK(seen.column == Approx(200.0).margin(1.0));
+  CHECK(seen.bottom - seen.top + 1 == Approx(0.3 / 1.6 * pixels).margin(1.5));
+  const Colour left = colour_at(picture, 190, 150), right = colour_at(picture, 210, 150);
+  CHECK(left.red > right.red);  // the light comes from the north
+  // The pixels of two trapezia, from 1.6 to 2.2 m, within a row at each end of a column.
+  const double area = 0.6 / 2.2 * pixels * 0.5 * (0.3 / 1.6 + 0.3 / 2.2) * pixels;
+  CHECK(seen.area == Approx(area).epsilon(0.02));
+}
+
+TEST_CASE("Cylinders and prisms move, and leave, as boxes do") {
+  for (const auto shape : {world::BoxShape::cylinder, world::BoxShape::prism}) {
+    WorldScene scene(with_form(shape));
+    const View view = view_from({0, 0, 0.15}, 0, 0, kWide);
+    const Patch before = find(take(scene.scene(), view), kRed);
+    scene.place_box(0, Frame{.origin = {2.0, 0.3, 0.0}});
+    const Patch after = find(take(scene.scene(), view), kRed);
+    CHECK(after.column < before.column - 50.0);
+    CHECK(after.bottom == Approx(before.bottom).margin(3));
+    // From above, it is where it was put.
+    const Patch above = find(take(scene.scene(), view_from({2.0, 0.3, 3.0}, 0, -90)), kRed);
+    CHECK(above.column == Approx(50.0).margin(2.0));
+    scene.place_box(0, std::nullopt);
+    CHECK(find(take(scene.scene(), view), kRed).area == 0);
+  }
+}

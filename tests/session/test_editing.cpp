@@ -293,3 +293,23 @@ TEST_CASE("A world that is refused says whether plugins may have been made for i
   CHECK(session.open("<world format=\"1\"><arena lenght=\"4\"/></world>")["made_plugins"] == false);
   CHECK(session.open(room("<limits", "<nonsense/><limits"))["made_plugins"] == true);
 }
+
+TEST_CASE("The scene has the outline of a prism, from its middle") {
+  Session session;
+  session.open(room("<robots>",
+                    "<obstacles><static_prism x=\"0\" y=\"1\"><point x=\"0\" y=\"0\"/>"
+                    "<point x=\"0\" y=\"0.3\"/><point x=\"0.6\" y=\"0\"/></static_prism>"
+                    "<static_cylinder x=\"1\" y=\"1\"/></obstacles><robots>"));
+  const Json scene = session.edit({"obstacle[static_cylinder_1]/@radius=0.3"})["scene"];
+  const Json &prism = scene["shapes"].at(scene["shapes"].size() - 2),
+             &cylinder = scene["shapes"].back();
+  INFO(prism.dump());
+  REQUIRE(prism["outline"].size() == 3);
+  double x = 0.0;
+  for (const Json& corner : prism["outline"]) x += corner.at(0).get<double>();
+  CHECK(x == Approx(0.0).margin(1e-9));
+  CHECK(prism["size"].at(0).get<double>() == Approx(0.8));  // twice the farthest corner
+  CHECK(cylinder["shape"] == "cylinder");
+  CHECK(cylinder["size"].at(0).get<double>() == Approx(0.6));
+  CHECK_FALSE(cylinder.contains("outline"));
+}

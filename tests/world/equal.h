@@ -20,9 +20,9 @@ inline auto members(const world::Physics& p) {
 }
 inline auto members(const world::Team& t) { return std::tie(t.id, t.colour); }
 inline auto members(const world::Box& b) {
-  return std::tie(b.id, b.kind, b.x, b.y, b.z, b.heading_deg, b.length, b.width, b.height, b.colour,
-                  b.seen_by_range_sensors, b.mass, b.waypoints, b.speed, b.round_trip, b.team,
-                  b.energy);
+  return std::tie(b.id, b.kind, b.shape, b.x, b.y, b.z, b.heading_deg, b.length, b.width, b.radius,
+                  b.points, b.height, b.colour, b.seen_by_range_sensors, b.mass, b.waypoints,
+                  b.speed, b.round_trip, b.team, b.energy);
 }
 inline auto members(const world::Charger& c) {
   return std::tie(c.id, c.team, c.x, c.y, c.radius, c.rate, c.seen_by_range_sensors);

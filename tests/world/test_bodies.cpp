@@ -125,6 +125,37 @@ TEST_CASE("Discs overlap where their middles are nearer than their radii") {
   CHECK_FALSE(world::overlap(disc(0, 0, 0.1), above));
 }
 
+TEST_CASE("Prisms overlap where their outlines do, not the boxes around them") {
+  const auto prism = [](double x, double y, double heading_deg) {
+    world::Box box;
+    box.shape = world::BoxShape::prism;
+    box.points = {{5.0, 5.0}, {5.0, 5.3}, {5.6, 5.0}};  // clockwise, from another origin
+    box.x = x;
+    box.y = y;
+    box.heading_deg = heading_deg;
+    return world::footprint_of(box);
+  };
+  // Its right angle is 0.2 m west and 0.1 m south of its middle.
+  const world::Footprint first = prism(0, 0, 0);
+  CHECK(first.reach(1, 0) == Approx(0.4));
+  CHECK(first.reach(-1, 0) == Approx(0.2));
+  CHECK(first.reach(0, 1) == Approx(0.2));
+  CHECK(first.reach(0, -1) == Approx(0.1));
+  CHECK(first.grown(0.05).reach(-1, 0) == Approx(0.25));
+  CHECK(world::area_of(first.outline) == Approx(0.09));
+  // Two halves of a rectangle, slope to slope, 0.2 x 0.1 m from its middle.
+  CHECK_FALSE(world::overlap(first, prism(0.2, 0.1, 180)));
+  CHECK(world::overlap(first, prism(0.199, 0.099, 180)));
+  // Discs beside the slope, whose distance from the middle is 0.1 m times the cosine, and beyond
+  // the tip.
+  const double cosine = 2.0 / std::sqrt(5.0), sine = 1.0 / std::sqrt(5.0);
+  const double away = 0.1 * cosine + 0.2;
+  CHECK_FALSE(world::overlap(disc(away * sine, away * cosine, 0.2), first));
+  CHECK(world::overlap(disc(away * sine, away * cosine, 0.2001), first));
+  CHECK_FALSE(world::overlap(first, disc(0.4 + 0.12, -0.1 - 0.16, 0.1999)));
+  CHECK(world::overlap(first, disc(0.4 + 0.12, -0.1 - 0.16, 0.2001)));
+}
+
 TEST_CASE("A disc overlaps a rectangle from the nearest point of its edge on") {
   const double turned = GENERATE(0.0, 0.3, 2.0, -1.2);
   const world::Footprint box = rectangle(0.5, -0.2, turned, 0.3, 0.2);

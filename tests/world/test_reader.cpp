@@ -41,7 +41,7 @@ TEST_CASE("A world says everything") {
   CHECK(w.teams[2].id == "green");
 
   // Obstacles in file order, then resources, whatever stands first in the file.
-  REQUIRE(w.boxes.size() == 7);
+  REQUIRE(w.boxes.size() == 13);
   CHECK(w.boxes[0].id == "patrol");
   CHECK(w.boxes[0].kind == world::BoxKind::moving);
   CHECK_FALSE(w.boxes[0].round_trip);
@@ -53,15 +53,23 @@ TEST_CASE("A world says everything") {
   CHECK(w.boxes[2].mass == 0.123456789012345);
   CHECK(w.boxes[3].id == "static_box_2");
   CHECK(w.boxes[4].id == "moving_box_2");
-  CHECK(w.boxes[5].kind == world::BoxKind::resource);
-  CHECK(w.boxes[5].team == "green");
-  CHECK(w.boxes[5].energy == 12.5);
-  CHECK(w.boxes[6].id == "resource_2");
+  CHECK(w.boxes[5].shape == world::BoxShape::cylinder);
+  CHECK(w.boxes[5].radius == 0.15);
+  CHECK(w.boxes[6].id == "static_prism_1");
+  CHECK(w.boxes[6].shape == world::BoxShape::prism);
+  CHECK(w.boxes[6].points == std::vector<Vector2>{{0, 0}, {0.7, 0.1}, {0.2, 0.5}});
+  CHECK(w.boxes[8].kind == world::BoxKind::moving);
+  CHECK(w.boxes[10].points.size() == 4);
+  CHECK(w.boxes[10].waypoints.size() == 1);
+  CHECK(w.boxes[11].kind == world::BoxKind::resource);
+  CHECK(w.boxes[11].team == "green");
+  CHECK(w.boxes[11].energy == 12.5);
+  CHECK(w.boxes[12].id == "resource_2");
   CHECK(w.chargers.at(1).id == "charger_2");
 
   REQUIRE(w.robots.size() == 2);
   const world::Robot& r = w.robots[0];
-  CHECK(r.location.line == 30);
+  CHECK(r.location.line == 36);
   CHECK(r.leader);
   CHECK(r.energy == 50.0);
   CHECK(r.body.axle == 0.11);
@@ -267,6 +275,23 @@ TEST_CASE("What may stand where") {
     CHECK(problems("<obstacles><static_box heading_deg='45'/></obstacles>" + robot) == "");
     CHECK_THAT(problems("<obstacles><static_box length='0.3' width='0.3'/></obstacles>" + robot),
                Contains("the robot 'r' overlaps the box 'static_box_1' (line 1)"));
+  }
+  SECTION("cylinders and prisms are judged by their own outlines") {
+    const std::string robot = "<robots><robot id='r' x='0.15' y='0.15'/></robots>";
+    // The nearest corner of the robot's outline is at (0.11, 0.1).
+    CHECK(problems("<obstacles><static_cylinder radius='0.1486'/></obstacles>" + robot) == "");
+    CHECK_THAT(problems("<obstacles><static_cylinder radius='0.1487'/></obstacles>" + robot),
+               Contains("the robot 'r' overlaps the cylinder 'static_cylinder_1' (line 1)"));
+    const std::string prism =
+        "<point x='0' y='0'/><point x='0.3' y='0'/><point x='0' y='0.3'/></dynamic_prism>"
+        "</obstacles>";
+    CHECK(problems("<obstacles><dynamic_prism id='p'>" + prism + robot) == "");
+    CHECK(problems("<obstacles><dynamic_prism id='p' x='4.8' y='4'>" + prism) == "");
+    CHECK_THAT(problems("<obstacles><dynamic_prism id='p' x='4.81' y='4'>" + prism),
+               Contains("the prism 'p' reaches 0.01 m into the east wall"));
+    CHECK(problems("<obstacles><dynamic_prism id='p' x='-4.9' y='4'>" + prism) == "");
+    CHECK_THAT(problems("<obstacles><dynamic_prism id='p' x='-4.91' y='4'>" + prism),
+               Contains("the prism 'p' reaches 0.01 m into the west wall"));
   }
   SECTION("a bridge may stand over a robot") {
     CHECK(

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "elsie/api/geometry.h"
@@ -134,24 +135,49 @@ void Authoring::add_element(const QString& holder, const QString& list,
   dialog->show();
 }
 
-// Beside the last one; its numbers are in Properties then.
-void Authoring::add_waypoint(const QString& box) {
-  const ElementPlace place = place_of(workbench_.tree(), box);
-  double x = 0.0, y = 0.0;
-  int count = 0;
-  visit_children(place, [&](const ElementPlace& each) {
-    if (name_of(*each.element) == "waypoint") {
-      ++count;
-      x = attribute(*each.element, "x").toDouble();
-      y = attribute(*each.element, "y").toDouble();
+std::vector<QPointF> Authoring::places_in(const QString& path, const QString& name) const {
+  std::vector<QPointF> places;
+  visit_children(place_of(workbench_.tree(), path), [&](const ElementPlace& each) {
+    if (name_of(*each.element) == name) {
+      places.emplace_back(attribute(*each.element, "x").toDouble(),
+                          attribute(*each.element, "y").toDouble());
     }
   });
-  workbench_.edit({QString("%1/waypoint[+]=<waypoint x=\"%2\" y=\"%3\"/>")
-                       .arg(box, number(x, 0.01), number(y + 0.5, 0.01))},
-                  tr("add waypoint"), {}, this, [this, box, count](const Problems& problems) {
-                    problems.empty() ? select({QString("%1/waypoint[%2]").arg(box).arg(count + 1)})
+  return places;
+}
+
+// Its numbers are in Properties then.
+void Authoring::add_place(const QString& path, const QString& name, const QPointF& at) {
+  const auto number_of_it = places_in(path, name).size() + 1;
+  const QString list = path + '/' + name;
+  workbench_.edit({QString("%1[+]=<%2 x=\"%3\" y=\"%4\"/>")
+                       .arg(list, name, number(at.x(), 1e-4), number(at.y(), 1e-4))},
+                  tr("add %1").arg(name), {}, this,
+                  [this, list, number_of_it](const Problems& problems) {
+                    problems.empty() ? select({QString("%1[%2]").arg(list).arg(number_of_it)})
                                      : Q_EMIT said(problems.front().message);
                   });
+}
+
+// Beside the last one.
+void Authoring::add_waypoint(const QString& path) {
+  const std::vector<QPointF> places = places_in(path, "waypoint");
+  add_place(path, "waypoint", (places.empty() ? QPointF() : places.back()) + QPointF(0.0, 0.5));
+}
+
+// Just outside of the middle of the last side, so that the outline stays convex.
+void Authoring::add_point(const QString& path) {
+  const std::vector<QPointF> places = places_in(path, "point");
+  if (places.empty()) {
+    return;
+  }
+  const QPointF side = places.front() - places.back();
+  const QPointF middle =
+      std::accumulate(places.begin(), places.end(), QPointF()) / static_cast<double>(places.size());
+  const QPointF at = 0.5 * (places.back() + places.front());
+  QPointF outwards(side.y(), -side.x());
+  if (QPointF::dotProduct(outwards, at - middle) < 0.0) outwards = -outwards;
+  add_place(path, "point", at + 0.02 * outwards);
 }
 
 void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "coordinator"); }
@@ -194,6 +220,9 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   if (kind && kind->elements.contains("waypoint")) {
     menu.addAction(tr("Add &waypoint"), this, [this, path] { add_waypoint(path); });
   }
+  if (kind && kind->elements.contains("point")) {
+    menu.addAction(tr("Add &point"), this, [this, path] { add_point(path); });
+  }
   if (is_robot) {
     menu.addAction(tr("&Follow"), this, [this, path] { Q_EMIT follow_wished(path); });
     menu.addAction(tr("Make &start pose"), this, &Authoring::make_start_poses);
@@ -224,6 +253,9 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
         "dynamic_box");
   offer(is_here ? tr("Add &moving box here...") : tr("Add &moving box..."), "obstacles",
         "moving_box");
+  offer(is_here ? tr("Add c&ylinder here...") : tr("Add c&ylinder..."), "obstacles",
+        "static_cylinder");
+  offer(is_here ? tr("Add &prism here...") : tr("Add &prism..."), "obstacles", "static_prism");
   offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
   offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");
   if (!is_here) {
@@ -232,7 +264,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
     offer(tr("Add &team..."), "teams");
   }
   menu.addSeparator();
-  QAction* paste = menu.addAction(tr("&Paste"), this, &Authoring::paste);
+  QAction* paste = menu.addAction(tr("Pas&te"), this, &Authoring::paste);
   paste->setEnabled(!pieces_of(QApplication::clipboard()->text()).empty());
   menu.exec(global);
 }
@@ -309,8 +341,26 @@ void Authoring::turn(const QString& path, double by_rad) {
 }
 
 void Authoring::resize(const QString& path, double length, double width) {
-  workbench_.edit({path + "/@length=" + number(length), path + "/@width=" + number(width)},
-                  tr("resize %1").arg(title(path)), "resize " + path);
+  const Stage::Solid* solid = stage_.solid_of(path);
+  if (!solid) {
+    return;
+  }
+  QStringList edits{path + "/@length=" + number(length), path + "/@width=" + number(width)};
+  if (solid->shape.kind == Shape::Kind::cylinder) {
+    edits = QStringList{path +
+                        "/@radius=" + number(0.5 * with_size(*solid, length, width).shape.size.x)};
+  } else if (!solid->outline.empty()) {
+    edits.clear();
+    const double by_x = length / solid->shape.size.x, by_y = width / solid->shape.size.y;
+    visit_children(place_of(workbench_.tree(), path), [&](const ElementPlace& each) {
+      if (name_of(*each.element) != "point") return;
+      for (const auto& [name, by] : {std::pair("x", by_x), std::pair("y", by_y)}) {
+        const double scaled = by * attribute(*each.element, name).toDouble();
+        edits << attribute_path(each.path, name) + '=' + number(scaled, 1e-5);
+      }
+    });
+  }
+  workbench_.edit(edits, tr("resize %1").arg(title(path)), "resize " + path);
 }
 
 }  // namespace elsie::desktop

@@ -43,7 +43,8 @@ class Authoring : public QObject {
   };
   /// Opens the dialog of a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
   void add_element(const QString& holder, const QString& list, const Beginning& beginning = {});
-  void add_waypoint(const QString& box);
+  void add_waypoint(const QString& path);
+  void add_point(const QString& path);
   /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
   /// Opens the editor of its coordinator, or the dialog of a new one.
@@ -89,6 +90,9 @@ class Authoring : public QObject {
   /// id that it gives.
   QString insertion_of(Piece piece, const QPointF& aside, QStringList& taken, QString& why) const;
   /// How far from their originals copies stand, so that all of them are where nothing is.
+  /// The waypoints of a path, or the points of an outline.
+  std::vector<QPointF> places_in(const QString& path, const QString& name) const;
+  void add_place(const QString& path, const QString& name, const QPointF& at);
   QPointF way_aside(const std::vector<Piece>& pieces) const;
   /// The last elements of the world that an edit of that path adds to, one for each time that the
   /// path is in the list.

@@ -48,7 +48,7 @@ void OverlayPainter::outlines() const {
     if (stage_.is_present(solid)) {
       const QColor colour(solid.colour.red, solid.colour.green, solid.colour.blue);
       painter_.setPen(QPen(colour.darker(120), 1.5));
-      for (const auto& [from, to] : edges_of(solid.shape, stage_.frame_of(solid))) {
+      for (const auto& [from, to] : edges_of(solid, stage_.frame_of(solid))) {
         line(from, to);
       }
     }

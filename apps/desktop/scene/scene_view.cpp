@@ -251,18 +251,14 @@ std::optional<Frame> SceneView::frame_of_selected() const {
   return stage_.place_of(selection_.value(0));
 }
 
-// Only boxes have a size of their own.
+// Only obstacles and resources have a size of their own.
 std::optional<Vector3> SceneView::size_of_selected() const {
   const QString path = selection_.value(0);
   if (path.isEmpty() || path.startsWith("robot") || path.startsWith("charger")) {
     return std::nullopt;
   }
-  for (const Stage::Solid& solid : stage_.solids()) {
-    if (solid.path == path) {
-      return solid.shape.size;
-    }
-  }
-  return std::nullopt;
+  const Stage::Solid* solid = stage_.solid_of(path);
+  return solid ? std::optional(solid->shape.size) : std::nullopt;
 }
 
 std::optional<QPointF> SceneView::handle(Tool tool) const {
@@ -326,7 +322,7 @@ void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) c
         continue;
       }
       painter.setPen(QPen(kSelected, 1.5));
-      for (const auto& [from, to] : edges_of(solid.shape, stage_.frame_of(solid))) {
+      for (const auto& [from, to] : edges_of(solid, stage_.frame_of(solid))) {
         over.line(from, to);
       }
       if (is_moved) {
@@ -377,11 +373,10 @@ void SceneView::paint_locks(QPainter& painter) const {
 // Where it will be.
 void SceneView::paint_ghost(QPainter& painter, const OverlayPainter& over,
                             const Stage::Solid& solid) const {
-  Shape shape = solid.shape;
+  Stage::Solid shown = solid;
   Frame ghost = stage_.frame_of(solid);
   if (ghost_.size) {
-    shape.size.x = ghost_.size->x;
-    shape.size.y = ghost_.size->y;
+    shown = with_size(solid, ghost_.size->x, ghost_.size->y);
   }
   if (ghost_.turn != 0.0) {
     if (const Stage::Body* body = stage_.body_of(solid.path)) {
@@ -391,7 +386,7 @@ void SceneView::paint_ghost(QPainter& painter, const OverlayPainter& over,
   }
   ghost.origin = ghost.origin + Vector3{ghost_.x, ghost_.y, 0.0};
   painter.setPen(QPen(kSelected, 1.2, Qt::DashLine));
-  for (const auto& [from, to] : edges_of(shape, ghost)) {
+  for (const auto& [from, to] : edges_of(shown, ghost)) {
     over.line(from, to);
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 namespace elsie::desktop {
@@ -40,10 +41,12 @@ void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
   const double radius = shape.radius();
   if (shape.kind == Shape::Kind::box) {
-    scene.boxes.push_back(
-        {{frame.point({0.0, 0.0, -0.5 * shape.size.z}), frame.forward, frame.left, frame.up},
-         shape.size,
-         solid.colour});
+    const Frame bottom = frame.frame({.origin = {0.0, 0.0, -0.5 * shape.size.z}});
+    if (solid.outline.empty()) {
+      scene.boxes.push_back({bottom, shape.size, solid.colour});
+    } else {
+      scene.prisms.push_back({bottom, solid.outline, shape.size.z, solid.colour});
+    }
     return;
   }
   if (shape.kind == Shape::Kind::sphere) {
@@ -66,31 +69,76 @@ void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   }
 }
 
-/// How far along a ray the box of a shape is met; infinite: it is missed.
-double way_to(const Shape& shape, const Frame& frame, const Vector3& from,
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// The corners of a solid's outline seen from above, in its frame: of a prism, of the circle of an
+/// upright cylinder, or of the box of another solid.
+std::vector<Vector2> outline_of(const Stage::Solid& solid) {
+  constexpr int kRound = 24;
+  if (!solid.outline.empty()) {
+    return solid.outline;
+  }
+  const double x = 0.5 * solid.shape.size.x, y = 0.5 * solid.shape.size.y;
+  std::vector<Vector2> corners{{x, y}, {-x, y}, {-x, -y}, {x, -y}};
+  if (solid.shape.kind == Shape::Kind::cylinder && solid.shape.is_round()) {
+    corners.clear();
+    for (int i = 0; i < kRound; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kRound;
+      corners.push_back({x * std::cos(angle), y * std::sin(angle)});
+    }
+  }
+  return corners;
+}
+
+/// Keeps the part of a ray where `at` + way * `per` is at most `most`.
+void clip(double at, double per, double most, double& enters, double& leaves) {
+  if (std::abs(per) < 1e-12) {
+    leaves = at > most ? -kFar : leaves;
+  } else if (per < 0.0) {
+    enters = std::max(enters, (most - at) / per);
+  } else {
+    leaves = std::min(leaves, (most - at) / per);
+  }
+}
+
+/// How far along a ray a solid is met; infinite: it is missed.
+double way_to(const Stage::Solid& solid, const Frame& frame, const Vector3& from,
               const Vector3& direction) {
   const Vector3 aside = from - frame.origin;
-  const std::array<Vector3, 3> axes{frame.forward, frame.left, frame.up};
-  const std::array<double, 3> half{0.5 * shape.size.x, 0.5 * shape.size.y, 0.5 * shape.size.z};
-  double enters = 0.0, leaves = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double at = dot(aside, axes[i]), per = dot(direction, axes[i]);
-    const double a = (-half[i] - at) / per, b = (half[i] - at) / per;
-    if (std::abs(per) < 1e-12) {
-      if (std::abs(at) > half[i]) {
-        return std::numeric_limits<double>::infinity();
-      }
-      continue;
-    }
-    enters = std::max(enters, std::min(a, b));
-    leaves = std::min(leaves, std::max(a, b));
+  const auto in_frame = [&](const Vector3& v) {
+    return Vector3{dot(v, frame.forward), dot(v, frame.left), dot(v, frame.up)};
+  };
+  const Vector3 at = in_frame(aside), per = in_frame(direction);
+  double enters = 0.0, leaves = kFar;
+  clip(at.z, per.z, 0.5 * solid.shape.size.z, enters, leaves);
+  clip(-at.z, -per.z, 0.5 * solid.shape.size.z, enters, leaves);
+  const std::vector<Vector2> corners = outline_of(solid);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double x = b.y - a.y, y = a.x - b.x;  // outwards
+    clip(x * at.x + y * at.y, x * per.x + y * per.y, x * a.x + y * a.y, enters, leaves);
   }
-  return enters <= leaves ? enters : std::numeric_limits<double>::infinity();
+  return enters <= leaves ? enters : kFar;
 }
 
 }  // namespace
 
 double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
+
+Stage::Solid with_size(const Stage::Solid& solid, double length, double width) {
+  Stage::Solid made = solid;
+  Vector3& size = made.shape.size;
+  const double x = size.x, y = size.y;
+  size.x = length;
+  size.y = width;
+  if (solid.shape.kind == Shape::Kind::cylinder && solid.shape.is_round()) {
+    size.x = size.y = std::abs(length - x) > std::abs(width - y) ? length : width;
+  }
+  for (Vector2& corner : made.outline) {
+    corner = {corner.x * length / x, corner.y * width / y};
+  }
+  return made;
+}
 
 bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   epoch_ = epoch;
@@ -134,6 +182,9 @@ void Stage::read(const Json& scene) {
                     colour.at(2).get<std::uint8_t>()};
     solid.body = each.at("body").get<int>();
     solid.path = text_of(each, "path");
+    for (const Json& corner : member(each, "outline")) {
+      solid.outline.push_back({corner.at(0).get<double>(), corner.at(1).get<double>()});
+    }
     if (solid.body >= 0) {
       const auto number = static_cast<std::size_t>(solid.body);
       Body& body = bodies_.at(number);
@@ -203,6 +254,12 @@ const Stage::Body* Stage::body_of(const QString& path) const {
   return found == bodies_.end() ? nullptr : &*found;
 }
 
+const Stage::Solid* Stage::solid_of(const QString& path) const {
+  const auto found = std::find_if(solids_.begin(), solids_.end(),
+                                  [&](const Solid& solid) { return solid.path == path; });
+  return found == solids_.end() || path.isEmpty() ? nullptr : &*found;
+}
+
 std::optional<Frame> Stage::place_of(const QString& path) const {
   if (const Body* body = body_of(path)) {
     return body->is_present ? std::optional(body->frame) : std::nullopt;
@@ -239,7 +296,7 @@ QString Stage::at(const Vector3& from, const Vector3& direction) const {
     if (!is_present(solid)) {
       continue;
     }
-    const double way = way_to(solid.shape, frame_of(solid), from, direction);
+    const double way = way_to(solid, frame_of(solid), from, direction);
     if (way <= nearest + 1e-9) {
       nearest = way;
       path = solid.path;
@@ -248,19 +305,19 @@ QString Stage::at(const Vector3& from, const Vector3& direction) const {
   return path;
 }
 
-std::vector<std::pair<Vector3, Vector3>> edges_of(const Shape& shape, const Frame& frame) {
-  std::array<Vector3, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] =
-        frame.point({(i & 1U ? 0.5 : -0.5) * shape.size.x, (i & 2U ? 0.5 : -0.5) * shape.size.y,
-                     (i & 4U ? 0.5 : -0.5) * shape.size.z});
-  }
+std::vector<std::pair<Vector3, Vector3>> edges_of(const Stage::Solid& solid, const Frame& frame) {
+  constexpr std::size_t kMostUpright = 16;
+  const std::vector<Vector2> corners = outline_of(solid);
+  const double up = 0.5 * solid.shape.size.z;
+  const std::size_t each = corners.size() > kMostUpright ? corners.size() / 4 : 1;
   std::vector<std::pair<Vector3, Vector3>> edges;
-  for (std::size_t i = 0; i < 8; ++i) {
-    for (const std::size_t bit : {1U, 2U, 4U}) {
-      if (!(i & bit)) {
-        edges.emplace_back(corners[i], corners[i | bit]);
-      }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    for (const double z : {-up, up}) {
+      edges.emplace_back(frame.point({a.x, a.y, z}), frame.point({b.x, b.y, z}));
+    }
+    if (i % each == 0) {
+      edges.emplace_back(frame.point({a.x, a.y, -up}), frame.point({a.x, a.y, up}));
     }
   }
   return edges;

@@ -34,6 +34,7 @@ class Stage {
     Colour colour;
     int body = -1;  // -1: the arena's
     QString path;
+    std::vector<Vector2> outline{};  // of a prism, whose shape is the box around it
   };
 
   /// What a camera sees: a pyramid.
@@ -63,6 +64,8 @@ class Stage {
   Frame frame_of(const Solid& solid) const;
   /// The first body of the element; null: it has none.
   const Body* body_of(const QString& path) const;
+  /// The first solid of the element; null: it has none.
+  const Solid* solid_of(const QString& path) const;
   /// Where the element stands, on the floor; none: it has no place of its own, or is not there.
   std::optional<Frame> place_of(const QString& path) const;
   bool is_present(const Solid& solid) const;
@@ -94,7 +97,12 @@ class Stage {
 
 double heading_rad(const Frame& frame);
 
-/// The twelve edges of a solid's box, as pairs of points.
-std::vector<std::pair<Vector3, Vector3>> edges_of(const Shape& shape, const Frame& frame);
+/// The solid with another length and width, m; an upright cylinder stays round and takes the one
+/// that differs more.
+Stage::Solid with_size(const Stage::Solid& solid, double length, double width);
+
+/// The edges of a prism, of an upright cylinder (with some of its side) or of the box of another
+/// solid, as pairs of points.
+std::vector<std::pair<Vector3, Vector3>> edges_of(const Stage::Solid& solid, const Frame& frame);
 
 }  // namespace elsie::desktop

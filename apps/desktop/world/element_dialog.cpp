@@ -178,6 +178,7 @@ void ElementDialog::show_kind(const Kind& kind) {
     pages_.front().form->set_value(name, value);
   }
   if (list_ == "obstacles") {
+    add_outline(kind);
     add_waypoint(kind);
   }
   if (list_ == "robots") {
@@ -249,6 +250,8 @@ QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
       if (page.kind.name != "differential" || !attributes.isEmpty()) {
         content += "<drive><" + page.kind.name + attributes + "/></drive>";
       }
+    } else if (page.path == "outline") {
+      content += points(page.form->values());
     } else if (!attributes.isEmpty()) {
       content += '<' + page.path + attributes + "/>";
     }

@@ -9,6 +9,8 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "engine/workbench.h"
 #include "paint/quiet_wheel.h"
@@ -22,7 +24,9 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
-constexpr int kFirstFan = 5;                // range sensors that a robot without any is offered
+constexpr const char* kCorners = "6";       // of a new prism
+constexpr const char* kOutline_m = "0.2";
+constexpr int kFirstFan = 5;  // range sensors that a robot without any is offered
 
 QString default_of(const Kind& kind, const QString& name) {
   const auto field = std::find_if(kind.fields.begin(), kind.fields.end(),
@@ -40,6 +44,50 @@ void ElementDialog::add_waypoint(const Kind& kind) {
     const bool is_aside = given.contains("x") || given.contains("y");
     add_page(tr("waypoint"), "waypoint", *waypoint, {{"x", is_aside ? "0" : "0.5"}, {"y", "0"}});
   }
+}
+
+// A prism begins as a regular polygon, whose points can be moved later.
+void ElementDialog::add_outline(const Kind& kind) {
+  if (!kind.elements.contains("point")) {
+    return;
+  }
+  Kind outline;
+  outline.name = "outline";
+  Field corners;
+  corners.name = "corners";
+  corners.type = "integer";
+  corners.default_text = kCorners;
+  corners.meaning = tr("of a regular polygon, whose points can be moved later");
+  corners.range = tr("at least 3 and at most 16");
+  corners.least = 3;
+  corners.most = 16;
+  Field radius;
+  radius.name = "radius";
+  radius.type = "number";
+  radius.unit = "m";
+  radius.default_text = kOutline_m;
+  radius.meaning = tr("of the circle through its corners");
+  radius.least = 0.001;
+  radius.most = 1000.0;
+  outline.fields = {corners, radius};
+  add_page(tr("outline"), "outline", outline, Json::object());
+}
+
+QString ElementDialog::points(const std::map<QString, QString>& given) {
+  const auto value = [&](const char* name, const char* otherwise) {
+    const auto found = given.find(name);
+    return found == given.end() ? QString(otherwise) : found->second;
+  };
+  const int corners = std::clamp(value("corners", kCorners).toInt(), 3, 16);
+  const double radius = value("radius", kOutline_m).toDouble();
+  QString text;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    text += QString("<point x=\"%1\" y=\"%2\"/>")
+                .arg(radius * std::cos(angle), 0, 'f', 4)
+                .arg(radius * std::sin(angle), 0, 'f', 4);
+  }
+  return text;
 }
 
 // The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees. A

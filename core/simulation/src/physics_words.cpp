@@ -31,7 +31,7 @@ std::string name_of(const world::World& world, const physics::Failure& failure) 
     return "the segment '" + segment.id + "' of " + name + place_of(segment.location);
   }
   const world::Box& box = world.boxes.at(index);
-  return "the box '" + box.id + "'" + place_of(box.location);
+  return box.in_words() + place_of(box.location);
 }
 
 /// The most likely cause of a failure: a warning about the body, else about the physics, else any.

@@ -311,8 +311,9 @@ struct GoalCheck {
     check_place("<push>", goal.x, goal.y, goal.location);
     for (const Box& box : world.boxes) {
       if (box.id == goal.box && box.kind != BoxKind::dynamic) {
-        problems.add(goal.location, "<push>: the box '" + goal.box +
-                                        "' cannot be pushed; expected a <dynamic_box>");
+        problems.add(goal.location, "<push>: " + box.in_words() +
+                                        " cannot be pushed; expected a <dynamic_" +
+                                        box.shape_name() + ">");
       }
     }
   }

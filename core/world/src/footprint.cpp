@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
+#include "elsie/world/facts.h"
 
 namespace elsie::world {
 
@@ -12,36 +14,40 @@ namespace {
 using base::number_text;
 
 constexpr double kTouching = 1e-6;  // m: bodies that overlap by this much only touch
+constexpr double kUpright = 0.995;  // up to about 6 degrees
 constexpr double kHair = 1e-9;      // m: parts may extend beyond a chassis by rounding
 
 // A length for a message, rounded to a tenth of a millimetre.
 std::string rounded(double metres) { return number_text(std::round(metres * 1e4) / 1e4); }
 
-/// Whether a disc overlaps a rectangle, seen from above.
-bool disc_overlaps(const Footprint& disc, const Footprint& rectangle) {
-  const double c = std::cos(rectangle.heading_rad), s = std::sin(rectangle.heading_rad);
-  const double dx = disc.x - rectangle.x, dy = disc.y - rectangle.y;
-  // Distances from the nearest point of the rectangle.
-  const double along = std::max(0.0, std::abs(c * dx + s * dy) - rectangle.half_length);
-  const double across = std::max(0.0, std::abs(c * dy - s * dx) - rectangle.half_width);
-  return std::hypot(along, across) < disc.half_length - kTouching;
+Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.x - b.x, a.y - b.y}; }
+double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
+
+/// The corners of a rectangle or an outline, counter-clockwise, from its middle.
+std::vector<Vector2> corners_of(const Footprint& area) {
+  const double x = area.half_length, y = area.half_width;
+  std::vector<Vector2> corners = area.outline;
+  if (corners.empty()) corners = {{x, y}, {-x, y}, {-x, -y}, {x, -y}};
+  for (Vector2& corner : corners) corner = point_of({0.0, 0.0, area.heading_rad}, corner);
+  return corners;
 }
 
-bool rectangles_overlap(const Footprint& a, const Footprint& b) {
+/// Whether a side of `a`, or the direction from a corner of it to a disc, separates the two.
+bool separates(const Footprint& a, const Footprint& b) {
+  const std::vector<Vector2> corners = corners_of(a);
   const double dx = b.x - a.x, dy = b.y - a.y;
-  if (std::hypot(dx, dy) >=
-      std::hypot(a.half_length, a.half_width) + std::hypot(b.half_length, b.half_width)) {
-    return false;
+  const auto is_apart = [&](double ux, double uy) {
+    const double length = std::hypot(ux, uy);
+    return length > 0.0 && (dx * ux + dy * uy) / length >= a.reach(ux / length, uy / length) +
+                                                               b.reach(-ux / length, -uy / length) -
+                                                               kTouching;
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2 &from = corners[i], &to = corners[(i + 1) % corners.size()];
+    if (is_apart(to.y - from.y, from.x - to.x)) return true;
+    if (b.round && is_apart(dx - from.x, dy - from.y)) return true;
   }
-  for (const double heading : {a.heading_rad, b.heading_rad}) {
-    const double c = std::cos(heading), s = std::sin(heading);
-    for (const auto& [ux, uy] : {std::pair(c, s), std::pair(-s, c)}) {
-      if (std::abs(dx * ux + dy * uy) >= a.reach(ux, uy) + b.reach(ux, uy) - kTouching) {
-        return false;
-      }
-    }
-  }
-  return true;
+  return false;
 }
 
 }  // namespace
@@ -50,8 +56,22 @@ double Footprint::reach(double ux, double uy) const {
   if (round) {
     return half_length;
   }
+  if (!outline.empty()) {
+    const std::vector<Vector2> corners = corners_of(*this);
+    double most = 0.0;
+    for (const Vector2& corner : corners) most = std::max(most, corner.x * ux + corner.y * uy);
+    return most + margin;
+  }
   const double c = std::cos(heading_rad), s = std::sin(heading_rad);
   return half_length * std::abs(ux * c + uy * s) + half_width * std::abs(-ux * s + uy * c);
+}
+
+Footprint Footprint::grown(double by) const {
+  Footprint area = *this;
+  area.half_length = std::max(0.0, half_length + by);
+  area.half_width = std::max(0.0, half_width + by);
+  area.margin += by;
+  return area;
 }
 
 Vector3 extents_of(std::span<const Part> vehicle) {
@@ -82,7 +102,8 @@ double radius_of(std::span<const Part> vehicle) {
   return radius;
 }
 
-Footprint footprint_of(const Shape& shape, const Frame& middle) {
+Footprint footprint_of(const Shape& shape, const Frame& middle,
+                       const std::vector<Vector2>& outline) {
   const Vector3 half = 0.5 * shape.size;
   const auto extent = [&](const Vector3& axis) {
     return half.x * std::abs(dot(middle.forward, axis)) +
@@ -92,13 +113,15 @@ Footprint footprint_of(const Shape& shape, const Frame& middle) {
   const double heading = std::atan2(middle.forward.y, middle.forward.x);
   const double c = std::cos(heading), s = std::sin(heading);
   const double up = extent({0.0, 0.0, 1.0});
-  return {at.x,      at.y,      heading,         extent({c, s, 0.0}), extent({-s, c, 0.0}),
-          at.z - up, at.z + up, shape.is_round()};
+  Footprint area{at.x,      at.y,      heading,         extent({c, s, 0.0}), extent({-s, c, 0.0}),
+                 at.z - up, at.z + up, shape.is_round()};
+  if (middle.up.z > kUpright) area.outline = outline;
+  return area;
 }
 
 Footprint footprint_of(const Box& box) {
   const Fixture fixture = fixture_of(box);
-  return footprint_of(fixture.shape, fixture.frame);
+  return footprint_of(fixture.shape, fixture.frame, fixture.outline);
 }
 
 Footprint footprint_of(std::span<const Part> vehicle, const Pose& pose, double z) {
@@ -129,10 +152,68 @@ bool overlap(const Footprint& a, const Footprint& b) {
   if (a.bottom >= b.top - kTouching || b.bottom >= a.top - kTouching) {
     return false;
   }
-  if (a.round && b.round) {
-    return std::hypot(b.x - a.x, b.y - a.y) < a.half_length + b.half_length - kTouching;
+  const auto radius = [](const Footprint& area) {
+    return area.round ? area.half_length : std::hypot(area.half_length, area.half_width);
+  };
+  return std::hypot(b.x - a.x, b.y - a.y) < radius(a) + radius(b) - kTouching &&
+         (a.round || !separates(a, b)) && (b.round || !separates(b, a));
+}
+
+std::optional<std::string> problem_of_outline(std::span<const Vector2> points) {
+  const std::size_t n = points.size();
+  if (n < 3 || n > 16) {
+    return "has " + base::counted(n, "point") + "; expected 3 to 16 points around its outline";
   }
-  return a.round ? disc_overlaps(a, b) : b.round ? disc_overlaps(b, a) : rectangles_overlap(a, b);
+  const auto nth = [&](std::size_t i) { return points[i % n]; };
+  const auto point = [&](std::size_t i) {
+    return "its point " + std::to_string(i % n + 1) + " at (" + number_text(nth(i).x) + ", " +
+           number_text(nth(i).y) + ")";
+  };
+  double around = 0.0, turned = 0.0;
+  std::vector<double> turns;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2 edge = nth(i + 1) - nth(i), next = nth(i + 2) - nth(i + 1);
+    const double length = std::hypot(edge.x, edge.y);
+    if (length < kLeastLength)
+      return "has " + point(i + 1) + " where the one before it is; take it out";
+    around += length;
+    turned += turns.emplace_back(std::atan2(cross(edge, next), edge.x * next.x + edge.y * next.y));
+  }
+  const double area = area_of(points);
+  if (std::abs(std::abs(turned) - 2.0 * std::numbers::pi) > 1e-6 ||
+      std::abs(area) < 0.5 * kLeastLength * around) {
+    return "has an outline without area, or one that crosses itself; expected points in the order "
+           "in which they go around it";
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::copysign(turns[i], turns[i] * area) < -1e-9) {
+      return "is not convex: its outline turns inwards at " + point(i + 1) +
+             "; make several prisms of it";
+    }
+  }
+  return std::nullopt;
+}
+
+double area_of(std::span<const Vector2> corners) {
+  double twice = 0.0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    twice += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  return 0.5 * twice;
+}
+
+std::vector<Vector2> centered_outline(std::span<const Vector2> points) {
+  std::vector<Vector2> corners(points.begin(), points.end());
+  const double area = area_of(points);
+  if (area < 0.0) std::reverse(corners.begin(), corners.end());
+  Vector2 center = corners[0];
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Vector2 a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
+    const double part = cross(a, b) / (6.0 * std::abs(area));
+    center = {center.x + part * (a.x + b.x), center.y + part * (a.y + b.y)};
+  }
+  for (Vector2& corner : corners) corner = corner - center;
+  return corners;
 }
 
 std::optional<std::string> outside(const Arena& arena, const std::string& what, double x,
@@ -159,9 +240,9 @@ std::optional<std::string> outside(const Arena& arena, const std::string& what,
     const char* name;
     double overhang;
   } sides[] = {{"east", footprint.x + footprint.reach(1, 0) - 0.5 * arena.length},
-               {"west", -footprint.x + footprint.reach(1, 0) - 0.5 * arena.length},
+               {"west", -footprint.x + footprint.reach(-1, 0) - 0.5 * arena.length},
                {"north", footprint.y + footprint.reach(0, 1) - 0.5 * arena.width},
-               {"south", -footprint.y + footprint.reach(0, 1) - 0.5 * arena.width}};
+               {"south", -footprint.y + footprint.reach(0, -1) - 0.5 * arena.width}};
   for (const auto& side : sides) {
     if (side.overhang > kTouching) {
       return what + " reaches " + rounded(side.overhang) + " m into the " + side.name + " wall";

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "elsie/world/footprint.h"
+
 #include "differential.h"
 
 namespace elsie::world {
@@ -62,8 +64,21 @@ std::vector<Fixture> walls_of(const Arena& arena) {
 }
 
 Fixture fixture_of(const Box& box, std::size_t index) {
-  return upright(Fixture::Kind::box, index, {box.x, box.y, box.z}, radians(box.heading_deg),
-                 Shape::box({box.length, box.width, box.height}));
+  Shape shape = box.shape == BoxShape::cylinder ? Shape::pillar(box.radius, box.height)
+                                                : Shape::box({box.length, box.width, box.height});
+  std::vector<Vector2> outline;
+  if (box.shape == BoxShape::prism) {
+    outline = centered_outline(box.points);
+    Vector3& size = shape.size = {0.0, 0.0, box.height};
+    for (const Vector2& corner : outline) {
+      size.x = std::max(size.x, 2.0 * std::abs(corner.x));
+      size.y = std::max(size.y, 2.0 * std::abs(corner.y));
+    }
+  }
+  Fixture fixture =
+      upright(Fixture::Kind::box, index, {box.x, box.y, box.z}, radians(box.heading_deg), shape);
+  fixture.outline = std::move(outline);
+  return fixture;
 }
 
 Fixture fixture_of(const Charger& charger, std::size_t index) {

@@ -84,11 +84,12 @@ class PlaceCheck {
   void check_path(const Box& box) {
     Vector2 last{box.x, box.y};
     for (const Vector2& point : box.waypoints) {
-      check_point("a waypoint of the box '" + box.id + "'", point.x, point.y, box.location);
+      check_point("a waypoint of " + box.in_words(), point.x, point.y, box.location);
       if (point == last) {
-        problems_.add(box.location, "a waypoint of the box '" + box.id + "' at (" +
+        problems_.add(box.location, "a waypoint of " + box.in_words() + " at (" +
                                         number_text(point.x) + ", " + number_text(point.y) +
-                                        ") is where the box comes from; take it out");
+                                        ") is where the " + box.shape_name() +
+                                        " comes from; take it out");
       }
       last = point;
     }
@@ -96,8 +97,8 @@ class PlaceCheck {
 
  private:
   base::Grid::Block cells(const Footprint& area) const {
-    const double x = area.reach(1.0, 0.0), y = area.reach(0.0, 1.0);
-    return grid_.block(area.x - x, area.y - y, area.x + x, area.y + y);
+    return grid_.block(area.x - area.reach(-1.0, 0.0), area.y - area.reach(0.0, -1.0),
+                       area.x + area.reach(1.0, 0.0), area.y + area.reach(0.0, 1.0));
   }
 
   /// The bodies that share a grid cell with the area, each once.
@@ -134,7 +135,13 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
     if (!reading.sound(box.location)) {
       continue;
     }
-    const Block block{footprint_of(box), "the box '" + box.id + "'", box.location};
+    if (box.shape == BoxShape::prism) {
+      if (const auto problem = problem_of_outline(box.points)) {
+        problems.add(box.location, box.in_words() + " " + *problem);
+        continue;
+      }
+    }
+    const Block block{footprint_of(box), box.in_words(), box.location};
     check.check_path(box);
     if (box.kind == BoxKind::fixed || box.kind == BoxKind::moving) {
       check.check_point(block.in_words, box.x, box.y, box.location);

@@ -68,12 +68,9 @@ bool same_part(const ElementSpec& spec, const char* part, const void* a, const v
 }
 
 bool same(const Box& a, const Box& b, Cost least) {
-  const char* const names[] = {"static_box", "dynamic_box", "moving_box"};
-  const ElementSpec& spec =
-      a.kind == BoxKind::resource
-          ? *vocabulary().child("resources")->child("resource")
-          : *vocabulary().child("obstacles")->child(names[static_cast<int>(a.kind)]);
-  return a.kind == b.kind && same(spec, &a, &b, least);
+  const char* const list = a.kind == BoxKind::resource ? "resources" : "obstacles";
+  return a.element() == b.element() &&
+         same(*vocabulary().child(list)->child(a.element()), &a, &b, least);
 }
 
 bool same(const SensorUse& a, const SensorUse& b, Cost least) {

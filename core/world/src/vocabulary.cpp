@@ -56,17 +56,38 @@ ElementSpec team() {
                "in the world"));
 }
 
-// The attributes that all boxes have.
-Describe<Box> box(const char* name, const char* meaning) {
-  return Describe<Box>(name, meaning)
+ElementSpec point() {
+  return Describe<Vector2>("point", "A corner of a convex outline, seen from above")
       .costs(Cost::engine)
-      .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
-      .attribute("x", &Box::x, metres("its middle, east"))
-      .attribute("y", &Box::y, metres("its middle, north"))
-      .attribute("z", &Box::z, range("m", 0, 100, "its bottom"))
-      .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"))
+      .required()
+      .attribute("x", &Vector2::x, metres("along its own x, from any origin"), kRequired)
+      .attribute("y", &Vector2::y, metres("along its own y"), kRequired);
+}
+
+Describe<Box> with_size(Describe<Box> box, BoxShape shape) {
+  if (shape == BoxShape::cylinder) {
+    return std::move(box).attribute("radius", &Box::radius, size("of its outline"));
+  }
+  if (shape == BoxShape::prism) {
+    return std::move(box).each(point(), &Box::points);
+  }
+  return std::move(box)
       .attribute("length", &Box::length, size("along its own x"))
-      .attribute("width", &Box::width, size("along its own y"))
+      .attribute("width", &Box::width, size("along its own y"));
+}
+
+// The attributes that all kinds of boxes have.
+Describe<Box> box(const std::string& name, const std::string& meaning,
+                  BoxShape shape = BoxShape::box) {
+  auto placed =
+      Describe<Box>(name, meaning)
+          .costs(Cost::engine)
+          .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
+          .attribute("x", &Box::x, metres("its middle, east"))
+          .attribute("y", &Box::y, metres("its middle, north"))
+          .attribute("z", &Box::z, range("m", 0, 100, "its bottom"))
+          .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"));
+  return with_size(std::move(placed), shape)
       .attribute("height", &Box::height, size("along z"))
       .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"),
                  {.cost = Cost::nothing})
@@ -75,23 +96,31 @@ Describe<Box> box(const char* name, const char* meaning) {
 }
 
 ElementSpec waypoint() {
-  return Describe<Vector2>("waypoint", "A place that a moving box passes")
+  return Describe<Vector2>("waypoint", "A place that a moving obstacle passes")
       .costs(Cost::engine)
       .required()
       .attribute("x", &Vector2::x, metres("east"), kRequired)
       .attribute("y", &Vector2::y, metres("north"), kRequired);
 }
 
-ElementSpec static_box() { return box("static_box", "An obstacle that never moves"); }
-
-ElementSpec dynamic_box() {
-  return box("dynamic_box", "An obstacle that can be pushed")
-      .attribute("mass", &Box::mass, mass("its mass", 1e6));
-}
-
-ElementSpec moving_box() {
-  return box("moving_box",
-             "An obstacle that moves from its start through its waypoints; robots cannot push it")
+ElementSpec obstacle(BoxKind kind, BoxShape shape) {
+  Box example;
+  example.kind = kind;
+  example.shape = shape;
+  const char* const forms[] = {"", ": an upright cylinder",
+                               ": an upright prism, whose outline has 3 to 16 points"};
+  const std::string form = forms[static_cast<int>(shape)];
+  if (kind == BoxKind::fixed) {
+    return box(example.element(), "An obstacle that never moves" + form, shape);
+  }
+  if (kind == BoxKind::dynamic) {
+    return box(example.element(), "An obstacle that can be pushed" + form, shape)
+        .attribute("mass", &Box::mass, mass("its mass", 1e6));
+  }
+  return box(example.element(),
+             "An obstacle that moves from its start through its waypoints; robots cannot push it" +
+                 form,
+             shape)
       .attribute("speed", &Box::speed, positive("m/s", 100, "along its path"))
       .choice(
           "path", &Box::round_trip,
@@ -206,18 +235,26 @@ ElementSpec limits() {
       .attribute("wall_time", &Limits::wall_time, positive("s", 1e9, "time on the clock"));
 }
 
-// Adds the boxes of one kind to a list.
-Describe<World> boxes(Describe<World> list, ElementSpec box, BoxKind kind) {
+// Adds the boxes of one kind and shape to a list.
+Describe<World> boxes(Describe<World> list, ElementSpec box, BoxKind kind,
+                      BoxShape shape = BoxShape::box) {
   return std::move(list).each(
-      std::move(box), &World::boxes, [kind](const Box& each) { return each.kind == kind; },
-      [kind](Box& made) { made.kind = kind; });
+      std::move(box), &World::boxes,
+      [=](const Box& each) { return each.kind == kind && each.shape == shape; },
+      [=](Box& made) {
+        made.kind = kind;
+        made.shape = shape;
+      });
 }
 
 Describe<World> obstacles() {
-  auto list = Describe<World>("obstacles", "Boxes that stand in the way").members("obstacle");
-  list = boxes(std::move(list), static_box(), BoxKind::fixed);
-  list = boxes(std::move(list), dynamic_box(), BoxKind::dynamic);
-  return boxes(std::move(list), moving_box(), BoxKind::moving);
+  auto list = Describe<World>("obstacles", "What stands in the way").members("obstacle");
+  for (const BoxShape shape : {BoxShape::box, BoxShape::cylinder, BoxShape::prism}) {
+    for (const BoxKind kind : {BoxKind::fixed, BoxKind::dynamic, BoxKind::moving}) {
+      list = boxes(std::move(list), obstacle(kind, shape), kind, shape);
+    }
+  }
+  return list;
 }
 
 ElementSpec world() {

@@ -76,7 +76,7 @@ class Search {
     }
     for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
       const Box& box = world_.boxes[i];
-      this->box(box, {Warning::About::box, i, box.location, "the box '" + box.id + "'"});
+      this->box(box, {Warning::About::box, i, box.location, box.in_words()});
     }
     return std::move(found_);
   }
@@ -230,7 +230,8 @@ class Search {
       }
     }
     if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
-      crossing(subject, box.speed, std::min(box.length, box.width));
+      const Vector3 size = fixture_of(box).shape.size;
+      crossing(subject, box.speed, std::min(size.x, size.y));
       reaching(box, subject);
     }
   }
@@ -248,8 +249,11 @@ class Search {
     for (const Vector2& place : places) {
       footprint.x = place.x;
       footprint.y = place.y;
-      if (std::abs(place.x) + footprint.reach(1.0, 0.0) > 0.5 * world_.arena.length ||
-          std::abs(place.y) + footprint.reach(0.0, 1.0) > 0.5 * world_.arena.width) {
+      const double length = 0.5 * world_.arena.length, width = 0.5 * world_.arena.width;
+      if (place.x + footprint.reach(1.0, 0.0) > length ||
+          footprint.reach(-1.0, 0.0) - place.x > length ||
+          place.y + footprint.reach(0.0, 1.0) > width ||
+          footprint.reach(0.0, -1.0) - place.y > width) {
         add(subject,
             subject.name + " reaches into a wall at (" + number_text(place.x) + ", " +
                 number_text(place.y) +

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "elsie/world/footprint.h"
+#include "elsie/world/parts.h"
+
 namespace elsie::physics {
 
 void require(bool holds, const std::string& sentence) {
@@ -38,8 +41,13 @@ void check(const Pose& pose, double z) {
 }
 
 void check(const world::Box& box) {
-  require(is_positive(box.length) && is_positive(box.width) && is_positive(box.height),
-          "The length, width and height of a box must be positive and finite.");
+  if (box.shape == world::BoxShape::prism) {
+    const auto problem = world::problem_of_outline(box.points);
+    require(!problem, "A prism " + problem.value_or(""));
+  }
+  const Vector3 size = world::fixture_of(box).shape.size;
+  require(is_positive(size.x) && is_positive(size.y) && is_positive(size.z),
+          "The length, width, radius and height of a box must be positive and finite.");
   require(box.kind != world::BoxKind::dynamic || is_positive(box.mass),
           "The mass of a dynamic box must be positive and finite.");
   require(std::isfinite(box.x + box.y + box.z + box.heading_deg),

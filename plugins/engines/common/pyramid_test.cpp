@@ -12,6 +12,8 @@ Vector3 normalized(const Vector3& v) {
   return length > 0.0 ? (1.0 / length) * v : v;
 }
 
+}  // namespace
+
 /// The corners and the cut edges of a pyramid, seen along an axis.
 class Shadow {
  public:
@@ -31,7 +33,25 @@ class Shadow {
     return is_inside;
   }
 
+  /// True if their convex hull and the outline have a point in common (separating axes).
+  bool meets(Outline outline) {
+    const std::span<const Vector2> corners(hull_.data(), hull());
+    return !corners.empty() && !is_in_front(outline, corners) && !is_in_front(corners, outline);
+  }
+
  private:
+  /// True if one of an outline's sides has all other corners in front of it.
+  static bool is_in_front(Outline outline, Outline others) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vector2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
+      if (std::all_of(others.begin(), others.end(),
+                      [&](const Vector2& other) { return turn(from, to, other) < 0.0; })) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   static constexpr std::size_t kMost = 5 + 2 * 8;  // corners, and edges cut by two planes
 
   /// Its corners, counter-clockwise (monotone chain, Andrew 1979); returns their number.
@@ -71,8 +91,6 @@ class Shadow {
   std::array<Vector2, 2 * kMost> hull_;
   std::size_t count_ = 0;
 };
-
-}  // namespace
 
 PyramidTest::PyramidTest(const Pyramid& pyramid) {
   const Frame& frame = pyramid.frame;
@@ -135,17 +153,26 @@ bool PyramidTest::meets(const Cylinder& cylinder) const {
   const Vector3& axis = cylinder.axis;
   const Vector3 other = std::abs(axis.z) < 0.5 ? Vector3{0.0, 0.0, 1.0} : Vector3{1.0, 0.0, 0.0};
   const Vector3 u = normalized(cross(other, axis)), v = cross(axis, u);
+  return shadow(cylinder.center, {u, v, axis}, cylinder.half_length).comes_within(cylinder.radius);
+}
+
+bool PyramidTest::meets(const OrientedBox& box, Outline outline) const {
+  return shadow(box.center, box.axes, box.half.z).meets(outline);
+}
+
+Shadow PyramidTest::shadow(const Vector3& center, const std::array<Vector3, 3>& axes,
+                           double half_height) const {
   std::array<double, 5> along{};
   std::array<Vector2, 5> across;
   Shadow shadow;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Vector3 at = points_[i] - cylinder.center;
-    along[i] = dot(axis, at);
-    across[i] = {dot(u, at), dot(v, at)};
-    if (std::abs(along[i]) <= cylinder.half_length) shadow.add(across[i]);
+    const Vector3 at = points_[i] - center;
+    along[i] = dot(axes[2], at);
+    across[i] = {dot(axes[0], at), dot(axes[1], at)};
+    if (std::abs(along[i]) <= half_height) shadow.add(across[i]);
   }
   const auto cut = [&](std::size_t i, std::size_t j) {
-    for (const double plane : {-cylinder.half_length, cylinder.half_length}) {
+    for (const double plane : {-half_height, half_height}) {
       const double from = along[i] - plane, to = along[j] - plane;
       if (!(from * to < 0.0)) continue;
       const double part = from / (from - to);
@@ -157,7 +184,7 @@ bool PyramidTest::meets(const Cylinder& cylinder) const {
     cut(0, corner);
     cut(corner, corner % 4 + 1);
   }
-  return shadow.comes_within(cylinder.radius);
+  return shadow;
 }
 
 }  // namespace elsie::physics

@@ -5,6 +5,7 @@
 
 #include "elsie/api/sensor.h"
 
+#include "outlines.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -21,8 +22,13 @@ class PyramidTest {
   /// Exact as well: the part of the pyramid between the planes of the cylinder's ends is a convex
   /// polygon when seen along the axis, and the cylinder is a disc.
   bool meets(const Cylinder& cylinder) const;
+  /// The same for a prism in this box, whose outline is in the box's frame.
+  bool meets(const OrientedBox& box, Outline outline) const;
 
  private:
+  /// The part within this height above and below the middle of a frame, seen along its third axis.
+  class Shadow shadow(const Vector3& center, const std::array<Vector3, 3>& axes,
+                      double half_height) const;
   bool separated_along(const Vector3& axis, const OrientedBox& box) const;
 
   std::array<Vector3, 5> points_;

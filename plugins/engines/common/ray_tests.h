@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "outlines.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -83,6 +84,25 @@ inline double distance_to_cylinder(const Ray& ray, const Cylinder& cylinder) {
     leave = std::min(leave, (-b + root) / a);
   }
   return enter <= leave ? enter : kMiss;
+}
+
+/// Distance at which the ray enters the prism in this box, whose outline is in the box's frame, or
+/// kMiss.
+inline double distance_to_prism(const Ray& ray, const OrientedBox& box, Outline outline) {
+  const Vector3 from = ray.origin - box.center;
+  const auto along = [&](std::size_t axis, const Vector3& v) { return dot(box.axes[axis], v); };
+  const double o = along(2, from), d = along(2, ray.direction);
+  double enter = 0.0, leave = kMiss;
+  if (d == 0.0) {
+    if (std::abs(o) > box.half.z) return kMiss;
+  } else {
+    const double a = (-box.half.z - o) / d, b = (box.half.z - o) / d;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::max(a, b);
+  }
+  const bool hit = clip_ray(outline, {along(0, from), along(1, from)},
+                            {along(0, ray.direction), along(1, ray.direction)}, enter, leave);
+  return hit && enter <= leave ? enter : kMiss;
 }
 
 /// Distance at which the ray enters the ball, or kMiss.

@@ -45,6 +45,14 @@ void move(dBodyID body, const Vector3& velocity, const Vector3& turning, double 
   dBodySetQuaternion(body, turned);
 }
 
+/// Of an upright body, whose own z axis is a principal one.
+std::array<Vector3, 3> inverse_inertia(const dMass& mass) {
+  const double xx = mass.I[0], xy = mass.I[1], yy = mass.I[5], zz = mass.I[10];
+  if (xy == 0.0) return {{{1.0 / xx, 0, 0}, {0, 1.0 / yy, 0}, {0, 0, 1.0 / zz}}};
+  const double det = xx * yy - xy * xy;
+  return {{{yy / det, -xy / det, 0}, {-xy / det, xx / det, 0}, {0, 0, 1.0 / zz}}};
+}
+
 }  // namespace
 
 void Crowd::clear() {
@@ -64,9 +72,7 @@ int Crowd::add_rigid(dBodyID body) {
     dMass mass;
     dBodyGetMass(body, &mass);
     rigid.inverse_mass = 1.0 / mass.mass;
-    rigid.inverse_inertia = in_the_world(
-        axes_of(body),
-        {{{1.0 / mass.I[0], 0, 0}, {0, 1.0 / mass.I[5], 0}, {0, 0, 1.0 / mass.I[10]}}});
+    rigid.inverse_inertia = in_the_world(axes_of(body), inverse_inertia(mass));
     rigid.velocity.z += physics_.step * physics_.gravity;
   }
   const int index = solver_.add(rigid);

@@ -40,12 +40,21 @@ bool bulges(const Solid& solid) {
   return solid.kind == SolidKind::wheel || solid.kind == SolidKind::ball;
 }
 
-std::variant<Rectangle, Disc> seen_from_above(const Solid& solid) {
+std::variant<Rectangle, Disc, Polygon> seen_from_above(const Solid& solid) {
   const OrientedBox& box = solid.shape;
   if (solid.kind == SolidKind::pillar || solid.kind == SolidKind::ball) {
     return Disc{{box.center.x, box.center.y}, box.half.x};
   }
   const double level = std::hypot(box.axes[0].x, box.axes[0].y);
+  if (solid.kind == SolidKind::prism) {
+    Polygon polygon{{box.center.x, box.center.y}, {}, solid.outline.size()};
+    const double c = box.axes[0].x / level, s = box.axes[0].y / level;
+    std::transform(solid.outline.begin(), solid.outline.end(), polygon.corners.begin(),
+                   [&](const Vector2& corner) {
+                     return Vector2{c * corner.x - s * corner.y, s * corner.x + c * corner.y};
+                   });
+    return polygon;
+  }
   return Rectangle{{box.center.x, box.center.y},
                    {box.axes[0].x / level, box.axes[0].y / level},
                    box.half.x,
@@ -110,6 +119,33 @@ bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const 
   return touch;
 }
 
+/// The height of the upper or lower end of an upright body above a place.
+double end_above(const Solid& solid, double end, const Vector2& place) {
+  const Vector3& up = solid.shape.axes[2];
+  const Vector3 middle = solid.shape.center + end * solid.shape.half.z * up;
+  return middle.z - (up.x * (place.x - middle.x) + up.y * (place.y - middle.y)) / up.z;
+}
+
+/// One upright body stands on another: contacts at the corners of the area on which it stands.
+bool stand(OdeContacts& contacts, const Solid& a, const Solid& b) {
+  const bool a_is_above = a.shape.center.z > b.shape.center.z;
+  const Solid &upper = a_is_above ? a : b, &lower = a_is_above ? b : a;
+  const auto polygon = [](const Solid& solid) {
+    return std::visit([](const auto& outline) { return polygon_of(outline); },
+                      seen_from_above(solid));
+  };
+  bool touch = false;
+  for (const Vector2& place : common_area(polygon(upper), polygon(lower))) {
+    const double top = end_above(lower, 1.0, place);
+    const double gap = end_above(upper, -1.0, place) - top;
+    if (gap > contacts.margin(0.0)) continue;
+    touch = touch || gap <= kTouching;
+    contacts.between(upper.body, lower.body, {place.x, place.y, top + 0.5 * gap}, {0.0, 0.0, 1.0},
+                     gap);
+  }
+  return touch;
+}
+
 /// True if the wheels can meet a body that reaches up to this height.
 bool wheels_count(const Vehicle& vehicle, double top) {
   return !vehicle.wheels_inside || !is_upright(vehicle.chassis) ||
@@ -155,7 +191,11 @@ bool meet_solids(OdeContacts& contacts, const Solid& a, const Solid& b) {
                                  manifold.points[static_cast<std::size_t>(manifold.count) - 1].gap);
   const double lesser_height = std::min(of_a.upper - of_a.lower, of_b.upper - of_b.lower);
   const double overlap = common.upper - common.lower;
-  if (overlap < depth && overlap < 0.5 * lesser_height) return meet_in_space(contacts, a, b);
+  if (overlap < depth && overlap < 0.5 * lesser_height) {
+    const bool is_prism = a.kind == SolidKind::prism || b.kind == SolidKind::prism;
+    return is_prism && !bulges(a) && !bulges(b) ? stand(contacts, a, b)
+                                                : meet_in_space(contacts, a, b);
+  }
   return meet_in_plane(contacts, a, b, common, manifold);
 }
 

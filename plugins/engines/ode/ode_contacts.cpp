@@ -149,13 +149,27 @@ void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
   for (const double x : {-half.x, half.x}) {
     for (const double y : {-half.y, half.y}) {
       for (const double z : {-half.z, half.z}) {
-        const Vector3 corner = box.center + x * a + y * b + z * c;
-        if (corner.z > highest) continue;
-        dContact contact = on_floor(corner, friction_);
-        attach(body, nullptr, contact, corner.z);
+        corner_on_floor(body, box.center + x * a + y * b + z * c, highest);
       }
     }
   }
+}
+
+void OdeContacts::prism_on_floor(dBodyID body, const OrientedBox& box, Outline outline) {
+  const auto& [a, b, c] = box.axes;
+  // As for a box, but the middle of its area may be nearer to one side.
+  const double highest = std::min(floor_reach(body, box.half), box.center.z);
+  for (const Vector2& corner : outline) {
+    for (const double z : {-box.half.z, box.half.z}) {
+      corner_on_floor(body, box.center + corner.x * a + corner.y * b + z * c, highest);
+    }
+  }
+}
+
+void OdeContacts::corner_on_floor(dBodyID body, const Vector3& corner, double highest) {
+  if (corner.z > highest) return;
+  dContact contact = on_floor(corner, friction_);
+  attach(body, nullptr, contact, corner.z);
 }
 
 void OdeContacts::solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box) {

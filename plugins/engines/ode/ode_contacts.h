@@ -9,6 +9,7 @@
 #include "elsie/world/description.h"
 
 #include "ode_handles.h"
+#include "outlines.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -41,8 +42,11 @@ class OdeContacts {
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.
   void box_on_floor(dBodyID body, const OrientedBox& box);
-  /// The same for a body of any shape, with `box` as its bounding box: the rims of a cylinder at
-  /// their lowest points and at three more each, so that it can stand; the lowest points of balls.
+  /// The same for a prism in this box.
+  void prism_on_floor(dBodyID body, const OrientedBox& box, Outline outline);
+  /// The same for a body of any other shape, with `box` as its bounding box: the rims of a cylinder
+  /// at their lowest points and at three more each, so that it can stand; the lowest points of
+  /// balls.
   void solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box);
   /// Two bodies, of which `b` is null if it is fixed. `normal` points from b into a.
   void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
@@ -63,6 +67,7 @@ class OdeContacts {
   double floor_reach(dBodyID body, const Vector3& half) const;
   void rims_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box, double highest);
   void attach(dBodyID a, dBodyID b, dContact& contact, double gap);
+  void corner_on_floor(dBodyID body, const Vector3& corner, double highest);
   dContact on_floor(const Vector3& point, double friction) const;
 
   dWorldID world_;

@@ -14,6 +14,7 @@
 
 #include "body_states.h"
 #include "bounds.h"
+#include "box_body.h"
 #include "checks.h"
 #include "narrow_phase.h"
 #include "ode_contacts.h"
@@ -43,11 +44,6 @@ void accept(const char* what, Make make) {
                                 " are too small or too unlike: its moments of inertia are lost in "
                                 "rounding.");
   }
-}
-
-OrientedBox shape_of(const world::Fixture& fixture) {
-  const Frame& frame = fixture.frame;
-  return {frame.origin, {frame.forward, frame.left, frame.up}, 0.5 * fixture.shape.size};
 }
 
 class OdeEngine final : public Engine {
@@ -91,29 +87,13 @@ class OdeEngine final : public Engine {
   GiveUps give_ups() const override { return give_ups_; }
 
  private:
-  struct BoxBody {
-    world::BoxKind kind = world::BoxKind::fixed;
-    bool present = true;
-    Scene::Id id = 0;
-    dBodyID body = nullptr;  // null for a fixed body
-    OdeGeom geom;
-    OrientedBox shape;
-    bool stays_within = false;  // within the arena's walls
-    // For a moving box: its place at the end of the next step.
-    bool driven = false;
-    Vector3 target;
-  };
-
-  static bool is_mobile(const BoxBody& box) {
-    return box.kind == world::BoxKind::dynamic || box.kind == world::BoxKind::moving;
-  }
   std::size_t add_upright(std::vector<BoxBody>& list, BodyKind kind, world::BoxKind box_kind,
-                          const OrientedBox& shape, double mass, bool sensed);
+                          const world::Fixture& fixture, double mass, bool sensed);
   BoxBody& box_of(const Body& body) {
     return body.kind == BodyKind::wall ? walls_[body.index] : boxes_[body.index];
   }
   bool is_mobile(const Body& body) {
-    return body.kind == BodyKind::robot || is_mobile(box_of(body));
+    return body.kind == BodyKind::robot || box_of(body).is_mobile();
   }
   std::size_t enter_robot(double top);
   void take_step();
@@ -163,7 +143,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
   dWorldSetCFM(world_.get(), physics.effective_cfm());
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
   for (const world::Fixture& wall : world::walls_of(arena)) {
-    add_upright(walls_, BodyKind::wall, world::BoxKind::fixed, shape_of(wall), 0.0, true);
+    add_upright(walls_, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
   }
 }
 
@@ -252,48 +232,26 @@ void OdeEngine::place_in_scene(std::size_t robot) {
 }
 
 std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
-                                   world::BoxKind box_kind, const OrientedBox& shape, double mass,
-                                   bool sensed) {
+                                   world::BoxKind box_kind, const world::Fixture& fixture,
+                                   double mass, bool sensed) {
   const std::size_t index = list.size();
-  BoxBody& made = list.emplace_back();
-  made.kind = box_kind;
-  made.shape = shape;
-  made.geom.reset(dCreateBox(nullptr, 2.0 * shape.half.x, 2.0 * shape.half.y, 2.0 * shape.half.z));
-  const double heading = std::atan2(shape.axes[0].y, shape.axes[0].x);
-  const dQuaternion facing{std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)};
-  if (is_mobile(made)) {
-    made.body = dBodyCreate(world_.get());
-    if (box_kind == world::BoxKind::dynamic) {
-      dMass box_mass;
-      dMassSetBoxTotal(&box_mass, mass, 2.0 * shape.half.x, 2.0 * shape.half.y, 2.0 * shape.half.z);
-      dBodySetMass(made.body, &box_mass);
-      dBodySetFiniteRotationMode(made.body, 1);
-    } else {
-      dBodySetKinematic(made.body);
-    }
-    dGeomSetBody(made.geom.get(), made.body);
-    dBodySetPosition(made.body, shape.center.x, shape.center.y, shape.center.z);
-    dBodySetQuaternion(made.body, facing);
-  } else {
-    dGeomSetPosition(made.geom.get(), shape.center.x, shape.center.y, shape.center.z);
-    dGeomSetQuaternion(made.geom.get(), facing);
-  }
+  BoxBody& made = list.emplace_back(world_.get(), box_kind, fixture, mass);
   made.id = scene_.add({kind, index}, sensed);
-  if (is_mobile(made)) mobile_.push_back(made.id);
-  scene_.place_box(made.id, made.shape, is_mobile(made) ? kSlack : 0.0);
+  scene_.shape_box(made.id, fixture.shape.kind, made.outline);
+  if (made.is_mobile()) mobile_.push_back(made.id);
+  scene_.place_box(made.id, made.shape, made.is_mobile() ? kSlack : 0.0);
   return index;
 }
 
 std::size_t OdeEngine::add_box(const world::Box& box) {
   check(box);
   prepare_ode();
-  const OrientedBox shape = shape_of(world::fixture_of(box));
   std::size_t index = 0;
   accept("a box", [&] {
-    index =
-        add_upright(boxes_, BodyKind::box, box.kind, shape, box.mass, box.seen_by_range_sensors);
+    index = add_upright(boxes_, BodyKind::box, box.kind, world::fixture_of(box), box.mass,
+                        box.seen_by_range_sensors);
   });
-  if (is_mobile(boxes_[index])) routing_.add_box(boxes_[index].body);
+  if (boxes_[index].is_mobile()) routing_.add_box(boxes_[index].body);
   if (box.kind == world::BoxKind::dynamic) {
     boxes_[index].stays_within = bounds_.within_walls(boxes_[index].shape.center);
     bounds_.add_height(box.z + box.height);
@@ -414,9 +372,7 @@ void OdeEngine::start_moving_boxes() {
 void OdeEngine::find_contacts() {
   for (const OdeRobot& robot : robots_) robot.meet_floor(contacts_, floor_.get());
   for (const BoxBody& box : boxes_) {
-    if (box.present && box.kind == world::BoxKind::dynamic) {
-      contacts_.box_on_floor(box.body, box.shape);
-    }
+    if (box.present && box.kind == world::BoxKind::dynamic) box.meet_floor(contacts_);
   }
   touches_.clear();
   for (const Scene::Id id : mobile_) {
@@ -438,9 +394,6 @@ void OdeEngine::find_contacts() {
 
 bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
   const Body a = scene_.body(first), b = scene_.body(second);
-  const auto solid = [](const BoxBody& box) {
-    return Solid{box.body, box.geom.get(), SolidKind::box, box.shape};
-  };
   const auto vehicle = [this](Scene::Id id) -> const Vehicle& {
     return robots_[scene_.body(id).index].vehicles()[scene_.part(id)].solids();
   };
@@ -449,15 +402,15 @@ bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
     return meet_vehicles(contacts_, vehicle(first), vehicle(second));
   }
   if (a.kind == BodyKind::robot) {
-    return meet_vehicle_and_box(contacts_, vehicle(first), solid(box_of(b)));
+    return meet_vehicle_and_box(contacts_, vehicle(first), box_of(b).solid());
   }
   if (b.kind == BodyKind::robot) {
-    return meet_vehicle_and_box(contacts_, vehicle(second), solid(box_of(a)));
+    return meet_vehicle_and_box(contacts_, vehicle(second), box_of(a).solid());
   }
   const BoxBody &box_a = box_of(a), &box_b = box_of(b);
   const bool can_give =
       box_a.kind == world::BoxKind::dynamic || box_b.kind == world::BoxKind::dynamic;
-  return can_give && meet_solids(contacts_, solid(box_a), solid(box_b));
+  return can_give && meet_solids(contacts_, box_a.solid(), box_b.solid());
 }
 
 // The limits of their joint keep neighbours apart. No contact is reported when a robot touches
@@ -487,7 +440,7 @@ void OdeEngine::settle() {
     }
   }
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (boxes_[i].present && is_mobile(boxes_[i])) settle_box(boxes_[i], i);
+    if (boxes_[i].present && boxes_[i].is_mobile()) settle_box(boxes_[i], i);
   }
 }
 

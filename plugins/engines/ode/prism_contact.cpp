@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 namespace elsie::physics {
 namespace {
@@ -40,7 +43,71 @@ Face best_face(const Rectangle& r, const Rectangle& other) {
   return flank.gap > front.gap ? flank : front;
 }
 
+/// The side of `polygon` that separates it best from `other`, and the gap.
+std::pair<Side, double> best_side(const Polygon& polygon, const Polygon& other) {
+  const Vector2 between{other.center.x - polygon.center.x, other.center.y - polygon.center.y};
+  std::pair<Side, double> best{{}, -std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Side side = side_of(polygon.outline(), i);
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Vector2& corner : other.outline()) {
+      gap = std::min(gap, side.gap_to({between.x + corner.x, between.y + corner.y}));
+    }
+    if (gap > best.second) best = {side, gap};
+  }
+  return best;
+}
+
+PlanarManifold reversed(PlanarManifold manifold) {
+  manifold.normal = {-manifold.normal.x, -manifold.normal.y};
+  return manifold;
+}
+
 }  // namespace
+
+Polygon polygon_of(const Rectangle& r) {
+  Polygon polygon{r.center, {}, 4};
+  const Vector2 side = left_of(r.along);
+  constexpr int kCorners[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double x = kCorners[i][0] * r.half_length, y = kCorners[i][1] * r.half_width;
+    polygon.corners[i] = {x * r.along.x + y * side.x, x * r.along.y + y * side.y};
+  }
+  return polygon;
+}
+
+Polygon polygon_of(const Disc& disc) {
+  constexpr std::size_t kCorners = 12;
+  Polygon polygon{disc.center, {}, kCorners};
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kCorners;
+    polygon.corners[i] = {disc.radius * std::cos(angle), disc.radius * std::sin(angle)};
+  }
+  return polygon;
+}
+
+std::vector<Vector2> common_area(const Polygon& a, const Polygon& b) {
+  std::vector<Vector2> left(a.outline().begin(), a.outline().end()), kept;
+  for (Vector2& corner : left) corner = {a.center.x + corner.x, a.center.y + corner.y};
+  for (std::size_t i = 0; i < b.count; ++i) {
+    const Side side = side_of(b.outline(), i);
+    const auto gap_of = [&](const Vector2& p) {
+      return side.gap_to({p.x - b.center.x, p.y - b.center.y});
+    };
+    kept.clear();
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const Vector2 &from = left[k], &to = left[(k + 1) % left.size()];
+      const double gap = gap_of(from), next = gap_of(to);
+      if (gap <= 0.0) kept.push_back(from);
+      if (gap * next < 0.0) {
+        const double part = gap / (gap - next);
+        kept.push_back({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
+      }
+    }
+    left.swap(kept);
+  }
+  return left;
+}
 
 PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin) {
   const Face of_a = best_face(a, b);
@@ -95,6 +162,90 @@ PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin) {
   return manifold;
 }
 
+PlanarManifold meet(const Polygon& a, const Polygon& b, double margin) {
+  const auto [of_a, gap_of_a] = best_side(a, b);
+  if (gap_of_a > margin) return {};
+  const auto [of_b, gap_of_b] = best_side(b, a);
+  if (gap_of_b > margin) return {};
+  const bool face_of_b = gap_of_b > gap_of_a + kPreference;
+  const Side& face = face_of_b ? of_b : of_a;
+  const Polygon& standing = face_of_b ? b : a;
+  const Polygon& coming = face_of_b ? a : b;
+
+  // The side of the other polygon that faces this one most directly.
+  Side edge = side_of(coming.outline(), 0);
+  for (std::size_t i = 1; i < coming.count; ++i) {
+    const Side side = side_of(coming.outline(), i);
+    if (dot(side.normal, face.normal) < dot(edge.normal, face.normal)) edge = side;
+  }
+  // The part of it that lies in front of the face.
+  const Vector2 tangent = left_of(face.normal);
+  const Vector2 offset{coming.center.x - standing.center.x - face.from.x,
+                       coming.center.y - standing.center.y - face.from.y};
+  const Vector2 from{offset.x + edge.from.x, offset.y + edge.from.y};
+  const Vector2 along{edge.to.x - edge.from.x, edge.to.y - edge.from.y};
+  const double place = dot(from, tangent), per_part = dot(along, tangent);
+  double first = 0.0, last = 1.0;
+  if (per_part != 0.0) {
+    const double s0 = -place / per_part, s1 = (face.length - place) / per_part;
+    first = std::max(first, std::min(s0, s1));
+    last = std::min(last, std::max(s0, s1));
+  } else if (place < 0.0 || place > face.length) {
+    return {};
+  }
+  if (first > last) return {};
+
+  PlanarManifold manifold;
+  const double sign = face_of_b ? 1.0 : -1.0;
+  manifold.normal = {sign * face.normal.x, sign * face.normal.y};
+  const auto add = [&](double part) {
+    const Vector2 point{from.x + part * along.x, from.y + part * along.y};
+    const double gap = dot(point, face.normal);
+    if (gap > margin) return;
+    manifold.points[static_cast<std::size_t>(manifold.count++)] = {
+        {standing.center.x + face.from.x + point.x - 0.5 * gap * face.normal.x,
+         standing.center.y + face.from.y + point.y - 0.5 * gap * face.normal.y},
+        gap};
+  };
+  add(first);
+  if ((last - first) * edge.length > 1e-6) add(last);
+  return manifold;
+}
+
+PlanarManifold meet(const Rectangle& a, const Polygon& b, double margin) {
+  return meet(polygon_of(a), b, margin);
+}
+
+PlanarManifold meet(const Polygon& a, const Rectangle& b, double margin) {
+  return meet(a, polygon_of(b), margin);
+}
+
+PlanarManifold meet(const Disc& a, const Polygon& b, double margin) {
+  const Vector2 middle{a.center.x - b.center.x, a.center.y - b.center.y};
+  const Side side = nearest_side(b.outline(), middle);
+  double distance = side.gap_to(middle);
+  Vector2 nearest = side.nearest_to(middle), out = side.normal;
+  if (distance > 0.0) {
+    nearest = nearest_point(b.outline(), middle);
+    const Vector2 away{middle.x - nearest.x, middle.y - nearest.y};
+    distance = std::hypot(away.x, away.y);
+    out = {away.x / distance, away.y / distance};
+  }
+  const double gap = distance - a.radius;
+  if (gap > margin) return {};
+  PlanarManifold manifold;
+  manifold.normal = out;
+  manifold.points[0] = {
+      {b.center.x + nearest.x + 0.5 * gap * out.x, b.center.y + nearest.y + 0.5 * gap * out.y},
+      gap};
+  manifold.count = 1;
+  return manifold;
+}
+
+PlanarManifold meet(const Polygon& a, const Disc& b, double margin) {
+  return reversed(meet(b, a, margin));
+}
+
 PlanarManifold meet(const Disc& a, const Rectangle& b, double margin) {
   const Vector2 between{a.center.x - b.center.x, a.center.y - b.center.y};
   const Vector2 side = left_of(b.along);
@@ -132,9 +283,7 @@ PlanarManifold meet(const Disc& a, const Rectangle& b, double margin) {
 }
 
 PlanarManifold meet(const Rectangle& a, const Disc& b, double margin) {
-  PlanarManifold manifold = meet(b, a, margin);
-  manifold.normal = {-manifold.normal.x, -manifold.normal.y};
-  return manifold;
+  return reversed(meet(b, a, margin));
 }
 
 PlanarManifold meet(const Disc& a, const Disc& b, double margin) {

@@ -7,7 +7,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "outlines.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -26,12 +28,32 @@ struct Disc {
   double radius = 0.0;
 };
 
+/// The outline of an upright prism seen from above, turned as the prism is.
+struct Polygon {
+  static constexpr std::size_t kMost = 16;
+
+  Vector2 center;
+  std::array<Vector2, kMost> corners{};  // from the middle, counter-clockwise
+  std::size_t count = 0;
+
+  Outline outline() const { return {corners.data(), count}; }
+};
+
+Polygon polygon_of(const Rectangle& rectangle);
+/// A regular polygon within a disc.
+Polygon polygon_of(const Disc& disc);
+inline const Polygon& polygon_of(const Polygon& polygon) { return polygon; }
+
+/// The corners of the area that two polygons have in common, counter-clockwise (Sutherland and
+/// Hodgman 1974); empty if there is none.
+std::vector<Vector2> common_area(const Polygon& a, const Polygon& b);
+
 struct PlanarContact {
   Vector2 point;
   double gap = 0.0;  // m, negative where they overlap
 };
 
-/// Up to two points at which rectangles meet; discs meet anything at one.
+/// Up to two points at which rectangles and polygons meet; discs meet anything at one.
 struct PlanarManifold {
   Vector2 normal;  // unit vector, from b into a
   std::array<PlanarContact, 2> points;
@@ -41,10 +63,15 @@ struct PlanarManifold {
 /// Points of contact with a gap of at most `margin` m (separating axes, then clipping of the facing
 /// edges).
 PlanarManifold meet(const Rectangle& a, const Rectangle& b, double margin);
-/// The same for the nearest points of a disc and another shape. A disc whose middle is inside a
-/// rectangle is pushed out through the nearest face.
+PlanarManifold meet(const Polygon& a, const Polygon& b, double margin);
+PlanarManifold meet(const Rectangle& a, const Polygon& b, double margin);
+PlanarManifold meet(const Polygon& a, const Rectangle& b, double margin);
+/// The same for the nearest points of a disc and another shape. A disc whose middle is inside the
+/// shape is pushed out through the nearest face.
 PlanarManifold meet(const Disc& a, const Rectangle& b, double margin);
 PlanarManifold meet(const Rectangle& a, const Disc& b, double margin);
 PlanarManifold meet(const Disc& a, const Disc& b, double margin);
+PlanarManifold meet(const Disc& a, const Polygon& b, double margin);
+PlanarManifold meet(const Polygon& a, const Disc& b, double margin);
 
 }  // namespace elsie::physics

@@ -11,20 +11,21 @@ namespace {
 
 constexpr double kHair = 1e-9;  // m
 
-double distance_to_chassis(const Ray& ray, const SensedSolid& chassis) {
-  switch (chassis.kind) {
+double distance_to(const Ray& ray, const SensedSolid& solid) {
+  switch (solid.kind) {
     case Shape::Kind::box:
-      return distance_to_box(ray, chassis.box);
+      return solid.outline.empty() ? distance_to_box(ray, solid.box)
+                                   : distance_to_prism(ray, solid.box, solid.outline);
     case Shape::Kind::cylinder:
-      return distance_to_cylinder(ray, chassis.round);
+      return distance_to_cylinder(ray, solid.round);
     default:
-      return distance_to_capsule(ray, chassis.round);
+      return distance_to_capsule(ray, solid.round);
   }
 }
 
 double distance_to_robot(const Ray& ray, const SensedSolid& chassis,
                          const std::vector<Cylinder>& wheels, double wheels_top) {
-  double nearest = distance_to_chassis(ray, chassis);
+  double nearest = distance_to(ray, chassis);
   // Most beams are level and above the wheels.
   if (ray.direction.z < 0.0 || ray.origin.z <= wheels_top) {
     for (const Cylinder& wheel : wheels) {
@@ -34,9 +35,10 @@ double distance_to_robot(const Ray& ray, const SensedSolid& chassis,
   return nearest;
 }
 
-bool is_in(const PyramidTest& pyramid, const SensedSolid& chassis) {
-  return chassis.kind == Shape::Kind::cylinder ? pyramid.meets(chassis.round)
-                                               : pyramid.meets(chassis.box);
+bool is_in(const PyramidTest& pyramid, const SensedSolid& solid) {
+  return solid.kind == Shape::Kind::cylinder ? pyramid.meets(solid.round)
+         : solid.outline.empty()             ? pyramid.meets(solid.box)
+                                             : pyramid.meets(solid.box, solid.outline);
 }
 
 OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
@@ -76,8 +78,17 @@ void Scene::place(Id id, const Aabb& bounds, double reach) {
   entry.placed = true;
 }
 
+void Scene::shape_box(Id id, Shape::Kind kind, const std::vector<Vector2>& outline) {
+  entries_[id].solid.kind = kind;
+  entries_[id].solid.outline = outline;
+}
+
 void Scene::place_box(Id id, const OrientedBox& box, double reach) {
-  entries_[id].solid.box = box;
+  SensedSolid& solid = entries_[id].solid;
+  solid.box = box;
+  if (solid.kind == Shape::Kind::cylinder) {
+    solid.round = {box.center, box.axes[2], box.half.x, box.half.z};
+  }
   place(id, bounds(box), reach);
 }
 
@@ -152,7 +163,7 @@ std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& dire
       if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, best.distance)) continue;
       const double distance =
           entry.is_robot ? distance_to_robot(ray, entry.solid, entry.wheels, entry.wheels_top)
-                         : distance_to_box(ray, entry.solid.box);
+                         : distance_to(ray, entry.solid);
       if (distance > best.distance) continue;
       const bool wins = distance < best.distance || !found || best.floor || entry.body < best.body;
       if (!wins) continue;

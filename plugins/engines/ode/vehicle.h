@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "ode_handles.h"
+#include "outlines.h"
 #include "scene.h"
 #include "shapes.h"
 
 namespace elsie::physics {
 
 /// A wheel is a cylinder on its side; a pillar is an upright cylinder.
-enum class SolidKind { box, wheel, pillar, ball, capsule };
+enum class SolidKind { box, wheel, pillar, ball, capsule, prism };
 
 /// One convex part of a body. `shape` is its bounding box. The axle of a wheel lies along the
 /// second axis; the box of a ball stays upright however the ball turns.
@@ -20,6 +21,7 @@ struct Solid {
   dGeomID geom = nullptr;
   SolidKind kind = SolidKind::box;
   OrientedBox shape;
+  Outline outline{};  // of a prism, in its frame
 };
 
 /// A chassis on wheels, perhaps with casters below it.

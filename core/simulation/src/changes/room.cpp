@@ -15,11 +15,12 @@ Room::Room(const world::World& world, const physics::Engine& engine)
     if (!engine.has_box(i)) {
       continue;
     }
-    const Shape shape = world::fixture_of(world.boxes[i]).shape;
+    const world::Fixture fixture = world::fixture_of(world.boxes[i]);
     Frame middle = engine.box(i);
-    middle.origin = middle.point({0.0, 0.0, 0.5 * shape.size.z});
+    middle.origin = middle.point({0.0, 0.0, 0.5 * fixture.shape.size.z});
     const world::BoxKind kind = world.boxes[i].kind;
-    blocks_.push_back({world::footprint_of(shape, middle), "the box '" + world.boxes[i].id + "'", i,
+    blocks_.push_back({world::footprint_of(fixture.shape, middle, fixture.outline),
+                       world.boxes[i].in_words(), i,
                        kind == world::BoxKind::dynamic || kind == world::BoxKind::resource});
   }
   for (std::size_t i = 0; i < world.chargers.size(); ++i) {
@@ -104,10 +105,8 @@ std::optional<std::string> Room::problem_of_arena() const {
   for (const bool is_robot : {true, false}) {
     for (const Block& block : blocks_) {
       if (block.is_free && is_robot == (block.owner >= first_robot_)) {
-        world::Footprint footprint = block.footprint;
-        footprint.half_length = std::max(0.0, footprint.half_length - kHair);
-        footprint.half_width = std::max(0.0, footprint.half_width - kHair);
-        if (auto found = world::outside(world_.arena, block.in_words, footprint)) {
+        if (auto found =
+                world::outside(world_.arena, block.in_words, block.footprint.grown(-kHair))) {
           return found;
         }
       }

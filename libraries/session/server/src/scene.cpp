@@ -117,10 +117,14 @@ Json scene_json(const simulation::Simulation& simulation) {
     }
   }
   for (const world::Box& box : world.boxes) {
-    const Shape shape = world::fixture_of(box).shape;
+    const world::Fixture fixture = world::fixture_of(box);
+    const Shape& shape = fixture.shape;
     bodies.push_back({{"path", path(group_of(box), box.id)}});
     shapes.push_back(json(shape, {.origin = {0.0, 0.0, 0.5 * shape.size.z}},
                           world::box_colour(world, box, kBoxes), ++body));
+    for (const Vector2& corner : fixture.outline) {
+      shapes.back()["outline"].push_back(Json::array({corner.x, corner.y}));
+    }
   }
   return {{"arena", {world.arena.length, world.arena.width}},
           {"bodies", std::move(bodies)},

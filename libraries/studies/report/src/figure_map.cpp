@@ -11,6 +11,7 @@
 #include "elsie/picture/svg.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/colours.h"
+#include "elsie/world/parts.h"
 #include "elsie/world/error.h"
 
 #include "figures.h"
@@ -71,6 +72,16 @@ std::string circle(const Vector2& at, double radius, const std::string& rest) {
          "\"" + rest + "/>";
 }
 
+std::string polygon(const View& view, const world::Box& prism, const std::string& rest) {
+  std::string points;
+  for (const Vector2& corner : world::fixture_of(prism).outline) {
+    const Vector2 there = point_of({prism.x, prism.y, radians(prism.heading_deg)}, corner);
+    const Vector2 at = view.at(there.x, there.y);
+    points += (points.empty() ? "" : " ") + whole(at.x) + "," + whole(at.y);
+  }
+  return "<polygon points=\"" + points + "\"" + rest + "/>";
+}
+
 std::string ground(const View& view, const world::World& world) {
   std::string text = rectangle(view, 0, 0, 0, world.arena.length, world.arena.width,
                                world.arena.walls ? " class=\"floor walls\"" : " class=\"floor\"");
@@ -96,10 +107,14 @@ std::string boxes(const View& view, const world::World& world) {
     if (box.kind == world::BoxKind::resource) {
       continue;
     }
-    text +=
-        rectangle(view, box.x, box.y, box.heading_deg, box.length, box.width,
-                  (box.kind == world::BoxKind::fixed ? " class=\"box\"" : " class=\"box loose\"") +
-                      fill(box.colour));
+    const std::string style =
+        (box.kind == world::BoxKind::fixed ? " class=\"box\"" : " class=\"box loose\"") +
+        fill(box.colour);
+    text += box.shape == world::BoxShape::cylinder
+                ? circle(view.at(box.x, box.y), box.radius * view.scale, style)
+            : box.shape == world::BoxShape::prism
+                ? polygon(view, box, style)
+                : rectangle(view, box.x, box.y, box.heading_deg, box.length, box.width, style);
   }
   return text;
 }

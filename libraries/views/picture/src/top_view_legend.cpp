@@ -27,6 +27,15 @@ bool any_box(const Scene& scene, world::BoxKind kind, Predicate predicate) {
   return false;
 }
 
+/// What the boxes of a kind are called: some may be cylinders or prisms.
+std::string noun_of(const Scene& scene, world::BoxKind kind) {
+  return any_box(
+             scene, kind,
+             [](const world::Box& box, const Pose&) { return box.shape != world::BoxShape::box; })
+             ? "obstacle"
+             : "box";
+}
+
 bool has_box(const Scene& scene, world::BoxKind kind) {
   return any_box(scene, kind, [](const world::Box&, const Pose&) { return true; });
 }
@@ -111,7 +120,8 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
 
 void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
   if (has_box(scene, world::BoxKind::fixed)) {
-    entries.push_back({"static box", 20, [](Canvas& canvas, const Vector2& at) {
+    entries.push_back({"static " + noun_of(scene, world::BoxKind::fixed), 20,
+                       [](Canvas& canvas, const Vector2& at) {
                          canvas.rectangle(box_symbol(at)).fill_keep(kFixedBox);
                          canvas.stroke(kFixedEdge, {.width = 1});
                        }});
@@ -121,8 +131,9 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
         any_box(scene, world::BoxKind::dynamic, [](const world::Box& box, const Pose& now) {
           return std::hypot(now.x - box.x, now.y - box.y) > 0.01;
         });
-    entries.push_back({moved ? "dynamic box, dashed where it started" : "dynamic box", 32,
-                       [moved](Canvas& canvas, const Vector2& at) {
+    entries.push_back({"dynamic " + noun_of(scene, world::BoxKind::dynamic) +
+                           (moved ? ", dashed where it started" : ""),
+                       32, [moved](Canvas& canvas, const Vector2& at) {
                          if (moved) {
                            canvas.rectangle(box_symbol({at.x - 5, at.y}));
                            canvas.stroke(kDynamicEdge, {.width = 1, .dash = {3, 2}});
@@ -138,7 +149,7 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
         any_box(scene, world::BoxKind::moving,
                 [](const world::Box& box, const Pose&) { return !box.waypoints.empty(); });
     entries.push_back(
-        {ways ? "moving box and its way" : "moving box", 34,
+        {"moving " + noun_of(scene, world::BoxKind::moving) + (ways ? " and its way" : ""), 34,
          [ways](Canvas& canvas, const Vector2& at) {
            if (ways) {
              canvas.line({at.x, at.y}, {at.x + 16, at.y});

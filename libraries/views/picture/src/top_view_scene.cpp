@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+
+#include "elsie/world/parts.h"
 
 #include "panel.h"
 #include "text.h"
@@ -25,12 +28,27 @@ Rect bounds_of(const std::vector<Vector2>& corners) {
   return {left, top, right - left, bottom - top};
 }
 
-// The box from above, enlarged to the smallest visible size.
+// A box, cylinder or prism from above, enlarged to the smallest visible size.
 std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, const Pose& pose) {
+  constexpr int kRound = 48;  // corners of a circle
   const double least = box.kind == world::BoxKind::resource ? kSmallestResource : kSmallestBox;
   const double scale = layout.map.scale_x;
-  return outline(layout.map, pose, std::max(box.length, least / scale),
-                 std::max(box.width, least / scale));
+  const world::Fixture fixture = world::fixture_of(box);
+  const Vector3& size = fixture.shape.size;
+  if (box.shape == world::BoxShape::box) {
+    return outline(layout.map, pose, std::max(size.x, least / scale),
+                   std::max(size.y, least / scale));
+  }
+  std::vector<Vector2> corners = fixture.outline;
+  for (int i = 0; i < kRound && box.shape == world::BoxShape::cylinder; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kRound;
+    corners.push_back({box.radius * std::cos(angle), box.radius * std::sin(angle)});
+  }
+  const double larger = std::max(1.0, least / (scale * std::min(size.x, size.y)));
+  for (Vector2& corner : corners) {
+    corner = layout.map.pixel(point_of(pose, {larger * corner.x, larger * corner.y}));
+  }
+  return corners;
 }
 
 void draw_way(Canvas& canvas, const Layout& layout, const world::Box& box) {

@@ -47,6 +47,35 @@ Json cylinder(const Frame& middle, double radius, double height, const Colour& c
           {"color", colour_json(colour)}};
 }
 
+/// A prism around the frame's `up`, as triangles that are counter-clockwise seen from outside.
+Json prism(const Frame& middle, const std::vector<Vector2>& outline, double height,
+           const Colour& colour) {
+  Json points = Json::array(), indices = Json::array();
+  const std::size_t n = outline.size();
+  for (const Vector2& corner : outline) {
+    for (const double z : {-0.5 * height, 0.5 * height}) {
+      points.push_back(position_json({corner.x, corner.y, z}));
+    }
+  }
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const std::size_t corner : {a, b, c}) indices.push_back(corner);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    add(2 * i, 2 * next, 2 * next + 1);
+    add(2 * i, 2 * next + 1, 2 * i + 1);
+    if (i > 0 && next > 0) {
+      add(0, 2 * next, 2 * i);
+      add(1, 2 * i + 1, 2 * next + 1);
+    }
+  }
+  return {{"pose", pose_json(middle)},
+          {"points", std::move(points)},
+          {"color", colour_json(colour)},
+          {"colors", Json::array()},
+          {"indices", std::move(indices)}};
+}
+
 /// An entity to which primitives are added.
 Json entity(std::uint64_t time_ns, const std::string& id, const std::string& frame) {
   Json made{{"timestamp", time_json(time_ns)},
@@ -88,8 +117,15 @@ Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
   Json made = entity(time_ns, box_frame(box.id), moves ? box_frame(box.id) : kWorldFrame);
   const world::Fixture fixture = world::fixture_of(box);
   const Vector3& size = fixture.shape.size;
-  made["cubes"].push_back(cube(moves ? Frame{.origin = {0.0, 0.0, 0.5 * size.z}} : fixture.frame,
-                               size, world::box_colour(world, box, kBoxes)));
+  const Frame middle = moves ? Frame{.origin = {0.0, 0.0, 0.5 * size.z}} : fixture.frame;
+  const Colour colour = world::box_colour(world, box, kBoxes);
+  if (!fixture.outline.empty()) {
+    made["triangles"].push_back(prism(middle, fixture.outline, size.z, colour));
+  } else if (fixture.shape.kind == Shape::Kind::cylinder) {
+    made["cylinders"].push_back(cylinder(middle, fixture.shape.radius(), size.z, colour));
+  } else {
+    made["cubes"].push_back(cube(middle, size, colour));
+  }
   return made;
 }
 

@@ -85,6 +85,22 @@ Vector3 light_in(const Frame& frame) {
 // Things flat on the floor are in full light.
 constexpr Vector3 kFullLight{0.0, 0.0, 1.0};
 
+/// The wedges between the axis of a prism and its sides.
+void add_wedges(const Prism& prism, const Eye& eye, std::vector<Instance>& wedges) {
+  const Frame& frame = prism.frame;
+  const Vector3 light = light_in(frame);
+  for (std::size_t i = 0; i < prism.outline.size(); ++i) {
+    const Vector2 &from = prism.outline[i], &to = prism.outline[(i + 1) % prism.outline.size()];
+    const Vector2 side{to.x - from.x, to.y - from.y};
+    const double length = std::hypot(side.x, side.y);
+    const double outwards = (side.y * light.x - side.x * light.y) / length;
+    wedges.push_back(eye.instance(
+        {frame.origin, frame.direction({0.5 * (from.x + to.x), 0.5 * (from.y + to.y), 0.0}),
+         frame.direction({side.x, side.y, 0.0}), prism.height * frame.up},
+        {outwards, 0.0, light.z}, prism.colour));
+  }
+}
+
 Body flat(double x, double y, double reach) {
   return {{x, y, 0.0}, {reach, 0.0, 0.0}, {0.0, reach, 0.0}, {0.0, 0.0, 1.0}};
 }
@@ -95,6 +111,7 @@ void DrawList::clear() {
   floors.clear();
   marks.clear();
   boxes.clear();
+  wedges.clear();
   cylinders.clear();
   balls.clear();
 }
@@ -121,8 +138,18 @@ void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Ti
           light_in(box.frame), box.colour));
     }
   }
+  for (const Prism& prism : scene.prisms) {
+    double radius = 0.0;
+    for (const Vector2& corner : prism.outline) {
+      radius = std::max(radius, std::hypot(corner.x, corner.y));
+    }
+    const double up = 0.5 * prism.height;
+    if (prism.visible && eye.may_see(prism.frame.point({0.0, 0.0, up}), std::hypot(radius, up))) {
+      add_wedges(prism, eye, list.wedges);
+    }
+  }
   for (const Cylinder& cylinder : scene.cylinders) {
-    if (cylinder.carrier == view.carrier && view.carrier != kNobody) {
+    if (!cylinder.visible || (cylinder.carrier == view.carrier && view.carrier != kNobody)) {
       continue;
     }
     const Frame& frame = cylinder.frame;

@@ -23,7 +23,7 @@ struct Instance {
 
 /// What to draw into an atlas, in this order.
 struct DrawList {
-  std::vector<Instance> floors, marks, boxes, cylinders, balls;
+  std::vector<Instance> floors, marks, boxes, wedges, cylinders, balls;
 
   void clear();
 };

@@ -49,6 +49,18 @@ Mesh box_mesh() {
   return mesh;
 }
 
+Mesh wedge_mesh() {
+  Mesh mesh;
+  for (const double z : {0.0, 1.0}) {
+    for (const double y : {-0.5, 0.5}) mesh.vertices.push_back(vertex(1, y, z));
+    mesh.vertices.push_back(vertex(0, 0, z));
+  }
+  add_face(mesh, {0, 1, 4, 3}, 1, 0, 0);
+  add_face(mesh, {2, 1, 0}, 0, 0, -1);
+  add_face(mesh, {5, 3, 4}, 0, 0, 1);
+  return mesh;
+}
+
 Mesh cylinder_mesh() {
   Mesh mesh;
   const int n = kCylinderSides;

@@ -22,6 +22,9 @@ struct Mesh {
 
 /// x and y from -1/2 to 1/2, z from 0 to 1.
 Mesh box_mesh();
+/// The part of a prism between its axis, at x = y = 0, and one of its sides, at x = 1 from y = -1/2
+/// to 1/2; z from 0 to 1. Its faces towards other parts are left out.
+Mesh wedge_mesh();
 /// A cylinder of radius 1 about the y axis, from y = -1/2 to 1/2.
 Mesh cylinder_mesh();
 /// A ball of radius 1 around the origin.

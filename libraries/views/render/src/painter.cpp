@@ -94,6 +94,7 @@ Painter::Painter() : program_(link()) {
   glUniform1f(glGetUniformLocation(program_, "nearest"), static_cast<float>(kNearest));
   glUniform1f(glGetUniformLocation(program_, "darkest"), static_cast<float>(kDarkestShade));
   box_ = make(box_mesh());
+  wedge_ = make(wedge_mesh());
   cylinder_ = make(cylinder_mesh());
   ball_ = make(ball_mesh());
   square_ = make(square_mesh());
@@ -172,8 +173,8 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
   const auto bytes = [](const std::vector<Instance>& some) {
     return static_cast<GLsizeiptr>(some.size() * sizeof(Instance));
   };
-  const std::vector<Instance>* const lists[] = {&list.floors, &list.marks, &list.boxes,
-                                                &list.cylinders, &list.balls};
+  const std::vector<Instance>* const lists[] = {&list.floors, &list.marks,     &list.boxes,
+                                                &list.wedges, &list.cylinders, &list.balls};
   GLsizeiptr total = 0;
   for (const auto* some : lists) {
     total += bytes(*some);
@@ -193,7 +194,8 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
   draw(disc_, first += list.floors.size(), list.marks.size());
   glEnable(GL_DEPTH_TEST);
   draw(box_, first += list.marks.size(), list.boxes.size());
-  draw(cylinder_, first += list.boxes.size(), list.cylinders.size());
+  draw(wedge_, first += list.boxes.size(), list.wedges.size());
+  draw(cylinder_, first += list.wedges.size(), list.cylinders.size());
   draw(ball_, first += list.cylinders.size(), list.balls.size());
 }
 

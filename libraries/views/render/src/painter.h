@@ -32,7 +32,7 @@ class Painter {
 
   GLuint instances_ = 0;  // buffer
   GLuint program_ = 0;
-  Shape box_, cylinder_, ball_, square_, disc_;
+  Shape box_, wedge_, cylinder_, ball_, square_, disc_;
 };
 
 }  // namespace elsie::render

@@ -24,6 +24,11 @@ Box box_of(const Frame& middle, const Vector3& size, const Colour& colour,
           carrier};
 }
 
+/// The frame of an upright cylinder as one of the scene, which lies along its left axis.
+Frame lying(const Frame& upright) {
+  return {upright.origin, upright.forward, upright.up, -1.0 * upright.left};
+}
+
 }  // namespace
 
 WorldScene::WorldScene(const world::World& world, const Look& look) {
@@ -41,14 +46,28 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
           {{charger.x, charger.y}, fixture.shape.radius(), world::kChargerColour});
     }
   }
-  first_box_ = scene_.boxes.size();
   for (const world::Box& box : world.boxes) {
-    const world::Fixture fixture = world::fixture_of(box);
-    scene_.boxes.push_back(
-        box_of(fixture.frame, fixture.shape.size, world::box_colour(world, box, kBoxes)));
+    add_box(world::fixture_of(box), world::box_colour(world, box, kBoxes));
   }
   for (const world::Robot& robot : world.robots) {
     add_robot(robot, look.team_coloured_robots ? world::team_colour(world, robot.team) : kChassis);
+  }
+}
+
+void WorldScene::add_box(const world::Fixture& fixture, const Colour& colour) {
+  const Shape& shape = fixture.shape;
+  const Frame bottom{.origin = {0.0, 0.0, -0.5 * shape.size.z}};
+  if (!fixture.outline.empty()) {
+    boxes_.push_back({Placed::List::prisms, scene_.prisms.size(), {}});
+    scene_.prisms.push_back({fixture.frame.frame(bottom), fixture.outline, shape.size.z, colour});
+  } else if (shape.kind == Shape::Kind::cylinder) {
+    const Frame middle = lying({.origin = {0.0, 0.0, 0.5 * shape.size.z}});
+    boxes_.push_back({Placed::List::cylinders, scene_.cylinders.size(), middle});
+    scene_.cylinders.push_back(
+        {lying(fixture.frame), shape.radius(), shape.length(), colour, kNobody});
+  } else {
+    boxes_.push_back({Placed::List::boxes, scene_.boxes.size(), {}});
+    scene_.boxes.push_back(box_of(fixture.frame, shape.size, colour));
   }
 }
 
@@ -86,9 +105,7 @@ void WorldScene::add_part(Vehicle& vehicle, const Part& part, const Colour& colo
       break;
     default:
       const double length = shape.length() - (is_capsule ? 2.0 * radius : 0.0);
-      // The scene's cylinders lie along their left axis.
-      const Frame frame{along.origin, along.forward, along.up, -1.0 * along.left};
-      vehicle.push_back({Placed::List::cylinders, scene_.cylinders.size(), frame});
+      vehicle.push_back({Placed::List::cylinders, scene_.cylinders.size(), lying(along)});
       scene_.cylinders.push_back({{}, radius, length, colour, carrier});
       if (is_capsule) {
         add_ball(0.5 * length);
@@ -114,6 +131,8 @@ void WorldScene::place(const Vehicle& vehicle, const Frame& frame) {
         box = box_of(middle, box.size, box.colour, box.carrier);
         break;
       }
+      case Placed::List::prisms:  // robots have none
+        break;
       case Placed::List::cylinders:
         scene_.cylinders[part.index].frame = middle;
         break;
@@ -125,10 +144,18 @@ void WorldScene::place(const Vehicle& vehicle, const Frame& frame) {
 }
 
 void WorldScene::place_box(std::size_t box, const std::optional<Frame>& frame) {
-  Box& placed = scene_.boxes.at(first_box_ + box);
-  placed.visible = frame.has_value();
-  if (frame) {
-    placed.frame = *frame;
+  const Placed& placed = boxes_.at(box);
+  const auto move = [&](auto& solid) {
+    solid.visible = frame.has_value();
+    if (frame) solid.frame = frame->frame(placed.frame);
+  };
+  switch (placed.list) {
+    case Placed::List::prisms:
+      return move(scene_.prisms[placed.index]);
+    case Placed::List::cylinders:
+      return move(scene_.cylinders[placed.index]);
+    default:
+      return move(scene_.boxes[placed.index]);
   }
 }
 

@@ -60,15 +60,22 @@ struct Team {
 };
 
 enum class BoxKind { fixed, dynamic, moving, resource };  // `fixed` is "static" in the file
+inline constexpr const char* kBoxKinds[] = {"static", "dynamic", "moving", "resource"};
+enum class BoxShape { box, cylinder, prism };
+inline constexpr const char* kBoxShapes[] = {"box", "cylinder", "prism"};
 
-/// An upright box that stands on the floor, or floats when z is positive.
+/// An upright box, cylinder or prism that stands on the floor, or floats when z is positive.
 struct Box {
   std::string id;
   BoxKind kind = BoxKind::fixed;
-  double x = 0.0, y = 0.0, z = 0.0;  // m, the middle of its bottom
+  BoxShape shape = BoxShape::box;    // always a box for a resource
+  double x = 0.0, y = 0.0, z = 0.0;  // m, the middle of its bottom: of a prism, the center of area
   double heading_deg = 0.0;
-  double length = 0.2;  // m, along its own x
-  double width = 0.2;   // m
+  double length = 0.2;  // m, along its own x; of a box
+  double width = 0.2;   // m; of a box
+  double radius = 0.1;  // m; of a cylinder
+  std::vector<Vector2>
+      points;           // m, around the outline of a prism, from any origin; see footprint.h
   double height = 0.2;  // m
   std::optional<Colour> colour;
   bool seen_by_range_sensors = true;
@@ -82,6 +89,15 @@ struct Box {
   std::string team;        // empty: any team may take it
   double energy = 1000.0;  // units
   Location location;
+
+  const char* shape_name() const { return kBoxShapes[static_cast<int>(shape)]; }
+  /// "the cylinder 'c1'"
+  std::string in_words() const { return std::string("the ") + shape_name() + " '" + id + "'"; }
+  /// The name of its element: "static_cylinder", "resource".
+  std::string element() const {
+    const std::string of_kind = kBoxKinds[static_cast<int>(kind)];
+    return kind == BoxKind::resource ? of_kind : of_kind + "_" + shape_name();
+  }
 };
 
 /// A mark on the floor at which the robots of a team charge.

@@ -12,16 +12,20 @@
 
 namespace elsie::world {
 
-/// A rotated rectangle or a disc on the floor with a bottom and a top.
+/// A rotated rectangle, a disc or a convex outline on the floor with a bottom and a top.
 struct Footprint {
   double x = 0.0, y = 0.0;  // m, its middle
   double heading_rad = 0.0;
   double half_length = 0.0, half_width = 0.0;  // m, along the heading and across
   double bottom = 0.0, top = 0.0;              // m
   bool round = false;                          // true: a disc; its radius is half its length
+  std::vector<Vector2> outline{};              // of a prism: Fixture::outline; else empty
+  double margin = 0.0;                         // m, around the outline
 
   /// Its extent from its middle in the direction of a unit vector, m.
   double reach(double ux, double uy) const;
+  /// All sides moved outwards, m, or inwards if negative.
+  Footprint grown(double by) const;
 };
 
 /// The extents of a vehicle from its origin, m: ahead and behind, to either side, and upwards. A
@@ -30,17 +34,26 @@ Vector3 extents_of(std::span<const Part> vehicle);
 /// The radius of the disc that a vehicle with a round chassis covers, m; 0 for other chassis.
 double radius_of(std::span<const Part> vehicle);
 
-/// The footprint of a solid with this frame of its middle. A box that has tipped over gets the
-/// smallest rectangle around it, aligned with its heading.
-Footprint footprint_of(const Shape& shape, const Frame& middle);
+/// The footprint of a solid with this frame of its middle. A box or prism that has tipped over gets
+/// the smallest rectangle around its box, aligned with its heading.
+Footprint footprint_of(const Shape& shape, const Frame& middle,
+                       const std::vector<Vector2>& outline = {});
 Footprint footprint_of(const Box& box);
 /// The footprint of a vehicle whose wheels are `z` m above the floor: a disc for a round chassis.
 Footprint footprint_of(std::span<const Part> vehicle, const Pose& pose, double z);
 /// The footprints of a robot and of its segments in line behind it.
 std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, double z);
 
+/// What is wrong with points as the outline of a prism, to follow its name: "is not convex: ...".
+/// None if they go around it once, either way.
+std::optional<std::string> problem_of_outline(std::span<const Vector2> points);
+/// The corners of points without a problem, counter-clockwise, the center of area at the origin.
+std::vector<Vector2> centered_outline(std::span<const Vector2> points);
+/// m2; negative if the corners go clockwise.
+double area_of(std::span<const Vector2> corners);
+
 /// Whether two footprints overlap by more than a micrometre, both in height and seen from above
-/// (rectangles by the separating axis theorem on their four axes).
+/// (by the separating axis theorem).
 bool overlap(const Footprint& a, const Footprint& b);
 
 /// A sentence about `what` if the place is outside of the arena, else none.

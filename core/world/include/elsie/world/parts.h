@@ -21,6 +21,8 @@ struct Fixture {
   std::size_t index = 0;
   Shape shape;  // a disc without height for a charger that range sensors do not see
   Frame frame;  // of its middle, at the start
+  /// Of a prism, whose shape is the box around it: the corners, counter-clockwise, in its frame.
+  std::vector<Vector2> outline{};
 };
 
 /// The walls, which stand outside of the arena's area. Those along x are long enough to close the

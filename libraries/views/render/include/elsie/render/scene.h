@@ -1,4 +1,4 @@
-// A scene as plain data: boxes, cylinders, balls and marks on a floor.
+// A scene as plain data: boxes, prisms, cylinders, balls and marks on a floor.
 //
 // Lengths are in m, frames in the world. Colours are those in full light; faces turned away from it
 // are darker, down to kDarkestShade, with the same hue and saturation.
@@ -26,6 +26,15 @@ struct Box {
   bool visible = true;
 };
 
+/// A prism over a convex outline, around the up axis of its frame.
+struct Prism {
+  Frame frame;                   // origin in the middle of its bottom
+  std::vector<Vector2> outline;  // corners, counter-clockwise; the origin is inside
+  double height = 0.0;
+  Colour colour;
+  bool visible = true;
+};
+
 /// A cylinder about the left axis of its frame, whose origin is in its middle.
 struct Cylinder {
   Frame frame;
@@ -33,6 +42,7 @@ struct Cylinder {
   double length = 0.0;
   Colour colour;
   std::size_t carrier = kNobody;
+  bool visible = true;
 };
 
 struct Ball {
@@ -53,6 +63,7 @@ struct Scene {
   Colour floor{80, 80, 80};   // unlimited, at z = 0; invisible from below
   Colour sky{140, 140, 140};  // everywhere else
   std::vector<Box> boxes;
+  std::vector<Prism> prisms;
   std::vector<Cylinder> cylinders;
   std::vector<Ball> balls;
   std::vector<Mark> marks;

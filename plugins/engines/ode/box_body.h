@@ -1,0 +1,48 @@
+// The body of an obstacle, a resource or a wall.
+#pragma once
+
+#include <vector>
+
+#include "elsie/world/description.h"
+#include "elsie/world/parts.h"
+
+#include "ode_contacts.h"
+#include "ode_handles.h"
+#include "prism.h"
+#include "scene.h"
+#include "vehicle.h"
+
+namespace elsie::physics {
+
+struct BoxBody {
+  /// Makes the body at the place of the fixture. `mass`: kg, of a dynamic one. Throws OdeFailure if
+  /// ODE cannot use the mass.
+  BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixture& fixture, double mass);
+
+  bool is_mobile() const {
+    return kind == world::BoxKind::dynamic || kind == world::BoxKind::moving;
+  }
+  Solid solid() const { return {body, geom.get(), form, shape, outline}; }
+  void meet_floor(OdeContacts& contacts) const;
+
+  world::BoxKind kind;
+  bool present = true;
+  Scene::Id id = 0;
+  dBodyID body = nullptr;  // null for a fixed body
+  OdeGeom geom;
+  SolidKind form = SolidKind::box;  // or pillar, or prism
+  OrientedBox shape;                // bounding box
+  std::vector<Vector2> outline;     // of a prism
+  bool stays_within = false;        // within the arena's walls
+  // For a moving box: its place at the end of the next step.
+  bool driven = false;
+  Vector3 target;
+
+ private:
+  void make_geom();
+  dMass mass_of(double mass) const;
+
+  ConvexArrays convex_;  // what the geometry of a prism refers to
+};
+
+}  // namespace elsie::physics
