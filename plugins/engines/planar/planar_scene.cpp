@@ -12,6 +12,9 @@
 namespace elsie::physics {
 namespace {
 
+// More cells than so many for each ray are not searched as a whole.
+constexpr long kCellsOfRay = 8;
+
 constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
 
 OrientedBox box_around(const Cylinder& wheel) {
@@ -56,6 +59,11 @@ void clip(double from, double along, double half, double& enter, double& leave) 
   const double a = (-half - from) * inverse, b = (half - from) * inverse;
   enter = std::max(enter, std::min(a, b));
   leave = std::min(leave, std::max(a, b));
+}
+
+/// The floor is seen from above; a ray from below hits it at once.
+double distance_to_floor(const Vector3& origin, const Vector3& direction) {
+  return direction.z < 0.0 ? std::max(0.0, -origin.z / direction.z) : kMiss;
 }
 
 double distance_to_look(const Ray& ray, const Look& look) {
@@ -109,13 +117,20 @@ Look Look::of(std::span<const Part> vehicle) {
 PlanarScene::Id PlanarScene::add(Body body, bool sensed, Look look, const Vector2& place,
                                  const Direction& ahead) {
   Entry& entry = entries_.emplace_back();
+  const OrientedBox& box = look.box;
   entry.body = body;
   entry.sensed = sensed;
-  entry.reach = look.reach;
-  entry.bottom = look.wheels.empty() ? look.box.center.z - look.box.half.z - kHair : -kHair;
-  entry.top = std::max(look.box.center.z + look.box.half.z, look.wheels_top) + kHair;
-  entry.is_box = look.wheels.empty() && look.kind == Shape::Kind::box;
-  entry.half = {look.box.half.x, look.box.half.y};
+  entry.reach = look.reach + kHair;
+  entry.half = {box.half.x, box.half.y};
+  entry.low = box.center.z - box.half.z;
+  entry.high = box.center.z + box.half.z;
+  entry.bottom = look.wheels.empty() ? entry.low - kHair : -kHair;
+  entry.top = std::max(entry.high, look.wheels_top) + kHair;
+  if (!look.wheels.empty()) entry.wheels_top = look.wheels_top;
+  const bool is_disc = look.kind == Shape::Kind::cylinder && look.round.axis.z == 1.0;
+  entry.outside = look.kind == Shape::Kind::box ? Outside::box
+                  : is_disc                     ? Outside::disc
+                                                : Outside::other;
   looks_.push_back(std::move(look));
   const auto id = static_cast<Id>(entries_.size() - 1);
   move(id, place, ahead);
@@ -123,13 +138,13 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, Look look, const Vector
 }
 
 base::Grid::Block PlanarScene::block_of(const Entry& entry, double margin) const {
-  double x = entry.reach, y = entry.reach;
-  if (entry.is_box) {
-    x = std::abs(entry.ahead.c) * entry.half.x + std::abs(entry.ahead.s) * entry.half.y;
-    y = std::abs(entry.ahead.s) * entry.half.x + std::abs(entry.ahead.c) * entry.half.y;
+  double x = entry.reach + margin, y = x;
+  if (entry.outside == Outside::box && entry.wheels_top < 0.0) {
+    const Vector2& half = entry.half;
+    const double c = std::abs(entry.ahead.c), s = std::abs(entry.ahead.s);
+    x = c * half.x + s * half.y + margin + kHair;
+    y = s * half.x + c * half.y + margin + kHair;
   }
-  x += margin + kHair;
-  y += margin + kHair;
   return grid_.block(entry.place.x - x, entry.place.y - y, entry.place.x + x, entry.place.y + y);
 }
 
@@ -151,45 +166,49 @@ void PlanarScene::remove(Id id) {
   entry.placed = false;
 }
 
-void PlanarScene::try_entry(Id id, const Ray& ray, Best& best) const {
+/// The distance at which a ray meets a body, or kMiss if that is further than the range.
+double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
   const Entry& entry = entries_[id];
-  const Vector2 away{ray.origin.x - entry.place.x, ray.origin.y - entry.place.y};
-  const Vector2 from = entry.ahead.turn_back(away);
-  const Vector2 along = entry.ahead.turn_back(Vector2{ray.direction.x, ray.direction.y});
-  double distance = kMiss;
-  if (entry.is_box) {
-    double enter = 0.0, leave = best.hit.distance;
-    const OrientedBox& box = looks_[id].box;
+  const Vector3 &origin = ray.origin, &direction = ray.direction;
+  const Vector2 away{origin.x - entry.place.x, origin.y - entry.place.y};
+  // Past its circle, behind it, below it or above it?
+  const double across = away.x * direction.y - away.y * direction.x;
+  const double flat = direction.x * direction.x + direction.y * direction.y;
+  if (across * across > entry.reach * entry.reach * flat) return kMiss;
+  const double to_middle = -(away.x * direction.x + away.y * direction.y);
+  if (to_middle - entry.reach > range || to_middle + entry.reach < 0.0) return kMiss;
+  if (direction.z <= 0.0 && origin.z < entry.bottom) return kMiss;
+  if (direction.z >= 0.0 && origin.z > entry.top) return kMiss;
+
+  const bool above_wheels = direction.z >= 0.0 && origin.z > entry.wheels_top;
+  if (above_wheels && entry.outside == Outside::box) {
+    const Vector2 from = entry.ahead.turn_back(away);
+    const Vector2 along = entry.ahead.turn_back(Vector2{direction.x, direction.y});
+    double enter = 0.0, leave = range;
     clip(from.x, along.x, entry.half.x, enter, leave);
     clip(from.y, along.y, entry.half.y, enter, leave);
-    clip(ray.origin.z - box.center.z, ray.direction.z, box.half.z, enter, leave);
-    if (enter > leave) return;
-    distance = enter;
-  } else {
-    distance = distance_to_look({{from.x, from.y, ray.origin.z}, {along.x, along.y, ray.direction.z}},
-                                looks_[id]);
+    const double middle = 0.5 * (entry.low + entry.high);
+    clip(origin.z - middle, direction.z, 0.5 * (entry.high - entry.low), enter, leave);
+    return enter <= leave ? enter : kMiss;
   }
-  if (distance > best.hit.distance) return;
-  if (distance < best.hit.distance || !best.found || best.hit.floor ||
-      entry.body < best.hit.body) {
-    best = {{distance, entry.body, false}, true};
+  if (above_wheels && entry.outside == Outside::disc && direction.z == 0.0) {
+    if (origin.z < entry.low || origin.z > entry.high) return kMiss;
+    const double radius = entry.half.x;
+    const double outside = away.x * away.x + away.y * away.y - radius * radius;
+    if (outside <= 0.0) return 0.0;
+    const double discriminant = radius * radius * flat - across * across;
+    if (discriminant < 0.0 || to_middle < 0.0) return kMiss;
+    return std::max(0.0, (to_middle - std::sqrt(discriminant)) / flat);
   }
+  const Vector2 from = entry.ahead.turn_back(away);
+  const Vector2 along = entry.ahead.turn_back(Vector2{direction.x, direction.y});
+  return distance_to_look({{from.x, from.y, origin.z}, {along.x, along.y, direction.z}},
+                          looks_[id]);
 }
 
-std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3& direction,
-                                            double max_range, std::size_t except) const {
-  if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) return std::nullopt;
-  const Ray ray(origin, direction);
-  Best best;
-  best.hit.distance = max_range;
-  if (direction.z < 0.0) {
-    // The floor is seen from above; a ray from below hits it at once.
-    const double distance = std::max(0.0, -origin.z / direction.z);
-    if (distance <= max_range) best = {{distance, {}, true}, true};
-  }
-  const double flat = direction.x * direction.x + direction.y * direction.y;
-
-  // From cell to cell along the ray (Amanatides and Woo 1987).
+/// From cell to cell along the ray (Amanatides and Woo 1987).
+void PlanarScene::walk(const Ray& ray, std::size_t except, Best& best) const {
+  const Vector3 &origin = ray.origin, &direction = ray.direction;
   int x = grid_.column(origin.x), y = grid_.row(origin.y);
   const int step_x = direction.x > 0.0 ? 1 : -1, step_y = direction.y > 0.0 ? 1 : -1;
   const auto leave_column = [&] {
@@ -205,16 +224,12 @@ std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3
     for (const Id id : grid_.cell(x, y)) {
       const Entry& entry = entries_[id];
       if (!is_seen(entry, except)) continue;
-      // Past its circle, or beyond the nearest hit?
-      const double ox = entry.place.x - origin.x, oy = entry.place.y - origin.y;
-      const double across = ox * direction.y - oy * direction.x;
-      const double reach = entry.reach + kHair;
-      if (across * across > reach * reach * flat) continue;
-      const double nearest = ox * direction.x + oy * direction.y - reach;
-      if (nearest > best.hit.distance || nearest + 2.0 * reach < 0.0) continue;
-      if (direction.z <= 0.0 ? origin.z < entry.bottom : origin.z > entry.top) continue;
-      if (direction.z == 0.0 && origin.z > entry.top) continue;
-      try_entry(id, ray, best);
+      const double distance = distance_to(id, ray, best.hit.distance);
+      if (distance == kMiss || distance > best.hit.distance) continue;
+      if (distance < best.hit.distance || !best.found || best.hit.floor ||
+          entry.body < best.hit.body) {
+        best = {{distance, entry.body, false}, true};
+      }
     }
     if (best.hit.distance <= std::min(at_column_end, at_row_end)) break;
     if (at_column_end < at_row_end) {
@@ -225,7 +240,73 @@ std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3
       at_row_end = leave_row();
     }
   }
+}
+
+std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3& direction,
+                                            double max_range, std::size_t except) const {
+  if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) return std::nullopt;
+  Best best;
+  best.hit.distance = max_range;
+  if (const double floor = distance_to_floor(origin, direction); floor <= max_range) {
+    best = {{floor, {}, true}, true};
+  }
+  walk(Ray(origin, direction), except, best);
   return best.found ? std::optional(best.hit) : std::nullopt;
+}
+
+/// Finds all bodies that the rays may meet; false: it is better to walk along them.
+bool PlanarScene::gather(std::span<const RayQuery> rays, std::size_t except,
+                         Candidates& found) const {
+  Vector2 lower{kMiss, kMiss}, upper{-kMiss, -kMiss};
+  for (const auto& [origin, direction, range] : rays) {
+    lower = {std::min(lower.x, origin.x - range), std::min(lower.y, origin.y - range)};
+    upper = {std::max(upper.x, origin.x + range), std::max(upper.y, origin.y + range)};
+  }
+  const base::Grid::Block block = grid_.block(lower.x, lower.y, upper.x, upper.y);
+  const long cells = static_cast<long>(block.x1 - block.x0 + 1) * (block.y1 - block.y0 + 1);
+  if (cells > kCellsOfRay * static_cast<long>(rays.size())) return false;
+  for (int y = block.y0; y <= block.y1; ++y) {
+    for (int x = block.x0; x <= block.x1; ++x) {
+      for (const Id id : grid_.cell(x, y)) {
+        const Entry& entry = entries_[id];
+        // Once: in the first of its cells.
+        if (x != std::max(entry.block.x0, block.x0) || y != std::max(entry.block.y0, block.y0) ||
+            !is_seen(entry, except)) {
+          continue;
+        }
+        if (found.count == kMostCandidates) return false;
+        found.ids[found.count++] = id;
+      }
+    }
+  }
+  return true;
+}
+
+void PlanarScene::cast_rays(std::span<const RayQuery> rays, std::size_t except,
+                            std::span<double> distances) const {
+  Candidates near;
+  const bool is_gathered = gather(rays, except, near);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto& [origin, direction, max_range] = rays[i];
+    distances[i] = kMiss;
+    if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) continue;
+    const double floor = distance_to_floor(origin, direction);
+    const Ray ray(origin, direction);
+    Best best;
+    best.found = floor <= max_range;
+    best.hit.distance = best.found ? floor : max_range;
+    if (is_gathered) {
+      for (std::size_t k = 0; k < near.count; ++k) {
+        const double distance = distance_to(near.ids[k], ray, best.hit.distance);
+        if (distance == kMiss || distance > best.hit.distance) continue;
+        best.hit.distance = distance;
+        best.found = true;
+      }
+    } else {
+      walk(ray, except, best);
+    }
+    if (best.found) distances[i] = best.hit.distance;
+  }
 }
 
 bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const {
@@ -237,7 +318,7 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {
         const Entry& entry = entries_[id];
-        const double reach = entry.reach + kHair;
+        const double reach = entry.reach;
         if (!is_seen(entry, except) || lower.z > entry.top || upper.z < entry.bottom ||
             lower.x > entry.place.x + reach || upper.x < entry.place.x - reach ||
             lower.y > entry.place.y + reach || upper.y < entry.place.y - reach) {

@@ -1,8 +1,11 @@
 // The places of all bodies in a grid: what sensors see, and which bodies are near each other.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "elsie/api/body.h"
@@ -50,31 +53,45 @@ class PlanarScene {
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
+  /// As Engine::cast_rays().
+  void cast_rays(std::span<const RayQuery> rays, std::size_t except,
+                 std::span<double> distances) const;
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:
+  /// How much of a look the frequent rays need.
+  enum class Outside : std::uint8_t { box, disc, other };
   struct Entry {
     Vector2 place;
     Direction ahead;
     double reach = 0.0;
-    double bottom = 0.0, top = 0.0;
+    Vector2 half;                    // of a box
+    double bottom = 0.0, top = 0.0;  // of all of it
+    double low = 0.0, high = 0.0;    // of the box or disc
+    double wheels_top = -1.0;        // m; negative: no wheels
     Body body;
+    Outside outside = Outside::box;
     bool sensed = false;
-    bool is_box = false;  // without wheels
-    Vector2 half;         // of a box
-    base::Grid::Block block;
     bool placed = false;
+    base::Grid::Block block;
   };
   struct Best {
     RayHit hit;
     bool found = false;
   };
+  static constexpr std::size_t kMostCandidates = 64;
+  struct Candidates {
+    std::size_t count = 0;
+    std::array<Id, kMostCandidates> ids;
+  };
 
   base::Grid::Block block_of(const Entry& entry, double margin) const;
-  void try_entry(Id id, const Ray& ray, Best& best) const;
   bool is_seen(const Entry& entry, std::size_t except) const {
     return entry.sensed && !(entry.body.kind == BodyKind::robot && entry.body.index == except);
   }
+  double distance_to(Id id, const Ray& ray, double range) const;
+  bool gather(std::span<const RayQuery> rays, std::size_t except, Candidates& found) const;
+  void walk(const Ray& ray, std::size_t except, Best& best) const;
 
   base::Grid grid_;
   std::vector<Entry> entries_;

@@ -73,6 +73,7 @@ void Undercarriage::roll(const Twist& velocity) {
     if (grip.driven) spins_[grip.wheel].rate = dot(grip.along, velocity) / grip.rim;
     grip.hold = Hold::rolls;
   }
+  loose_ = 0;
   is_known_ = false;
 }
 
@@ -85,6 +86,7 @@ void Undercarriage::take(const Undercarriage& other) {
     grips_[i].along = other.grips_[i].along;
     grips_[i].hold = other.grips_[i].hold;
   }
+  loose_ = other.loose_;
   is_known_ = false;
 }
 
@@ -159,11 +161,49 @@ void Undercarriage::respond() {
 }
 
 Twist Undercarriage::solve(const Twist& free) {
+  const Twist momentum{inertia_.mass * free.x, inertia_.mass * free.y,
+                       inertia_.about_center * free.turn};
+  if (loose_ == 0) {
+    if (!is_known_) respond();
+    const Twist velocity = rolling(momentum);
+    if (all_roll(velocity)) return velocity;
+  }
+  return search(momentum);
+}
+
+/// The velocity if nothing is at a limit.
+Twist Undercarriage::rolling(Twist momentum) const {
+  for (const Grip& grip : grips_) {
+    if (!grip.driven) continue;
+    const double push = step_ / slip_ * (grip.rim * spins_[grip.wheel].wanted);
+    momentum = momentum + push * grip.along;
+  }
+  return response_ * momentum;
+}
+
+bool Undercarriage::all_roll(const Twist& velocity) const {
+  const double stiffness = 1.0 / slip_, per_step = 1.0 / step_;
+  for (const Grip& grip : grips_) {
+    const double moving = dot(grip.along, velocity);
+    if (!grip.driven) {
+      if (stiffness * std::abs(moving) > grip.limit) return false;
+      continue;
+    }
+    const Spin& spin = spins_[grip.wheel];
+    const double pull = stiffness * (grip.rim * spin.wanted - moving);
+    const double torque =
+        spin.inertia * (spin.wanted - spin.rate) * per_step + grip.rim * pull;
+    if (std::abs(pull) > grip.limit || std::abs(torque) > spin.torque) return false;
+  }
+  return true;
+}
+
+/// The velocity, and the limits that fit to it.
+Twist Undercarriage::search(const Twist& momentum) {
   Twist velocity;
   for (int search = 1; search <= kMostSearches; ++search) {
     if (!is_known_) respond();
-    Twist momentum{inertia_.mass * free.x, inertia_.mass * free.y,
-                   inertia_.about_center * free.turn};
+    Twist pushed = momentum;
     for (const Grip& grip : grips_) {
       double push = 0.0;
       if (grip.hold < Hold::slides_up) {
@@ -173,9 +213,9 @@ Twist Undercarriage::solve(const Twist& free) {
       } else {
         push = grip.hold == Hold::slides_up ? grip.limit : -grip.limit;
       }
-      momentum = momentum + step_ * push * grip.along;
+      pushed = pushed + step_ * push * grip.along;
     }
-    velocity = response_ * momentum;
+    velocity = response_ * pushed;
     if (search == kMostSearches) break;
     bool fits = true;
     for (Grip& grip : grips_) {
@@ -187,6 +227,8 @@ Twist Undercarriage::solve(const Twist& free) {
     }
     if (fits) break;
   }
+  loose_ = static_cast<int>(std::count_if(
+      grips_.begin(), grips_.end(), [](const Grip& grip) { return grip.hold != Hold::rolls; }));
   return velocity;
 }
 

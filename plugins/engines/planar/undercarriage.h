@@ -95,6 +95,9 @@ class Undercarriage {
   Hold fitting(const Grip& grip, const Twist& velocity) const;
   void aim(Grip& grip, double heading_rad);
   void respond();
+  Twist rolling(Twist momentum) const;
+  bool all_roll(const Twist& velocity) const;
+  Twist search(const Twist& momentum);
 
   std::vector<Grip> grips_;
   std::vector<Spin> spins_;
@@ -104,6 +107,7 @@ class Undercarriage {
   double slip_;
   double friction_;
   std::uint32_t changes_ = 0;
+  int loose_ = 0;          // grips that are at a limit, or whose motor is
   bool is_known_ = false;  // the response
 };
 
