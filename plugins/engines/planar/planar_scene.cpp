@@ -282,13 +282,12 @@ bool PlanarScene::gather(std::span<const RayQuery> rays, std::size_t except,
   return true;
 }
 
-void PlanarScene::cast_rays(std::span<const RayQuery> rays, std::size_t except,
-                            std::span<double> distances) const {
+void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const {
   Candidates near;
   const bool is_gathered = gather(rays, except, near);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const auto& [origin, direction, max_range] = rays[i];
-    distances[i] = kMiss;
+  for (RayQuery& each : rays) {
+    const auto& [origin, direction, max_range, answer] = each;
+    each.distance_m = RayQuery::kNothing;
     if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) continue;
     const double floor = distance_to_floor(origin, direction);
     const Ray ray(origin, direction);
@@ -305,7 +304,7 @@ void PlanarScene::cast_rays(std::span<const RayQuery> rays, std::size_t except,
     } else {
       walk(ray, except, best);
     }
-    if (best.found) distances[i] = best.hit.distance;
+    if (best.found) each.distance_m = best.hit.distance;
   }
 }
 

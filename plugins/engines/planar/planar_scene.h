@@ -54,8 +54,7 @@ class PlanarScene {
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
   /// As Engine::cast_rays().
-  void cast_rays(std::span<const RayQuery> rays, std::size_t except,
-                 std::span<double> distances) const;
+  void cast_rays(std::span<RayQuery> rays, std::size_t except) const;
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:

@@ -66,7 +66,9 @@ TEST_CASE("Cylinders and prisms keep the gap to each other and to walls") {
 
 TEST_CASE("A density of cylinders and of prisms covers its share of the area") {
   const auto count = [](const std::string& thing) {
-    return static_cast<double>(drawn("<layouts><scatter id='c' density='0.1'>" + thing + "</scatter></layouts>", 5).boxes.size());
+    return static_cast<double>(
+        drawn("<layouts><scatter id='c' density='0.1'>" + thing + "</scatter></layouts>", 5)
+            .boxes.size());
   };
   CHECK(count("<static_cylinder radius='0.3'/>") * 3.141592654 * 0.09 == Approx(10.0).margin(0.2));
   CHECK(count("<static_prism><point x='1' y='0'/><point x='0' y='0.5'/><point x='0' y='0'/>"
