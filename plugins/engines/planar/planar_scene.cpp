@@ -258,7 +258,7 @@ std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3
 bool PlanarScene::gather(std::span<const RayQuery> rays, std::size_t except,
                          Candidates& found) const {
   Vector2 lower{kMiss, kMiss}, upper{-kMiss, -kMiss};
-  for (const auto& [origin, direction, range] : rays) {
+  for (const auto& [origin, direction, range, answer] : rays) {
     lower = {std::min(lower.x, origin.x - range), std::min(lower.y, origin.y - range)};
     upper = {std::max(upper.x, origin.x + range), std::max(upper.y, origin.y + range)};
   }
