@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "elsie/simulation/simulation.h"
 
@@ -61,12 +61,28 @@ struct Judge {
     return Standing::open;
   }
   Standing operator()(const world::GatherGoal& goal) const {
+    // Robots gather at leaders, or at each other in a team without leaders or of leaders only.
+    std::vector<Pose> leaders, followers;
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
-      if (in_team(i, goal.team) && nearest_to_gather_at(i, goal.team) > goal.distance) {
-        return Standing::open;
+      const RobotView robot = simulation.robot(i);
+      if (goal.team.empty() || robot.description->team == goal.team) {
+        (robot.state->is_leader ? leaders : followers).push_back(robot.state->pose);
       }
     }
-    return Standing::reached;
+    const bool led = !leaders.empty() && !followers.empty();
+    std::vector<Pose>& places = led || followers.empty() ? leaders : followers;
+    std::sort(places.begin(), places.end(), [](const Pose& a, const Pose& b) { return a.x < b.x; });
+    const std::vector<Pose>& all = led ? followers : places;
+    const auto has_arrived = [&](const Pose& pose) {
+      const auto first = std::lower_bound(places.begin(), places.end(), pose.x - goal.distance,
+                                          [](const Pose& place, double x) { return place.x < x; });
+      const auto last = std::upper_bound(first, places.end(), pose.x + goal.distance,
+                                         [](double x, const Pose& place) { return x < place.x; });
+      return std::any_of(first, last, [&](const Pose& place) {
+        return &place != &pose && distance(pose, place) <= goal.distance;
+      });
+    };
+    return reached(std::all_of(all.begin(), all.end(), has_arrived));
   }
   Standing operator()(const world::TravelGoal& goal) const {
     return reached(every_robot(simulation, goal.robot, [&](std::size_t i) {
@@ -100,31 +116,6 @@ struct Judge {
   }
   static Standing reached(bool yes) { return yes ? Standing::reached : Standing::open; }
   static Standing kept(bool yes) { return yes ? Standing::kept : Standing::broken; }
-  bool in_team(std::size_t i, const std::string& team) const {
-    return team.empty() || simulation.robot(i).description->team == team;
-  }
-  bool leads(std::size_t i) const { return simulation.robot(i).state->is_leader; }
-  /// Distance from a robot to the team's nearest leader; 0 for a leader. In a team without leaders,
-  /// or of leaders only, the distance to the nearest mate.
-  double nearest_to_gather_at(std::size_t robot, const std::string& team) const {
-    bool has_leader = false, has_follower = false;
-    for (std::size_t i = 0; i < simulation.robots(); ++i) {
-      has_leader = has_leader || (in_team(i, team) && leads(i));
-      has_follower = has_follower || (in_team(i, team) && !leads(i));
-    }
-    const bool led = has_leader && has_follower;
-    if (led && leads(robot)) {
-      return 0.0;
-    }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < simulation.robots(); ++i) {
-      if (i != robot && in_team(i, team) && (!led || leads(i))) {
-        nearest = std::min(nearest, distance(simulation.robot(robot).state->pose,
-                                             simulation.robot(i).state->pose));
-      }
-    }
-    return nearest;
-  }
 };
 
 const char* broken_sentence(const world::Goal& goal) {
