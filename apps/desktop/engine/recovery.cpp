@@ -10,7 +10,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 #include "engine/elements.h"
 
@@ -67,7 +67,7 @@ bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed) 
   }
   const Json json{
       {"file", file.toStdString()}, {"text", text.toStdString()}, {"borrowed", is_borrowed}};
-  return base::write_whole(kept_in_.toStdString(), json.dump()) == 0;
+  return files::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
 
 void Recovery::forget() { QFile::remove(kept_in_); }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 #include "engine/workbench.h"
 
@@ -152,7 +152,7 @@ QString Workbench::write(const QString& file, const QString& text) {
   // Without a second file beside it, a full disk would take the one that is there.
   const int error =
       QFileInfo(folder_of(file)).isWritable()
-          ? base::write_whole(file.toStdString(), bytes.toStdString(), base::Durable::yes)
+          ? files::write_whole(file.toStdString(), bytes.toStdString(), files::Durable::yes)
           : EACCES;
   if (error != 0) {
     return tr("The world could not be saved as '%1': %2. What was there before is unchanged.")

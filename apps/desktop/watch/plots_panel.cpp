@@ -14,7 +14,7 @@
 #include <cmath>
 #include <set>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/output/csv_line.h"
 #include "elsie/picture/plot.h"
 
@@ -332,7 +332,7 @@ QString PlotsPanel::save(const QString& file) const {
     return tr("No number is chosen. Check those to be saved in the tree.");
   }
   if (ending == u"csv") {
-    const int error = base::write_whole(file.toStdString(), table(), base::Durable::yes);
+    const int error = files::write_whole(file.toStdString(), table(), files::Durable::yes);
     return error == 0 ? QString() : qt_error_string(error);
   }
   if (ending != u"png" && ending != u"svg") {

@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/base/write_whole.h"
 #include "elsie/build/source_build.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 
@@ -30,7 +30,7 @@ struct BuildOptions {
 
 /// Copies a file in one piece.
 void copy_whole(const fs::path& from, const fs::path& file) {
-  const fs::path to = base::end_of_links(file);
+  const fs::path to = files::end_of_links(file);
   const fs::path scratch = to.string() + ".new";
   std::error_code error;
   fs::copy_file(from, scratch, fs::copy_options::overwrite_existing, error);

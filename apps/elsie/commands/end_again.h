@@ -7,8 +7,8 @@
 
 #include <time.h>
 
-#include "elsie/base/emergency.h"
 #include "elsie/batch/job.h"
+#include "elsie/files/emergency.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/simulation/observer.h"
 
@@ -27,7 +27,7 @@ class WallLimitMet {};
 ///   not: the difference, a report, and exit code 1.
 ///
 /// Must be made in the thread of the run; only one at a time.
-class EndAgain final : public simulation::Observer, private base::EmergencyWriter {
+class EndAgain final : public simulation::Observer, private files::EmergencyWriter {
  public:
   /// `before` must outlive this. `wall_limit_s`: from now on; 0: none.
   EndAgain(const batch::RunRecord& before, double wall_limit_s);

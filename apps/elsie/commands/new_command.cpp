@@ -13,7 +13,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/plugin/kind_name.h"
 
 #include "command.h"
@@ -178,8 +178,8 @@ void write_project(const NewOptions& options, const fs::path& folder) {
       for (const auto& entry : fs::directory_iterator(template_folder(part))) {
         std::ifstream in(entry.path(), std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(in), {}};
-        base::write_whole_or_throw(scratch / filled_in(entry.path().filename().string(), options),
-                                   filled_in(text, options));
+        files::write_whole_or_throw(scratch / filled_in(entry.path().filename().string(), options),
+                                    filled_in(text, options));
       }
     }
     fs::rename(scratch, folder);

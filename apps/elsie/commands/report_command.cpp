@@ -13,8 +13,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/base/write_whole.h"
 #include "elsie/experiment/reader.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/report/figure_files.h"
 #include "elsie/report/formulas.h"
 #include "elsie/report/report.h"
@@ -99,7 +99,7 @@ void require_output(const std::optional<std::string>& file, const char* option, 
 }
 
 void write(const std::string& file, const std::string& text, const char* option) {
-  if (const int error = base::write_whole(file, text); error != 0) {
+  if (const int error = files::write_whole(file, text); error != 0) {
     throw base::Error(std::string(option) + ": '" + file +
                       "' could not be written: " + std::generic_category().message(error));
   }

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "elsie/base/write_whole.h"
 #include "elsie/batch/plan.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/results/hash.h"
 #include "elsie/world/reader.h"
@@ -142,7 +142,7 @@ void RestoredRun::restore_data(const StoredRun& run) {
     const fs::path folder = folder_ / std::to_string(place++);
     const fs::path file = folder / fs::path(data.path).filename();
     fs::create_directory(folder);
-    base::write_whole_or_throw(file, data.content);
+    files::write_whole_or_throw(file, data.content);
     files_[data.name] = file.string();
     differences_.push_back("'" + data.path + "' " + (now ? "has changed since" : "is gone") +
                            "; the run uses its stored content from the database" +

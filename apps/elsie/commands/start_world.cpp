@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/write_whole.h"
 #include "elsie/editing/document.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/process/shell_word.h"
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
@@ -49,7 +49,7 @@ StartWorld write_start_world(const RunToWrite& run, const plugin::Host& host,
                              const world::ReadOptions& reading, const PluginOptions& plugins,
                              const std::string& file) {
   const std::string text = text_from(run, host, reading, std::filesystem::path(file).parent_path());
-  if (const int problem = base::write_whole(file, text)) {
+  if (const int problem = files::write_whole(file, text)) {
     throw BadInput("--world: '" + file +
                    "' cannot be written: " + std::generic_category().message(problem));
   }

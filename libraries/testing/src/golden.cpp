@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "elsie/base/words.h"
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 #include "text.h"
 
@@ -233,7 +233,7 @@ Trace read_trace(const std::string& text, const std::string& file) {
 Verdict compare_with_golden(const Trace& trace, const std::string& file, double tolerance) {
   const char* const update = std::getenv(kUpdateVariable);
   if (update && std::string_view(update) == "1") {
-    base::write_whole_or_throw(file, write_trace(trace));
+    files::write_whole_or_throw(file, write_trace(trace));
     return {};
   }
   std::ifstream in(file);

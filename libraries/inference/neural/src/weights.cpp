@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 #include "text.h"
 
@@ -241,7 +241,7 @@ bool looks_like_weights(const std::string& path) {
 
 void write_weights(const Weights& weights, const std::string& path) {
   // Stored on the disk before it replaces another file.
-  if (const int error = base::write_whole(path, weights_text(weights), base::Durable::yes);
+  if (const int error = files::write_whole(path, weights_text(weights), files::Durable::yes);
       error != 0) {
     refuse_writing(path, error);
   }

@@ -13,9 +13,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/base/emergency.h"
 #include "elsie/batch/perform.h"
 #include "elsie/batch/worker_pool.h"
+#include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
@@ -89,7 +89,7 @@ void send_last_words() {
   line.text(name ? "SIG" : "").text(text(name)).send(kResultDescriptor);
 }
 
-class LastWordsWriter final : public base::EmergencyWriter {
+class LastWordsWriter final : public files::EmergencyWriter {
  public:
   ~LastWordsWriter() override { retire(); }
   bool write_now() noexcept override {

@@ -12,9 +12,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "elsie/base/write_whole.h"
 #include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
+#include "elsie/files/write_whole.h"
 #include "elsie/process/shell_word.h"
 #include "elsie/results/hash.h"
 
@@ -51,7 +51,7 @@ std::string script_text(const ShardFolder& folder, const std::vector<std::string
 }  // namespace
 
 void write_count(const fs::path& file, const Count& count) {
-  base::write_whole_or_throw(
+  files::write_whole_or_throw(
       file,
       Json{{"runs", count.runs}, {"ended", count.ended}, {"failed", count.failed}}.dump() + "\n");
 }
@@ -80,7 +80,7 @@ ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& pla
                                       "--resume, or choose another --database");
   }
   try {
-    base::write_whole_or_throw(folder.script(), script_text(folder, command));
+    files::write_whole_or_throw(folder.script(), script_text(folder, command));
     folder.write();
   } catch (...) {
     folder.remove();
@@ -128,7 +128,7 @@ void ShardFolder::set_job(const std::string& job) {
 }
 
 void ShardFolder::write() const {
-  base::write_whole_or_throw(
+  files::write_whole_or_throw(
       path_ / "cluster.json",
       Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
 }

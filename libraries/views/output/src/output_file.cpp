@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 namespace elsie::output {
 
@@ -29,7 +29,7 @@ void OutputFile::create(const std::filesystem::path& file) {
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (const int error = base::write_all(file_, bytes); error != 0) {
+  if (const int error = files::write_all(file_, bytes); error != 0) {
     fail("could not be written", error);
   }
   size_ += bytes.size();
@@ -39,7 +39,7 @@ void OutputFile::write_piece(std::string_view piece) {
   if (failed_ || file_ < 0) {
     fail("could not be written", failed_ ? EIO : EBADF);
   }
-  if (const int error = base::write_all(file_, piece); error != 0) {
+  if (const int error = files::write_all(file_, piece); error != 0) {
     failed_ = true;
     // If this fails too, nothing is reported: then the last piece is cut off.
     [[maybe_unused]] const int cut = ftruncate(file_, static_cast<off_t>(size_));
@@ -52,7 +52,7 @@ void OutputFile::close(std::string_view rest) {
   if (file_ < 0) {
     return;
   }
-  int error = base::write_all(file_, rest);
+  int error = files::write_all(file_, rest);
   if (::close(std::exchange(file_, -1)) != 0 && error == 0) {
     error = errno;
   }
@@ -64,7 +64,7 @@ void OutputFile::close(std::string_view rest) {
 
 void OutputFile::write_now(std::initializer_list<std::string_view> parts) noexcept {
   for (const std::string_view part : parts) {
-    if (file_ < 0 || failed_ || base::write_all(file_, part) != 0) {
+    if (file_ < 0 || failed_ || files::write_all(file_, part) != 0) {
       break;
     }
   }

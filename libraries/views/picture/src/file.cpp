@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 namespace elsie::picture {
 namespace {
@@ -46,7 +46,7 @@ void check_size(const Size& size) {
 }
 
 void write_whole(const std::filesystem::path& file, const std::string& content) {
-  if (const int error = base::write_whole(file, content); error != 0) refuse(file, error);
+  if (const int error = files::write_whole(file, content); error != 0) refuse(file, error);
 }
 
 }  // namespace elsie::picture

@@ -17,7 +17,7 @@ FileType file_type(const std::filesystem::path& file);
 /// Throws std::invalid_argument for a size out of range.
 void check_size(const Size& size);
 
-/// base::write_whole(). Throws std::runtime_error with file and reason.
+/// files::write_whole(). Throws std::runtime_error with file and reason.
 void write_whole(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace elsie::picture

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "elsie/api/reading.h"
-#include "elsie/base/emergency.h"
 #include "elsie/base/number_text.h"
+#include "elsie/files/emergency.h"
 #include "elsie/mcap/writer.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
@@ -40,7 +40,7 @@ bool sees_ranges(const Simulation& simulation, std::size_t robot) {
 
 }  // namespace
 
-class McapRecorder::Impl final : private base::EmergencyWriter {
+class McapRecorder::Impl final : private files::EmergencyWriter {
  public:
   Impl(const std::filesystem::path& file, RecorderOptions options)
       : options_(checked(std::move(options))), out_(file, {.library = options_.program}) {}

@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 namespace elsie::build {
 namespace {
@@ -139,7 +139,7 @@ SourceBuild CacheEntry::keep(const fs::path& library, std::vector<fs::path> inpu
   }
   const std::string name = stem_ + '-' + all.text() + ".so";
   fs::rename(library, folder_ / name);
-  base::write_whole_or_throw(folder_ / "inputs", name + '\n' + record);
+  files::write_whole_or_throw(folder_ / "inputs", name + '\n' + record);
   tidy(folder_ / name);
   return {folder_ / name, std::move(inputs), false, {}};
 }

@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "elsie/base/emergency.h"
+#include "elsie/files/emergency.h"
 
 namespace elsie::build {
 
@@ -53,7 +53,7 @@ bool sweep_copies(const fs::path& temporary) {
   return true;
 }
 
-class PrivateCopy final : private base::EmergencyWriter {
+class PrivateCopy final : private files::EmergencyWriter {
  public:
   explicit PrivateCopy(const fs::path& file);
   ~PrivateCopy() override;

@@ -17,7 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "elsie/base/emergency.h"
+#include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
 
@@ -186,12 +186,12 @@ bool write_report(const char* what, const Fault& place) {
         "try each with `elsie test-plugin`, or build them with -fsanitize=address\n");
   }
   // The important part first: an overwritten stack may end the trace.
-  if (base::write_in_emergency()) {
+  if (files::write_in_emergency()) {
     write_error("what was recorded until then is kept\n");
   }
   write_error("the stack, from the inside out:\n");
   write_stack_trace(place);
-  base::clean_up_in_emergency();
+  files::clean_up_in_emergency();
   return at_work || library;
 }
 
@@ -253,7 +253,7 @@ void crashed(int signal, siginfo_t* info, void* context) {
   }
   // The report itself has crashed. The stack is not read again.
   write_error("  (no more of it can be read)\n");
-  base::clean_up_in_emergency();
+  files::clean_up_in_emergency();
   if (Call::innermost()) {
     end_with(status_of_crash);
   }
@@ -273,7 +273,7 @@ void ended(int signal, siginfo_t* info, void*) {
     write_report(what, {});
     end_with(status_of_crash);
   }
-  base::clean_up_in_emergency();
+  files::clean_up_in_emergency();
   end_by(signal);
 }
 
@@ -345,7 +345,7 @@ void end_process(const char* what, const char* else_say, int exit_status, Stack 
     write_error(else_say);
     write_error("\n");
   }
-  base::clean_up_in_emergency();
+  files::clean_up_in_emergency();
   end_with(exit_status);
 }
 

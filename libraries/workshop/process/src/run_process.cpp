@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "elsie/base/emergency.h"
+#include "elsie/files/emergency.h"
 
 extern char** environ;
 
@@ -30,7 +30,7 @@ std::string read_all(int from) {
 }
 
 /// A process that leads its own group, which ends with this process.
-class Group final : private base::EmergencyWriter {
+class Group final : private files::EmergencyWriter {
  public:
   explicit Group(pid_t leader) : leader_(leader) {}
   ~Group() override { retire(); }

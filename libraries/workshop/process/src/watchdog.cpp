@@ -16,7 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "elsie/base/emergency.h"
+#include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
@@ -82,7 +82,7 @@ void look_from_outside(const std::stop_token& stop, Call* const* place) {
       char what[160] = "has blocked all signals, and ";
       std::strncat(what, report, sizeof(what) - std::strlen(what) - 1);
       write_culprit_and(what, nullptr);
-      base::clean_up_in_emergency();
+      files::clean_up_in_emergency();
       end_with(status);
     }
     before = call;

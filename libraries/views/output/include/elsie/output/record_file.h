@@ -5,13 +5,13 @@
 #include <string>
 #include <string_view>
 
-#include "elsie/base/emergency.h"
+#include "elsie/files/emergency.h"
 #include "elsie/output/output_file.h"
 
 namespace elsie::output {
 
 /// Collects lines and writes them 8 kB at a time.
-class RecordFile final : private base::EmergencyWriter {
+class RecordFile final : private files::EmergencyWriter {
  public:
   /// `what`: begins the sentences of errors: "recording '/dev/full'".
   explicit RecordFile(std::string what) : out_(std::move(what)) {}

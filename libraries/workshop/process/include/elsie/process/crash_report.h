@@ -16,7 +16,7 @@ namespace elsie::process {
 
 /// Reports signals that end the process because of an error (SIGSEGV, SIGBUS, SIGILL, SIGFPE,
 /// SIGABRT) on standard error from now on: plugin, robot, step (Call), the signal, and a stack
-/// trace with lines of the source if available. Data in base::EmergencyWriters is written to its
+/// trace with lines of the source if available. Data in files::EmergencyWriters is written to its
 /// files. Then:
 ///
 /// - in a plugin's code, also in a thread that a plugin has started, and when a plugin calls

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 namespace fs = std::filesystem;
 namespace base = elsie::base;
@@ -46,10 +46,10 @@ void write(const fs::path& name, const std::string& text) { std::ofstream(name) 
 
 TEST_CASE("A file is made, and replaced by another one; nothing is left over") {
   const Folder here;
-  CHECK(base::write_whole(here / "a", "one") == 0);
+  CHECK(files::write_whole(here / "a", "one") == 0);
   CHECK(read(here / "a") == "one");
   fs::create_hard_link(here / "a", here / "old");
-  CHECK(base::write_whole(here / "a", "two", base::Durable::yes) == 0);
+  CHECK(files::write_whole(here / "a", "two", files::Durable::yes) == 0);
   CHECK(read(here / "a") == "two");
   CHECK(read(here / "old") == "one");  // who has it open reads on
   CHECK(here.files() == 2);
@@ -61,7 +61,7 @@ TEST_CASE("A link stays one, and what it points to is written") {
   write(here / "far/a", "one");
   fs::create_symlink("far/a", here / "link");
   fs::create_symlink("link", here / "link_to_link");
-  CHECK(base::write_whole(here / "link_to_link", "two") == 0);
+  CHECK(files::write_whole(here / "link_to_link", "two") == 0);
   CHECK(fs::is_symlink(here / "link_to_link"));
   CHECK(fs::is_symlink(here / "link"));
   CHECK_FALSE(fs::is_symlink(here / "far/a"));
@@ -69,33 +69,33 @@ TEST_CASE("A link stays one, and what it points to is written") {
 
   SECTION("even if there is nothing yet") {
     fs::create_symlink(here / "far/b", here / "new");
-    CHECK(base::end_of_links(here / "new") == here / "far/b");
-    CHECK(base::write_whole(here / "new", "three") == 0);
+    CHECK(files::end_of_links(here / "new") == here / "far/b");
+    CHECK(files::write_whole(here / "new", "three") == 0);
     CHECK(fs::is_symlink(here / "new"));
     CHECK(read(here / "far/b") == "three");
   }
   SECTION("but a circle of links leads nowhere") {
     fs::create_symlink("round", here / "about");
     fs::create_symlink("about", here / "round");
-    CHECK(base::end_of_links(here / "round") == here / "round");
+    CHECK(files::end_of_links(here / "round") == here / "round");
   }
 }
 
 TEST_CASE("Pipes and devices are written to as they are") {
   const Folder here;
-  CHECK(base::write_whole("/dev/null", "nothing", base::Durable::yes) == 0);
+  CHECK(files::write_whole("/dev/null", "nothing", files::Durable::yes) == 0);
   CHECK(fs::is_character_file("/dev/null"));
-  CHECK(base::write_whole("/dev/full", "too much") == ENOSPC);
+  CHECK(files::write_whole("/dev/full", "too much") == ENOSPC);
   fs::create_symlink("/dev/full", here / "full.png");
-  CHECK(base::write_whole(here / "full.png", "too much") == ENOSPC);
+  CHECK(files::write_whole(here / "full.png", "too much") == ENOSPC);
   CHECK(fs::is_symlink(here / "full.png"));
 }
 
 TEST_CASE("What cannot be written leaves the file as it was") {
   const Folder here;
-  CHECK(base::write_whole(here / "none/a", "one") == ENOENT);
+  CHECK(files::write_whole(here / "none/a", "one") == ENOENT);
   fs::create_directory(here / "folder");
-  CHECK(base::write_whole(here / "folder", "one") == EISDIR);
+  CHECK(files::write_whole(here / "folder", "one") == EISDIR);
   CHECK(here.files() == 1);
 }
 
@@ -109,12 +109,12 @@ TEST_CASE("The permissions of a file that is replaced stay; the mask holds for a
     fs::remove(file);
     write(file, "one");
     REQUIRE(chmod(file.c_str(), mode) == 0);
-    CHECK(base::write_whole(file, "two") == 0);
+    CHECK(files::write_whole(file, "two") == 0);
     CHECK(read(file) == "two");
     CHECK(mode_of(file) == mode);
   }
   const mode_t mask = umask(027);
-  CHECK(base::write_whole(here / "new", "one") == 0);
+  CHECK(files::write_whole(here / "new", "one") == 0);
   umask(mask);
   CHECK(mode_of(here / "new") == 0640U);
 }

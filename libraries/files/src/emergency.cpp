@@ -1,4 +1,4 @@
-#include "elsie/base/emergency.h"
+#include "elsie/files/emergency.h"
 
 #include <array>
 #include <atomic>
@@ -6,7 +6,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace elsie::base {
+namespace elsie::files {
 namespace {
 
 // Signal handlers can only use globals.
@@ -55,4 +55,4 @@ void clean_up_in_emergency() noexcept {
   }
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::files

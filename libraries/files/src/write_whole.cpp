@@ -1,4 +1,4 @@
-#include "elsie/base/write_whole.h"
+#include "elsie/files/write_whole.h"
 
 #include <cerrno>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace elsie::base {
+namespace elsie::files {
 namespace {
 
 constexpr mode_t kForAll = 0666;  // minus the user's mask
@@ -117,9 +117,9 @@ int write_whole(const fs::path& file, std::string_view content, Durable durable)
 
 void write_whole_or_throw(const fs::path& file, std::string_view content, Durable durable) {
   if (const int error = write_whole(file, content, durable); error != 0) {
-    throw Error("'" + file.string() +
-                "' cannot be written: " + std::generic_category().message(error));
+    throw base::Error("'" + file.string() +
+                      "' cannot be written: " + std::generic_category().message(error));
   }
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::files

@@ -3,7 +3,7 @@
 
 #include <sys/types.h>
 
-namespace elsie::base {
+namespace elsie::files {
 
 /// Completes or removes something when the process crashes or is stopped.
 class EmergencyWriter {
@@ -34,4 +34,4 @@ bool write_in_emergency() noexcept;
 /// Calls clean_up_now() of every writer; a second call does nothing.
 void clean_up_in_emergency() noexcept;
 
-}  // namespace elsie::base
+}  // namespace elsie::files

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace elsie::base {
+namespace elsie::files {
 
 enum class Durable { no, yes };
 
@@ -18,7 +18,7 @@ enum class Durable { no, yes };
 int write_whole(const std::filesystem::path& file, std::string_view content,
                 Durable durable = Durable::no);
 
-/// The same; throws Error with file and reason.
+/// The same; throws base::Error with file and reason.
 void write_whole_or_throw(const std::filesystem::path& file, std::string_view content,
                           Durable durable = Durable::no);
 
@@ -30,4 +30,4 @@ int write_all(int descriptor, std::string_view bytes) noexcept;
 /// not a link, or when the links form a circle.
 std::filesystem::path end_of_links(std::filesystem::path file);
 
-}  // namespace elsie::base
+}  // namespace elsie::files
