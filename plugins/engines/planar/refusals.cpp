@@ -1,8 +1,10 @@
 #include "refusals.h"
 
 #include <cmath>
+#include <vector>
 
 #include "elsie/base/number_text.h"
+#include "elsie/world/warnings.h"
 
 namespace elsie::physics {
 namespace {
@@ -64,3 +66,7 @@ extern "C" __attribute__((visibility("default"))) void elsie_check_world(
     add(robot.location, fault_of(robot.driven, what));
   }
 }
+
+// No world is too stiff or too soft for it.
+extern "C" __attribute__((visibility("default"))) void elsie_warn(
+    const elsie::world::World& /*world*/, std::vector<elsie::world::Warning>& /*warnings*/) {}

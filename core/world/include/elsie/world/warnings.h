@@ -20,11 +20,11 @@ struct Warning {
   std::string text() const;
 };
 
-/// Warns of contacts that are rigid (cfm or wheel_slip of 0) or so soft that bodies sink under
-/// their own weight; an erp that overshoots; motors that overturn the robot; mass ratios beyond the
-/// solver's precision; speeds at which a body passes through another in one step; moving boxes that
-/// reach into walls; walls lower than wheels; robots that topple. A world without warnings may
-/// still fail, and a world with warnings may run well.
+/// The warnings of the world's engine. A world without warnings may still fail, and a world with
+/// warnings may run well.
 std::vector<Warning> warnings(const World& world);
+
+/// The function that the library of an engine exports as `elsie_warn`: appends its warnings.
+using EngineWarnings = void (*)(const World& world, std::vector<Warning>& warnings);
 
 }  // namespace elsie::world
