@@ -327,7 +327,7 @@ void MainWindow::make_menus() {
   }
   boxes_ = new QToolButton;
   boxes_->setObjectName("boxes");
-  boxes_->setText(tr("Obstacle"));
+  boxes_->setText(tr("Box"));
   boxes_->setToolTip(
       tr("Add a box, cylinder or prism: one that stands, one that can be pushed, or "
          "one that moves"));

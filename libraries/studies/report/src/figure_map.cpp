@@ -11,8 +11,8 @@
 #include "elsie/picture/svg.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/colours.h"
-#include "elsie/world/parts.h"
 #include "elsie/world/error.h"
+#include "elsie/world/parts.h"
 
 #include "figures.h"
 #include "markup.h"
