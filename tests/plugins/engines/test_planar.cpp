@@ -105,6 +105,7 @@ TEST_CASE("Tyres give way sideways only beyond their grip") {
     PhysicsContext context(planar(), open_field());
     world::RobotBody body;
     body.wheel_torque = torque;
+    body.mass = 0.3;  // for more grip
     const std::size_t pushed = context.robot(0.2, 0.0, 90);
     const std::size_t pusher = context.robot(0.1099, 0.0, 0, body);
     context.drive(pusher, {10, 10});
