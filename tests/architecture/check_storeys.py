@@ -29,7 +29,7 @@ STOREYS = {
 }
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
 EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
-ENGINES = {"ode": {"libelsie-base", "libelsie", "libode"}}
+ENGINES = {"ode": {"libelsie-base", "libelsie", "libode"}, "planar": {"libelsie-base", "libelsie"}}
 LAYOUTS = {"libelsie-base", "libelsie", "libpng16"}
 
 # What must not come with a storey by any detour.

@@ -38,6 +38,8 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"drive_without_joints", "what the plugin's own code says"},
     {"drive_without_number", "what the plugin's own code says"},
     {"drive_refuses", "what the plugin's own code says"},
+    {"planar_box_in_the_air", "what the engine cannot simulate"},
+    {"planar_robot_in_the_air", "what the engine cannot simulate"},
     {"wheels_inside_each_other", "attributes that depend on each other"},
     {"unknown_robot_in_goal", "layouts may scatter the robot"},
     {"kp_without_kd", "attributes that depend on each other"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace elsie::physics {
 namespace {
@@ -15,13 +16,6 @@ Vector2 along(const Vector2& a, double s, const Vector2& v) {
 }
 double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
 
-/// The normal of the edge from corner i to the next one, outwards.
-Vector2 normal_of(std::span<const Vector2> corners, std::size_t i) {
-  const Vector2 edge = minus(corners[(i + 1) % corners.size()], corners[i]);
-  const double length = std::sqrt(dot(edge, edge));
-  return {edge.y / length, -edge.x / length};
-}
-
 struct Axis {
   double separation = -std::numeric_limits<double>::infinity();
   std::size_t edge = 0;
@@ -29,12 +23,13 @@ struct Axis {
 };
 
 /// The edge of `a` beyond which `b` is the furthest.
-Axis best_axis(std::span<const Vector2> a, std::span<const Vector2> b) {
+Axis best_axis(const PlacedOutline& a, std::span<const Vector2> b) {
   Axis best;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Vector2 normal = normal_of(a, i);
+  for (std::size_t i = 0; i < a.corners.size(); ++i) {
+    const Vector2& normal = a.normals[i];
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Vector2& corner : b) nearest = std::min(nearest, dot(normal, minus(corner, a[i])));
+    for (const Vector2& corner : b) nearest = std::min(nearest, dot(normal, corner));
+    nearest -= dot(normal, a.corners[i]);
     if (nearest > best.separation) best = {nearest, i, normal};
   }
   return best;
@@ -70,7 +65,7 @@ double part_nearest(const Vector2& from, const Vector2& to, const Vector2& place
 Meeting meet_disc(const PlacedOutline& polygon, const Vector2& point, double radius,
                   double margin) {
   const auto& corners = polygon.corners;
-  const Axis axis = best_axis(corners, {&point, 1});
+  const Axis axis = best_axis(polygon, {&point, 1});
   if (axis.separation > margin + polygon.radius + radius) return {};
   const Vector2& from = corners[axis.edge];
   const Vector2& to = corners[(axis.edge + 1) % corners.size()];
@@ -112,7 +107,7 @@ Meeting clip(const PlacedOutline& a, const Axis& axis, const PlacedOutline& b, d
   std::size_t facing = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cb.size(); ++i) {
-    const double against = dot(normal_of(cb, i), axis.normal);
+    const double against = dot(b.normals[i], axis.normal);
     if (against < least) {
       least = against;
       facing = i;
@@ -162,19 +157,30 @@ Meeting clip(const PlacedOutline& a, const Axis& axis, const PlacedOutline& b, d
 
 }  // namespace
 
+Outline Outline::polygon(std::vector<Vector2> corners, double radius, double bottom, double top) {
+  Outline made{std::move(corners), {}, radius, bottom, top};
+  const std::size_t count = made.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector2& corner = made.corners[i];
+    made.reach = std::max(made.reach, std::hypot(corner.x, corner.y) + radius);
+    if (count == 1) break;
+    const Vector2 edge = minus(made.corners[(i + 1) % count], corner);
+    const double length = std::sqrt(dot(edge, edge));
+    made.normals.push_back({edge.y / length, -edge.x / length});
+  }
+  return made;
+}
+
 Outline Outline::rectangle(double half_length, double half_width, double bottom, double top) {
-  return {{{half_length, -half_width},
-           {half_length, half_width},
-           {-half_length, half_width},
-           {-half_length, -half_width}},
-          0.0,
-          bottom,
-          top,
-          std::hypot(half_length, half_width)};
+  return polygon({{half_length, -half_width},
+                  {half_length, half_width},
+                  {-half_length, half_width},
+                  {-half_length, -half_width}},
+                 0.0, bottom, top);
 }
 
 Outline Outline::disc(double radius, double bottom, double top) {
-  return {{{0.0, 0.0}}, radius, bottom, top, radius};
+  return polygon({{0.0, 0.0}}, radius, bottom, top);
 }
 
 Outline Outline::of(const Shape& shape, double height) {
@@ -187,17 +193,17 @@ Outline Outline::of(const Shape& shape, double height) {
   const double half = 0.5 * shape.length() - shape.radius();
   if (half <= 0.0) return disc(shape.radius(), bottom, top);
   const Vector2 end = shape.axis == Shape::Axis::forward ? Vector2{half, 0.0} : Vector2{0.0, half};
-  return {{end, {-end.x, -end.y}}, shape.radius(), bottom, top, half + shape.radius()};
+  return polygon({end, {-end.x, -end.y}}, shape.radius(), bottom, top);
 }
 
 PlacedOutline placed(const Outline& outline, const Vector2& middle, const Direction& ahead,
                      std::vector<Vector2>& space) {
   space.clear();
-  for (const Vector2& corner : outline.corners) {
-    const Vector2 turned = ahead.turn(corner);
-    space.push_back({middle.x + turned.x, middle.y + turned.y});
-  }
-  return {space, outline.radius};
+  for (const Vector2& corner : outline.corners) space.push_back(plus(middle, ahead.turn(corner)));
+  for (const Vector2& normal : outline.normals) space.push_back(ahead.turn(normal));
+  const std::span<const Vector2> all(space);
+  const std::size_t count = outline.corners.size();
+  return {all.first(count), all.subspan(count), outline.radius};
 }
 
 Meeting meet(const PlacedOutline& a, const PlacedOutline& b, double margin) {
@@ -211,9 +217,9 @@ Meeting meet(const PlacedOutline& a, const PlacedOutline& b, double margin) {
     return met;
   }
   const double reach = margin + a.radius + b.radius;
-  const Axis of_a = best_axis(a.corners, b.corners);
+  const Axis of_a = best_axis(a, b.corners);
   if (of_a.separation > reach) return {};
-  const Axis of_b = best_axis(b.corners, a.corners);
+  const Axis of_b = best_axis(b, a.corners);
   if (of_b.separation > reach) return {};
   if (of_b.separation > of_a.separation + kPreference) return clip(b, of_b, a, margin, true);
   Meeting met = clip(a, of_a, b, margin, false);

@@ -17,10 +17,12 @@ namespace elsie::physics {
 /// A convex polygon from above, rounded by a radius: a disc has one corner, a lying capsule two.
 struct Outline {
   std::vector<Vector2> corners;  // counter-clockwise, around its middle
+  std::vector<Vector2> normals;  // of the edge from each corner to the next one, outwards
   double radius = 0.0;           // m
   double bottom = 0.0, top = 0.0;  // m, above the floor
   double reach = 0.0;            // m, the largest distance of any of its points from its middle
 
+  static Outline polygon(std::vector<Vector2> corners, double radius, double bottom, double top);
   static Outline rectangle(double half_length, double half_width, double bottom, double top);
   static Outline disc(double radius, double bottom, double top);
   /// A solid whose frame is upright; its middle is at this height.
@@ -33,7 +35,7 @@ struct Outline {
 
 /// An outline at a place.
 struct PlacedOutline {
-  std::span<const Vector2> corners;  // in the world
+  std::span<const Vector2> corners, normals;  // in the world
   double radius = 0.0;
 };
 

@@ -50,7 +50,7 @@ class Placing {
 };
 
 /// The interval of a ray in which it is within `half` of 0, in one direction.
-void clip(double from, double along, double half, double& enter, double& leave) {
+inline void clip(double from, double along, double half, double& enter, double& leave) {
   if (along == 0.0) {
     if (std::abs(from) > half) leave = -1.0;
     return;
@@ -171,12 +171,19 @@ double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
   const Entry& entry = entries_[id];
   const Vector3 &origin = ray.origin, &direction = ray.direction;
   const Vector2 away{origin.x - entry.place.x, origin.y - entry.place.y};
-  // Past its circle, behind it, below it or above it?
+  // Past its circle or behind it?
   const double across = away.x * direction.y - away.y * direction.x;
   const double flat = direction.x * direction.x + direction.y * direction.y;
   if (across * across > entry.reach * entry.reach * flat) return kMiss;
   const double to_middle = -(away.x * direction.x + away.y * direction.y);
   if (to_middle - entry.reach > range || to_middle + entry.reach < 0.0) return kMiss;
+  return distance_past_circle(entry, id, ray, range);
+}
+
+double PlanarScene::distance_past_circle(const Entry& entry, Id id, const Ray& ray,
+                                         double range) const {
+  const Vector3 &origin = ray.origin, &direction = ray.direction;
+  const Vector2 away{origin.x - entry.place.x, origin.y - entry.place.y};
   if (direction.z <= 0.0 && origin.z < entry.bottom) return kMiss;
   if (direction.z >= 0.0 && origin.z > entry.top) return kMiss;
 
@@ -187,6 +194,9 @@ double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
     double enter = 0.0, leave = range;
     clip(from.x, along.x, entry.half.x, enter, leave);
     clip(from.y, along.y, entry.half.y, enter, leave);
+    if (direction.z == 0.0) {
+      return enter <= leave && origin.z >= entry.low && origin.z <= entry.high ? enter : kMiss;
+    }
     const double middle = 0.5 * (entry.low + entry.high);
     clip(origin.z - middle, direction.z, 0.5 * (entry.high - entry.low), enter, leave);
     return enter <= leave ? enter : kMiss;
@@ -194,6 +204,9 @@ double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
   if (above_wheels && entry.outside == Outside::disc && direction.z == 0.0) {
     if (origin.z < entry.low || origin.z > entry.high) return kMiss;
     const double radius = entry.half.x;
+    const double across = away.x * direction.y - away.y * direction.x;
+    const double flat = direction.x * direction.x + direction.y * direction.y;
+    const double to_middle = -(away.x * direction.x + away.y * direction.y);
     const double outside = away.x * away.x + away.y * away.y - radius * radius;
     if (outside <= 0.0) return 0.0;
     const double discriminant = radius * radius * flat - across * across;
@@ -265,17 +278,25 @@ bool PlanarScene::gather(std::span<const RayQuery> rays, std::size_t except,
   const base::Grid::Block block = grid_.block(lower.x, lower.y, upper.x, upper.y);
   const long cells = static_cast<long>(block.x1 - block.x0 + 1) * (block.y1 - block.y0 + 1);
   if (cells > kCellsOfRay * static_cast<long>(rays.size())) return false;
+  const Vector2 middle{0.5 * (lower.x + upper.x), 0.5 * (lower.y + upper.y)};
+  found.middle = middle;
+  double reach = 0.0;
+  for (const auto& [origin, direction, range] : rays) {
+    const double x = origin.x - middle.x, y = origin.y - middle.y;
+    reach = std::max(reach, std::abs(x) + std::abs(y) + range);
+  }
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {
         const Entry& entry = entries_[id];
         // Once: in the first of its cells.
         if (x != std::max(entry.block.x0, block.x0) || y != std::max(entry.block.y0, block.y0) ||
-            !is_seen(entry, except)) {
+            !is_seen(entry, except) || !comes_within(entry, middle.x, middle.y, reach)) {
           continue;
         }
         if (found.count == kMostCandidates) return false;
-        found.ids[found.count++] = id;
+        found.all[found.count++] = {id, entry.place.x - middle.x, entry.place.y - middle.y,
+                                    entry.reach};
       }
     }
   }
@@ -295,8 +316,20 @@ void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const 
     best.found = floor <= max_range;
     best.hit.distance = best.found ? floor : max_range;
     if (is_gathered) {
+      const double x = origin.x - near.middle.x, y = origin.y - near.middle.y;
+      const double flat = direction.x * direction.x + direction.y * direction.y;
       for (std::size_t k = 0; k < near.count; ++k) {
-        const double distance = distance_to(near.ids[k], ray, best.hit.distance);
+        const Candidate& candidate = near.all[k];
+        const double ahead_x = candidate.x - x, ahead_y = candidate.y - y;
+        const double across = ahead_x * direction.y - ahead_y * direction.x;
+        if (across * across > candidate.reach * candidate.reach * flat) continue;
+        const double to_middle = ahead_x * direction.x + ahead_y * direction.y;
+        if (to_middle - candidate.reach > best.hit.distance ||
+            to_middle + candidate.reach < 0.0) {
+          continue;
+        }
+        const double distance = distance_past_circle(entries_[candidate.id], candidate.id, ray,
+                                                     best.hit.distance);
         if (distance == kMiss || distance > best.hit.distance) continue;
         best.hit.distance = distance;
         best.found = true;

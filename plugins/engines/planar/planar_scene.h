@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -46,8 +47,8 @@ class PlanarScene {
   void remove(Id id);
   Look& look(Id id) { return looks_[id]; }
 
-  /// Calls `call` with every other body whose circle is no further than `margin` away from that of
-  /// this one; perhaps more than once.
+  /// Calls `call` with every other body that may be no further than `margin` away from the circle
+  /// around this one; perhaps more than once.
   template <class Call>
   void for_each_near(Id id, double margin, Call call) const;
 
@@ -79,16 +80,32 @@ class PlanarScene {
     bool found = false;
   };
   static constexpr std::size_t kMostCandidates = 64;
+  struct Candidate {
+    Id id;
+    double x, y;  // from the middle of the rays
+    double reach;
+  };
   struct Candidates {
+    Vector2 middle;  // of the origins of the rays
     std::size_t count = 0;
-    std::array<Id, kMostCandidates> ids;
+    std::array<Candidate, kMostCandidates> all;
   };
 
   base::Grid::Block block_of(const Entry& entry, double margin) const;
   bool is_seen(const Entry& entry, std::size_t except) const {
     return entry.sensed && !(entry.body.kind == BodyKind::robot && entry.body.index == except);
   }
+  /// Whether the body comes within this distance of a point; perhaps also if it nearly does.
+  static bool comes_within(const Entry& entry, double x, double y, double distance) {
+    const double dx = x - entry.place.x, dy = y - entry.place.y;
+    const double far = entry.reach + distance;
+    if (dx * dx + dy * dy > far * far) return false;
+    if (entry.outside != Outside::box || entry.wheels_top >= 0.0) return true;
+    const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
+    return std::abs(at.x) <= entry.half.x + distance && std::abs(at.y) <= entry.half.y + distance;
+  }
   double distance_to(Id id, const Ray& ray, double range) const;
+  double distance_past_circle(const Entry& entry, Id id, const Ray& ray, double range) const;
   bool gather(std::span<const RayQuery> rays, std::size_t except, Candidates& found) const;
   void walk(const Ray& ray, std::size_t except, Best& best) const;
 
@@ -100,14 +117,12 @@ class PlanarScene {
 template <class Call>
 void PlanarScene::for_each_near(Id id, double margin, Call call) const {
   const Entry& self = entries_[id];
+  const double x0 = self.place.x, y0 = self.place.y, reach = self.reach + margin;
   const base::Grid::Block block = block_of(self, margin);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id other : grid_.cell(x, y)) {
-        const Entry& entry = entries_[other];
-        const double dx = entry.place.x - self.place.x, dy = entry.place.y - self.place.y;
-        const double far = self.reach + entry.reach + margin;
-        if (other != id && dx * dx + dy * dy <= far * far) call(other);
+        if (other != id && comes_within(entries_[other], x0, y0, reach)) call(other);
       }
     }
   }

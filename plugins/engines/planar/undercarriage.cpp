@@ -13,6 +13,8 @@ constexpr double kTyreGrip = 3.0;
 // Grips that do not glide at all would leave no digits for the masses.
 constexpr double kLeastSlip = 1e-7;  // m/s per N
 
+constexpr double kLeastInertia = 1e-300;  // kg m2
+
 // After this many changes of mind, grips only become looser.
 constexpr int kSearches = 6;
 constexpr int kMostSearches = 12;
@@ -24,6 +26,7 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
     : inertia_(inertia),
       step_(physics.step),
       slip_(std::max(physics.wheel_slip, kLeastSlip)),
+      stiffness_(1.0 / slip_),
       friction_(kTyreGrip * physics.friction) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part& part = parts[i];
@@ -33,7 +36,8 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
     Spin& spin = spins_.emplace_back();
     spin.torque = wheel->torque;
     spin.radius = part.shape.radius();
-    spin.inertia = std::max(0.5 * part.mass * spin.radius * spin.radius, 1e-300);
+    const double about_axle = std::max(0.5 * part.mass * spin.radius * spin.radius, kLeastInertia);
+    spin.per_torque = step_ / about_axle;
     spin.place = {at.x - inertia.center.x, at.y - inertia.center.y};
     Grip grip;
     grip.wheel = spins_.size() - 1;
@@ -43,6 +47,7 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
       grip.angle = angle;
       grip.driven = wheel->torque > 0.0 && std::abs(std::cos(angle)) > 1e-9;
       grip.rim = grip.driven ? spin.radius * std::cos(angle) : 0.0;
+      grip.stiffness = 1.0 / (slip_ + grip.rim * grip.rim * spin.per_torque);
       aim(grip, heading);
       grips_.push_back(grip);
     };
@@ -59,7 +64,7 @@ void Undercarriage::aim(Grip& grip, double heading_rad) {
   const Direction along = Direction::of(heading_rad + grip.angle);
   const Vector2& at = spins_[grip.wheel].place;
   grip.along = {along.c, along.s, at.x * along.s - at.y * along.c};
-  is_known_ = false;
+  is_known_ = is_rolling_known_ = false;
 }
 
 void Undercarriage::point(std::size_t wheel, double heading_rad) {
@@ -87,18 +92,16 @@ void Undercarriage::take(const Undercarriage& other) {
     grips_[i].hold = other.grips_[i].hold;
   }
   loose_ = other.loose_;
-  is_known_ = false;
+  is_known_ = is_rolling_known_ = false;
 }
 
 Undercarriage::Law Undercarriage::law(const Grip& grip) const {
-  if (!grip.driven) return {1.0 / slip_, 0.0};
+  if (!grip.driven) return {stiffness_, 0.0};
   const Spin& spin = spins_[grip.wheel];
-  if (grip.hold == Hold::rolls) return {1.0 / slip_, grip.rim * spin.wanted};
+  if (grip.hold == Hold::rolls) return {stiffness_, grip.rim * spin.wanted};
   // The motor gives its most, and the wheel turns as tyre and motor make it.
   const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
-  const double per_torque = step_ / spin.inertia;
-  return {1.0 / (slip_ + grip.rim * grip.rim * per_torque),
-          grip.rim * (spin.rate + per_torque * torque)};
+  return {grip.stiffness, grip.rim * (spin.rate + spin.per_torque * torque)};
 }
 
 double Undercarriage::force(const Grip& grip, const Twist& velocity) const {
@@ -110,10 +113,9 @@ double Undercarriage::force(const Grip& grip, const Twist& velocity) const {
 
 /// The rate of a wheel after a step in which this torque holds it back.
 double Undercarriage::turning(const Spin& spin, double against) const {
-  const double per_torque = step_ / spin.inertia;
-  const double rolling = spin.rate - per_torque * against;
-  return std::clamp(spin.wanted, rolling - per_torque * spin.torque,
-                    rolling + per_torque * spin.torque);
+  const double rolling = spin.rate - spin.per_torque * against;
+  const double most = spin.per_torque * spin.torque;
+  return std::clamp(spin.wanted, rolling - most, rolling + most);
 }
 
 /// The state of the grip at this velocity.
@@ -137,18 +139,26 @@ Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& veloci
   }
   // Most motors are at their limit before their tyres are.
   if (grip.driven && grip.hold == Hold::rolls) {
-    const double torque = spin.inertia * (spin.wanted - spin.rate) / step_ + grip.rim * pull;
+    const double torque = (spin.wanted - spin.rate) / spin.per_torque + grip.rim * pull;
     if (std::abs(torque) > spin.torque) return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
   }
   if (std::abs(pull) > grip.limit) return pull > 0.0 ? Hold::slides_up : Hold::slides_down;
   if (grip.hold == Hold::rolls) return Hold::rolls;
   const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
-  const double rate = spin.rate + step_ / spin.inertia * (torque - grip.rim * pull);
+  const double rate = spin.rate + spin.per_torque * (torque - grip.rim * pull);
   const bool is_short = grip.hold == Hold::motor_up ? rate <= spin.wanted : rate >= spin.wanted;
   return is_short ? grip.hold : Hold::rolls;
 }
 
 void Undercarriage::respond() {
+  is_known_ = true;
+  ++changes_;
+  const bool rolls = std::all_of(grips_.begin(), grips_.end(),
+                                 [](const Grip& grip) { return grip.hold == Hold::rolls; });
+  if (rolls && is_rolling_known_) {
+    response_ = rolling_;
+    return;
+  }
   Symmetric inertia;
   inertia.xx = inertia.yy = inertia_.mass;
   inertia.tt = inertia_.about_center;
@@ -156,8 +166,9 @@ void Undercarriage::respond() {
     if (grip.hold < Hold::slides_up) inertia.add(step_ * law(grip).stiffness, grip.along);
   }
   response_ = inertia.inverse();
-  is_known_ = true;
-  ++changes_;
+  if (!rolls) return;
+  rolling_ = response_;
+  is_rolling_known_ = true;
 }
 
 Twist Undercarriage::solve(const Twist& free) {
@@ -175,25 +186,25 @@ Twist Undercarriage::solve(const Twist& free) {
 Twist Undercarriage::rolling(Twist momentum) const {
   for (const Grip& grip : grips_) {
     if (!grip.driven) continue;
-    const double push = step_ / slip_ * (grip.rim * spins_[grip.wheel].wanted);
+    const double push = step_ * stiffness_ * (grip.rim * spins_[grip.wheel].wanted);
     momentum = momentum + push * grip.along;
   }
   return response_ * momentum;
 }
 
 bool Undercarriage::all_roll(const Twist& velocity) const {
-  const double stiffness = 1.0 / slip_, per_step = 1.0 / step_;
   for (const Grip& grip : grips_) {
     const double moving = dot(grip.along, velocity);
     if (!grip.driven) {
-      if (stiffness * std::abs(moving) > grip.limit) return false;
+      if (stiffness_ * std::abs(moving) > grip.limit) return false;
       continue;
     }
     const Spin& spin = spins_[grip.wheel];
-    const double pull = stiffness * (grip.rim * spin.wanted - moving);
-    const double torque =
-        spin.inertia * (spin.wanted - spin.rate) * per_step + grip.rim * pull;
-    if (std::abs(pull) > grip.limit || std::abs(torque) > spin.torque) return false;
+    const double pull = stiffness_ * (grip.rim * spin.wanted - moving);
+    const double gained = spin.wanted - spin.rate + spin.per_torque * grip.rim * pull;
+    if (std::abs(pull) > grip.limit || std::abs(gained) > spin.per_torque * spin.torque) {
+      return false;
+    }
   }
   return true;
 }

@@ -71,6 +71,7 @@ class Undercarriage {
     double rim = 0.0;    // m, its velocity from the wheel's rate
     double limit = 0.0;  // N
     double angle = 0.0;  // of `along`, from the wheel's heading
+    double stiffness = 0.0;  // N s/m, while the motor gives its most
     std::size_t wheel = 0;
     bool driven = false;
     Hold hold = Hold::rolls;
@@ -79,7 +80,7 @@ class Undercarriage {
     double rate = 0.0;    // rad/s
     double wanted = 0.0;  // rad/s
     double torque = 0.0;  // N m, maximum
-    double inertia = 1.0;  // kg m2
+    double per_torque = 0.0;  // rad/s per N m in a step
     Vector2 place;        // from the center of mass
     double radius = 0.0;
   };
@@ -103,12 +104,15 @@ class Undercarriage {
   std::vector<Spin> spins_;
   Inertia inertia_;
   Symmetric response_;
+  Symmetric rolling_;  // the response if nothing is at a limit
   double step_;
   double slip_;
+  double stiffness_;  // N s/m, of a tyre
   double friction_;
   std::uint32_t changes_ = 0;
   int loose_ = 0;          // grips that are at a limit, or whose motor is
-  bool is_known_ = false;  // the response
+  bool is_known_ = false;       // the response
+  bool is_rolling_known_ = false;
 };
 
 /// The friction of a body that slides on the floor, for translation and turning together: the

@@ -7,6 +7,7 @@
 
 #include "elsie/api/drive.h"
 #include "elsie/physics/engine.h"
+#include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/testing/catch.h"
 #include "elsie/world/parts.h"
@@ -18,7 +19,7 @@ class DrivenRobot {
  public:
   explicit DrivenRobot(const std::string& name, const testing::Settings& settings = {},
                        const Chassis& chassis = {})
-      : engine(physics::make_engine(open_floor(), {})) {
+      : engine(physics::make_engine(open_floor(), physics_of(engine_name))) {
     const testing::Plugins& plugins = testing::Plugins::found();
     const Declaration& declaration = plugins.declaration(PluginKind::drive, name);
     drive = plugins.host().create<Drive>(PluginKind::drive, name);
@@ -56,6 +57,7 @@ class DrivenRobot {
   Motion odometry() const { return drive->odometry(engine->joints(0)); }
 
   static constexpr double kStep = 0.01;  // s
+  static inline std::string engine_name = "ode";
 
   plugin::Object<Drive> drive;
   BodyPlan plan;
@@ -69,6 +71,11 @@ class DrivenRobot {
   double lowest = 1.0;    // the vertical of the body against that of the world, as a cosine
 
  private:
+  static world::Physics physics_of(const std::string& engine) {
+    world::Physics physics;
+    physics.engine = engine;
+    return physics;
+  }
   static world::Arena open_floor() {
     world::Arena arena;
     arena.length = arena.width = 200.0;
@@ -76,6 +83,11 @@ class DrivenRobot {
     return arena;
   }
 };
+
+/// Runs the case with each engine; returns its name.
+inline std::string each_engine() {
+  return DrivenRobot::engine_name = GENERATE(from_range(plugin::engine_names()));
+}
 
 /// Within two per cent, or the tolerance that is given.
 inline Catch::Detail::Approx within(double value, double absolute = 1e-3) {

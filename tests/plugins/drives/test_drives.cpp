@@ -8,6 +8,7 @@
 
 using namespace elsie;
 using elsie::test::DrivenRobot;
+using elsie::test::each_engine;
 using elsie::test::within;
 
 namespace {
@@ -30,6 +31,7 @@ constexpr double kGlide = 0.03;
 }  // namespace
 
 TEST_CASE("Every drive goes straight as far as it is asked to") {
+  INFO(each_engine());
   for (const std::string& name : kAll) {
     for (const double speed : {0.2, -0.2}) {
       CAPTURE(name, speed);
@@ -45,6 +47,7 @@ TEST_CASE("Every drive goes straight as far as it is asked to") {
 }
 
 TEST_CASE("Every drive but the synchronous one follows an arc of half a metre") {
+  INFO(each_engine());
   for (const std::string& name : kAll) {
     if (name == "synchro") continue;
     for (const double turn : {0.4, -0.4}) {
@@ -67,6 +70,7 @@ TEST_CASE("Every drive but the synchronous one follows an arc of half a metre") 
 }
 
 TEST_CASE("Odometry is what the body does") {
+  INFO(each_engine());
   for (const std::string& name : kAll) {
     CAPTURE(name);
     DrivenRobot robot(name);
@@ -83,6 +87,7 @@ TEST_CASE("Odometry is what the body does") {
 }
 
 TEST_CASE("No rim is faster than the maximum speed, and a slower curve is the same curve") {
+  INFO(each_engine());
   for (const std::string& name : kAll) {
     CAPTURE(name);
     DrivenRobot robot(name);
@@ -101,6 +106,7 @@ TEST_CASE("No rim is faster than the maximum speed, and a slower curve is the sa
 }
 
 TEST_CASE("Mecanum and omnidirectional wheels move a body sideways, slantwise and round") {
+  INFO(each_engine());
   for (const std::string name : {"mecanum", "omnidirectional"}) {
     CAPTURE(name);
     DrivenRobot robot(name);
@@ -119,6 +125,7 @@ TEST_CASE("Mecanum and omnidirectional wheels move a body sideways, slantwise an
 }
 
 TEST_CASE("A tricycle has the speed and turn rate that follow from its front wheel") {
+  INFO(each_engine());
   DrivenRobot robot("tricycle", {{"wheelbase", 0.1}});
   robot.settled({0.1, 0.0, 1.0}, 3.0);
   // v = u cos f, w = u sin f / l.
@@ -129,6 +136,7 @@ TEST_CASE("A tricycle has the speed and turn rate that follow from its front whe
 }
 
 TEST_CASE("The axles of a car's wheels meet in one point") {
+  INFO(each_engine());
   DrivenRobot robot("car", {{"wheelbase", 0.1}});
   robot.settled({0.1, 0.0, 0.5}, 1.0);
   const double left = robot.wanted[0].angle_rad, right = robot.wanted[1].angle_rad;
@@ -138,6 +146,7 @@ TEST_CASE("The axles of a car's wheels meet in one point") {
 }
 
 TEST_CASE("What cannot turn in place drives the tightest curve instead") {
+  INFO(each_engine());
   for (const std::string name :
        {"articulated", "car", "front_rear_steering", "rear_steering", "tricycle"}) {
     for (const double turn : {1.0, -1.0}) {
@@ -152,6 +161,7 @@ TEST_CASE("What cannot turn in place drives the tightest curve instead") {
 }
 
 TEST_CASE("A steering takes its time") {
+  INFO(each_engine());
   DrivenRobot robot("car", {{"steer_rate_deg_s", 10.0}, {"max_steer_deg", 40.0}});
   robot.run({0.05, 0.0, 2.0}, 1.0);
   const auto joints = robot.engine->joints(0);
@@ -160,6 +170,7 @@ TEST_CASE("A steering takes its time") {
 }
 
 TEST_CASE("A steering that is there at once, and far, makes its tightest curve") {
+  INFO(each_engine());
   for (const std::string name : {"car", "rear_steering", "front_rear_steering", "tricycle"}) {
     for (const double degrees : {40.0, 60.0, 70.0, 80.0}) {
       for (const double turn : {50.0, -50.0}) {
@@ -179,6 +190,7 @@ TEST_CASE("A steering that is there at once, and far, makes its tightest curve")
 }
 
 TEST_CASE("Four-wheel steering turns in half the circle of a car") {
+  INFO(each_engine());
   DrivenRobot car("car", {{"wheelbase", 0.1}});
   DrivenRobot both("front_rear_steering", {{"wheelbase", 0.1}});
   car.settled({0.05, 0.0, 100.0}, 1.0);
@@ -193,6 +205,7 @@ TEST_CASE("Four-wheel steering turns in half the circle of a car") {
 }
 
 TEST_CASE("The body of a synchro drive keeps its direction while its heading turns") {
+  INFO(each_engine());
   DrivenRobot robot("synchro");
   robot.run({0.2, 0.0, 0.5}, 2.0 * std::numbers::pi);
   const Turret turret = robot.drive->turret(robot.engine->joints(0));
@@ -206,6 +219,7 @@ TEST_CASE("The body of a synchro drive keeps its direction while its heading tur
 }
 
 TEST_CASE("The angle of an articulated body follows from its curve") {
+  INFO(each_engine());
   DrivenRobot robot("articulated");
   robot.settled({0.1, 0.0, 0.5}, 2.0);
   const double arm = 0.04 + 0.02;
@@ -215,6 +229,7 @@ TEST_CASE("The angle of an articulated body follows from its curve") {
 }
 
 TEST_CASE("Drives refuse a chassis that they do not fit") {
+  INFO(each_engine());
   const auto refusal = [](const std::string& name, const testing::Settings& settings,
                           const Chassis& chassis = {}) {
     try {
@@ -236,6 +251,7 @@ TEST_CASE("Drives refuse a chassis that they do not fit") {
 }
 
 TEST_CASE("Every drive passes the checker") {
+  INFO(each_engine());
   for (const std::string& name : kAll) {
     CAPTURE(name);
     CHECK_THAT(testing::check_plugin(PluginKind::drive, name), testing::finds_nothing());
