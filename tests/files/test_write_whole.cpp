@@ -13,7 +13,7 @@
 #include "elsie/files/write_whole.h"
 
 namespace fs = std::filesystem;
-namespace base = elsie::base;
+namespace files = elsie::files;
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 namespace elsie::physics {
 
-using Outline = std::span<const Vector2>;
+using Corners = std::span<const Vector2>;
 
 /// A side of an outline.
 struct Side {
@@ -32,14 +32,14 @@ struct Side {
   }
 };
 
-inline Side side_of(Outline corners, std::size_t i) {
+inline Side side_of(Corners corners, std::size_t i) {
   const Vector2 &from = corners[i], &to = corners[i + 1 < corners.size() ? i + 1 : 0];
   const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
   return {from, to, {y / length, -x / length}, length};
 }
 
 /// The side in front of which a point is farthest or, inside, behind which it is least deep.
-inline Side nearest_side(Outline corners, const Vector2& point) {
+inline Side nearest_side(Corners corners, const Vector2& point) {
   Side nearest = side_of(corners, 0);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const Side side = side_of(corners, i);
@@ -49,7 +49,7 @@ inline Side nearest_side(Outline corners, const Vector2& point) {
 }
 
 /// The point of an outline that is nearest to a point outside of it.
-inline Vector2 nearest_point(Outline corners, const Vector2& point) {
+inline Vector2 nearest_point(Corners corners, const Vector2& point) {
   Vector2 nearest = corners[0];
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -64,7 +64,7 @@ inline Vector2 nearest_point(Outline corners, const Vector2& point) {
 }
 
 /// The distance of a point from an outline; negative inside.
-inline double distance_to(Outline corners, const Vector2& point) {
+inline double distance_to(Corners corners, const Vector2& point) {
   const double gap = nearest_side(corners, point).gap_to(point);
   if (gap <= 0.0) return gap;
   const Vector2 nearest = nearest_point(corners, point);
@@ -73,7 +73,7 @@ inline double distance_to(Outline corners, const Vector2& point) {
 
 /// Narrows [enter, leave], places along a ray, to those within the outline. Returns whether any
 /// remain. `direction` may have any length.
-inline bool clip_ray(Outline corners, const Vector2& origin, const Vector2& direction,
+inline bool clip_ray(Corners corners, const Vector2& origin, const Vector2& direction,
                      double& enter, double& leave) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Side side = side_of(corners, i);
@@ -97,7 +97,7 @@ struct OutlineMoments {
   double yy = 0.0;
   double xy = 0.0;
 };
-inline OutlineMoments moments_of(Outline corners) {
+inline OutlineMoments moments_of(Corners corners) {
   OutlineMoments sum;
   double area = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {

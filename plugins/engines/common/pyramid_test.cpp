@@ -34,14 +34,14 @@ class Shadow {
   }
 
   /// True if their convex hull and the outline have a point in common (separating axes).
-  bool meets(Outline outline) {
+  bool meets(Corners outline) {
     const std::span<const Vector2> corners(hull_.data(), hull());
     return !corners.empty() && !is_in_front(outline, corners) && !is_in_front(corners, outline);
   }
 
  private:
   /// True if one of an outline's sides has all other corners in front of it.
-  static bool is_in_front(Outline outline, Outline others) {
+  static bool is_in_front(Corners outline, Corners others) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vector2 &from = outline[i], &to = outline[(i + 1) % outline.size()];
       if (std::all_of(others.begin(), others.end(),
@@ -156,7 +156,7 @@ bool PyramidTest::meets(const Cylinder& cylinder) const {
   return shadow(cylinder.center, {u, v, axis}, cylinder.half_length).comes_within(cylinder.radius);
 }
 
-bool PyramidTest::meets(const OrientedBox& box, Outline outline) const {
+bool PyramidTest::meets(const OrientedBox& box, Corners outline) const {
   return shadow(box.center, box.axes, box.half.z).meets(outline);
 }
 

@@ -23,7 +23,7 @@ class PyramidTest {
   /// polygon when seen along the axis, and the cylinder is a disc.
   bool meets(const Cylinder& cylinder) const;
   /// The same for a prism in this box, whose outline is in the box's frame.
-  bool meets(const OrientedBox& box, Outline outline) const;
+  bool meets(const OrientedBox& box, Corners outline) const;
 
  private:
   /// The part within this height above and below the middle of a frame, seen along its third axis.

@@ -88,7 +88,7 @@ inline double distance_to_cylinder(const Ray& ray, const Cylinder& cylinder) {
 
 /// Distance at which the ray enters the prism in this box, whose outline is in the box's frame, or
 /// kMiss.
-inline double distance_to_prism(const Ray& ray, const OrientedBox& box, Outline outline) {
+inline double distance_to_prism(const Ray& ray, const OrientedBox& box, Corners outline) {
   const Vector3 from = ray.origin - box.center;
   const auto along = [&](std::size_t axis, const Vector3& v) { return dot(box.axes[axis], v); };
   const double o = along(2, from), d = along(2, ray.direction);

@@ -155,7 +155,7 @@ void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
   }
 }
 
-void OdeContacts::prism_on_floor(dBodyID body, const OrientedBox& box, Outline outline) {
+void OdeContacts::prism_on_floor(dBodyID body, const OrientedBox& box, Corners outline) {
   const auto& [a, b, c] = box.axes;
   // As for a box, but the middle of its area may be nearer to one side.
   const double highest = std::min(floor_reach(body, box.half), box.center.z);

@@ -43,7 +43,7 @@ class OdeContacts {
   /// The corners of a box that are on the floor or about to reach it.
   void box_on_floor(dBodyID body, const OrientedBox& box);
   /// The same for a prism in this box.
-  void prism_on_floor(dBodyID body, const OrientedBox& box, Outline outline);
+  void prism_on_floor(dBodyID body, const OrientedBox& box, Corners outline);
   /// The same for a body of any other shape, with `box` as its bounding box: the rims of a cylinder
   /// at their lowest points and at three more each, so that it can stand; the lowest points of
   /// balls.

@@ -4,7 +4,7 @@
 
 namespace elsie::physics {
 
-OdeGeom make_prism(Outline outline, double half_height, ConvexArrays& arrays) {
+OdeGeom make_prism(Corners outline, double half_height, ConvexArrays& arrays) {
   const auto n = static_cast<unsigned>(outline.size());
   // Point 2 i is at the bottom of corner i, and 2 i + 1 at its top.
   for (const Vector2& corner : outline) {
@@ -31,7 +31,7 @@ OdeGeom make_prism(Outline outline, double half_height, ConvexArrays& arrays) {
                                arrays.faces.data()));
 }
 
-dMass prism_mass(Outline outline, double height, double mass) {
+dMass prism_mass(Corners outline, double height, double mass) {
   const OutlineMoments area = moments_of(outline);
   const double upright = height * height / 12.0;
   dMass made;

@@ -16,9 +16,9 @@ struct ConvexArrays {
 };
 
 /// The geometry of an upright prism about its middle.
-OdeGeom make_prism(Outline outline, double half_height, ConvexArrays& arrays);
+OdeGeom make_prism(Corners outline, double half_height, ConvexArrays& arrays);
 
 /// The mass of a prism about its middle, with an outline about the center of its area.
-dMass prism_mass(Outline outline, double height, double mass);
+dMass prism_mass(Corners outline, double height, double mass);
 
 }  // namespace elsie::physics

@@ -36,7 +36,7 @@ struct Polygon {
   std::array<Vector2, kMost> corners{};  // from the middle, counter-clockwise
   std::size_t count = 0;
 
-  Outline outline() const { return {corners.data(), count}; }
+  Corners outline() const { return {corners.data(), count}; }
 };
 
 Polygon polygon_of(const Rectangle& rectangle);

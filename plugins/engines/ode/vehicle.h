@@ -21,7 +21,7 @@ struct Solid {
   dGeomID geom = nullptr;
   SolidKind kind = SolidKind::box;
   OrientedBox shape;
-  Outline outline{};  // of a prism, in its frame
+  Corners outline{};  // of a prism, in its frame
 };
 
 /// A chassis on wheels, perhaps with casters below it.

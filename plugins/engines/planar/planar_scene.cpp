@@ -281,7 +281,7 @@ bool PlanarScene::gather(std::span<const RayQuery> rays, std::size_t except,
   const Vector2 middle{0.5 * (lower.x + upper.x), 0.5 * (lower.y + upper.y)};
   found.middle = middle;
   double reach = 0.0;
-  for (const auto& [origin, direction, range] : rays) {
+  for (const auto& [origin, direction, range, answer] : rays) {
     const double x = origin.x - middle.x, y = origin.y - middle.y;
     reach = std::max(reach, std::abs(x) + std::abs(y) + range);
   }
