@@ -1,6 +1,7 @@
 #include "elsie/report/contrasts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -48,7 +49,25 @@ double mean_value(const std::vector<Observed>& all) {
   return sum / static_cast<double>(all.size());
 }
 
+// A difference this small, relative to the largest value, comes from the rounding of means.
+constexpr double kRoundingOfMeans = 1e-12;
+
+double largest_size(const Matches& matches) {
+  double largest = 0.0;
+  for (const auto& [seed, by_levels] : matches) {
+    for (const auto& [levels, one] : by_levels) {
+      for (const std::vector<Observed>* const group : {&one.first, &one.second}) {
+        for (const Observed& each : *group) {
+          largest = std::max(largest, std::abs(each.value));
+        }
+      }
+    }
+  }
+  return largest;
+}
+
 void pair_up(const Findings& findings, const Matches& matches, bool bounds, Contrast& contrast) {
+  const double rounding = kRoundingOfMeans * (bounds ? 1.0 : largest_size(matches));
   std::vector<double> differences;
   for (const auto& [seed, by_levels] : matches) {
     double sum = 0.0, count = 0.0;
@@ -62,7 +81,8 @@ void pair_up(const Findings& findings, const Matches& matches, bool bounds, Cont
       count += 1.0;
     }
     if (count > 0.0) {
-      differences.push_back(sum / count);
+      const double difference = sum / count;
+      differences.push_back(std::abs(difference) <= rounding ? 0.0 : difference);
     }
   }
   contrast.seeds = differences.size();
