@@ -80,6 +80,7 @@ class Artist {
     if (colon != std::string::npos) {
       page.subtitles.push_back(chart.caption.substr(colon + 2));
     }
+    page.subtitles.insert(page.subtitles.end(), chart.notes.begin(), chart.notes.end());
     page.rows = {{{chart.panel}, {}, 0.0}};
     for (const std::string& format : formats_) {
       picture::save_page(page, workshop_.file(chart.name, format), {900, 0});
