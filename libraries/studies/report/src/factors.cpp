@@ -33,7 +33,10 @@ std::optional<Observed> observed(const Findings& findings, const Response& respo
   if (run.state != RunState::done || !run.values[place] || !is_usable(*run.values[place])) {
     return std::nullopt;
   }
-  return Observed{*run.values[place], findings.is_censored(run, place)};
+  const bool bound = findings.is_censored(run, place);
+  // A run that failed never reaches its goals: it counts as longer than all others.
+  const bool never = bound && run.outcome == Outcome::failure;
+  return Observed{never ? findings.largest[*response.measure] : *run.values[place], bound};
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ Json json_of(const MeasureFindings& found) {
   }
   return {{"count", found.values.size()},
           {"censored", censoring.count},
-          {"limit", censoring.limit},
+          {"failed", censoring.failures},
+          {"limit", or_null(censoring.limit)},
           {"mean", nullptr},
           {"median", or_null(censoring.median)},
           {"median_interval", json_of(interval)},

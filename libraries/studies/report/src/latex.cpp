@@ -92,7 +92,7 @@ std::string latex_report(const Findings& findings) {
   const std::string caption =
       "\\caption{" + latex(results.experiment) +
       ": mean $\\pm$ standard deviation over the runs of a cell that ended normally" +
-      "; $>$: stopped by the time limit.}";
+      "; $>$: stopped by the time limit; failed: never reached its goals.}";
   const std::string table = is_long ? "longtable" : "tabular";
   std::string text = "% " + output::one_line(size_in_words(findings)) +
                      "; needs \\usepackage{booktabs}" +
