@@ -23,8 +23,8 @@ Contrast contrast_of(const Findings& findings, const std::string& measure, const
   return {};
 }
 
-// A batch that was stopped: all cells have seed 1; seed 2, whose paths are 100 m longer, is still to
-// be done with the speeds 0.1, and 0.2 with fusion.
+// A batch that was stopped: all cells have seed 1; seed 2, whose paths are 100 m longer, is still
+// to be done with the speeds 0.1, and 0.2 with fusion.
 MadeExperiment stopped_batch() {
   MadeExperiment study = by_factor(2);
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
@@ -90,8 +90,9 @@ TEST_CASE("Views by factor count only seeds that have a value in every cell") {
   CHECK(path(2).centre == Approx(3.1));
   CHECK(path(2).seeds == 1);
   CHECK(path(2).dropped_seeds == 1);
-  CHECK_THAT(terminal_answers(findings, answers),
-             Contains("note: 1 seed is left out, without a value in some of the cells; 1 seed left"));
+  CHECK_THAT(
+      terminal_answers(findings, answers),
+      Contains("note: 1 seed is left out, without a value in some of the cells; 1 seed left"));
   const auto json = json_of(findings, asked);
   CHECK(json["by"][0]["measures"]["path_length_m"]["dropped_seeds"] == 1);
   CHECK(json["by_notes"].size() == 1);
@@ -124,8 +125,8 @@ TEST_CASE("Seeds that give one and the same run are one observation") {
   SECTION("in every cell: no intervals, no tests, no model") {
     const Made made(without_chance(6));
     const Findings findings = made.findings();
-    const Contrast path = contrast_of(findings, "path_length_m", "coordinator=fusion",
-                                      "coordinator=arbitration");
+    const Contrast path =
+        contrast_of(findings, "path_length_m", "coordinator=fusion", "coordinator=arbitration");
     CHECK(path.certain);
     CHECK(path.difference == Approx(2.0));
     CHECK_FALSE(path.interval);

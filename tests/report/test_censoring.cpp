@@ -1,4 +1,5 @@
-// Runs that the time limit stopped or that failed, measures without values in some runs, worlds without goals.
+// Runs that the time limit stopped or that failed, measures without values in some runs, worlds
+// without goals.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -57,7 +57,8 @@ Seen seen(const std::vector<std::pair<std::string, std::string>>& formulas,
 }  // namespace
 
 TEST_CASE("A formula that rises with the time is a bound where the time is one") {
-  const Seen all = seen({{"minutes", "time_s / 60"}, {"hours", "minutes / 60 + 0 * path_length_m"}});
+  const Seen all =
+      seen({{"minutes", "time_s / 60"}, {"hours", "minutes / 60 + 0 * path_length_m"}});
   for (const char* name : {"minutes", "hours"}) {
     CAPTURE(name);
     const MeasureFindings& found = all.of(name);
@@ -90,9 +91,8 @@ TEST_CASE("A formula of the time that does not rise has no value where the time 
     CHECK(all.of(name).values.size() == 8);
   }
   REQUIRE(all.sentences.size() == 2);
-  CHECK_THAT(all.sentences[0],
-             Contains("'hurry' has no value in 2 runs without success") &&
-                 Contains("does not rise with time_s"));
+  CHECK_THAT(all.sentences[0], Contains("'hurry' has no value in 2 runs without success") &&
+                                   Contains("does not rise with time_s"));
   CHECK_THAT(all.findings.results.measures.back().meaning, Contains("no value in 2 runs"));
 }
 

@@ -75,7 +75,7 @@ std::string number_in_tile(const Margin& margin, const Response& response,
 }
 
 std::string what_is_shown(const Response& response, const Balance& balance) {
-  return (!response.measure  ? std::string("rate of all runs")
+  return (!response.measure ? std::string("rate of all runs")
           : balance.medians ? "median of all runs, as only a bound is known of some"
                             : "mean of the seeds") +
          ", with its 95 % interval";
@@ -138,11 +138,10 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
       range.include(series.spread.back().high);
     }
     chart.series.push_back(std::move(series));
-    charts.push_back(
-        {"effect-" + file_part(response.name) + "-" + file_part(factor.name),
-         response.words + " by " + factor.name +
-             ", over all else: " + what_is_shown(response, balance),
-         std::move(chart), notes_on(balance)});
+    charts.push_back({"effect-" + file_part(response.name) + "-" + file_part(factor.name),
+                      response.words + " by " + factor.name +
+                          ", over all else: " + what_is_shown(response, balance),
+                      std::move(chart), notes_on(balance)});
   }
   if (range.empty()) {
     return {};
@@ -183,8 +182,7 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
           groups.push_back(common(along.cells_at(column), lines.cells_at(row)));
         }
       }
-      const Balance balance =
-          balanced(findings, response, groups, {along.factor, lines.factor});
+      const Balance balance = balanced(findings, response, groups, {along.factor, lines.factor});
       picture::LineChart chart;
       chart.x = axis_of(along);
       chart.y = axis_of(response, balance);
@@ -207,9 +205,8 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         series.bars = true;
         series.colour = colours[row];
         for (std::size_t column = 0; column < columns; ++column) {
-          const Margin margin =
-              margin_of(findings, response, balance, row * columns + column,
-                        columns * rows <= kMostIntervals);
+          const Margin margin = margin_of(findings, response, balance, row * columns + column,
+                                          columns * rows <= kMostIntervals);
           // Lines stand a little apart, so that their bars do not hide each other.
           const double step =
               along.numeric() ? (along.numbers.back() - along.numbers.front()) / 60.0 : 0.06;
@@ -238,9 +235,8 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         if (response.measure) {
           start_at_zero(chart.y, range);
         }
-        charts.push_back(
-            {"interaction-" + name, words + ": " + what_is_shown(response, balance),
-             std::move(chart), notes_on(balance)});
+        charts.push_back({"interaction-" + name, words + ": " + what_is_shown(response, balance),
+                          std::move(chart), notes_on(balance)});
       }
       charts.push_back({"tiles-" + name, words + (balance.medians ? kTilesOfMedians : ""),
                         std::move(tiles), notes_on(balance)});
@@ -280,8 +276,8 @@ Chart residual_chart(const Findings& findings, const FactorModel& model) {
   chart.series[0].name = "median and quartiles of a cell";
   chart.series[1].name = "the model";
   return {"residuals-" + file_part(model.response.name),
-          "Residuals of " + model.formula +
-              ": median and quartiles of each cell, which stand about "
+          "Residuals: " + model.formula +
+              ", median and quartiles of each cell, which stand about "
               "0 if the model fits",
           std::move(chart)};
 }

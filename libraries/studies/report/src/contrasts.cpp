@@ -334,9 +334,9 @@ std::vector<std::string> contrast_notes(const std::vector<Contrast>& contrasts,
                                         bool with_response) {
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
   for (const Contrast& one : contrasts) {
-    notes.emplace_back(output::one_line(with_response ? one.response.name
-                                                      : one.first + " against " + one.second),
-                       one.notes);
+    notes.emplace_back(
+        output::one_line(with_response ? one.response.name : one.first + " against " + one.second),
+        one.notes);
   }
   return gathered(notes);
 }

@@ -152,9 +152,9 @@ class Bounds {
   }
 
  private:
-  std::optional<std::size_t> time_;         // index into Results::measures
-  std::map<std::size_t, Longer> longer_;    // by index into Results::runs
-  std::vector<bool> of_time_only_;          // parallel to Results::measures
+  std::optional<std::size_t> time_;       // index into Results::measures
+  std::map<std::size_t, Longer> longer_;  // by index into Results::runs
+  std::vector<bool> of_time_only_;        // parallel to Results::measures
 };
 
 }  // namespace

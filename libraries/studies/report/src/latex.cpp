@@ -28,6 +28,16 @@ std::string latex(const std::string& text) {
       case '^':
         escaped += "\\textasciicircum{}";
         break;
+      case '<':
+        escaped += "\\textless{}";
+        break;
+      case '>':
+        escaped += "\\textgreater{}";
+        break;
+      case '[':  // at the beginning of a row, an argument of the command before it
+      case '*':
+        escaped += std::string("{") + c + "}";
+        break;
       case '&':
       case '%':
       case '$':

@@ -52,9 +52,8 @@ void keep_matches(const Findings& findings, const std::vector<std::size_t>& name
     return;
   }
   for (std::vector<std::size_t>& group : balance.groups) {
-    balance.dropped_cells += std::erase_if(group, [&](std::size_t cell) {
-      return !in_all->contains(rest_of(findings, cell, named));
-    });
+    balance.dropped_cells += std::erase_if(
+        group, [&](std::size_t cell) { return !in_all->contains(rest_of(findings, cell, named)); });
   }
 }
 
@@ -185,8 +184,8 @@ std::vector<std::string> gathered(
 std::vector<std::string> notes_on_effects(const Findings& findings, const Response& response) {
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
   for (const VariedFactor& factor : varied_factors(findings.results)) {
-    notes.emplace_back(output::one_line(factor.name), notes_on(balanced(findings, response, factor.groups(),
-                                                      {factor.factor})));
+    notes.emplace_back(output::one_line(factor.name),
+                       notes_on(balanced(findings, response, factor.groups(), {factor.factor})));
   }
   return gathered(notes);
 }
@@ -204,9 +203,8 @@ Margin margin_of(const Findings& findings, const Response& response, const Balan
     return margin;
   }
   const auto& cells = balance.groups[group];
-  const auto fixed = std::count_if(cells.begin(), cells.end(), [&](std::size_t cell) {
-    return findings.cells[cell].one_run;
-  });
+  const auto fixed = std::count_if(cells.begin(), cells.end(),
+                                   [&](std::size_t cell) { return findings.cells[cell].one_run; });
   std::map<std::uint64_t, std::vector<double>> by_seed;
   std::vector<Observed> observed;
   double sum = 0.0;
@@ -240,8 +238,7 @@ Margin margin_of(const Findings& findings, const Response& response, const Balan
 
 Margin margin_of(const Findings& findings, const Response& response,
                  const std::vector<std::size_t>& cells, bool with_interval) {
-  return margin_of(findings, response, balanced(findings, response, {cells}, {}), 0,
-                   with_interval);
+  return margin_of(findings, response, balanced(findings, response, {cells}, {}), 0, with_interval);
 }
 
 }  // namespace elsie::report

@@ -99,12 +99,11 @@ std::string response_part(const PageContext& page, const Response& response) {
          noted_on_page(notes_on_effects(findings, response)) +
          details("Two factors together",
                  charts_in(pairs, kPairSize) + noted_on_page(notes_on_charts(pairs))) +
-         details("Levels compared",
-                 contrasts.empty()
-                     ? ""
-                     : html_table(contrast_table(contrasts, false), 2) + "<p class=\"quiet\">" +
-                           kContrastsNote + "</p>" +
-                           noted_on_page(contrast_notes(contrasts, false))) +
+         details("Levels compared", contrasts.empty()
+                                        ? ""
+                                        : html_table(contrast_table(contrasts, false), 2) +
+                                              "<p class=\"quiet\">" + kContrastsNote + "</p>" +
+                                              noted_on_page(contrast_notes(contrasts, false))) +
          details(response.measure ? "Linear model" : "Logistic model",
                  main_model(findings, response));
 }

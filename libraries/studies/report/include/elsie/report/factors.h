@@ -50,8 +50,8 @@ struct Observation {
 };
 
 /// The values of the runs of these cells, in the order of the cells and runs. Success is 1 or 0 of
-/// every run that ended in a cell with goals; runs that ended abnormally have no other values. A bound
-/// of a run that failed is the largest value of all runs.
+/// every run that ended in a cell with goals; runs that ended abnormally have no other values. A
+/// bound of a run that failed is the largest value of all runs.
 std::vector<Observation> observations(const Findings& findings, const Response& response,
                                       const std::vector<std::size_t>& cells);
 

@@ -27,10 +27,10 @@ inline constexpr const char* kTime = "time_s";
 /// unknown. Quantiles below the limit are known: all known values are below it, so that the
 /// estimate of Kaplan and Meier (1958) is the plain distribution of the sample up to the limit.
 struct Censoring {
-  std::size_t count = 0;  // number of these values
-  std::size_t failures = 0;      // of these, runs that failed: they never reach their goals
-  std::optional<double> limit;   // the smallest bound of the others
-  std::optional<double> least;   // the smallest known value
+  std::size_t count = 0;        // number of these values
+  std::size_t failures = 0;     // of these, runs that failed: they never reach their goals
+  std::optional<double> limit;  // the smallest bound of the others
+  std::optional<double> least;  // the smallest known value
   std::optional<double> median;
   std::optional<Interval> median_interval;  // the upper end may be infinite: at least the limit
 };
