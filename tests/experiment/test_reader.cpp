@@ -205,6 +205,15 @@ TEST_CASE("Measures of worlds are as good as those of every run") {
         "experiment.xml:2: runs of the cell 'arena' have no measure 'bumps'; there are: " + every);
 }
 
+TEST_CASE("A factor may not be called like a measure") {
+  for (const std::string name : {"time_s", "success"}) {
+    CHECK(problems("<worlds><world file='data/arena.xml'/></worlds>\n<vary name='" + name +
+                   "' path='robot[r1]/@max_speed' values='0.1; 0.2'/>") ==
+          "experiment.xml:2: the factor '" + name +
+              "' is called like a measure of the runs; give the factor another name");
+  }
+}
+
 TEST_CASE("A formula is a measure where the runs have all that it names") {
   const std::string both =
       "<worlds><world file='data/measured.xml'/><world file='data/arena.xml'/></worlds>"
@@ -222,11 +231,12 @@ TEST_CASE("A formula is a measure where the runs have all that it names") {
              Catch::Contains("runs of the cell 'arena, 0.1' have no measure 'relative'"));
   CHECK_THAT(expects("measure='bumprate' where='world=measured'"),
              Catch::Contains("did you mean 'bump_rate'?"));
-  CHECK(problems("<worlds><world file='data/measured.xml'/></worlds>\n"
-                 "<vary name='bumps' path='robot[r1]/@max_speed' values='0.1; 0.2'/>"
-                 "<measures><measure name='bump_rate' formula='bumps / time_s'/></measures>") ==
-        "experiment.xml:2: formula=\"bumps / time_s\" of <measure>: column 1: 'bumps' is a factor "
-        "and a measure; rename the factor");
+  CHECK(
+      problems("<worlds><world file='data/measured.xml'/></worlds>\n"
+               "<vary name='bumps' path='robot[r1]/@max_speed' values='0.1; 0.2'/>"
+               "<measures><measure name='bump_rate' formula='bumps / time_s'/></measures>") ==
+      "experiment.xml:2: the factor 'bumps' is called like a measure of the runs; give the factor "
+      "another name");
   // What is wrong with a formula is reported once, whatever is expected of it.
   CHECK(
       problems(kArena + "\n<measures><measure name='x' formula='time_s +'/></measures>"

@@ -101,6 +101,24 @@ TEST_CASE("Steps go across before they go down, and a band follows them") {
   CHECK(count(steps, "fill-opacity=\"0.15\"") == 0);
 }
 
+TEST_CASE("A bar whose upper end is unknown reaches the edge of the plot and has an arrow") {
+  LineChart chart;
+  chart.y = {.low = 0.0, .high = 10.0};
+  Series series{.name = "", .points = {{0, 4}, {1, 5}}, .joining = Joining::nothing};
+  series.bars = true;
+  series.spread = {{3, 5}, {4, 6}};
+  chart.series = {series};
+  const std::string known = page_chart(chart, "", {400, 300});
+  chart.series[0].spread[1].high = std::numeric_limits<double>::infinity();
+  const std::string unknown = page_chart(chart, "", {400, 300});
+  chart.series[0].spread[1].high = kUnknown;
+  const std::string none = page_chart(chart, "", {400, 300});
+  // The bar, and the two strokes of the arrow, are lines that begin with a move.
+  const auto moves = [](const std::string& text) { return count(text, "M"); };
+  CHECK(moves(unknown) == moves(known) + 2);
+  CHECK(moves(none) == moves(known) - 1);
+}
+
 TEST_CASE("Names stand in place of numbers on an axis, in two rows when one is too narrow") {
   LineChart chart;
   chart.x.names = {{0, "vector summation of all"}, {1, "action selection by strength"}};

@@ -1,4 +1,5 @@
-// Runs that the time limit stopped, measures without values in some runs, worlds without goals.
+// Runs that the time limit stopped or that failed, measures without values in some runs, worlds
+// without goals.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -150,6 +151,52 @@ TEST_CASE("An expectation about times that the limit cut off knows their lower b
     expectation.at_most = 10.0;
     CHECK_THAT(judged(made_up, expectation).sentence,
                Contains("is not known: of a 3 runs were stopped by the time limit"));
+  }
+}
+
+TEST_CASE("A run that failed early is not a fast one") {
+  MadeExperiment made_up = with_stopped(1);
+  for (std::size_t i : {0, 1}) {
+    made_up.cells[0].runs[i].outcome = "failure";
+    made_up.cells[0].runs[i].measures["time_s"] = 1.0;
+  }
+  made_up.cells.push_back(with_stopped(0).cells[0]);
+  made_up.cells[1].label = made_up.cells[1].levels[1] = "b";
+  const Made made(made_up);
+  const Findings findings = made.findings();
+  SECTION("in a table") {
+    const MeasureFindings& time = findings.cells[0].measures[1];
+    CHECK_FALSE(time.all);
+    CHECK(time.censoring->count == 3);
+    CHECK(time.censoring->failures == 2);
+    CHECK(time.censoring->limit == 40.0);
+    CHECK(time.censoring->least == 23.0);
+    CHECK(time.censoring->median == 27.5);  // of 23 to 29 and three that are longer
+    const std::string text = terminal_report(findings, "r.db");
+    CHECK_THAT(text, Contains("median 27.5, 1 of 10 > 40.0, 2 failed"));
+    CHECK_THAT(text, Contains("failed: runs that failed never reach their goals"));
+    const auto json = nlohmann::json::parse(json_report(findings));
+    CHECK(json["cells"][0]["measures"]["time_s"]["failed"] == 2);
+    CHECK_THAT(made.html(), Contains("never</td>"));
+  }
+  SECTION("in views by factor and comparisons") {
+    const Response time = responses(findings)[2];
+    REQUIRE(time.name == "time_s");
+    const Margin margin = margin_of(findings, time, {0});
+    CHECK(margin.cut_off == 3);
+    CHECK(margin.centre == 27.5);
+    const auto all = compare(findings, "a", "b");
+    CHECK(all[2].of_first.cut_off == 3);
+    CHECK(all[2].effect.value > 0.0);
+    CHECK(all[2].paired.above == 3);
+    CHECK(all[2].paired.below == 0);
+  }
+  SECTION("in an expectation") {
+    Expectation expectation = about_time();
+    expectation.at_most = 30.0;
+    CHECK_THAT(judged(made_up, expectation).sentence,
+               Contains("1 run was stopped by the time limit and 2 runs failed"));
+    CHECK_FALSE(judged(made_up, expectation).holds);
   }
 }
 

@@ -173,6 +173,45 @@ TEST_CASE("Separation by a level is said") {
   CHECK(coefficient_table(model)[2][1] == "∞");
 }
 
+TEST_CASE("Levels are compared with one that has successes and failures") {
+  MadeExperiment study = by_factor();
+  for (auto& cell : study.cells) {
+    for (auto& run : cell.runs) {
+      const bool late = cell.levels[2] == "arbitration" || run.seed == 1;
+      run.outcome = late ? "time_limit" : "success";
+    }
+  }
+  const Made made(study);
+  const FactorModel model = factor_model(made.findings(), "success ~ coordinator");
+  const auto& fit = std::get<LogisticFit>(model.fit);
+  CHECK(fit.coefficients[1].name == "coordinator=arbitration");
+  CHECK(fit.coefficients[0].estimate == Approx(std::log(5.0)));  // fusion: 15 of 18
+  CHECK(fit.separated == std::vector<std::string>{"coordinator=arbitration"});
+  CHECK_THAT(model.warnings.back(), Contains("'coordinator' are compared with 'fusion'"));
+  SECTION("unless no level has both") {
+    for (auto& cell : study.cells) {
+      for (auto& run : cell.runs) {
+        run.outcome = cell.levels[2] == "fusion" ? "success" : "time_limit";
+      }
+    }
+    const FactorModel all = factor_model(Made(study).findings(), "success ~ coordinator");
+    CHECK_THAT(all.warnings[0], Contains("no coefficient can be estimated"));
+    CHECK(std::get<LogisticFit>(all.fit).coefficients[1].name == "coordinator=fusion");
+  }
+}
+
+TEST_CASE("If some runs have only bounds, all centres of the measure are medians") {
+  const Made made(by_factor());
+  const Findings findings = made.findings();
+  const Answers answers = answer(findings, {{"coordinator"}, {}, {}});
+  const auto& fusion = answers.levels[1].margins[2];  // of the times
+  CHECK(fusion.cut_off == 0);
+  CHECK(fusion.median);
+  CHECK(fusion.centre == Approx(28.5));  // 13.5 ... 18.5, 26 ... 31, 51 ... 56
+  CHECK_THAT(terminal_answers(findings, answers), Contains("median 28.5"));
+  CHECK_THAT(made.html(), Contains(">median time (s)</text>"));
+}
+
 TEST_CASE("What cannot be answered is refused in a sentence") {
   const Made made(by_factor());
   const Findings findings = made.findings();
@@ -197,7 +236,8 @@ TEST_CASE("What cannot be answered is refused in a sentence") {
   CHECK_THAT(model("path_length_m"), Contains("is no formula"));
   CHECK_THAT(model("path ~ speed"), Contains("there is no measure 'path'"));
   CHECK_THAT(model("path_length_m ~ speed + weight"), Contains("no factor 'weight' is varied"));
-  CHECK_THAT(model("path_length_m ~ speed +"), Contains("no factor '' is varied"));
+  CHECK_THAT(model("path_length_m ~ speed +"),
+             Contains("'speed +' lacks a factor before or after one of its signs"));
   CHECK_THAT(model("time_s ~ speed"), Contains("of 3 of 36 runs is only a bound"));
   CHECK_THAT(model("collisions ~ speed"), Contains("all 36 values are equal"));
 }

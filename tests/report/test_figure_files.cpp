@@ -130,6 +130,30 @@ TEST_CASE("The table for LaTeX has a row for each cell, with rules of booktabs a
   CHECK(std::count(text.begin(), text.end(), '{') - std::count(text.begin(), text.end(), '}') == 0);
 }
 
+TEST_CASE("A row for LaTeX may begin with a bracket or a star") {
+  MadeExperiment study = by_factor();
+  for (auto& cell : study.cells) cell.levels[1] = cell.levels[1] == "0.4" ? "[1, 2]" : "*";
+  const std::string text = latex_report(Made(study).findings());
+  CHECK_THAT(text, Contains("\n{[}1, 2] & arbitration") && Contains("\n{*} & fusion"));
+  study.name = "a < b > c";
+  CHECK_THAT(latex_report(Made(study).findings()), Contains("a \\textless{} b \\textgreater{} c"));
+}
+
+TEST_CASE("A figure says what it leaves out, and its title is not cut off") {
+  MadeExperiment study = by_factor();
+  study.cells[2].runs[0].state = "pending";
+  study.cells[2].runs[0].measures.clear();
+  const Made made(study);
+  const Folder folder;
+  draw(made, folder.path(), {"svg"});
+  const std::string note = "1 seed is left out, without a value in some of the cells";
+  CHECK_THAT(bytes(folder / "effect-path_length_m-coordinator.svg"), Contains(note));
+  CHECK_THAT(bytes(folder / "tiles-path_length_m-speed-coordinator.svg"), Contains(note));
+  CHECK_THAT(bytes(folder / "survival-speed_0.4.svg"),
+             Contains(">Runs that have not reached their goals yet</text>"));
+  CHECK_THAT(bytes(folder / "effect-time_s-coordinator.svg"), Contains(">median time (s)</text>"));
+}
+
 TEST_CASE("A long table goes over several pages") {
   MadeExperiment study = by_factor(2);
   while (study.cells.size() < 40) {

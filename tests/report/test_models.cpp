@@ -95,6 +95,24 @@ TEST_CASE("Successes that a term separates from the others are said") {
   CHECK(fit.coefficients[0].estimate == Approx(0.0).margin(1e-9));
 }
 
+TEST_CASE("A coefficient with a huge standard error is separated, however slowly it grows") {
+  // Without `other`, success is x > 0.025: the constant grows forty times as slowly as x.
+  const std::vector<Term> terms{{"x", {-1, -0.9, 0.95, 1, 0, 0, 0, 0}},
+                                {"other", {0, 0, 0, 0, 1, 1, 1, 1}}};
+  const LogisticFit fit =
+      fit_logistic(terms, {false, false, true, true, true, false, true, false}, 0.95);
+  CHECK(fit.separated == std::vector<std::string>{"", "x", "other"});
+  CHECK_FALSE(fit.perfect);
+}
+
+TEST_CASE("Where the terms tell all successes from all failures, nothing can be estimated") {
+  const std::vector<Term> terms{{"x", {1, 2, 3, 4, 5, 6, 7, 8}}, {"y", {1, 0, 1, 0, 0, 1, 0, 1}}};
+  const LogisticFit fit =
+      fit_logistic(terms, {false, false, false, false, true, true, true, true}, 0.95);
+  CHECK(fit.perfect);
+  CHECK(fit.separated == std::vector<std::string>{"", "x", "y"});
+}
+
 TEST_CASE("What no model can explain is refused in a sentence") {
   const std::vector<Term> one{{"x", {1, 2, 3}}}, two{{"x", {1, 2, 4}}, {"y", {2, 1, 7}}};
   const std::vector<double> equal{5, 5, 5}, values{1, 2, 4};

@@ -108,12 +108,11 @@ void write(const std::string& file, const std::string& text, const char* option)
 /// The width of the terminal in characters; tables for a file are not wrapped.
 std::size_t width() { return terminal_columns(out_descriptor(), 120); }
 
-Findings found(const ResultsFile& file) {
+// `sentences`: on formulas without values in some runs.
+Findings found(const ResultsFile& file, std::vector<std::string>& sentences) {
   report::Results results = file.results();
   const auto experiment = experiment::parse_outline(results.text, results.file);
-  for (const std::string& sentence : report::add_formulas(results, experiment.measures)) {
-    std::cerr << "elsie: " << sentence << '\n';
-  }
+  sentences = report::add_formulas(results, experiment.measures);
   report::Questions questions;
   questions.measures = experiment::shown_measures(experiment.measures);
   questions.expectations = experiment.expectations;
@@ -190,10 +189,14 @@ int report(const ReportOptions& options) {
   require_output(options.cells_csv, "--cells-csv", ".csv", options.database);
   require_output(options.latex, "--latex", ".tex", options.database);
   const ResultsFile file(options.database);
-  const Findings findings = found(file);
+  std::vector<std::string> sentences;
+  const Findings findings = found(file, sentences);
   require_cells(findings, options.cells);
   const report::Answers answers = answers_to(findings, options);
   const FigureFolder folder(options.figures);
+  for (const std::string& sentence : sentences) {
+    std::cerr << "elsie: " << sentence << '\n';
+  }
   if (options.csv) {
     write(*options.csv, report::csv_report(findings), "--csv");
   }

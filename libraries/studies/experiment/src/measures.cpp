@@ -70,7 +70,7 @@ class Known {
   std::string mistake(const std::string& name) const {
     const auto factor = factor_called(name);
     if (is_measure(name)) {
-      return factor ? "'" + name + "' is a factor and a measure; rename the factor" : "";
+      return "";
     }
     if (!factor) {
       return "there is no measure or factor '" + name + "'" +
@@ -85,6 +85,17 @@ class Known {
   }
 
   bool is_factor(const std::string& name) const { return factor_called(name) != nullptr; }
+
+  // Adds the factors that are called like a measure: tables and models could not tell them apart.
+  void check_factors(base::Problems& problems) const {
+    for (const Factor& factor : experiment_.factors) {
+      if (is_measure(factor.name)) {
+        problems.add(factor.location, "the factor '" + factor.name +
+                                          "' is called like a measure of the runs; give the "
+                                          "factor another name");
+      }
+    }
+  }
 
  private:
   const Factor* factor_called(const std::string& name) const {
@@ -189,6 +200,7 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts,
 }
 
 void add_formulas(const Experiment& experiment, CellMeasures& measures, base::Problems& problems) {
+  Known(experiment, measures).check_factors(problems);
   for (const MeasureUse& use : experiment.measures) {
     if (use.formula.empty()) {
       continue;

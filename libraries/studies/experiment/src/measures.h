@@ -17,7 +17,7 @@ std::vector<MeasureUse> measures_from(const std::vector<MeasureDraft>& drafts,
                                       const std::vector<Factor>& factors, base::Problems& problems);
 
 /// Adds each formula to the lists of the cells whose runs have all that is in it. Names that no
-/// cell has, or that mean two things, become problems.
+/// cell has, and factors that are called like a measure, become problems.
 void add_formulas(const Experiment& experiment, CellMeasures& measures, base::Problems& problems);
 
 }  // namespace elsie::experiment

@@ -36,6 +36,10 @@ void find_levels(const Findings& findings, const std::vector<std::string>& by, A
     chosen.push_back(factor);
   }
   answers.by = by;
+  std::vector<std::size_t> named;
+  for (const VariedFactor* factor : chosen) {
+    named.push_back(factor->factor);
+  }
   std::map<std::vector<std::size_t>, std::vector<std::size_t>> cells;
   for (std::size_t i = 0; i < findings.cells.size() && !chosen.empty(); ++i) {
     std::vector<std::size_t> levels;
@@ -44,18 +48,24 @@ void find_levels(const Findings& findings, const std::vector<std::string>& by, A
     }
     cells[levels].push_back(i);
   }
-  const std::vector<Response> all = responses(findings);
+  std::vector<std::vector<std::size_t>> groups;
   for (const auto& [levels, of] : cells) {
-    LevelRow row;
+    groups.push_back(of);
+    LevelRow& row = answers.levels.emplace_back();
     row.cells = of.size();
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       row.levels.push_back(chosen[i]->levels[levels[i]]);
     }
-    for (const Response& response : all) {
-      row.margins.push_back(margin_of(findings, response, of));
-    }
-    answers.levels.push_back(std::move(row));
   }
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
+  for (const Response& response : responses(findings)) {
+    const Balance balance = balanced(findings, response, groups, named);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      answers.levels[i].margins.push_back(margin_of(findings, response, balance, i));
+    }
+    notes.emplace_back(output::one_line(response.name), notes_on(balance));
+  }
+  answers.by_notes = gathered(notes);
 }
 
 // Corrects each response over all comparisons that were asked for.
@@ -80,22 +90,34 @@ void correct_all(std::vector<std::vector<Contrast>>& comparisons) {
 
 std::string margin_text(const Response& response, const Margin& margin) {
   if (!response.measure) {
-    return margin.centre ? fixed_text(100.0 * *margin.centre, 0) + " % (" +
-                               fixed_text(100.0 * margin.interval->low, 0) + " to " +
-                               fixed_text(100.0 * margin.interval->high, 0) + ")"
-                         : "-";
+    if (!margin.centre) {
+      return "-";
+    }
+    const auto percent = [](double rate) { return fixed_text(100.0 * rate, 0); };
+    return percent(*margin.centre) + " %" +
+           (margin.interval ? " (" + percent(margin.interval->low) + " to " +
+                                  percent(margin.interval->high) + ")"
+                            : "");
   }
   if (!margin.centre) {
     return margin.cut_off > 0
                ? std::to_string(margin.cut_off) + " of " + std::to_string(margin.runs) + " cut off"
                : "-";
   }
-  std::string text = (margin.cut_off > 0 ? "median " : "") + brief(*margin.centre);
+  std::string text = (margin.median ? "median " : "") + brief(*margin.centre);
   if (margin.interval) {
     text += " (" + brief(margin.interval->low) +
             (std::isfinite(margin.interval->high) ? " to " + brief(margin.interval->high)
                                                   : " or more") +
             ")";
+  }
+  return text;
+}
+
+std::string noted(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) {
+    text += "note: " + note + "\n";
   }
   return text;
 }
@@ -143,11 +165,13 @@ std::string terminal_answers(const Findings& findings, const Answers& answers) {
   std::string text;
   if (!answers.by.empty()) {
     text += "\nBy factor, over all else\n" + level_table(findings, answers) +
-            "\nsuccess: rate of the runs; measures: mean of the seeds, or the median where a limit "
-            "cut off values; with 95 % intervals\n";
+            "\nsuccess: rate of the runs; measures: mean of the seeds, or the median of all runs "
+            "if some have only a bound; with 95 % intervals\n" +
+            noted(answers.by_notes);
   }
   for (const std::vector<Contrast>& comparison : answers.comparisons) {
-    text += "\nComparison\n" + process::laid_out(contrast_table(comparison, true), 3, 3);
+    text += "\nComparison\n" + process::laid_out(contrast_table(comparison, true), 3, 3) +
+            noted(contrast_notes(comparison, true));
   }
   if (!answers.comparisons.empty()) {
     text +=

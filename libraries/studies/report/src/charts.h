@@ -7,7 +7,7 @@
 
 #include "elsie/picture/plot.h"
 #include "elsie/report/factor_models.h"
-#include "elsie/report/factors.h"
+#include "elsie/report/margins.h"
 
 #include "figures.h"
 
@@ -17,6 +17,7 @@ struct Chart {
   std::string name;     // of its file, without a suffix: "effect-time_s-max_speed"
   std::string caption;  // a sentence
   picture::Panel panel;
+  std::vector<std::string> notes{};  // what it leaves out, as sentences without a full stop
 };
 
 /// More levels make no readable lines.

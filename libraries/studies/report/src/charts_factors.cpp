@@ -15,6 +15,8 @@ constexpr std::size_t kMostTiles = 24;      // levels on an axis
 constexpr std::size_t kMostPoints = 60;     // levels in a chart of one factor
 constexpr std::size_t kMostIntervals = 36;  // in a chart of two factors
 constexpr std::size_t kNameLength = 40;
+constexpr const char* kTilesOfMedians =
+    ": median of all runs, as only a bound is known of some; ? where the median is not known";
 
 std::string shown(const std::string& text) {
   return output::shortened(output::one_line(text), kNameLength);
@@ -39,16 +41,19 @@ double place_of(const VariedFactor& factor, std::size_t level) {
   return factor.numeric() ? factor.numbers[level] : static_cast<double>(level);
 }
 
-// A margin as a point with a bar; an unknown end of an interval is left out.
+// A margin as a point with a bar, whose upper end is infinite if it is unknown.
 void add_point(picture::Series& series, double x, const Margin& margin) {
   series.points.push_back({x, margin.centre.value_or(kUnknown)});
-  const double centre = margin.centre.value_or(kUnknown);
-  picture::Interval bar{kUnknown, kUnknown};
-  if (margin.interval && margin.centre) {
-    bar = {margin.interval->low,
-           std::isfinite(margin.interval->high) ? margin.interval->high : centre};
-  }
-  series.spread.push_back(bar);
+  series.spread.push_back(margin.interval
+                              ? picture::Interval{margin.interval->low, margin.interval->high}
+                              : picture::Interval{kUnknown, kUnknown});
+}
+
+// The axis of the centres of a response.
+picture::Axis axis_of(const Response& response, const Balance& balance) {
+  picture::Axis axis = axis_of(response);
+  axis.label = (balance.medians ? "median " : "") + axis.label;
+  return axis;
 }
 
 // With an effect of this size, an axis from 0 would hide nothing.
@@ -69,10 +74,11 @@ std::string number_in_tile(const Margin& margin, const Response& response,
   return decimals ? fixed_text(*margin.centre, *decimals) : brief(*margin.centre, 3);
 }
 
-std::string what_is_shown(const Response& response) {
-  return response.measure ? "mean of the seeds, or the median where a limit cut off values, with "
-                            "its 95 % interval"
-                          : "rate of all runs with its 95 % interval";
+std::string what_is_shown(const Response& response, const Balance& balance) {
+  return (!response.measure ? std::string("rate of all runs")
+          : balance.medians ? "median of all runs, as only a bound is known of some"
+                            : "mean of the seeds") +
+         ", with its 95 % interval";
 }
 
 }  // namespace
@@ -116,25 +122,26 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
     if (factor.levels.size() > kMostPoints) {
       continue;
     }
+    const Balance balance = balanced(findings, response, factor.groups(), {factor.factor});
     picture::LineChart chart;
     chart.x = axis_of(factor);
-    chart.y = axis_of(response);
+    chart.y = axis_of(response, balance);
     picture::Series series;
     series.marked = series.bars = true;
     series.joining = factor.numeric() ? picture::Joining::lines : picture::Joining::nothing;
     series.colour = picture::kNeutral;
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
-      const Margin margin = margin_of(findings, response, factor.cells_at(i));
+      const Margin margin = margin_of(findings, response, balance, i);
       add_point(series, place_of(factor, i), margin);
       range.include(series.points.back().y);
       range.include(series.spread.back().low);
       range.include(series.spread.back().high);
     }
     chart.series.push_back(std::move(series));
-    charts.push_back(
-        {"effect-" + file_part(response.name) + "-" + file_part(factor.name),
-         response.words + " by " + factor.name + ", over all else: " + what_is_shown(response),
-         std::move(chart)});
+    charts.push_back({"effect-" + file_part(response.name) + "-" + file_part(factor.name),
+                      response.words + " by " + factor.name +
+                          ", over all else: " + what_is_shown(response, balance),
+                      std::move(chart), notes_on(balance)});
   }
   if (range.empty()) {
     return {};
@@ -169,13 +176,20 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
       if (columns > kMostTiles || rows > kMostTiles) {
         continue;
       }
+      std::vector<std::vector<std::size_t>> groups;
+      for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+          groups.push_back(common(along.cells_at(column), lines.cells_at(row)));
+        }
+      }
+      const Balance balance = balanced(findings, response, groups, {along.factor, lines.factor});
       picture::LineChart chart;
       chart.x = axis_of(along);
-      chart.y = axis_of(response);
+      chart.y = axis_of(response, balance);
       picture::Tiles tiles;
       tiles.x = {.label = shown(along.name)};
       tiles.y = {.label = shown(lines.name)};
-      tiles.z = axis_of(response);
+      tiles.z = axis_of(response, balance);
       for (const std::string& level : along.levels) tiles.x.names.push_back({0.0, shown(level)});
       for (std::size_t column = 0; column < columns; ++column) {
         tiles.x.names[column].at = place_of(along, column);
@@ -191,9 +205,8 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         series.bars = true;
         series.colour = colours[row];
         for (std::size_t column = 0; column < columns; ++column) {
-          const Margin margin =
-              margin_of(findings, response, common(along.cells_at(column), lines.cells_at(row)),
-                        columns * rows <= kMostIntervals);
+          const Margin margin = margin_of(findings, response, balance, row * columns + column,
+                                          columns * rows <= kMostIntervals);
           // Lines stand a little apart, so that their bars do not hide each other.
           const double step =
               along.numeric() ? (along.numbers.back() - along.numbers.front()) / 60.0 : 0.06;
@@ -222,10 +235,11 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         if (response.measure) {
           start_at_zero(chart.y, range);
         }
-        charts.push_back(
-            {"interaction-" + name, words + ": " + what_is_shown(response), std::move(chart)});
+        charts.push_back({"interaction-" + name, words + ": " + what_is_shown(response, balance),
+                          std::move(chart), notes_on(balance)});
       }
-      charts.push_back({"tiles-" + name, words, std::move(tiles)});
+      charts.push_back({"tiles-" + name, words + (balance.medians ? kTilesOfMedians : ""),
+                        std::move(tiles), notes_on(balance)});
     }
   }
   return charts;
@@ -262,8 +276,8 @@ Chart residual_chart(const Findings& findings, const FactorModel& model) {
   chart.series[0].name = "median and quartiles of a cell";
   chart.series[1].name = "the model";
   return {"residuals-" + file_part(model.response.name),
-          "Residuals of " + model.formula +
-              ": median and quartiles of each cell, which stand about "
+          "Residuals: " + model.formula +
+              ", median and quartiles of each cell, which stand about "
               "0 if the model fits",
           std::move(chart)};
 }

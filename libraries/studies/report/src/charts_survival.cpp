@@ -110,7 +110,7 @@ std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks&
     name +=
         "-" + (chart.title.empty() ? std::to_string(charts.size() + 1) : file_part(chart.title));
     const std::string caption =
-        "The part of the runs that has not reached its goals yet, by Kaplan and Meier, with 95 % "
+        "Runs that have not reached their goals yet: their part by Kaplan and Meier, with 95 % "
         "intervals";
     charts.push_back({{std::move(name), caption, std::move(chart)}, std::move(cells)});
   }

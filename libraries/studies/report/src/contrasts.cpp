@@ -1,6 +1,7 @@
 #include "elsie/report/contrasts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -48,7 +49,25 @@ double mean_value(const std::vector<Observed>& all) {
   return sum / static_cast<double>(all.size());
 }
 
+// A difference this small, relative to the largest value, comes from the rounding of means.
+constexpr double kRoundingOfMeans = 1e-12;
+
+double largest_size(const Matches& matches) {
+  double largest = 0.0;
+  for (const auto& [seed, by_levels] : matches) {
+    for (const auto& [levels, one] : by_levels) {
+      for (const std::vector<Observed>* const group : {&one.first, &one.second}) {
+        for (const Observed& each : *group) {
+          largest = std::max(largest, std::abs(each.value));
+        }
+      }
+    }
+  }
+  return largest;
+}
+
 void pair_up(const Findings& findings, const Matches& matches, bool bounds, Contrast& contrast) {
+  const double rounding = kRoundingOfMeans * (bounds ? 1.0 : largest_size(matches));
   std::vector<double> differences;
   for (const auto& [seed, by_levels] : matches) {
     double sum = 0.0, count = 0.0;
@@ -62,7 +81,8 @@ void pair_up(const Findings& findings, const Matches& matches, bool bounds, Cont
       count += 1.0;
     }
     if (count > 0.0) {
-      differences.push_back(sum / count);
+      const double difference = sum / count;
+      differences.push_back(std::abs(difference) <= rounding ? 0.0 : difference);
     }
   }
   contrast.seeds = differences.size();
@@ -131,8 +151,9 @@ std::string effect_text(const std::optional<Effect>& effect) {
 std::optional<Contrast> contrast(const Findings& findings, const Response& response,
                                  const Group& first, const Group& second,
                                  const std::vector<std::size_t>& named) {
-  const std::vector<Observation> of_first = observations(findings, response, first.cells);
-  const std::vector<Observation> of_second = observations(findings, response, second.cells);
+  const Balance balance = balanced(findings, response, {first.cells, second.cells}, named);
+  const std::vector<Observation> of_first = observations(findings, response, balance, 0, true);
+  const std::vector<Observation> of_second = observations(findings, response, balance, 1, true);
   if (of_first.empty() || of_second.empty()) {
     return std::nullopt;
   }
@@ -140,8 +161,10 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
   found.response = response;
   found.first = first.name;
   found.second = second.name;
-  found.of_first = margin_of(findings, response, first.cells);
-  found.of_second = margin_of(findings, response, second.cells);
+  found.of_first = margin_of(findings, response, balance, 0);
+  found.of_second = margin_of(findings, response, balance, 1);
+  found.certain = balance.certain();
+  found.notes = notes_on(balance);
   std::vector<Observed> a, b;
   std::vector<double> values_a, values_b;
   bool bounds = false;
@@ -174,23 +197,36 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
       found.g = hedges_g(values_a, values_b, kConfidence);
     }
   }
-  pair_up(findings, match(findings, of_first, of_second, named), bounds, found);
+  const auto all = [&](std::size_t group) {
+    return observations(findings, response, balance, group, false);
+  };
+  pair_up(findings, match(findings, all(0), all(1), named), bounds, found);
+  if (found.certain) {
+    found.effect.interval.reset();
+    found.interval.reset();
+    found.g.reset();
+    found.pooled_p = found.paired.p = 1.0;
+  }
   found.pooled_holm = found.pooled_p;
   found.paired_holm = found.paired.p;
   return found;
 }
 
 void correct(std::vector<Contrast>& contrasts) {
+  std::vector<Contrast*> tested;
   std::vector<double> pooled, paired;
-  for (const Contrast& one : contrasts) {
-    pooled.push_back(one.pooled_p);
-    paired.push_back(one.paired.p);
+  for (Contrast& one : contrasts) {
+    if (!one.certain) {
+      tested.push_back(&one);
+      pooled.push_back(one.pooled_p);
+      paired.push_back(one.paired.p);
+    }
   }
   pooled = holm(pooled);
   paired = holm(paired);
-  for (std::size_t i = 0; i < contrasts.size(); ++i) {
-    contrasts[i].pooled_holm = pooled[i];
-    contrasts[i].paired_holm = paired[i];
+  for (std::size_t i = 0; i < tested.size(); ++i) {
+    tested[i]->pooled_holm = pooled[i];
+    tested[i]->paired_holm = paired[i];
   }
 }
 
@@ -265,11 +301,23 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
   }
   std::vector<Contrast> all;
   bool equal = true;
+  std::string incomplete;
   for (const Response& response : responses(findings)) {
+    const Balance balance = balanced(findings, response, {a.cells, b.cells}, named);
+    if (balance.seeds.size() < 2 && balance.dropped_seeds > 0) {
+      incomplete = response.name;
+      continue;
+    }
     if (auto one = contrast(findings, response, a, b, named)) {
       equal &= one->equal;
       all.push_back(std::move(*one));
     }
+  }
+  if (all.empty() && !incomplete.empty()) {
+    refuse("fewer than two seeds have a value of '" + output::one_line(incomplete) +
+           "' in each cell of '" + output::one_line(first) + "' and '" + output::one_line(second) +
+           "', and a comparison needs at least two; do the runs that are missing, or compare fewer "
+           "cells");
   }
   if (all.empty()) {
     refuse("no measure has a value in both '" + output::one_line(first) + "' and '" +
@@ -280,6 +328,17 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
            "' have equal values, so there is nothing to compare");
   }
   return all;
+}
+
+std::vector<std::string> contrast_notes(const std::vector<Contrast>& contrasts,
+                                        bool with_response) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
+  for (const Contrast& one : contrasts) {
+    notes.emplace_back(
+        output::one_line(with_response ? one.response.name : one.first + " against " + one.second),
+        one.notes);
+  }
+  return gathered(notes);
 }
 
 std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>& contrasts,
@@ -311,8 +370,8 @@ std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>
       if (with_g) {
         row.push_back(effect_text(one.g));
       }
-      row.push_back(p_text(one.paired_holm));
-      row.push_back(p_text(one.pooled_holm));
+      row.push_back(one.certain ? "-" : p_text(one.paired_holm));
+      row.push_back(one.certain ? "-" : p_text(one.pooled_holm));
     }
     rows.push_back(std::move(row));
   }

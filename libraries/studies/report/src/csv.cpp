@@ -77,7 +77,7 @@ void add_measure(const MeasureFindings& found, std::vector<std::string>& cells) 
   cells.push_back(of_all(&Summary::upper_quartile));
   cells.push_back(of_all(&Summary::largest));
   cells.push_back(std::to_string(censoring ? censoring->count : 0));
-  cells.push_back(censoring ? text_of(censoring->limit) : "");
+  cells.push_back(censoring ? optional_text(censoring->limit) : "");
 }
 
 }  // namespace

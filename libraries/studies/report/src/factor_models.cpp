@@ -49,6 +49,11 @@ std::vector<Product> products_of(const std::string& side,
     for (const std::string& one : split(part, '*')) {
       Product single;
       for (const std::string& name : split(one, ':')) {
+        if (name.empty()) {
+          refuse_model("'" + output::one_line(trimmed(side)) +
+                       "' lacks a factor before or after one of its signs + * :; expected a factor "
+                       "on both sides of each, as in 'speed + coordinator'");
+        }
         single.push_back(place_of(name));
       }
       for (std::size_t i = crossed.size(); i-- > 0;) {
@@ -66,7 +71,26 @@ std::vector<Product> products_of(const std::string& side,
   return products;
 }
 
-std::vector<Term> terms_of(const VariedFactor& factor, const std::vector<Observation>& runs) {
+// The level with which the others are compared: of success, the first with successes and failures,
+// because the log odds of others have no finite value; if there is none, and else, the first.
+std::size_t reference_of(const VariedFactor& factor, const Response& response,
+                         const std::vector<Observation>& runs) {
+  std::vector<Frequency> levels(factor.levels.size());
+  for (const Observation& run : runs) {
+    Frequency& level = levels[factor.of_cell[run.cell]];
+    level.hits += run.of.value != 0.0 ? 1 : 0;
+    ++level.trials;
+  }
+  const auto mixed = std::find_if(levels.begin(), levels.end(), [](const Frequency& level) {
+    return level.hits > 0 && level.hits < level.trials;
+  });
+  return response.measure || mixed == levels.end()
+             ? 0
+             : static_cast<std::size_t>(mixed - levels.begin());
+}
+
+std::vector<Term> terms_of(const VariedFactor& factor, const Response& response,
+                           const std::vector<Observation>& runs) {
   std::vector<Term> terms;
   const auto add = [&](const std::string& name, auto value) {
     Term term{name, {}};
@@ -84,7 +108,11 @@ std::vector<Term> terms_of(const VariedFactor& factor, const std::vector<Observa
     }
     return terms;
   }
-  for (std::size_t i = 1; i < factor.levels.size(); ++i) {
+  const std::size_t reference = reference_of(factor, response, runs);
+  for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+    if (i == reference) {
+      continue;
+    }
     add(factor.name + "=" + factor.levels[i],
         [&](std::size_t level) { return level == i ? 1.0 : 0.0; });
   }
@@ -134,29 +162,72 @@ void warn(const Fit& fit, std::vector<std::string>& warnings) {
   }
 }
 
-void require_seeds(const std::vector<Observation>& runs) {
-  std::set<std::uint64_t> seeds;
-  for (const Observation& run : runs) {
-    seeds.insert(run.seed);
-  }
-  if (seeds.size() < 2) {
-    refuse_model("there are runs of " + counted(seeds.size(), "seed") +
-                 " only, and a model needs at least two; run the experiment with more seeds");
-  }
-}
-
-std::vector<Observation> observations_for(const Findings& findings, const Response& response) {
-  std::vector<Observation> runs = observations(findings, response, all_cells(findings));
+// The runs that a model may use, with what was left out.
+std::vector<Observation> observations_for(const Findings& findings, const Response& response,
+                                          std::vector<std::string>& warnings) {
+  const Balance balance = balanced(findings, response, {all_cells(findings)}, {});
+  const std::vector<Observation> runs = observations(findings, response, balance, 0, true);
   const auto bounds =
       std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.of.bound; });
   if (bounds > 0) {
     refuse_model("'" + output::one_line(response.name) + "' of " + std::to_string(bounds) + " of " +
                  counted(runs.size(), "run") +
-                 " is only a bound, because the time limit stopped them, and least squares cannot "
-                 "use bounds; model 'success', or a measure without bounds");
+                 " is only a bound, because they never reached their goals, and least squares "
+                 "cannot use bounds; model 'success', or a measure without bounds");
   }
-  require_seeds(runs);
+  if (balance.certain()) {
+    refuse_model(
+        "all seeds of each cell gave one and the same run: nothing is random, so a model "
+        "has nothing to test; compare the values of the cells");
+  }
+  if (balance.seeds.size() < 2) {
+    refuse_model("there are runs of " + counted(balance.seeds.size(), "seed") + " only" +
+                 (balance.dropped_seeds > 0
+                      ? " with a value in each cell, and a model needs at least two; do the runs "
+                        "that are missing"
+                      : ", and a model needs at least two; run the experiment with more seeds"));
+  }
+  warnings = notes_on(balance);
   return runs;
+}
+
+// Whether cells with values lack a combination of the levels that they have.
+bool is_incomplete(const Findings& findings, const std::vector<VariedFactor>& factors,
+                   const std::set<std::size_t>& cells) {
+  std::size_t all = 1;
+  std::set<std::vector<std::string>> combinations;
+  for (const VariedFactor& factor : factors) {
+    std::set<std::size_t> levels;
+    for (const std::size_t cell : cells) {
+      levels.insert(factor.of_cell[cell]);
+    }
+    all *= levels.size();
+  }
+  for (const std::size_t cell : cells) {
+    combinations.insert(findings.results.cells[cell].levels);
+  }
+  return combinations.size() < all;
+}
+
+// The varied factors that no product names, if the grid is incomplete.
+void warn_of_missing_factors(const Findings& findings, const std::vector<VariedFactor>& factors,
+                             const std::vector<Product>& products,
+                             const std::set<std::size_t>& cells,
+                             std::vector<std::string>& warnings) {
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const bool is_named = std::any_of(products.begin(), products.end(), [&](const Product& one) {
+      return std::find(one.begin(), one.end(), i) != one.end();
+    });
+    if (!is_named) {
+      missing.push_back(factors[i].name);
+    }
+  }
+  if (!missing.empty() && is_incomplete(findings, factors, cells)) {
+    warnings.push_back("some combinations of levels have no values, and the model leaves out " +
+                       listed_terms(missing) +
+                       ": effects of what is left out may show in the other coefficients");
+  }
 }
 
 Response response_called(const Findings& findings, const std::string& name) {
@@ -185,7 +256,7 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
   model.formula = trimmed(formula);
   const std::vector<VariedFactor> factors = varied_factors(findings.results);
   const std::vector<Product> products = products_of(formula.substr(tilde + 1), factors);
-  const std::vector<Observation> runs = observations_for(findings, model.response);
+  const std::vector<Observation> runs = observations_for(findings, model.response, model.warnings);
   std::size_t count = 1;
   for (const Product& product : products) {
     std::size_t of_product = 1;
@@ -201,9 +272,9 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
   }
   std::vector<Term> terms;
   for (const Product& product : products) {
-    std::vector<Term> of_product = terms_of(factors[product.front()], runs);
+    std::vector<Term> of_product = terms_of(factors[product.front()], model.response, runs);
     for (std::size_t i = 1; i < product.size(); ++i) {
-      of_product = product_of(of_product, terms_of(factors[product[i]], runs));
+      of_product = product_of(of_product, terms_of(factors[product[i]], model.response, runs));
     }
     terms.insert(terms.end(), of_product.begin(), of_product.end());
   }
@@ -212,6 +283,7 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     cells.insert(run.cell);
     model.cells.push_back(run.cell);
   }
+  warn_of_missing_factors(findings, factors, products, cells, model.warnings);
   if (terms.size() + 1 > cells.size()) {
     refuse_model("'" + output::one_line(model.formula) + "' has " +
                  counted(terms.size() + 1, "coefficient") + ", and there are " +
@@ -235,13 +307,29 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     }
     LogisticFit fit = fit_logistic(terms, values, kConfidence);
     warn(fit, model.warnings);
-    if (!fit.separated.empty()) {
+    if (fit.perfect) {
+      model.warnings.emplace_back(
+          "the factors tell all successes from all failures (the deviance is 0), so no coefficient "
+          "can be estimated (separation)");
+    } else if (!fit.separated.empty()) {
       model.warnings.push_back(listed_terms(fit.separated) +
                                (fit.separated.size() == 1 ? " has" : " have") +
                                " no finite coefficient: success is certain or impossible where it "
                                "says so (separation); the number and its interval mean nothing");
     }
     model.fit = std::move(fit);
+  }
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const bool is_named = std::any_of(products.begin(), products.end(), [&](const Product& one) {
+      return std::find(one.begin(), one.end(), i) != one.end();
+    });
+    const std::size_t reference = reference_of(factors[i], model.response, runs);
+    if (is_named && !factors[i].numeric() && reference > 0) {
+      model.warnings.push_back("the levels of '" + output::one_line(factors[i].name) +
+                               "' are compared with '" +
+                               output::one_line(factors[i].levels[reference]) +
+                               "', the first with successes and failures");
+    }
   }
   return model;
 }

@@ -33,7 +33,10 @@ std::optional<Observed> observed(const Findings& findings, const Response& respo
   if (run.state != RunState::done || !run.values[place] || !is_usable(*run.values[place])) {
     return std::nullopt;
   }
-  return Observed{*run.values[place], findings.is_censored(run, place)};
+  const bool bound = findings.is_censored(run, place);
+  // A run that failed never reaches its goals: it counts as longer than all others.
+  const bool never = bound && run.outcome == Outcome::failure;
+  return Observed{never ? findings.largest[*response.measure] : *run.values[place], bound};
 }
 
 }  // namespace
@@ -46,6 +49,14 @@ std::vector<std::size_t> VariedFactor::cells_at(std::size_t level) const {
     }
   }
   return cells;
+}
+
+std::vector<std::vector<std::size_t>> VariedFactor::groups() const {
+  std::vector<std::vector<std::size_t>> all;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    all.push_back(cells_at(level));
+  }
+  return all;
 }
 
 std::vector<VariedFactor> varied_factors(const Results& results) {
@@ -123,45 +134,6 @@ bool is_constant(const Findings& findings, const Response& response) {
   return std::all_of(all.begin(), all.end(), [&](const Observation& one) {
     return one.of.value == all.front().of.value && one.of.bound == all.front().of.bound;
   });
-}
-
-Margin margin_of(const Findings& findings, const Response& response,
-                 const std::vector<std::size_t>& cells, bool with_interval) {
-  const std::vector<Observation> all = observations(findings, response, cells);
-  Margin margin;
-  margin.runs = all.size();
-  if (all.empty()) {
-    return margin;
-  }
-  std::map<std::uint64_t, std::vector<double>> by_seed;
-  std::vector<Observed> observed;
-  double sum = 0.0;
-  for (const Observation& one : all) {
-    margin.cut_off += one.of.bound ? 1 : 0;
-    by_seed[one.seed].push_back(one.of.value);
-    observed.push_back(one.of);
-    sum += one.of.value;
-  }
-  if (!response.measure) {
-    margin.centre = sum / static_cast<double>(all.size());
-    margin.interval = wilson_interval(static_cast<std::size_t>(sum), all.size(), kConfidence);
-    return margin;
-  }
-  if (margin.cut_off > 0) {
-    const SurvivalCurve curve = survival_of(observed, kConfidence);
-    margin.centre = curve.median;
-    margin.interval = curve.median_interval;
-    return margin;
-  }
-  std::vector<double> means;
-  for (const auto& [seed, values] : by_seed) {
-    means.push_back(*statistic_of(Statistic::mean, values));
-  }
-  margin.centre = summary(means)->mean;
-  if (with_interval) {
-    margin.interval = mean_interval(means, kConfidence, findings.results.seed(), response.name);
-  }
-  return margin;
 }
 
 std::vector<std::size_t> common(const std::vector<std::size_t>& first,

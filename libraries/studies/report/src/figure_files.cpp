@@ -73,13 +73,14 @@ class Artist {
 
   void draw(const Chart& chart) {
     picture::Page page;
-    page.title = chart.caption.substr(0, chart.caption.find(':'));
-    page.title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(page.title[0])));
     const std::size_t colon = chart.caption.find(": ");
+    page.title = chart.caption.substr(0, colon);
+    page.title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(page.title[0])));
     page.subtitles = {experiment_};
     if (colon != std::string::npos) {
       page.subtitles.push_back(chart.caption.substr(colon + 2));
     }
+    page.subtitles.insert(page.subtitles.end(), chart.notes.begin(), chart.notes.end());
     page.rows = {{{chart.panel}, {}, 0.0}};
     for (const std::string& format : formats_) {
       picture::save_page(page, workshop_.file(chart.name, format), {900, 0});

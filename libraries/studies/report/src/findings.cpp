@@ -4,12 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <string_view>
 #include <utility>
 
-#include "elsie/world/error.h"
-#include "elsie/world/markup.h"
-
+#include "goals.h"
 #include "judge.h"
 
 namespace elsie::report {
@@ -43,11 +40,18 @@ bool has(const Run& run, std::size_t measure) {
 }
 
 // Bounds count as larger than all known values.
-Censoring censoring_of(std::vector<double> known, const std::vector<double>& bounds) {
+Censoring censoring_of(std::vector<double> known, const std::vector<double>& limits,
+                       std::size_t failures) {
   Censoring result;
-  result.count = bounds.size();
-  result.limit = *std::min_element(bounds.begin(), bounds.end());
-  known.resize(known.size() + bounds.size(), std::numeric_limits<double>::infinity());
+  result.count = limits.size() + failures;
+  result.failures = failures;
+  if (!limits.empty()) {
+    result.limit = *std::min_element(limits.begin(), limits.end());
+  }
+  if (!known.empty()) {
+    result.least = *std::min_element(known.begin(), known.end());
+  }
+  known.resize(known.size() + result.count, std::numeric_limits<double>::infinity());
   std::sort(known.begin(), known.end());
   if (const double median = quantile(known, 0.5); std::isfinite(median)) {
     result.median = median;
@@ -59,21 +63,26 @@ Censoring censoring_of(std::vector<double> known, const std::vector<double>& bou
 MeasureFindings look_at(const Findings& findings, const CellFindings& cell, std::size_t measure) {
   const Results& results = findings.results;
   MeasureFindings found;
-  std::vector<double> successes, known, bounds;
+  std::vector<double> successes, known, limits;
+  std::size_t failures = 0;
   for (const std::size_t place : cell.runs) {
     const Run& run = results.runs[place];
     if (!has(run, measure)) {
       continue;
     }
     found.values.push_back(*run.values[measure]);
-    (findings.is_censored(run, measure) ? bounds : known).push_back(found.values.back());
+    if (findings.is_censored(run, measure) && run.outcome == Outcome::failure) {
+      ++failures;
+    } else {
+      (findings.is_censored(run, measure) ? limits : known).push_back(found.values.back());
+    }
     if (run.success()) {
       successes.push_back(found.values.back());
     }
   }
   found.successes = summary(successes);
-  if (!bounds.empty()) {
-    found.censoring = censoring_of(std::move(known), bounds);
+  if (!limits.empty() || failures > 0) {
+    found.censoring = censoring_of(std::move(known), limits, failures);
     return found;
   }
   found.all = summary(found.values);
@@ -84,20 +93,6 @@ MeasureFindings look_at(const Findings& findings, const CellFindings& cell, std:
     found.fences = tukey_fences(*found.all);
   }
   return found;
-}
-
-// A world that cannot be read, in a damaged database, counts as having goals: its cell keeps its
-// success rate, and its runs without success are listed.
-bool has_goals(const CellInfo& cell) {
-  try {
-    // Reads only the markup: reading the world would require the plugins, or ignore goals about
-    // time.
-    const world::Element root = world::parse_markup(cell.world_text, cell.world_file);
-    const world::Element* const goals = root.child("goals");
-    return goals && !goals->children.empty();
-  } catch (const world::WorldError&) {
-    return true;
-  }
 }
 
 void collect_outliers(const Findings& findings, CellFindings& cell) {
@@ -212,8 +207,9 @@ bool Findings::missed(const Run& run) const {
 }
 
 bool Findings::is_censored(const Run& run, std::size_t measure) const {
-  return run.outcome == Outcome::time_limit && cells[run.cell].goals &&
-         results.measures[measure].name == kTime;
+  return never_arrived(run, cells[run.cell].goals) &&
+         (results.measures[measure].name == kTime ||
+          std::find(run.bounds.begin(), run.bounds.end(), measure) != run.bounds.end());
 }
 
 bool Findings::any_goals() const {
@@ -232,15 +228,16 @@ Findings find(Results results, const Questions& questions) {
   findings.results = std::move(results);
   findings.measures = shown_measures(findings.results, questions.measures);
   sort_out_runs(findings);
-  std::map<std::string_view, bool> goals;  // by the text of the world, which many cells may have
+  for (const std::size_t measure : findings.measures) {
+    double& largest = findings.largest.emplace_back(-std::numeric_limits<double>::infinity());
+    for (const Run& run : findings.results.runs) {
+      largest = has(run, measure) ? std::max(largest, *run.values[measure]) : largest;
+    }
+  }
+  const std::vector<bool> goals = cells_with_goals(findings.results);
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
     CellFindings& cell = findings.cells[i];
-    const CellInfo& info = findings.results.cells[i];
-    const auto [known, is_new] = goals.try_emplace(info.world_text);
-    if (is_new) {
-      known->second = has_goals(info);
-    }
-    cell.goals = known->second;
+    cell.goals = goals[i];
     for (const std::size_t place : cell.runs) {
       const Run& run = findings.results.runs[place];
       cell.ended += run.ended() ? 1 : 0;

@@ -45,7 +45,8 @@ Json json_of(const MeasureFindings& found) {
   }
   return {{"count", found.values.size()},
           {"censored", censoring.count},
-          {"limit", censoring.limit},
+          {"failed", censoring.failures},
+          {"limit", or_null(censoring.limit)},
           {"mean", nullptr},
           {"median", or_null(censoring.median)},
           {"median_interval", json_of(interval)},
@@ -83,6 +84,7 @@ Json json_of(const Findings& findings, std::size_t place) {
           {"levels", std::move(levels)},
           {"ended", cell.ended},
           {"goals", cell.goals},
+          {"one_run", cell.one_run},
           {"successes", cell.goals ? Json(cell.successes) : Json(nullptr)},
           {"success_interval", cell.goals ? json_of(std::optional(cell.success)) : Json(nullptr)},
           {"broken", cell.broken.size()},
@@ -120,12 +122,17 @@ Json json_of(const Margin& margin) {
     interval[1] = nullptr;
   }
   return {{"runs", margin.runs},
+          {"seeds", margin.seeds},
+          {"dropped_seeds", margin.dropped_seeds},
+          {"dropped_cells", margin.dropped_cells},
           {"censored", margin.cut_off},
+          {"median", margin.median},
           {"centre", or_null(margin.centre)},
           {"interval", std::move(interval)}};
 }
 
 Json json_of(const Contrast& one) {
+  const auto p = [&](double value) { return one.certain ? Json(nullptr) : Json(value); };
   return {
       {"measure", output::clean(one.response.name)},
       {"first", json_of(one.of_first)},
@@ -134,13 +141,14 @@ Json json_of(const Contrast& one) {
       {"difference", or_null(one.difference)},
       {"difference_interval", json_of(one.interval)},
       {"seed_test", one.by_signs ? "sign" : "signed_rank"},
-      {"seed_p", one.paired.p},
-      {"seed_p_holm", one.paired_holm},
+      {"seed_p", p(one.paired.p)},
+      {"seed_p_holm", p(one.paired_holm)},
       {"pooled_test", one.response.measure ? "rank" : "fisher"},
-      {"pooled_p", one.pooled_p},
-      {"pooled_p_holm", one.pooled_holm},
+      {"pooled_p", p(one.pooled_p)},
+      {"pooled_p_holm", p(one.pooled_holm)},
       {one.response.measure ? "cliffs_delta" : "odds_ratio", json_of(std::optional(one.effect))},
-      {"hedges_g", json_of(one.g)}};
+      {"hedges_g", json_of(one.g)},
+      {"notes", one.notes}};
 }
 
 Json json_of(const FactorModel& model) {
@@ -193,6 +201,7 @@ void add_answers(const Findings& findings, const Answers& answers, Json& all) {
           {{"levels", std::move(levels)}, {"cells", row.cells}, {"measures", std::move(margins)}});
     }
     all["by"] = std::move(rows);
+    all["by_notes"] = answers.by_notes;
   }
   if (!answers.comparisons.empty()) {
     Json comparisons = Json::array();

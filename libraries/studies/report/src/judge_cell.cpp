@@ -15,10 +15,10 @@ std::optional<Interval> interval_of(const Judging& judging, const std::vector<do
 // Judges a cell with lower bounds: its mean and maximum are also bounds. A median or minimum,
 // computed with infinity instead of the bounds, is exact if it is finite.
 Claim about_bounds(const Judging& judging, std::size_t cell, const std::vector<double>& bounds,
-                   const std::vector<double>& infinite, std::size_t count) {
+                   const std::vector<double>& infinite) {
   const Statistic statistic = judging.expectation.statistic;
   if (statistic == Statistic::standard_deviation || statistic == Statistic::rate) {
-    return judging.not_known(cell, Judging::stopped(count));
+    return judging.not_known(cell, judging.stopped(cell));
   }
   const bool ordered = statistic == Statistic::median || statistic == Statistic::minimum;
   const double value = *statistic_of(statistic, ordered ? infinite : bounds);
@@ -44,7 +44,7 @@ Claim about_bounds(const Judging& judging, std::size_t cell, const std::vector<d
     amount = "at least " + judging.with_unit(least) + " (" + judging.basis(bounds);
   }
   claim.found = judging.subject.words + " of " + judging.label(cell) + " is " + amount + "; " +
-                Judging::stopped(count) + judging.reservations(cell) + ")";
+                judging.stopped(cell) + judging.reservations(cell) + ")";
   claim.sentence = claim.found + ", expected " + judging.limits();
   return claim;
 }
@@ -56,8 +56,8 @@ Claim judge_cell(const Judging& judging, std::size_t cell) {
     return judging.not_known(cell, why);
   }
   const std::vector<double> values = judging.values_of(cell);
-  if (const std::size_t count = judging.censored(cell); count > 0) {
-    return about_bounds(judging, cell, values, judging.values_of(cell, true), count);
+  if (judging.censored(cell) > 0) {
+    return about_bounds(judging, cell, values, judging.values_of(cell, true));
   }
   Claim claim;
   claim.cell = cell;

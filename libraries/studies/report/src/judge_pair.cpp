@@ -82,8 +82,8 @@ Claim judge_pair(const Judging& judging, std::size_t cell, std::optional<std::si
     if (const std::string why = judging.obstacle(each); !why.empty()) {
       return judging.not_known(cell, why);
     }
-    if (const std::size_t count = judging.censored(each); count > 0) {
-      return judging.not_known(cell, "of " + judging.label(each) + " " + Judging::stopped(count));
+    if (judging.censored(each) > 0) {
+      return judging.not_known(cell, "of " + judging.label(each) + " " + judging.stopped(each));
     }
   }
   const std::vector<Pair> pairs = pairs_of(judging, cell, *reference);

@@ -73,12 +73,17 @@ bool Judging::asks_for_success() const {
 }
 
 std::size_t Judging::censored(std::size_t cell) const {
+  return censored(cell, Outcome::time_limit) + censored(cell, Outcome::failure);
+}
+
+std::size_t Judging::censored(std::size_t cell, Outcome outcome) const {
   if (!subject.measure || !expectation.per.empty() || expectation.runs == Runs::successes) {
     return 0;
   }
   const auto& runs = findings.cells[cell].runs;
   return static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), [&](std::size_t run) {
-    return value_of(results.runs[run]) && findings.is_censored(results.runs[run], *subject.measure);
+    return results.runs[run].outcome == outcome && value_of(results.runs[run]) &&
+           findings.is_censored(results.runs[run], *subject.measure);
   }));
 }
 
@@ -183,8 +188,13 @@ std::string Judging::obstacle(std::size_t cell) const {
              : "";
 }
 
-std::string Judging::stopped(std::size_t runs) {
-  return counted(runs, "run was", "runs were") + " stopped by the time limit";
+std::string Judging::stopped(std::size_t cell) const {
+  const std::size_t stopped = censored(cell, Outcome::time_limit);
+  const std::size_t failed = censored(cell, Outcome::failure);
+  return (stopped > 0 ? counted(stopped, "run was", "runs were") + " stopped by the time limit"
+                      : "") +
+         (stopped > 0 && failed > 0 ? " and " : "") +
+         (failed > 0 ? counted(failed, "run") + " failed" : "");
 }
 
 }  // namespace elsie::report

@@ -39,8 +39,10 @@ struct Judging {
   // `infinite`: values that are only known to be larger than a limit count as infinite.
   std::vector<double> values_of(std::size_t cell, bool infinite = false) const;
 
-  // The number of values that are only lower bounds, from runs that the time limit stopped.
+  // The number of values that are only lower bounds, from runs that never reached their goals.
   std::size_t censored(std::size_t cell) const;
+  // Those with this outcome.
+  std::size_t censored(std::size_t cell, Outcome outcome) const;
 
   // The same draws for all cells: equal values have equal intervals.
   const std::string& stream() const { return expectation.name; }
@@ -72,8 +74,8 @@ struct Judging {
 
   Claim not_known(std::size_t cell, const std::string& why) const;
 
-  // "3 runs were stopped by the time limit"
-  static std::string stopped(std::size_t runs);
+  // "3 runs were stopped by the time limit and 1 run failed"
+  std::string stopped(std::size_t cell) const;
 };
 
 // Judges a cell alone.

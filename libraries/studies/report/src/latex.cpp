@@ -28,6 +28,16 @@ std::string latex(const std::string& text) {
       case '^':
         escaped += "\\textasciicircum{}";
         break;
+      case '<':
+        escaped += "\\textless{}";
+        break;
+      case '>':
+        escaped += "\\textgreater{}";
+        break;
+      case '[':  // at the beginning of a row, an argument of the command before it
+      case '*':
+        escaped += std::string("{") + c + "}";
+        break;
       case '&':
       case '%':
       case '$':
@@ -92,7 +102,7 @@ std::string latex_report(const Findings& findings) {
   const std::string caption =
       "\\caption{" + latex(results.experiment) +
       ": mean $\\pm$ standard deviation over the runs of a cell that ended normally" +
-      "; $>$: stopped by the time limit.}";
+      "; $>$: stopped by the time limit; failed: never reached its goals.}";
   const std::string table = is_long ? "longtable" : "tabular";
   std::string text = "% " + output::one_line(size_in_words(findings)) +
                      "; needs \\usepackage{booktabs}" +

@@ -169,6 +169,10 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
   // about one more, so after these many a coefficient that still moves has no limit.
   constexpr int kSteps = 25;
   constexpr double kMoves = 0.1;
+  // So has one whose standard error, with its term's largest value, is this many log odds.
+  constexpr double kHugeError = 100.0;
+  // Of a fit without any error, no coefficient has a limit.
+  constexpr double kPerfect = 1e-6;
   VectorXd found = VectorXd::Zero(size), step = VectorXd::Zero(size), p;
   MatrixXd inverse;
   for (int i = 0; i < kSteps; ++i) {
@@ -198,6 +202,7 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
         boost::math::complement(boost::math::chi_squared(static_cast<double>(size - 1)),
                                 std::max(0.0, fit.null_deviance - fit.deviance)));
   }
+  fit.perfect = fit.deviance <= kPerfect * fit.null_deviance;
   const boost::math::normal normal;
   const double reach = boost::math::quantile(normal, 0.5 + 0.5 * confidence);
   const Eigen::HouseholderQR<MatrixXd> plain(design.columns);
@@ -211,7 +216,8 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     one.p =
         2.0 * boost::math::cdf(boost::math::complement(normal, std::abs(one.estimate / one.error)));
     one.inflation = inflation_of(design, unweighted, i);
-    if (std::abs(step(i)) * design.columns.col(i).cwiseAbs().maxCoeff() > kMoves) {
+    const double largest = design.columns.col(i).cwiseAbs().maxCoeff();
+    if (fit.perfect || std::abs(step(i)) * largest > kMoves || one.error * largest > kHugeError) {
       fit.separated.push_back(one.name);
     }
     fit.coefficients.push_back(std::move(one));

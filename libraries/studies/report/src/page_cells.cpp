@@ -27,17 +27,18 @@ std::string censored_row(const MeasureFindings& found, bool some_missed) {
   const std::optional<int> decimals =
       found.successes
           ? decimals_for(found.successes->mean, found.successes->standard_deviation.value_or(0.0))
-          : decimals_for(censoring.limit, 0.0);
+          : decimals_for(censoring.limit.value_or(0.0), 0.0);
   const auto number = [&](double value) {
     return decimals ? fixed_text(value, *decimals) : brief(value);
   };
   const auto cell = [](const std::string& text) { return "<td class=\"n\">" + text + "</td>"; };
-  const std::string bound = "&gt;\xc2\xa0" + number(censoring.limit);
-  const double least = *std::min_element(found.values.begin(), found.values.end());
+  const std::string bound =
+      censoring.limit ? "&gt;\xc2\xa0" + number(*censoring.limit) : std::string("never");
   std::string text = cell(std::to_string(found.values.size()));
   text += std::string(kUnknown) + kUnknown + kUnknown;
-  text += cell(least < censoring.limit ? number(least) : bound) + kUnknown;
-  text += cell(censoring.median ? number(*censoring.median) : bound) + kUnknown + cell(bound);
+  text += cell(censoring.least ? number(*censoring.least) : bound) + kUnknown;
+  text += cell(censoring.median ? number(*censoring.median) : bound) + kUnknown +
+          cell(censoring.failures > 0 ? "never" : bound);
   if (some_missed) {
     text += found.successes ? cell(number(found.successes->mean)) : kUnknown;
   }

@@ -16,19 +16,24 @@ namespace {
 constexpr const char* kSuccessLead =
     "Runs that reached their goals, of those that ended; the bar is Wilson\xe2\x80\x99s "
     "95\xc2\xa0% interval.";
+constexpr const char* kNoBarsLead =
+    "The number of runs that reached their goals is in the comparison below: there are too many "
+    "cells for a figure.";
 constexpr const char* kNoGoalsLead =
     "No world of this experiment has goals, so a run can neither succeed nor fail.";
 constexpr const char* kTableLead =
     "Mean \xc2\xb1 standard deviation over the runs that ended normally; below, the "
     "95\xc2\xa0% interval of the mean. n: number of runs with a value, where others "
-    "have none. &gt;: stopped by the time limit, so that the time is at least this.";
+    "have none. &gt;: stopped by the time limit, so that the time is at least this; failed: "
+    "never reached its goals.";
 constexpr const char* kNoValues =
     "No run that ended normally has a value: there is nothing to compare but success.";
 constexpr const char* kBoxesLead =
     "A dot is a run, a cross is a run without success. The box has the middle half of the runs, "
     "its line is the median; whiskers go to the farthest run within 1.5 box lengths; runs with a "
     "ring are beyond. The diamond is the mean, with its 95\xc2\xa0% interval. Where the time limit "
-    "stopped runs, their times are at least where the dots stand, and there is no box and no mean.";
+    "stopped runs or they failed, their times are at least where the dots stand, and there is no "
+    "box and no mean.";
 
 // Box plots of further measures are folded.
 constexpr std::size_t kFiguresAtOnce = 6;
@@ -251,7 +256,10 @@ std::string comparison_sections(const PageContext& page) {
     note = "<p class=\"quiet\">" + escaped(note) + ".</p>";
   }
   return "<section id=\"success\"><h2>Success</h2><p class=\"lead\">" +
-         std::string(page.findings.any_goals() ? kSuccessLead : kNoGoalsLead) + "</p>" +
+         std::string(!page.findings.any_goals()   ? kNoGoalsLead
+                     : has_figures(page.findings) ? kSuccessLead
+                                                  : kNoBarsLead) +
+         "</p>" +
          (page.findings.any_goals() && has_figures(page.findings)
               ? folded(page.findings, ink_key(page) + rate_figure(page.findings, page.inks))
               : "") +

@@ -18,9 +18,10 @@ constexpr std::size_t kResponsesAtOnce = 3;
 
 constexpr const char* kFactorsLead =
     "What changes when one factor is varied, over all levels of the others. Points are rates of "
-    "success, or means in which each seed counts once, or medians where the time limit stopped "
-    "runs; bars are their 95\xc2\xa0% intervals. The charts of a measure have the same scale, so "
-    "that the steepest factor matters most.";
+    "success, or means in which each seed counts once, or medians if only a bound is known of "
+    "some runs; bars are their 95\xc2\xa0% intervals, with an arrow where the upper end is not "
+    "known. The charts of a measure have the same scale, so that the factor with the largest range "
+    "matters most.";
 constexpr const char* kContrastsNote =
     "The first less the second. <b>By seed</b>: for each seed, the mean difference of cells that "
     "match in all other factors; sign test of success and of times that were cut off, else "
@@ -48,13 +49,31 @@ std::string details(const std::string& summary, const std::string& content) {
                                "</details>\n";
 }
 
+std::string noted_on_page(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) {
+    text += "<p class=\"bad\">" + escaped(note) + "</p>";
+  }
+  return text;
+}
+
+// Two factors share their notes: the lines and the tiles are of the same runs.
+std::vector<std::string> notes_on_charts(const std::vector<Chart>& charts) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes;
+  for (const Chart& chart : charts) {
+    const std::string name = chart.caption.substr(0, chart.caption.find(':'));
+    if (notes.empty() || notes.back().first != name) {
+      notes.emplace_back(name, chart.notes);
+    }
+  }
+  return gathered(notes);
+}
+
 std::string model_of(const Findings& findings, const FactorModel& model) {
   std::string text = "<p><code>" + escaped(model.formula) + "</code></p>" +
                      html_table(coefficient_table(model), 1) + "<p class=\"quiet\">" +
                      escaped(fit_in_words(model)) + "</p>";
-  for (const std::string& warning : model.warnings) {
-    text += "<p class=\"bad\">" + escaped(warning) + "</p>";
-  }
+  text += noted_on_page(model.warnings);
   if (model.response.measure && findings.cells.size() <= kMostRows) {
     text += charts_in({residual_chart(findings, model)}, {420, 260});
   }
@@ -74,14 +93,17 @@ std::string response_part(const PageContext& page, const Response& response) {
   const std::string unit =
       response.unit.empty() ? "" : " <span class=\"quiet\">" + escaped(response.unit) + "</span>";
   const std::vector<Contrast> contrasts = level_contrasts(findings, response);
+  const std::vector<Chart> pairs = pair_charts(findings, response, page.inks);
   return "<h3>" + escaped(response.words) + unit + "</h3>" +
          charts_in(effect_charts(findings, response), kEffectSize) +
+         noted_on_page(notes_on_effects(findings, response)) +
          details("Two factors together",
-                 charts_in(pair_charts(findings, response, page.inks), kPairSize)) +
+                 charts_in(pairs, kPairSize) + noted_on_page(notes_on_charts(pairs))) +
          details("Levels compared", contrasts.empty()
                                         ? ""
                                         : html_table(contrast_table(contrasts, false), 2) +
-                                              "<p class=\"quiet\">" + kContrastsNote + "</p>") +
+                                              "<p class=\"quiet\">" + kContrastsNote + "</p>" +
+                                              noted_on_page(contrast_notes(contrasts, false))) +
          details(response.measure ? "Linear model" : "Logistic model",
                  main_model(findings, response));
 }
@@ -92,7 +114,7 @@ std::string asked_part(const PageContext& page) {
     text += "<h3>" + escaped(comparison.front().first) + " against " +
             escaped(comparison.front().second) + "</h3>" +
             html_table(contrast_table(comparison, true), 3) + "<p class=\"quiet\">" +
-            kContrastsNote + "</p>";
+            kContrastsNote + "</p>" + noted_on_page(contrast_notes(comparison, true));
   }
   for (const FactorModel& model : page.answers.models) {
     text += "<h3>" + std::string(model.response.measure ? "Linear" : "Logistic") + " model of " +

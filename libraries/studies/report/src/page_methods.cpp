@@ -29,7 +29,8 @@ std::vector<std::string> notes() {
           " resamples from a generator that is seeded by the fingerprint, so that the same "
           "database gives the same page; with fewer than " +
           std::to_string(kFewestForBootstrap) + " values Student\xe2\x80\x99s t.",
-      "The time of a run that the time limit stopped is censored: it is at least the limit. The "
+      "The time of a run that the time limit stopped is censored: it is at least the limit. A run "
+      "that failed never reaches its goals: its time is longer than all others. The "
       "mean of such times is not known; their median is when it lies below the limit (Kaplan and "
       "Meier, 1958).",
       "Outlier: more than 1.5 quartile ranges beyond the quartiles (Tukey, 1977), in samples "

@@ -144,12 +144,19 @@ std::string tables(const Findings& findings, std::size_t width) {
 // Explains the entries of tables other than means, each by its first example.
 std::string legend(const Findings& findings) {
   std::size_t fewer = 0;
-  std::optional<double> limit;
+  std::optional<double> limit, bound;
+  bool failed = false;
   for (const CellFindings& cell : findings.cells) {
-    for (const MeasureFindings& found : cell.measures) {
+    for (std::size_t i = 0; i < cell.measures.size(); ++i) {
+      const MeasureFindings& found = cell.measures[i];
       const std::size_t count = found.values.size();
       fewer = fewer == 0 && count < cell.ended ? count : fewer;
-      limit = !limit && found.censoring ? found.censoring->limit : limit;
+      if (found.censoring) {
+        const bool time = findings.results.measures[findings.measures[i]].name == kTime;
+        std::optional<double>& first = time ? limit : bound;
+        first = first ? first : found.censoring->limit;
+        failed |= found.censoring->failures > 0;
+      }
     }
   }
   std::string text;
@@ -160,6 +167,12 @@ std::string legend(const Findings& findings) {
   if (limit) {
     text += "> " + brief(*limit) + ": the time limit stopped runs after " + brief(*limit) +
             " s; how long they would have taken is not known\n";
+  } else if (bound) {
+    text += "> " + brief(*bound) +
+            ": the time limit stopped runs; of their values only this bound is known\n";
+  }
+  if (failed) {
+    text += "failed: runs that failed never reach their goals, so they have no time\n";
   }
   return text;
 }

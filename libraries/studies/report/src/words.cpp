@@ -106,13 +106,20 @@ std::string censored_in_words(const MeasureFindings& found, std::optional<int> d
     return decimals ? fixed_text(value, *decimals) : brief(value);
   };
   const Censoring& censoring = *found.censoring;
-  const std::string bound = "> " + number(censoring.limit);
-  if (censoring.count == found.values.size()) {
-    return bound;
+  const std::string all = std::to_string(found.values.size());
+  const std::size_t stopped = censoring.count - censoring.failures;
+  if (stopped == found.values.size()) {
+    return "> " + number(*censoring.limit);
   }
-  return (censoring.median ? "median " + number(*censoring.median) + ", " : "") +
-         std::to_string(censoring.count) + " of " + std::to_string(found.values.size()) + " " +
-         bound;
+  std::string text = censoring.median ? "median " + number(*censoring.median) + ", " : "";
+  if (stopped > 0) {
+    text += std::to_string(stopped) + " of " + all + " > " + number(*censoring.limit);
+  }
+  if (censoring.failures > 0) {
+    text += (stopped > 0 ? ", " : "") + std::to_string(censoring.failures) +
+            (stopped > 0 ? "" : " of " + all) + " failed";
+  }
+  return text;
 }
 
 std::optional<int> decimals_of(const Findings& findings, std::size_t measure) {

@@ -77,13 +77,22 @@ void draw_band(Canvas& canvas, const LineChart& chart, std::size_t index, const 
   finish();
 }
 
-void draw_bars(Canvas& canvas, const LineChart& chart, std::size_t index, const PlaneMap& map) {
+void draw_bars(Canvas& canvas, const LineChart& chart, std::size_t index, const PlaneMap& map,
+               const Rect& plot) {
+  constexpr double kArrow = 4.0;
   const Series& series = chart.series[index];
   for (std::size_t i = 0; i < std::min(series.points.size(), series.spread.size()); ++i) {
     const double x = series.points[i].x;
     const Interval& around = series.spread[i];
-    if (!std::isfinite(around.low) || !std::isfinite(around.high)) continue;
-    canvas.line(map.pixel({x, around.low}), map.pixel({x, around.high}));
+    if (!std::isfinite(around.low) || !(around.high >= around.low)) continue;
+    const Vector2 foot = map.pixel({x, around.low});
+    if (std::isfinite(around.high)) {
+      canvas.line(foot, map.pixel({x, around.high}));
+    } else {
+      canvas.line(foot, {foot.x, plot.y});
+      canvas.line({foot.x, plot.y}, {foot.x - kArrow, plot.y + 1.5 * kArrow});
+      canvas.line({foot.x, plot.y}, {foot.x + kArrow, plot.y + 1.5 * kArrow});
+    }
     canvas.stroke(ink_of(chart, index).with_alpha(0.6), {.width = 1.4});
   }
 }
@@ -153,7 +162,7 @@ void draw_series(Canvas& canvas, const LineChart& chart, const PlaneMap& map, co
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     canvas.open_mark(series.name);
-    if (series.bars) draw_bars(canvas, chart, i, map);
+    if (series.bars) draw_bars(canvas, chart, i, map, plot);
     if (series.joining != Joining::nothing) {
       for (const auto& piece : parts(series, map, canvas.zoom())) {
         if (piece.size() > 1) {

@@ -28,6 +28,7 @@ struct LevelRow {
 struct Answers {
   std::vector<std::string> by;
   std::vector<LevelRow> levels;
+  std::vector<std::string> by_notes;  // what these left out, as sentences without a full stop
   std::vector<std::vector<Contrast>> comparisons;  // corrected over all of a response
   std::vector<FactorModel> models;
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "elsie/report/comparisons.h"
-#include "elsie/report/factors.h"
+#include "elsie/report/margins.h"
 
 namespace elsie::report {
 
@@ -23,8 +23,12 @@ struct Contrast {
   std::string first, second;
   Margin of_first, of_second;
   bool equal = false;  // all values of both groups are the same, and known
+  /// Each cell gave one and the same run for all its seeds: no intervals, and no p-values.
+  bool certain = false;
+  std::vector<std::string> notes;  // what was left out: see notes_on()
 
-  // All runs of one group against all of the other, as if all were independent.
+  // All runs of one group that count against all of the other, as if all were independent. A cell
+  // whose seeds all gave one and the same run counts once.
   Effect effect;            // the odds ratio of success; Cliff's delta of a measure
   std::optional<Effect> g;  // Hedges'; none for success, with bounds, and without spread
   double pooled_p = 1.0;    // of Fisher's test; of the rank test
@@ -40,13 +44,13 @@ struct Contrast {
   double paired_holm = 1.0;
 };
 
-/// Cells match if they have the same levels of all factors but `named` (indices into
-/// Results::factors). None without a value in one of the groups.
+/// Of the cells and seeds that balanced() leaves. Cells match if they have the same levels of all
+/// factors but `named` (indices into Results::factors). None without a value in one of the groups.
 std::optional<Contrast> contrast(const Findings& findings, const Response& response,
                                  const Group& first, const Group& second,
                                  const std::vector<std::size_t>& named);
 
-/// Corrects the p-values of contrasts of one response.
+/// Corrects the p-values of contrasts of one response; those without tests do not count.
 void correct(std::vector<Contrast>& contrasts);
 
 /// All pairs of levels of all factors, corrected. Factors with more than kMostLevels levels are
@@ -68,5 +72,8 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
 /// For people: groups, effects, tests, as tables of texts with a head.
 std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>& contrasts,
                                                      bool with_response);
+
+/// What these contrasts left out, as sentences without a full stop.
+std::vector<std::string> contrast_notes(const std::vector<Contrast>& contrasts, bool with_response);
 
 }  // namespace elsie::report

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "elsie/report/factors.h"
+#include "elsie/report/margins.h"
 #include "elsie/report/models.h"
 
 namespace elsie::report {
@@ -26,9 +26,11 @@ inline constexpr std::size_t kMostCoefficients = 100;
 
 /// The model of a formula: "MEASURE ~ FACTOR + FACTOR:FACTOR"; "a * b" is "a + b + a:b". A factor
 /// whose levels are numbers is one term, its distance from its mean; any other factor has a term
-/// for each level but the first. Each run counts as an independent observation. Throws
-/// std::invalid_argument, with a sentence, for a formula that names what is not there, more
-/// coefficients than cells, runs of one seed only, equal values, and values that are only bounds.
+/// for each level but the first, of success for each but the first with successes and failures.
+/// Each run of the seeds that have a value in each cell counts as an independent observation; a
+/// cell whose seeds all gave one and the same run counts once. Throws std::invalid_argument, with a
+/// sentence, for a formula that names what is not there, more coefficients than cells, runs of one
+/// seed only, equal values, and values that are only bounds.
 FactorModel factor_model(const Findings& findings, const std::string& formula);
 
 /// The formula with all factors and no interactions.

@@ -24,6 +24,8 @@ struct VariedFactor {
   bool numeric() const { return !numbers.empty(); }
   /// The cells at a level, ascending.
   std::vector<std::size_t> cells_at(std::size_t level) const;
+  /// The cells at each level.
+  std::vector<std::vector<std::size_t>> groups() const;
 };
 
 /// In the order of the experiment.
@@ -48,7 +50,8 @@ struct Observation {
 };
 
 /// The values of the runs of these cells, in the order of the cells and runs. Success is 1 or 0 of
-/// every run that ended in a cell with goals; runs that ended abnormally have no other values.
+/// every run that ended in a cell with goals; runs that ended abnormally have no other values. A
+/// bound of a run that failed is the largest value of all runs.
 std::vector<Observation> observations(const Findings& findings, const Response& response,
                                       const std::vector<std::size_t>& cells);
 
@@ -57,21 +60,6 @@ bool is_constant(const Findings& findings, const Response& response);
 
 /// All cells of the results.
 std::vector<std::size_t> all_cells(const Findings& findings);
-
-/// Some cells together.
-struct Margin {
-  std::size_t runs = 0;     // with a value
-  std::size_t cut_off = 0;  // of them, those of which only a bound is known
-  /// Success: the rate of all runs. A measure: the mean, where each seed counts with the mean of
-  /// its runs; with bounds, the median of all runs if it is known.
-  std::optional<double> centre;
-  /// Success: Wilson's. A measure: mean_interval() of the seeds; with bounds, that of
-  /// survival_of(), whose upper end may be infinite.
-  std::optional<Interval> interval;
-};
-
-Margin margin_of(const Findings& findings, const Response& response,
-                 const std::vector<std::size_t>& cells, bool with_interval = true);
 
 /// The cells in both lists, which are ascending.
 std::vector<std::size_t> common(const std::vector<std::size_t>& first,

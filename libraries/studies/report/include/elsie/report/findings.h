@@ -27,8 +27,10 @@ inline constexpr const char* kTime = "time_s";
 /// unknown. Quantiles below the limit are known: all known values are below it, so that the
 /// estimate of Kaplan and Meier (1958) is the plain distribution of the sample up to the limit.
 struct Censoring {
-  std::size_t count = 0;  // number of these values
-  double limit = 0.0;     // the smallest of their bounds
+  std::size_t count = 0;        // number of these values
+  std::size_t failures = 0;     // of these, runs that failed: they never reach their goals
+  std::optional<double> limit;  // the smallest bound of the others
+  std::optional<double> least;  // the smallest known value
   std::optional<double> median;
   std::optional<Interval> median_interval;  // the upper end may be infinite: at least the limit
 };
@@ -107,6 +109,7 @@ struct Verdict {
 struct Findings {
   Results results;
   std::vector<std::size_t> measures;  // to be shown, in order; indices into Results::measures
+  std::vector<double> largest;        // value of each of these in all runs; -infinity: none
   std::vector<CellFindings> cells;    // parallel to Results::cells
   std::vector<Disagreement> disagreements;
   std::vector<Verdict> verdicts;
@@ -114,7 +117,8 @@ struct Findings {
   std::size_t runs() const { return results.runs.size(); }
   /// Returns whether the run is done without success, in a world with goals.
   bool missed(const Run& run) const;
-  /// Returns whether the value is only a lower bound, because the run was stopped before success.
+  /// Returns whether the value is only a lower bound, because the run was stopped or failed before
+  /// it reached its goals: a value of its time, or of a formula that rises with it.
   bool is_censored(const Run& run, std::size_t measure) const;
   /// Returns whether any cell has goals.
   bool any_goals() const;

@@ -56,6 +56,7 @@ struct LogisticFit {
   /// Coefficients that grow without limit, because a combination of these terms separates the
   /// successes from the others (Albert and Anderson 1984). Their estimates mean nothing.
   std::vector<std::string> separated;
+  bool perfect = false;        // the deviance is 0: all coefficients are separated
   std::vector<double> fitted;  // probabilities
   double deviance = 0.0;
   double null_deviance = 0.0;  // of the constant alone

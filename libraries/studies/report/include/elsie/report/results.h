@@ -49,6 +49,9 @@ struct Run : results::RunFields {
   int repetition = 1;
   /// In the order of Results::measures; none for a measure without a value in this run.
   std::vector<std::optional<double>> values;
+  /// The formulas that rise with the time of this run, which never reached its goals: indices into
+  /// Results::measures. Their values are lower bounds.
+  std::vector<std::size_t> bounds;
 
   bool ended() const { return state != RunState::pending; }
   /// Returns whether the run failed: a plugin failed, or the process crashed, hung or could not do

@@ -48,7 +48,8 @@ struct Series {
   bool filled = false;            // true: the area down to zero, or to the axis, is tinted
   Joining joining = Joining::lines;
   bool marked = false;  // a mark on every point; its shape follows from the place of the series
-  /// Around each point, along y: an area behind the curve, or bars. Empty: none.
+  /// Around each point, along y: an area behind the curve, or bars. A bar whose high end is
+  /// infinite reaches the edge of the plot and has an arrow. Empty: none.
   std::vector<Interval> spread{};
   bool bars = false;
   std::vector<Vector2> strokes{};  // short upright strokes
