@@ -104,11 +104,11 @@ Undercarriage::Law Undercarriage::law(const Grip& grip) const {
   return {grip.stiffness, grip.rim * (spin.rate + spin.per_torque * torque)};
 }
 
-double Undercarriage::force(const Grip& grip, const Twist& velocity) const {
+double Undercarriage::force(const Grip& grip, double moving) const {
   if (grip.hold == Hold::slides_up) return grip.limit;
   if (grip.hold == Hold::slides_down) return -grip.limit;
   const Law known = law(grip);
-  return known.stiffness * (known.speed - dot(grip.along, velocity));
+  return known.stiffness * (known.speed - moving);
 }
 
 /// The rate of a wheel after a step in which this torque holds it back.
@@ -121,7 +121,7 @@ double Undercarriage::turning(const Spin& spin, double against) const {
 /// The state of the grip at this velocity.
 Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& velocity) const {
   const Spin& spin = spins_[grip.wheel];
-  const double pull = force(grip, velocity);
+  const double moving = dot(grip.along, velocity), pull = force(grip, moving);
   if (grip.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
     double rate = 0.0;
@@ -132,7 +132,7 @@ Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& veloci
                   : rate > spin.wanted ? Hold::motor_down
                                        : Hold::rolls;
     }
-    const double gliding = grip.rim * rate - dot(grip.along, velocity);
+    const double gliding = grip.rim * rate - moving;
     const double least = slip_ * grip.limit;
     const bool still = grip.hold == Hold::slides_up ? gliding >= least : gliding <= -least;
     return still ? grip.hold : otherwise;
@@ -251,7 +251,7 @@ void Undercarriage::settle(const Twist& velocity) {
       spin.rate = spin.wanted;
       continue;
     }
-    const double pull = std::clamp(force(grip, velocity), -grip.limit, grip.limit);
+    const double pull = std::clamp(force(grip, dot(grip.along, velocity)), -grip.limit, grip.limit);
     spin.rate = turning(spin, grip.rim * pull);
   }
 }

@@ -84,7 +84,7 @@ class Undercarriage {
     Vector2 place;        // from the center of mass
     double radius = 0.0;
   };
-  /// A force that depends on the velocity J V: stiffness (speed - J V), or `force` if it slides.
+  /// A force that depends on the velocity J V: stiffness (speed - J V).
   struct Law {
     double stiffness = 0.0;
     double speed = 0.0;
@@ -92,7 +92,7 @@ class Undercarriage {
 
   Law law(const Grip& grip) const;
   double turning(const Spin& spin, double against) const;
-  double force(const Grip& grip, const Twist& velocity) const;
+  double force(const Grip& grip, double moving) const;
   Hold fitting(const Grip& grip, const Twist& velocity) const;
   void aim(Grip& grip, double heading_rad);
   void respond();
