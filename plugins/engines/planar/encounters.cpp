@@ -26,10 +26,10 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
   return std::tie(at_a.x, at_a.y, a.number) < std::tie(at_b.x, at_b.y, b.number);
 }
 
-void Encounters::find(std::span<const std::uint32_t> moving, double margin) {
+void Encounters::find(std::span<const Moving> moving, double margin) {
   contacts_.clear();
   touches_.clear();
-  for (const std::uint32_t id : moving) {
+  for (const auto& [id, mover, reach] : moving) {
     near_.clear();
     scene_.for_each_near(id, margin, [&](std::uint32_t other) {
       // Two movers find each other.

@@ -112,7 +112,7 @@ class PlanarEngine final : public Engine {
   PlanarScene scene_;
   std::vector<Thing> things_;
   std::vector<Mover> movers_;
-  std::vector<std::uint32_t> moving_;  // things with movers that are there
+  std::vector<Encounters::Moving> moving_;
   std::vector<PlanarRobot> robots_;
   std::vector<RobotBody> robot_bodies_;
   std::vector<BoxBody> boxes_;
@@ -145,7 +145,6 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   thing.vehicle = vehicle;
   thing.number = next_number_++;
   thing.solids = std::move(solids);
-  thing.reach = look.reach;
   thing.place = {pose.x, pose.y};
   thing.ahead = Direction::of(pose.heading_rad);
   const std::uint32_t id = scene_.add(body, sensed, look, thing.place, thing.ahead);
@@ -153,7 +152,7 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
     mover->put(thing.place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
     movers_.push_back(std::move(*mover));
-    moving_.push_back(id);
+    moving_.push_back({id, thing.mover, look.reach});
   }
   things_.push_back(std::move(thing));
   return id;
@@ -172,15 +171,15 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
   refuse_if(physics::fault_of_height(z, "a robot"));
   refuse_if(fault_of(plan, "a robot"));
   const std::size_t index = robots_.size();
-  PlanarRobot robot(plan, static_cast<std::uint32_t>(movers_.size()));
+  const auto first = static_cast<std::uint32_t>(movers_.size());
   robot_bodies_.push_back({static_cast<std::uint32_t>(things_.size()), false});
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
     const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
     add_thing({BodyKind::robot, index}, vehicle, solids_of(parts), Look::of(parts), true, pose,
               physics::mover_of(parts, physics_));
   }
-  robot.put(pose, movers_);
-  robots_.push_back(std::move(robot));
+  robots_.emplace_back(plan, first, movers_);
+  robots_.back().put(pose, movers_);
   enter_robot(index);
   return index;
 }
@@ -281,7 +280,7 @@ void PlanarEngine::remove_box(std::size_t box) {
   if (!gone.present) return;
   gone.present = false;
   scene_.remove(gone.thing);
-  std::erase(moving_, gone.thing);
+  std::erase_if(moving_, [&](const auto& moving) { return moving.thing == gone.thing; });
   std::erase(mobile_boxes_, static_cast<std::uint32_t>(box));
 }
 
@@ -384,10 +383,10 @@ void PlanarEngine::start_moving_boxes() {
 /// How far two bodies may come nearer in this step, m.
 double PlanarEngine::farthest() const {
   double most = 0.0;
-  for (const std::uint32_t id : moving_) {
-    const Twist& v = movers_[things_[id].mover].velocity();
+  for (const Encounters::Moving& moving : moving_) {
+    const Twist& v = movers_[moving.mover].velocity();
     const double square = v.x * v.x + v.y * v.y;
-    const double edge = things_[id].reach * std::abs(v.turn);
+    const double edge = moving.reach * std::abs(v.turn);
     most = std::max(most, 2.0 * (square + edge * edge));  // at least the square of their sum
   }
   return 2.0 * physics_.step * (1.0 + physics_.bounce) * std::sqrt(most) + kSlack;
@@ -400,10 +399,10 @@ void PlanarEngine::step() {
     robot.begin(physics_.step, movers_);
     for (Hinge& hinge : robot.hinges()) hinges_.push_back(&hinge);
   }
-  for (const std::uint32_t id : moving_) movers_[things_[id].mover].begin(physics_.step);
+  for (const Encounters::Moving& moving : moving_) movers_[moving.mover].begin(physics_.step);
   encounters_.find(moving_, farthest());
   encounters_.solve(hinges_);
-  for (const std::uint32_t id : moving_) movers_[things_[id].mover].advance(physics_.step);
+  for (const Encounters::Moving& moving : moving_) movers_[moving.mover].advance(physics_.step);
   time_ += physics_.step;
   settle();
 }

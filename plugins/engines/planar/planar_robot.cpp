@@ -18,7 +18,8 @@ double approach(double from, double to, double most) {
 
 }  // namespace
 
-PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first)
+PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first,
+                         std::span<const Mover> movers)
     : plan_(plan), first_(first), lever_(physics::lever_of(plan)) {
   std::uint32_t wheel = 0;
   std::size_t vehicle = 0;
@@ -35,7 +36,7 @@ PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first)
       link.hitch = true;
     } else if (const auto* joint = std::get_if<WheelJoint>(&part.joint)) {
       link.wheel = wheel++;
-      link.driven = joint->torque > 0.0;
+      link.motor = movers[first + vehicle].wheels()->motor_of(link.wheel);
       link.steered = joint->steered;
       link.max_steer_rad = joint->max_steer_rad;
       link.steer_rate_rad_s = joint->steer_rate_rad_s;
@@ -47,7 +48,6 @@ PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first)
     links_.push_back(link);
   }
   joints_.resize(links_.size());
-  wanted_.resize(links_.size());
 }
 
 void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
@@ -71,7 +71,7 @@ void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
 
 void PlanarRobot::take(const PlanarRobot& other) {
   joints_ = other.joints_;
-  wanted_ = other.wanted_;
+  for (std::size_t i = 0; i < links_.size(); ++i) links_[i].wanted = other.links_[i].wanted;
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const auto [front, behind] = std::pair(hinges_[i].front, hinges_[i].behind);
     hinges_[i] = other.hinges_[i];
@@ -82,14 +82,14 @@ void PlanarRobot::take(const PlanarRobot& other) {
 
 void PlanarRobot::set_joints(std::span<const JointSetting> settings, std::span<Mover> movers) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Link& link = links_[i];
-    wanted_[i] = settings[i];
+    Link& link = links_[i];
+    link.wanted = settings[i];
     if (link.hitch) {
       Hinge& hinge = hinges_[link.vehicle - 1];
       const double most = hinge.joint.max_yaw_rad;
       hinge.wanted_yaw_rad = std::clamp(settings[i].angle_rad, -most, most);
-    } else if (link.driven) {
-      movers[first_ + link.vehicle].wheels()->set_rate(link.wheel, settings[i].rate_rad_s);
+    } else if (link.motor != Undercarriage::kNoMotor) {
+      movers[first_ + link.vehicle].wheels()->set_rate(link.motor, settings[i].rate_rad_s);
     }
   }
 }
@@ -112,14 +112,14 @@ void PlanarRobot::begin(double step, std::span<Mover> movers) {
 void PlanarRobot::steer(std::size_t joint, double step, std::span<Mover> movers) {
   const Link& link = links_[joint];
   JointSetting& now = joints_[joint];
-  double wanted = wanted_[joint].angle_rad;
+  double wanted = link.wanted.angle_rad;
   const bool all_round = link.max_steer_rad >= std::numbers::pi;
   if (all_round) {
     wanted = now.angle_rad + wrap_angle(wanted - now.angle_rad);  // the shorter way
   } else {
     wanted = std::clamp(wanted, -link.max_steer_rad, link.max_steer_rad);
   }
-  const double asked = std::abs(wanted_[joint].turn_rad_s);
+  const double asked = std::abs(link.wanted.turn_rad_s);
   const double rate = asked == 0.0 ? link.steer_rate_rad_s : std::min(asked, link.steer_rate_rad_s);
   const double angle = approach(now.angle_rad, wanted, step * rate);
   now.turn_rad_s = (angle - now.angle_rad) / step;
@@ -146,8 +146,8 @@ void PlanarRobot::settle(std::span<Mover> movers) {
     const Link& link = links_[i];
     if (link.hitch) {
       joints_[i].angle_rad = hinges_[link.vehicle - 1].yaw_rad;
-    } else if (link.driven) {
-      joints_[i].rate_rad_s = movers[first_ + link.vehicle].wheels()->rate(link.wheel);
+    } else if (link.motor != Undercarriage::kNoMotor) {
+      joints_[i].rate_rad_s = movers[first_ + link.vehicle].wheels()->rate(link.motor);
     }
   }
 }

@@ -15,8 +15,8 @@ namespace elsie::physics {
 /// A vehicle and the vehicles that it pulls, which are consecutive movers of the engine.
 class PlanarRobot {
  public:
-  /// `first`: its first mover.
-  PlanarRobot(const BodyPlan& plan, std::uint32_t first);
+  /// `first`: its first mover; all of them are there.
+  PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<const Mover> movers);
 
   const BodyPlan& plan() const { return plan_; }
   std::uint32_t first() const { return first_; }
@@ -56,9 +56,10 @@ class PlanarRobot {
   struct Link {
     std::uint32_t vehicle = 0;
     std::uint32_t wheel = 0;
+    std::size_t motor = Undercarriage::kNoMotor;
     bool hitch = false;
-    bool driven = false;
     bool steered = false;
+    JointSetting wanted;
     double max_steer_rad = 0.0;
     double steer_rate_rad_s = 0.0;
     double rest_rad = 0.0;
@@ -73,7 +74,6 @@ class PlanarRobot {
   double lever_ = 1.0;
   std::vector<Link> links_;
   std::vector<JointSetting> joints_;  // measured
-  std::vector<JointSetting> wanted_;
   std::vector<Hinge> hinges_;
 };
 
