@@ -19,11 +19,11 @@ namespace elsie::physics {
 /// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
 struct Thing {
   Body body;
-  std::size_t vehicle = 0;      // of a robot
-  std::uint64_t number = 0;     // the same in an engine that takes it over
+  std::size_t vehicle = 0;   // of a robot
+  std::uint64_t number = 0;  // the same in an engine that takes it over
   std::uint32_t mover = Contact::kFixed;
   std::vector<Solid> solids;
-  Vector2 place;       // of a fixed body
+  Vector2 place;  // of a fixed body
   Direction ahead;
 };
 
@@ -32,8 +32,8 @@ struct Thing {
 /// an island, bodies are taken from west to east.
 class Encounters {
  public:
-  Encounters(const world::Physics& physics, std::vector<Thing>& things,
-             std::vector<Mover>& movers, const PlanarScene& scene)
+  Encounters(const world::Physics& physics, std::vector<Thing>& things, std::vector<Mover>& movers,
+             const PlanarScene& scene)
       : physics_(physics),
         things_(things),
         movers_(movers),

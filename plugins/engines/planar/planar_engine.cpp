@@ -159,8 +159,7 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
 }
 
 std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, double bottom,
-                                        const Pose& pose, bool sensed,
-                                        std::optional<Mover> mover) {
+                                        const Pose& pose, bool sensed, std::optional<Mover> mover) {
   return add_thing(body, 0, {{Outline::of(shape, bottom + 0.5 * shape.size.z), {}, {}}},
                    Look::of_box(shape.size, bottom), sensed, pose, std::move(mover));
 }
@@ -205,8 +204,8 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
   return index;
 }
 
-std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot,
-                                       const BodyPlan& plan, const Pose& pose) {
+std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                                       const Pose& pose) {
   const auto& before = dynamic_cast<const PlanarEngine&>(other);
   const Mover& same = before.movers_[before.robots_.at(robot).first()];
   const std::size_t index = add_robot(plan, pose, 0.0);
@@ -237,9 +236,9 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   BoxBody& made = boxes_.emplace_back();
   made.kind = box.kind;
   made.bottom = box.z;
-  made.thing = add_upright({BodyKind::box, index}, shape, box.z,
-                           {box.x, box.y, radians(box.heading_deg)}, box.seen_by_range_sensors,
-                           std::move(mover));
+  made.thing =
+      add_upright({BodyKind::box, index}, shape, box.z, {box.x, box.y, radians(box.heading_deg)},
+                  box.seen_by_range_sensors, std::move(mover));
   if (things_[made.thing].mover != Contact::kFixed) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));
   }
@@ -413,8 +412,8 @@ void PlanarEngine::settle() {
     PlanarRobot& robot = robots_[i];
     robot.settle(movers_);
     for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-      judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within,
-            {BodyKind::robot, i}, k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+      judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within, {BodyKind::robot, i},
+            k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
     }
     place_in_scene(i);
   }

@@ -18,8 +18,7 @@ double approach(double from, double to, double most) {
 
 }  // namespace
 
-PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first,
-                         std::span<const Mover> movers)
+PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<const Mover> movers)
     : plan_(plan), first_(first), lever_(physics::lever_of(plan)) {
   std::uint32_t wheel = 0;
   std::size_t vehicle = 0;

@@ -23,7 +23,9 @@ struct Twist {
   friend Twist operator*(double s, const Twist& t) { return {s * t.x, s * t.y, s * t.turn}; }
 };
 
-inline double dot(const Twist& a, const Twist& b) { return a.x * b.x + a.y * b.y + a.turn * b.turn; }
+inline double dot(const Twist& a, const Twist& b) {
+  return a.x * b.x + a.y * b.y + a.turn * b.turn;
+}
 
 /// The cosine and sine of an angle.
 struct Direction {
@@ -54,8 +56,7 @@ struct HalfTurn {
       sinc = 1.0 -
              q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0 * (1.0 - q / 110.0))));
       s = h * sinc;
-      c = 1.0 - q / 2.0 *
-                    (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
+      c = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
     } else {
       s = std::sin(h);
       c = std::cos(h);

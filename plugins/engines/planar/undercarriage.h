@@ -1,4 +1,5 @@
-// What holds a body on the floor: the wheels of a vehicle, or the friction of something that slides.
+// What holds a body on the floor: the wheels of a vehicle, or the friction of something that
+// slides.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,8 @@ namespace elsie::physics {
 
 /// The mass of a vehicle in the plane.
 struct Inertia {
-  double mass = 0.0;         // kg
-  Vector2 center;            // m, of mass, in the frame of its origin
+  double mass = 0.0;          // kg
+  Vector2 center;             // m, of mass, in the frame of its origin
   double about_center = 0.0;  // kg m2, about the vertical axis through the center of mass
 
   /// The velocity after an impulse, in the frame of both.
@@ -69,9 +70,9 @@ class Undercarriage {
   enum class Hold : std::uint8_t { rolls, motor_up, motor_down, slides_up, slides_down };
   /// A direction in which a wheel grips, and the wheel's motor, if it drives in this direction.
   struct Grip {
-    Twist along;         // its velocity from that of the body
-    double limit = 0.0;  // N
-    double rim = 0.0;    // m, its velocity from the wheel's rate; 0: no motor
+    Twist along;              // its velocity from that of the body
+    double limit = 0.0;       // N
+    double rim = 0.0;         // m, its velocity from the wheel's rate; 0: no motor
     double stiffness = 0.0;   // N s/m, while the motor gives its most
     double rate = 0.0;        // rad/s
     double wanted = 0.0;      // rad/s

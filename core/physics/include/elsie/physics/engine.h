@@ -183,7 +183,8 @@ class Engine {
 std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
 
 /// The function that the library of an engine exports as `elsie_make_engine`; it also exports a
-/// world::EngineCheck. The caller owns the engine. Throws std::invalid_argument as make_engine() does.
+/// world::EngineCheck. The caller owns the engine. Throws std::invalid_argument as make_engine()
+/// does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 
 /// The object that it exports as `elsie_engine_interface`: the version of this header (raise it
