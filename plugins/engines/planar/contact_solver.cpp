@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostSweeps = 60;
 constexpr int kSeparations = 4;
 constexpr double kLeastDepth = 5e-6;  // m, that is corrected
-constexpr double kSettled = 1e-8;     // m/s: changes below this end the sweeps
+constexpr double kSettled = 1e-7;     // m/s: changes below this end the sweeps
 
 Twist at_point(const Vector2& direction, const Vector2& from) {
   return {direction.x, direction.y, from.x * direction.y - from.y * direction.x};

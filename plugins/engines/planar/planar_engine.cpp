@@ -293,16 +293,14 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
 void PlanarEngine::place_in_scene(std::size_t robot) {
   const PlanarRobot& made = robots_[robot];
   const std::uint32_t first = robot_bodies_[robot].first_thing;
-  if (made.is_steered()) {
-    made.for_each_steered([&](std::uint32_t vehicle, std::uint32_t wheel, double heading) {
-      const Direction ahead = Direction::of(heading);
-      scene_.look(first + vehicle).wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
-      std::size_t number = 0;
-      for (Solid& solid : things_[first + vehicle].solids) {
-        if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;
-      }
-    });
-  }
+  made.for_each_steered([&](std::uint32_t vehicle, std::uint32_t wheel, double heading) {
+    const Direction ahead = Direction::of(heading);
+    scene_.look(first + vehicle).wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
+    std::size_t number = 0;
+    for (Solid& solid : things_[first + vehicle].solids) {
+      if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;
+    }
+  });
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
     const Mover& mover = movers_[made.first() + i];
     scene_.move(first + i, mover.place(), mover.ahead());
