@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostSweeps = 60;
 constexpr int kSeparations = 4;
 constexpr double kLeastDepth = 5e-6;  // m, that is corrected
-constexpr double kSettled = 1e-8;  // m/s: changes below this end the sweeps
+constexpr double kSettled = 1e-7;     // m/s: changes below this end the sweeps
 
 Twist at_point(const Vector2& direction, const Vector2& from) {
   return {direction.x, direction.y, from.x * direction.y - from.y * direction.x};
@@ -229,9 +229,9 @@ void ContactSolver::separate(std::span<const Contact> contacts) {
       const double depth =
           -contact.gap - kLeastDepth - moved.x * contact.normal.x - moved.y * contact.normal.y;
       if (depth <= 0.0 || of_a + of_b == 0.0) continue;
-      const double way = std::min(physics_.effective_erp() * depth,
-                                  world::kMaxCorrectingSpeed * physics_.step) /
-                         (of_a + of_b);
+      const double way =
+          std::min(physics_.effective_erp() * depth, world::kMaxCorrectingSpeed * physics_.step) /
+          (of_a + of_b);
       movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});
       if (of_b > 0.0) {
         movers_[contact.b].shift({-way * of_b * contact.normal.x, -way * of_b * contact.normal.y});

@@ -15,7 +15,8 @@ bool Encounters::may_meet(const Thing& a, const Thing& b) const {
   const bool gives_way = (a.mover != kNone && movers_[a.mover].gives_way()) ||
                          (b.mover != kNone && movers_[b.mover].gives_way());
   // The limits of their joint keep neighbours apart.
-  const bool neighbours = a.body == b.body && a.vehicle + 1 >= b.vehicle && b.vehicle + 1 >= a.vehicle;
+  const bool neighbours =
+      a.body == b.body && a.vehicle + 1 >= b.vehicle && b.vehicle + 1 >= a.vehicle;
   return gives_way && !neighbours;
 }
 
@@ -26,10 +27,10 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
   return std::tie(at_a.x, at_a.y, a.number) < std::tie(at_b.x, at_b.y, b.number);
 }
 
-void Encounters::find(std::span<const std::uint32_t> moving, double margin) {
+void Encounters::find(std::span<const Moving> moving, double margin) {
   contacts_.clear();
   touches_.clear();
-  for (const std::uint32_t id : moving) {
+  for (const auto& [id, mover, reach] : moving) {
     near_.clear();
     scene_.for_each_near(id, margin, [&](std::uint32_t other) {
       // Two movers find each other.
@@ -95,9 +96,9 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) 
           placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), space_b_), margin);
       for (std::size_t n = 0; n < met.count; ++n) {
         Contact& contact = contacts_.emplace_back();
-        contact.key = {a.number, b.number, static_cast<std::uint64_t>(i) << 48 |
-                                               static_cast<std::uint64_t>(k) << 32 |
-                                               met.points[n].feature};
+        contact.key = {a.number, b.number,
+                       static_cast<std::uint64_t>(i) << 48 | static_cast<std::uint64_t>(k) << 32 |
+                           met.points[n].feature};
         contact.a = a.mover;
         contact.b = b.mover;
         contact.at = met.points[n].at;
@@ -116,9 +117,9 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) 
 bool Encounters::pushed(std::uint64_t a, std::uint64_t b) const {
   for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
     const Contact::Key least{first, second, 0};
-    for (auto known = std::lower_bound(
-             memory_.begin(), memory_.end(), least,
-             [](const Memory& m, const Contact::Key& key) { return m.key < key; });
+    for (auto known =
+             std::lower_bound(memory_.begin(), memory_.end(), least,
+                              [](const Memory&m, const Contact::Key&key) { return m.key < key; });
          known != memory_.end() && known->key.a == first && known->key.b == second; ++known) {
       if (known->push > 0.0) return true;
     }
@@ -183,8 +184,8 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& x, const Contact& y) {
     const auto place = [&](const Contact& contact) {
       // Boxes that nothing stops have the last word.
-      return std::tuple(island(contact), solver_.is_driven(contact), ranks_[contact.a], rank_b(contact), contact.at.x,
-                        contact.at.y, contact.key.feature);
+      return std::tuple(island(contact), solver_.is_driven(contact), ranks_[contact.a],
+                        rank_b(contact), contact.at.x, contact.at.y, contact.key.feature);
     };
     return place(x) < place(y);
   });
@@ -193,7 +194,8 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   });
   hinges_.assign(hinges.begin(), hinges.end());
   std::sort(hinges_.begin(), hinges_.end(), [this](const Hinge* a, const Hinge* b) {
-    return std::pair(root(a->front), ranks_[a->front]) < std::pair(root(b->front), ranks_[b->front]);
+    return std::pair(root(a->front), ranks_[a->front]) <
+           std::pair(root(b->front), ranks_[b->front]);
   });
 }
 
@@ -213,9 +215,8 @@ void Encounters::solve(std::span<Hinge* const> hinges) {
     const auto last_contact = std::find_if(contact, contacts_.end(), [&](const Contact& each) {
       return root(movers_[each.a].gives_way() ? each.a : each.b) != island;
     });
-    const auto last_hinge = std::find_if(hinge, hinges_.end(), [&](const Hinge* each) {
-      return root(each->front) != island;
-    });
+    const auto last_hinge = std::find_if(
+        hinge, hinges_.end(), [&](const Hinge* each) { return root(each->front) != island; });
     solve_island({first, last}, {contact, last_contact}, {hinge, last_hinge});
     first = last;
     contact = last_contact;

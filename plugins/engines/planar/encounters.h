@@ -19,12 +19,11 @@ namespace elsie::physics {
 /// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
 struct Thing {
   Body body;
-  std::size_t vehicle = 0;      // of a robot
-  std::uint64_t number = 0;     // the same in an engine that takes it over
+  std::size_t vehicle = 0;   // of a robot
+  std::uint64_t number = 0;  // the same in an engine that takes it over
   std::uint32_t mover = Contact::kFixed;
   std::vector<Solid> solids;
-  double reach = 0.0;  // m, from its place
-  Vector2 place;       // of a fixed body
+  Vector2 place;  // of a fixed body
   Direction ahead;
 };
 
@@ -33,17 +32,24 @@ struct Thing {
 /// an island, bodies are taken from west to east.
 class Encounters {
  public:
-  Encounters(const world::Physics& physics, std::vector<Thing>& things,
-             std::vector<Mover>& movers, const PlanarScene& scene)
+  Encounters(const world::Physics& physics, std::vector<Thing>& things, std::vector<Mover>& movers,
+             const PlanarScene& scene)
       : physics_(physics),
         things_(things),
         movers_(movers),
         scene_(scene),
         solver_(physics, movers) {}
 
-  /// Finds the contacts of things that may come `margin` nearer in this step. `moving`: the things
-  /// with movers that are still there.
-  void find(std::span<const std::uint32_t> moving, double margin);
+  /// A thing with a mover.
+  struct Moving {
+    std::uint32_t thing = 0;
+    std::uint32_t mover = 0;
+    double reach = 0.0;  // m, of its farthest point from its place
+  };
+
+  /// Finds the contacts of things that may come `margin` nearer in this step. `moving`: all that
+  /// are still there.
+  void find(std::span<const Moving> moving, double margin);
   /// Gives the movers their velocities; the hinges join them.
   void solve(std::span<Hinge* const> hinges);
 

@@ -49,8 +49,9 @@ void Mover::begin(double step) {
   entered_ = false;
   if (!gives_way_) return;
   // The body turns below its momentum.
-  free_ = velocity_.turn == 0.0 ? velocity_
-                                : HalfTurn(0.5 * step * velocity_.turn).whole().turn_back(velocity_);
+  free_ = velocity_.turn == 0.0
+              ? velocity_
+              : HalfTurn(0.5 * step * velocity_.turn).whole().turn_back(velocity_);
   velocity_ = ground(free_);
 }
 

@@ -31,7 +31,9 @@ class Mover {
   /// Moves as a rigid body with this velocity (in the world) of a point in the world.
   void push(const Twist& velocity, const Vector2& point);
   /// Only for a box that nothing stops: the velocity in the world.
-  void drive(const Vector2& velocity) { velocity_ = ahead_.turn_back(Twist{velocity.x, velocity.y}); }
+  void drive(const Vector2& velocity) {
+    velocity_ = ahead_.turn_back(Twist{velocity.x, velocity.y});
+  }
   void take(const Mover& other);
 
   // One step: begin(), then, if it meets something, enter() and any number of impulses and calls of

@@ -48,8 +48,7 @@ Meeting meet_points(const Vector2& a, double radius_a, const Vector2& b, double 
   const double distance = std::sqrt(dot(from_b, from_b));
   const double gap = distance - radius_a - radius_b;
   if (gap > margin) return met;
-  met.normal =
-      distance > 0.0 ? Vector2{from_b.x / distance, from_b.y / distance} : otherwise;
+  met.normal = distance > 0.0 ? Vector2{from_b.x / distance, from_b.y / distance} : otherwise;
   met.points[0] = {along(b, radius_b + 0.5 * gap, met.normal), gap, feature};
   met.count = 1;
   return met;

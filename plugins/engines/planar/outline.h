@@ -16,11 +16,11 @@ namespace elsie::physics {
 
 /// A convex polygon from above, rounded by a radius: a disc has one corner, a lying capsule two.
 struct Outline {
-  std::vector<Vector2> corners;  // counter-clockwise, around its middle
-  std::vector<Vector2> normals;  // of the edge from each corner to the next one, outwards
-  double radius = 0.0;           // m
+  std::vector<Vector2> corners;    // counter-clockwise, around its middle
+  std::vector<Vector2> normals;    // of the edge from each corner to the next one, outwards
+  double radius = 0.0;             // m
   double bottom = 0.0, top = 0.0;  // m, above the floor
-  double reach = 0.0;            // m, the largest distance of any of its points from its middle
+  double reach = 0.0;              // m, the largest distance of any of its points from its middle
 
   static Outline polygon(std::vector<Vector2> corners, double radius, double bottom, double top);
   static Outline rectangle(double half_length, double half_width, double bottom, double top);
@@ -46,8 +46,8 @@ PlacedOutline placed(const Outline& outline, const Vector2& middle, const Direct
 /// Where two outlines meet or come near each other.
 struct Meeting {
   struct Point {
-    Vector2 at;              // half way between the surfaces
-    double gap = 0.0;        // m; negative if they overlap
+    Vector2 at;                 // half way between the surfaces
+    double gap = 0.0;           // m; negative if they overlap
     std::uint32_t feature = 0;  // which corners and edges: the same as long as they meet alike
   };
   Vector2 normal;  // from the second into the first

@@ -111,7 +111,7 @@ class PlanarEngine final : public Engine {
   PlanarScene scene_;
   std::vector<Thing> things_;
   std::vector<Mover> movers_;
-  std::vector<std::uint32_t> moving_;  // things with movers that are there
+  std::vector<Encounters::Moving> moving_;
   std::vector<PlanarRobot> robots_;
   std::vector<RobotBody> robot_bodies_;
   std::vector<BoxBody> boxes_;
@@ -144,7 +144,6 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   thing.vehicle = vehicle;
   thing.number = next_number_++;
   thing.solids = std::move(solids);
-  thing.reach = look.reach;
   thing.place = {pose.x, pose.y};
   thing.ahead = Direction::of(pose.heading_rad);
   const std::uint32_t id = scene_.add(body, sensed, look, thing.place, thing.ahead);
@@ -152,15 +151,14 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
     mover->put(thing.place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
     movers_.push_back(std::move(*mover));
-    moving_.push_back(id);
+    moving_.push_back({id, thing.mover, look.reach});
   }
   things_.push_back(std::move(thing));
   return id;
 }
 
 std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, double bottom,
-                                        const Pose& pose, bool sensed,
-                                        std::optional<Mover> mover) {
+                                        const Pose& pose, bool sensed, std::optional<Mover> mover) {
   return add_thing(body, 0, {{Outline::of(shape, bottom + 0.5 * shape.size.z), {}, {}}},
                    Look::of_box(shape.size, bottom), sensed, pose, std::move(mover));
 }
@@ -171,15 +169,15 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
   refuse_if(physics::fault_of_height(z, "a robot"));
   refuse_if(fault_of(plan, "a robot"));
   const std::size_t index = robots_.size();
-  PlanarRobot robot(plan, static_cast<std::uint32_t>(movers_.size()));
+  const auto first = static_cast<std::uint32_t>(movers_.size());
   robot_bodies_.push_back({static_cast<std::uint32_t>(things_.size()), false});
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
     const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
     add_thing({BodyKind::robot, index}, vehicle, solids_of(parts), Look::of(parts), true, pose,
               physics::mover_of(parts, physics_));
   }
-  robot.put(pose, movers_);
-  robots_.push_back(std::move(robot));
+  robots_.emplace_back(plan, first, movers_);
+  robots_.back().put(pose, movers_);
   enter_robot(index);
   return index;
 }
@@ -205,8 +203,8 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
   return index;
 }
 
-std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot,
-                                       const BodyPlan& plan, const Pose& pose) {
+std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                                       const Pose& pose) {
   const auto& before = dynamic_cast<const PlanarEngine&>(other);
   const Mover& same = before.movers_[before.robots_.at(robot).first()];
   const std::size_t index = add_robot(plan, pose, 0.0);
@@ -237,9 +235,9 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   BoxBody& made = boxes_.emplace_back();
   made.kind = box.kind;
   made.bottom = box.z;
-  made.thing = add_upright({BodyKind::box, index}, shape, box.z,
-                           {box.x, box.y, radians(box.heading_deg)}, box.seen_by_range_sensors,
-                           std::move(mover));
+  made.thing =
+      add_upright({BodyKind::box, index}, shape, box.z, {box.x, box.y, radians(box.heading_deg)},
+                  box.seen_by_range_sensors, std::move(mover));
   if (things_[made.thing].mover != Contact::kFixed) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));
   }
@@ -280,7 +278,7 @@ void PlanarEngine::remove_box(std::size_t box) {
   if (!gone.present) return;
   gone.present = false;
   scene_.remove(gone.thing);
-  std::erase(moving_, gone.thing);
+  std::erase_if(moving_, [&](const auto& moving) { return moving.thing == gone.thing; });
   std::erase(mobile_boxes_, static_cast<std::uint32_t>(box));
 }
 
@@ -294,16 +292,14 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
 void PlanarEngine::place_in_scene(std::size_t robot) {
   const PlanarRobot& made = robots_[robot];
   const std::uint32_t first = robot_bodies_[robot].first_thing;
-  if (made.is_steered()) {
-    made.for_each_steered([&](std::uint32_t vehicle, std::uint32_t wheel, double heading) {
-      const Direction ahead = Direction::of(heading);
-      scene_.look(first + vehicle).wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
-      std::size_t number = 0;
-      for (Solid& solid : things_[first + vehicle].solids) {
-        if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;
-      }
-    });
-  }
+  made.for_each_steered([&](std::uint32_t vehicle, std::uint32_t wheel, double heading) {
+    const Direction ahead = Direction::of(heading);
+    scene_.look(first + vehicle).wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
+    std::size_t number = 0;
+    for (Solid& solid : things_[first + vehicle].solids) {
+      if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;
+    }
+  });
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
     const Mover& mover = movers_[made.first() + i];
     scene_.move(first + i, mover.place(), mover.ahead());
@@ -383,10 +379,10 @@ void PlanarEngine::start_moving_boxes() {
 /// How far two bodies may come nearer in this step, m.
 double PlanarEngine::farthest() const {
   double most = 0.0;
-  for (const std::uint32_t id : moving_) {
-    const Twist& v = movers_[things_[id].mover].velocity();
+  for (const Encounters::Moving& moving : moving_) {
+    const Twist& v = movers_[moving.mover].velocity();
     const double square = v.x * v.x + v.y * v.y;
-    const double edge = things_[id].reach * std::abs(v.turn);
+    const double edge = moving.reach * std::abs(v.turn);
     most = std::max(most, 2.0 * (square + edge * edge));  // at least the square of their sum
   }
   return 2.0 * physics_.step * (1.0 + physics_.bounce) * std::sqrt(most) + kSlack;
@@ -399,10 +395,10 @@ void PlanarEngine::step() {
     robot.begin(physics_.step, movers_);
     for (Hinge& hinge : robot.hinges()) hinges_.push_back(&hinge);
   }
-  for (const std::uint32_t id : moving_) movers_[things_[id].mover].begin(physics_.step);
+  for (const Encounters::Moving& moving : moving_) movers_[moving.mover].begin(physics_.step);
   encounters_.find(moving_, farthest());
   encounters_.solve(hinges_);
-  for (const std::uint32_t id : moving_) movers_[things_[id].mover].advance(physics_.step);
+  for (const Encounters::Moving& moving : moving_) movers_[moving.mover].advance(physics_.step);
   time_ += physics_.step;
   settle();
 }
@@ -413,8 +409,8 @@ void PlanarEngine::settle() {
     PlanarRobot& robot = robots_[i];
     robot.settle(movers_);
     for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-      judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within,
-            {BodyKind::robot, i}, k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+      judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within, {BodyKind::robot, i},
+            k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
     }
     place_in_scene(i);
   }

@@ -18,12 +18,12 @@ double approach(double from, double to, double most) {
 
 }  // namespace
 
-PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first)
-    : plan_(plan), first_(first), lever_(physics::lever_of(plan)) {
-  std::uint32_t wheel = 0;
+PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<const Mover> movers)
+    : first_(first), lever_(physics::lever_of(plan)), plan_(plan) {
+  std::uint32_t wheels = 0;
   std::size_t vehicle = 0;
   for (const Part& part : plan.parts) {
-    if (part.vehicle != vehicle) wheel = 0;
+    if (part.vehicle != vehicle) wheels = 0;
     vehicle = part.vehicle;
     Link link;
     link.vehicle = static_cast<std::uint32_t>(vehicle);
@@ -32,22 +32,23 @@ PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first)
       hinge.front = first + link.vehicle - 1;
       hinge.behind = first + link.vehicle;
       hinge.joint = *hitch;
-      link.hitch = true;
     } else if (const auto* joint = std::get_if<WheelJoint>(&part.joint)) {
-      link.wheel = wheel++;
-      link.driven = joint->torque > 0.0;
-      link.steered = joint->steered;
-      link.max_steer_rad = joint->max_steer_rad;
-      link.steer_rate_rad_s = joint->steer_rate_rad_s;
-      link.rest_rad = std::atan2(part.frame.forward.y, part.frame.forward.x);
+      const std::uint32_t wheel = wheels++;
+      const std::size_t motor = movers[first + vehicle].wheels()->motor_of(wheel);
+      if (motor != Undercarriage::kNoMotor) link.motor = static_cast<std::uint32_t>(motor);
       link.radius = part.shape.radius();
+      if (joint->steered) {
+        steerings_.push_back({static_cast<std::uint32_t>(links_.size()),
+                              wheel,
+                              joint->max_steer_rad,
+                              joint->steer_rate_rad_s,
+                              std::atan2(part.frame.forward.y, part.frame.forward.x),
+                              {}});
+      }
     }
-    if (!can_be_set(part.joint)) continue;
-    steered_ = steered_ || link.steered;
-    links_.push_back(link);
+    if (can_be_set(part.joint)) links_.push_back(link);
   }
   joints_.resize(links_.size());
-  wanted_.resize(links_.size());
 }
 
 void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
@@ -62,16 +63,15 @@ void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
     hinge.yaw_rad = hinge.twist = 0.0;
     hinge.pull = {};
   }
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    joints_[i] = {};
-    const Link& link = links_[i];
-    if (link.steered) movers[first_ + link.vehicle].wheels()->point(link.wheel, link.rest_rad);
+  std::fill(joints_.begin(), joints_.end(), JointSetting());
+  for (const Steering& each : steerings_) {
+    movers[first_ + links_[each.joint].vehicle].wheels()->point(each.wheel, each.rest_rad);
   }
 }
 
 void PlanarRobot::take(const PlanarRobot& other) {
   joints_ = other.joints_;
-  wanted_ = other.wanted_;
+  steerings_ = other.steerings_;
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const auto [front, behind] = std::pair(hinges_[i].front, hinges_[i].behind);
     hinges_[i] = other.hinges_[i];
@@ -83,15 +83,15 @@ void PlanarRobot::take(const PlanarRobot& other) {
 void PlanarRobot::set_joints(std::span<const JointSetting> settings, std::span<Mover> movers) {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
-    wanted_[i] = settings[i];
-    if (link.hitch) {
+    if (link.radius == 0.0) {
       Hinge& hinge = hinges_[link.vehicle - 1];
       const double most = hinge.joint.max_yaw_rad;
       hinge.wanted_yaw_rad = std::clamp(settings[i].angle_rad, -most, most);
-    } else if (link.driven) {
-      movers[first_ + link.vehicle].wheels()->set_rate(link.wheel, settings[i].rate_rad_s);
+    } else if (link.motor != kNoMotor) {
+      movers[first_ + link.vehicle].wheels()->set_rate(link.motor, settings[i].rate_rad_s);
     }
   }
+  for (Steering& each : steerings_) each.wanted = settings[each.joint];
 }
 
 double PlanarRobot::rim_speed(std::span<const JointSetting> settings) const {
@@ -103,29 +103,26 @@ double PlanarRobot::rim_speed(std::span<const JointSetting> settings) const {
 }
 
 void PlanarRobot::begin(double step, std::span<Mover> movers) {
-  if (!steered_) return;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (links_[i].steered) steer(i, step, movers);
-  }
+  for (const Steering& each : steerings_) steer(each, step, movers);
 }
 
-void PlanarRobot::steer(std::size_t joint, double step, std::span<Mover> movers) {
-  const Link& link = links_[joint];
-  JointSetting& now = joints_[joint];
-  double wanted = wanted_[joint].angle_rad;
-  const bool all_round = link.max_steer_rad >= std::numbers::pi;
+void PlanarRobot::steer(const Steering& steering, double step, std::span<Mover> movers) {
+  JointSetting& now = joints_[steering.joint];
+  double wanted = steering.wanted.angle_rad;
+  const bool all_round = steering.most_rad >= std::numbers::pi;
   if (all_round) {
     wanted = now.angle_rad + wrap_angle(wanted - now.angle_rad);  // the shorter way
   } else {
-    wanted = std::clamp(wanted, -link.max_steer_rad, link.max_steer_rad);
+    wanted = std::clamp(wanted, -steering.most_rad, steering.most_rad);
   }
-  const double asked = std::abs(wanted_[joint].turn_rad_s);
-  const double rate = asked == 0.0 ? link.steer_rate_rad_s : std::min(asked, link.steer_rate_rad_s);
+  const double asked = std::abs(steering.wanted.turn_rad_s);
+  const double rate = asked == 0.0 ? steering.rate_rad_s : std::min(asked, steering.rate_rad_s);
   const double angle = approach(now.angle_rad, wanted, step * rate);
   now.turn_rad_s = (angle - now.angle_rad) / step;
   if (angle == now.angle_rad) return;
   now.angle_rad = all_round ? wrap_angle(angle) : angle;
-  movers[first_ + link.vehicle].wheels()->point(link.wheel, link.rest_rad + now.angle_rad);
+  movers[first_ + links_[steering.joint].vehicle].wheels()->point(
+      steering.wheel, steering.rest_rad + now.angle_rad);
 }
 
 void PlanarRobot::settle(std::span<Mover> movers) {
@@ -144,10 +141,10 @@ void PlanarRobot::settle(std::span<Mover> movers) {
   }
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
-    if (link.hitch) {
+    if (link.radius == 0.0) {
       joints_[i].angle_rad = hinges_[link.vehicle - 1].yaw_rad;
-    } else if (link.driven) {
-      joints_[i].rate_rad_s = movers[first_ + link.vehicle].wheels()->rate(link.wheel);
+    } else if (link.motor != kNoMotor) {
+      joints_[i].rate_rad_s = movers[first_ + link.vehicle].wheels()->rate(link.motor);
     }
   }
 }

@@ -15,8 +15,8 @@ namespace elsie::physics {
 /// A vehicle and the vehicles that it pulls, which are consecutive movers of the engine.
 class PlanarRobot {
  public:
-  /// `first`: its first mover.
-  PlanarRobot(const BodyPlan& plan, std::uint32_t first);
+  /// `first`: its first mover; all of them are there.
+  PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<const Mover> movers);
 
   const BodyPlan& plan() const { return plan_; }
   std::uint32_t first() const { return first_; }
@@ -41,13 +41,11 @@ class PlanarRobot {
   /// `call` with the vehicle, the number of the wheel and its heading.
   template <class Call>
   void for_each_steered(Call call) const {
-    for (std::size_t i = 0; i < links_.size(); ++i) {
-      const Link& link = links_[i];
-      if (link.steered) call(link.vehicle, link.wheel, link.rest_rad + joints_[i].angle_rad);
+    for (const Steering& each : steerings_) {
+      call(links_[each.joint].vehicle, each.wheel, each.rest_rad + joints_[each.joint].angle_rad);
     }
   }
-  bool is_steered() const { return steered_; }
-  /// The radius of each wheel of its settings, 0 for hitches.
+  /// The speed of the fastest rim with these settings, m/s.
   double rim_speed(std::span<const JointSetting> settings) const;
   double lever() const { return lever_; }
 
@@ -55,26 +53,29 @@ class PlanarRobot {
   /// What a setting is for.
   struct Link {
     std::uint32_t vehicle = 0;
-    std::uint32_t wheel = 0;
-    bool hitch = false;
-    bool driven = false;
-    bool steered = false;
-    double max_steer_rad = 0.0;
-    double steer_rate_rad_s = 0.0;
+    std::uint32_t motor = kNoMotor;  // of the vehicle's undercarriage
+    double radius = 0.0;             // m; 0: a hitch
+  };
+  static constexpr std::uint32_t kNoMotor = 0xffffffff;
+  /// A wheel that is steered.
+  struct Steering {
+    std::uint32_t joint = 0;
+    std::uint32_t wheel = 0;  // of its vehicle
+    double most_rad = 0.0;    // to either side
+    double rate_rad_s = 0.0;
     double rest_rad = 0.0;
-    double radius = 0.0;
+    JointSetting wanted;
   };
 
-  void steer(std::size_t joint, double step, std::span<Mover> movers);
+  void steer(const Steering& steering, double step, std::span<Mover> movers);
 
-  BodyPlan plan_;
   std::uint32_t first_;
-  bool steered_ = false;
   double lever_ = 1.0;
   std::vector<Link> links_;
   std::vector<JointSetting> joints_;  // measured
-  std::vector<JointSetting> wanted_;
+  std::vector<Steering> steerings_;
   std::vector<Hinge> hinges_;
+  BodyPlan plan_;
 };
 
 }  // namespace elsie::physics

@@ -106,8 +106,7 @@ Look Look::of(std::span<const Part> vehicle) {
   for (const Part& part : vehicle) {
     if (!std::holds_alternative<WheelJoint>(part.joint)) continue;
     const double radius = part.shape.radius();
-    look.wheels.push_back(
-        {part.frame.origin, part.frame.left, radius, 0.5 * part.shape.length()});
+    look.wheels.push_back({part.frame.origin, part.frame.left, radius, 0.5 * part.shape.length()});
     look.wheels_top = std::max(look.wheels_top, part.frame.origin.z + radius);
     look.reach = std::max(look.reach, world::farthest_of(part, part.frame.origin));
   }
@@ -324,12 +323,11 @@ void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const 
         const double across = ahead_x * direction.y - ahead_y * direction.x;
         if (across * across > candidate.reach * candidate.reach * flat) continue;
         const double to_middle = ahead_x * direction.x + ahead_y * direction.y;
-        if (to_middle - candidate.reach > best.hit.distance ||
-            to_middle + candidate.reach < 0.0) {
+        if (to_middle - candidate.reach > best.hit.distance || to_middle + candidate.reach < 0.0) {
           continue;
         }
-        const double distance = distance_past_circle(entries_[candidate.id], candidate.id, ray,
-                                                     best.hit.distance);
+        const double distance =
+            distance_past_circle(entries_[candidate.id], candidate.id, ray, best.hit.distance);
         if (distance == kMiss || distance > best.hit.distance) continue;
         best.hit.distance = distance;
         best.found = true;

@@ -43,8 +43,10 @@ bool is_within(const Part& part, const Part& chassis) {
   const Vector3 &at = part.frame.origin, &middle = chassis.frame.origin;
   const Direction ahead = heading_of(part);
   const double c = std::abs(ahead.c), s = std::abs(ahead.s);
-  const double x = std::abs(at.x - middle.x) + 0.5 * (c * part.shape.size.x + s * part.shape.size.y);
-  const double y = std::abs(at.y - middle.y) + 0.5 * (s * part.shape.size.x + c * part.shape.size.y);
+  const double x =
+      std::abs(at.x - middle.x) + 0.5 * (c * part.shape.size.x + s * part.shape.size.y);
+  const double y =
+      std::abs(at.y - middle.y) + 0.5 * (s * part.shape.size.x + c * part.shape.size.y);
   const Shape& shape = chassis.shape;
   if (at.z + 0.5 * part.shape.size.z > middle.z + 0.5 * shape.size.z + kFlush) return false;
   if (shape.is_round()) return std::hypot(x, y) <= shape.radius() + kFlush;
@@ -144,7 +146,8 @@ Mover mover_of(std::span<const Part> vehicle, const world::Physics& physics) {
     const Part& chassis = vehicle.front();
     const Outline outline = Outline::of(chassis.shape, chassis.frame.origin.z);
     const bool is_ball = chassis.shape.kind == Shape::Kind::sphere;  // which rolls
-    return {inertia, is_ball ? FloorFriction() : FloorFriction(inertia, lever_of(outline), physics)};
+    return {inertia,
+            is_ball ? FloorFriction() : FloorFriction(inertia, lever_of(outline), physics)};
   }
   return {inertia,
           Undercarriage(vehicle, loads_of(vehicle, inertia, physics.gravity), inertia, physics)};

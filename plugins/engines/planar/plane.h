@@ -23,7 +23,9 @@ struct Twist {
   friend Twist operator*(double s, const Twist& t) { return {s * t.x, s * t.y, s * t.turn}; }
 };
 
-inline double dot(const Twist& a, const Twist& b) { return a.x * b.x + a.y * b.y + a.turn * b.turn; }
+inline double dot(const Twist& a, const Twist& b) {
+  return a.x * b.x + a.y * b.y + a.turn * b.turn;
+}
 
 /// The cosine and sine of an angle.
 struct Direction {
@@ -54,8 +56,7 @@ struct HalfTurn {
       sinc = 1.0 -
              q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0 * (1.0 - q / 110.0))));
       s = h * sinc;
-      c = 1.0 - q / 2.0 *
-                    (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
+      c = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
     } else {
       s = std::sin(h);
       c = std::cos(h);
@@ -84,8 +85,8 @@ struct Symmetric {
     yt += y * t.turn;
     tt += factor * t.turn * t.turn;
   }
-  /// The inverse of a positive definite matrix, by its Cholesky factors, so that very unlike
-  /// numbers keep their digits.
+  /// The inverse of a positive definite matrix, by factors, so that very unlike numbers keep their
+  /// digits.
   Symmetric inverse() const;
   /// The same matrix with the axes of x and y turned by `by`.
   Symmetric turned(const Direction& by) const {
@@ -100,14 +101,13 @@ struct Symmetric {
 };
 
 inline Symmetric Symmetric::inverse() const {
-  // L L' with the diagonal inverted; then the inverse of L, and its square.
-  const double a = 1.0 / std::sqrt(xx);
-  const double b = xy * a, d = xt * a;
-  const double e = 1.0 / std::sqrt(yy - b * b);
-  const double f = (yt - b * d) * e;
-  const double g = 1.0 / std::sqrt(tt - d * d - f * f);
-  const double p = -b * a * e, r = -f * e * g, q = -(d * a + f * p) * g;
-  return {a * a + p * p + q * q, p * e + q * r, e * e + r * r, q * g, r * g, g * g};
+  // L D L' with ones in the diagonal of L, and the inverse of L.
+  const double i1 = 1.0 / xx, l21 = xy * i1, l31 = xt * i1;
+  const double i2 = 1.0 / (yy - l21 * xy);
+  const double rest = yt - l31 * xy, l32 = rest * i2;
+  const double i3 = 1.0 / (tt - l31 * xt - l32 * rest);
+  const double p = -l21, r = -l32, q = l21 * l32 - l31;
+  return {i1 + p * p * i2 + q * q * i3, p * i2 + q * r * i3, i2 + r * r * i3, q * i3, r * i3, i3};
 }
 
 }  // namespace elsie::physics

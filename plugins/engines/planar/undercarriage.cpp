@@ -13,6 +13,9 @@ constexpr double kTyreGrip = 3.0;
 // Grips that do not glide at all would leave no digits for the masses.
 constexpr double kLeastSlip = 1e-7;  // m/s per N
 
+// Rollers that lie along the axle leave nothing to drive.
+constexpr double kLeastCosine = 1e-9;
+
 constexpr double kLeastInertia = 1e-300;  // kg m2
 
 // After this many changes of mind, grips only become looser.
@@ -28,28 +31,25 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
       slip_(std::max(physics.wheel_slip, kLeastSlip)),
       stiffness_(1.0 / slip_),
       friction_(kTyreGrip * physics.friction) {
+  std::size_t wheels = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part& part = parts[i];
     const auto* wheel = std::get_if<WheelJoint>(&part.joint);
     if (!wheel) continue;
     const Vector3& at = part.frame.origin;
-    Spin& spin = spins_.emplace_back();
-    spin.torque = wheel->torque;
-    spin.radius = part.shape.radius();
-    const double about_axle = std::max(0.5 * part.mass * spin.radius * spin.radius, kLeastInertia);
-    spin.per_torque = step_ / about_axle;
-    spin.place = {at.x - inertia.center.x, at.y - inertia.center.y};
-    Grip grip;
-    grip.wheel = spins_.size() - 1;
-    grip.limit = friction_ * loads[i];
+    const double radius = part.shape.radius();
     const double heading = std::atan2(part.frame.forward.y, part.frame.forward.x);
     const auto add = [&](double angle) {
-      grip.angle = angle;
-      grip.driven = wheel->torque > 0.0 && std::abs(std::cos(angle)) > 1e-9;
-      grip.rim = grip.driven ? spin.radius * std::cos(angle) : 0.0;
-      grip.stiffness = 1.0 / (slip_ + grip.rim * grip.rim * spin.per_torque);
-      aim(grip, heading);
-      grips_.push_back(grip);
+      Grip& grip = grips_.emplace_back();
+      grip.limit = friction_ * loads[i];
+      if (wheel->torque > 0.0 && std::abs(std::cos(angle)) > kLeastCosine) {
+        grip.rim = radius * std::cos(angle);
+        grip.torque = wheel->torque;
+        grip.per_torque = step_ / std::max(0.5 * part.mass * radius * radius, kLeastInertia);
+      }
+      grip.stiffness = 1.0 / (slip_ + grip.rim * grip.rim * grip.per_torque);
+      mounts_.push_back({{at.x - inertia.center.x, at.y - inertia.center.y}, angle, wheels});
+      aim(grips_.size() - 1, heading);
     };
     if (wheel->rollers_rad) {
       add(*wheel->rollers_rad);
@@ -57,25 +57,33 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
       if (wheel->torque > 0.0) add(0.0);
       add(0.5 * std::numbers::pi);
     }
+    ++wheels;
   }
 }
 
-void Undercarriage::aim(Grip& grip, double heading_rad) {
-  const Direction along = Direction::of(heading_rad + grip.angle);
-  const Vector2& at = spins_[grip.wheel].place;
-  grip.along = {along.c, along.s, at.x * along.s - at.y * along.c};
+std::size_t Undercarriage::motor_of(std::size_t wheel) const {
+  for (std::size_t i = 0; i < grips_.size(); ++i) {
+    if (mounts_[i].wheel == wheel && grips_[i].is_driven()) return i;
+  }
+  return kNoMotor;
+}
+
+void Undercarriage::aim(std::size_t grip, double heading_rad) {
+  const Mount& mount = mounts_[grip];
+  const Direction along = Direction::of(heading_rad + mount.angle);
+  grips_[grip].along = {along.c, along.s, mount.place.x * along.s - mount.place.y * along.c};
   is_known_ = is_rolling_known_ = false;
 }
 
 void Undercarriage::point(std::size_t wheel, double heading_rad) {
-  for (Grip& grip : grips_) {
-    if (grip.wheel == wheel) aim(grip, heading_rad);
+  for (std::size_t i = 0; i < grips_.size(); ++i) {
+    if (mounts_[i].wheel == wheel) aim(i, heading_rad);
   }
 }
 
 void Undercarriage::roll(const Twist& velocity) {
   for (Grip& grip : grips_) {
-    if (grip.driven) spins_[grip.wheel].rate = dot(grip.along, velocity) / grip.rim;
+    if (grip.is_driven()) grip.rate = dot(grip.along, velocity) / grip.rim;
     grip.hold = Hold::rolls;
   }
   loose_ = 0;
@@ -83,70 +91,67 @@ void Undercarriage::roll(const Twist& velocity) {
 }
 
 void Undercarriage::take(const Undercarriage& other) {
-  for (std::size_t i = 0; i < spins_.size(); ++i) {
-    spins_[i].rate = other.spins_[i].rate;
-    spins_[i].wanted = other.spins_[i].wanted;
-  }
   for (std::size_t i = 0; i < grips_.size(); ++i) {
-    grips_[i].along = other.grips_[i].along;
-    grips_[i].hold = other.grips_[i].hold;
+    Grip& grip = grips_[i];
+    const Grip& same = other.grips_[i];
+    grip.along = same.along;
+    grip.rate = same.rate;
+    grip.wanted = same.wanted;
+    grip.hold = same.hold;
   }
   loose_ = other.loose_;
   is_known_ = is_rolling_known_ = false;
 }
 
 Undercarriage::Law Undercarriage::law(const Grip& grip) const {
-  if (!grip.driven) return {stiffness_, 0.0};
-  const Spin& spin = spins_[grip.wheel];
-  if (grip.hold == Hold::rolls) return {stiffness_, grip.rim * spin.wanted};
+  if (grip.hold == Hold::rolls) return {stiffness_, grip.rim * grip.wanted};
   // The motor gives its most, and the wheel turns as tyre and motor make it.
-  const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
-  return {grip.stiffness, grip.rim * (spin.rate + spin.per_torque * torque)};
+  const double torque = grip.hold == Hold::motor_up ? grip.torque : -grip.torque;
+  return {grip.stiffness, grip.rim * (grip.rate + grip.per_torque * torque)};
 }
 
-double Undercarriage::force(const Grip& grip, const Twist& velocity) const {
+double Undercarriage::force(const Grip& grip, double moving) const {
   if (grip.hold == Hold::slides_up) return grip.limit;
   if (grip.hold == Hold::slides_down) return -grip.limit;
   const Law known = law(grip);
-  return known.stiffness * (known.speed - dot(grip.along, velocity));
+  return known.stiffness * (known.speed - moving);
 }
 
-/// The rate of a wheel after a step in which this torque holds it back.
-double Undercarriage::turning(const Spin& spin, double against) const {
-  const double rolling = spin.rate - spin.per_torque * against;
-  const double most = spin.per_torque * spin.torque;
-  return std::clamp(spin.wanted, rolling - most, rolling + most);
+/// The rate of a wheel after a step in which its tyre pulls with this force.
+double Undercarriage::turning(const Grip& grip, double pull) {
+  const double rolling = grip.rate - grip.per_torque * grip.rim * pull;
+  const double most = grip.per_torque * grip.torque;
+  return std::clamp(grip.wanted, rolling - most, rolling + most);
 }
 
 /// The state of the grip at this velocity.
 Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& velocity) const {
-  const Spin& spin = spins_[grip.wheel];
-  const double pull = force(grip, velocity);
+  const double moving = dot(grip.along, velocity), pull = force(grip, moving);
   if (grip.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
     double rate = 0.0;
     Hold otherwise = Hold::rolls;
-    if (grip.driven) {
-      rate = turning(spin, grip.rim * pull);
-      otherwise = rate < spin.wanted   ? Hold::motor_up
-                  : rate > spin.wanted ? Hold::motor_down
+    if (grip.is_driven()) {
+      rate = turning(grip, pull);
+      otherwise = rate < grip.wanted   ? Hold::motor_up
+                  : rate > grip.wanted ? Hold::motor_down
                                        : Hold::rolls;
     }
-    const double gliding = grip.rim * rate - dot(grip.along, velocity);
+    const double gliding = grip.rim * rate - moving;
     const double least = slip_ * grip.limit;
     const bool still = grip.hold == Hold::slides_up ? gliding >= least : gliding <= -least;
     return still ? grip.hold : otherwise;
   }
   // Most motors are at their limit before their tyres are.
-  if (grip.driven && grip.hold == Hold::rolls) {
-    const double torque = (spin.wanted - spin.rate) / spin.per_torque + grip.rim * pull;
-    if (std::abs(torque) > spin.torque) return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
+  if (grip.is_driven() && grip.hold == Hold::rolls) {
+    const double torque = (grip.wanted - grip.rate) / grip.per_torque + grip.rim * pull;
+    if (std::abs(torque) > grip.torque) return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
   }
   if (std::abs(pull) > grip.limit) return pull > 0.0 ? Hold::slides_up : Hold::slides_down;
   if (grip.hold == Hold::rolls) return Hold::rolls;
-  const double torque = grip.hold == Hold::motor_up ? spin.torque : -spin.torque;
-  const double rate = spin.rate + spin.per_torque * (torque - grip.rim * pull);
-  const bool is_short = grip.hold == Hold::motor_up ? rate <= spin.wanted : rate >= spin.wanted;
+  const double torque = grip.hold == Hold::motor_up ? grip.torque : -grip.torque;
+  const double rate = grip.rate + grip.per_torque * (torque - grip.rim * pull);
+  const bool is_short = grip.hold == Hold::motor_up ? rate <= grip.wanted : rate >= grip.wanted;
   return is_short ? grip.hold : Hold::rolls;
 }
 
@@ -185,8 +190,8 @@ Twist Undercarriage::solve(const Twist& free) {
 /// The velocity if nothing is at a limit.
 Twist Undercarriage::rolling(Twist momentum) const {
   for (const Grip& grip : grips_) {
-    if (!grip.driven) continue;
-    const double push = step_ * stiffness_ * (grip.rim * spins_[grip.wheel].wanted);
+    if (!grip.is_driven()) continue;
+    const double push = step_ * stiffness_ * (grip.rim * grip.wanted);
     momentum = momentum + push * grip.along;
   }
   return response_ * momentum;
@@ -195,14 +200,13 @@ Twist Undercarriage::rolling(Twist momentum) const {
 bool Undercarriage::all_roll(const Twist& velocity) const {
   for (const Grip& grip : grips_) {
     const double moving = dot(grip.along, velocity);
-    if (!grip.driven) {
+    if (!grip.is_driven()) {
       if (stiffness_ * std::abs(moving) > grip.limit) return false;
       continue;
     }
-    const Spin& spin = spins_[grip.wheel];
-    const double pull = stiffness_ * (grip.rim * spin.wanted - moving);
-    const double gained = spin.wanted - spin.rate + spin.per_torque * grip.rim * pull;
-    if (std::abs(pull) > grip.limit || std::abs(gained) > spin.per_torque * spin.torque) {
+    const double pull = stiffness_ * (grip.rim * grip.wanted - moving);
+    const double gained = grip.wanted - grip.rate + grip.per_torque * grip.rim * pull;
+    if (std::abs(pull) > grip.limit || std::abs(gained) > grip.per_torque * grip.torque) {
       return false;
     }
   }
@@ -218,7 +222,7 @@ Twist Undercarriage::search(const Twist& momentum) {
     for (const Grip& grip : grips_) {
       double push = 0.0;
       if (grip.hold < Hold::slides_up) {
-        if (!grip.driven) continue;
+        if (!grip.is_driven()) continue;
         const Law known = law(grip);
         push = known.stiffness * known.speed;
       } else {
@@ -244,15 +248,14 @@ Twist Undercarriage::search(const Twist& momentum) {
 }
 
 void Undercarriage::settle(const Twist& velocity) {
-  for (const Grip& grip : grips_) {
-    if (!grip.driven) continue;
-    Spin& spin = spins_[grip.wheel];
+  for (Grip& grip : grips_) {
+    if (!grip.is_driven()) continue;
     if (grip.hold == Hold::rolls) {
-      spin.rate = spin.wanted;
-      continue;
+      grip.rate = grip.wanted;
+    } else {
+      const double pull = force(grip, dot(grip.along, velocity));
+      grip.rate = turning(grip, std::clamp(pull, -grip.limit, grip.limit));
     }
-    const double pull = std::clamp(force(grip, velocity), -grip.limit, grip.limit);
-    spin.rate = turning(spin, grip.rim * pull);
   }
 }
 

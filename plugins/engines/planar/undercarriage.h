@@ -1,4 +1,5 @@
-// What holds a body on the floor: the wheels of a vehicle, or the friction of something that slides.
+// What holds a body on the floor: the wheels of a vehicle, or the friction of something that
+// slides.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,8 @@ namespace elsie::physics {
 
 /// The mass of a vehicle in the plane.
 struct Inertia {
-  double mass = 0.0;         // kg
-  Vector2 center;            // m, of mass, in the frame of its origin
+  double mass = 0.0;          // kg
+  Vector2 center;             // m, of mass, in the frame of its origin
   double about_center = 0.0;  // kg m2, about the vertical axis through the center of mass
 
   /// The velocity after an impulse, in the frame of both.
@@ -44,8 +45,11 @@ class Undercarriage {
 
   /// Sets the direction of a wheel, rad counter-clockwise from ahead.
   void point(std::size_t wheel, double heading_rad);
-  void set_rate(std::size_t wheel, double wanted) { spins_[wheel].wanted = wanted; }
-  double rate(std::size_t wheel) const { return spins_[wheel].rate; }
+  static constexpr std::size_t kNoMotor = static_cast<std::size_t>(-1);
+  /// The motor of a wheel, or kNoMotor.
+  std::size_t motor_of(std::size_t wheel) const;
+  void set_rate(std::size_t motor, double wanted) { grips_[motor].wanted = wanted; }
+  double rate(std::size_t motor) const { return grips_[motor].rate; }
   /// Lets all wheels stand still, or roll along with a velocity of the body (at its center of
   /// mass, in its frame).
   void roll(const Twist& velocity);
@@ -60,48 +64,47 @@ class Undercarriage {
   /// Takes the rates of the wheels after a step that ends with this velocity.
   void settle(const Twist& velocity);
 
-  std::size_t wheels() const { return spins_.size(); }
   void take(const Undercarriage& other);
 
  private:
   enum class Hold : std::uint8_t { rolls, motor_up, motor_down, slides_up, slides_down };
-  /// A direction in which a wheel grips.
+  /// A direction in which a wheel grips, and the wheel's motor, if it drives in this direction.
   struct Grip {
-    Twist along;         // its velocity from that of the body
-    double rim = 0.0;    // m, its velocity from the wheel's rate
-    double limit = 0.0;  // N
-    double angle = 0.0;  // of `along`, from the wheel's heading
-    double stiffness = 0.0;  // N s/m, while the motor gives its most
-    std::size_t wheel = 0;
-    bool driven = false;
-    Hold hold = Hold::rolls;
-  };
-  struct Spin {
-    double rate = 0.0;    // rad/s
-    double wanted = 0.0;  // rad/s
-    double torque = 0.0;  // N m, maximum
+    Twist along;              // its velocity from that of the body
+    double limit = 0.0;       // N
+    double rim = 0.0;         // m, its velocity from the wheel's rate; 0: no motor
+    double stiffness = 0.0;   // N s/m, while the motor gives its most
+    double rate = 0.0;        // rad/s
+    double wanted = 0.0;      // rad/s
+    double torque = 0.0;      // N m, maximum
     double per_torque = 0.0;  // rad/s per N m in a step
-    Vector2 place;        // from the center of mass
-    double radius = 0.0;
+    Hold hold = Hold::rolls;
+
+    bool is_driven() const { return rim != 0.0; }
   };
-  /// A force that depends on the velocity J V: stiffness (speed - J V), or `force` if it slides.
+  /// How to aim a grip when its wheel is steered.
+  struct Mount {
+    Vector2 place;       // of the wheel, from the center of mass
+    double angle = 0.0;  // of the grip, from the wheel's heading
+    std::size_t wheel = 0;
+  };
+  /// A force that depends on the velocity J V: stiffness (speed - J V).
   struct Law {
     double stiffness = 0.0;
     double speed = 0.0;
   };
 
   Law law(const Grip& grip) const;
-  double turning(const Spin& spin, double against) const;
-  double force(const Grip& grip, const Twist& velocity) const;
+  static double turning(const Grip& grip, double pull);
+  double force(const Grip& grip, double moving) const;
   Hold fitting(const Grip& grip, const Twist& velocity) const;
-  void aim(Grip& grip, double heading_rad);
+  void aim(std::size_t grip, double heading_rad);
   void respond();
   Twist rolling(Twist momentum) const;
   bool all_roll(const Twist& velocity) const;
   Twist search(const Twist& momentum);
 
   std::vector<Grip> grips_;
-  std::vector<Spin> spins_;
   Inertia inertia_;
   Symmetric response_;
   Symmetric rolling_;  // the response if nothing is at a limit
@@ -111,8 +114,9 @@ class Undercarriage {
   double friction_;
   std::uint32_t changes_ = 0;
   int loose_ = 0;          // grips that are at a limit, or whose motor is
-  bool is_known_ = false;       // the response
+  bool is_known_ = false;  // the response
   bool is_rolling_known_ = false;
+  std::vector<Mount> mounts_;  // of the grips
 };
 
 /// The friction of a body that slides on the floor, for translation and turning together: the

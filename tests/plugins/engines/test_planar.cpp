@@ -34,8 +34,7 @@ TEST_CASE("A circle is a circle, however long a step is") {
   context.run(2.0);
   const RobotState from = context.engine->robot(robot);
   const double radius = from.speed / from.turn_rate;
-  const Vector2 middle =
-      point_of(from.pose, {-from.lateral / from.turn_rate, radius});
+  const Vector2 middle = point_of(from.pose, {-from.lateral / from.turn_rate, radius});
   const double away = std::hypot(from.pose.x - middle.x, from.pose.y - middle.y);
   context.run(10.0, [&] {
     const Pose pose = context.pose(robot);
@@ -49,8 +48,9 @@ TEST_CASE("Robots side by side do not see who was added first") {
     std::vector<std::size_t> robots(12);
     for (std::size_t k = 0; k < robots.size(); ++k) {
       const std::size_t i = turned_round ? robots.size() - 1 - k : k;
-      robots[i] = context.robot(0.2 * static_cast<double>(i % 4) - 0.3,
-                                0.2 * static_cast<double>(i / 4) - 0.2, 47.0 * static_cast<double>(i));
+      robots[i] =
+          context.robot(0.2 * static_cast<double>(i % 4) - 0.3,
+                        0.2 * static_cast<double>(i / 4) - 0.2, 47.0 * static_cast<double>(i));
       context.drive(robots[i], {25.0, 20.0 - static_cast<double>(i)});
     }
     context.run(10.0);
