@@ -14,6 +14,7 @@
 #include "checks.h"
 #include "encounters.h"
 #include "mover.h"
+#include "outlines.h"
 #include "planar_robot.h"
 #include "planar_scene.h"
 #include "planar_vehicle.h"
@@ -29,6 +30,24 @@ void refuse_if(const std::optional<std::string>& fault) { require(!fault, fault.
 
 Frame frame_at(const Vector2& place, double z, const Direction& ahead) {
   return {{place.x, place.y, z}, {ahead.c, ahead.s, 0.0}, {-ahead.s, ahead.c, 0.0}, {0, 0, 1}};
+}
+
+Outline outline_of(const world::Fixture& fixture, double bottom) {
+  const double height = fixture.shape.size.z;
+  return fixture.outline.empty() ? Outline::of(fixture.shape, bottom + 0.5 * height)
+                                 : Outline::polygon(fixture.outline, 0.0, bottom, bottom + height);
+}
+
+/// The moment of inertia about the vertical through its middle, by its mass, m2.
+double second_moment(const world::Fixture& fixture) {
+  const Vector3& size = fixture.shape.size;
+  if (!fixture.outline.empty()) {
+    const OutlineMoments moments = moments_of(fixture.outline);
+    return moments.xx + moments.yy;
+  }
+  return fixture.shape.kind == Shape::Kind::cylinder
+             ? 0.5 * fixture.shape.radius() * fixture.shape.radius()
+             : (size.x * size.x + size.y * size.y) / 12.0;
 }
 
 class PlanarEngine final : public Engine {
@@ -94,8 +113,8 @@ class PlanarEngine final : public Engine {
   std::uint32_t add_thing(const Body& body, std::size_t vehicle, std::vector<Solid> solids,
                           const Look& look, bool sensed, const Pose& pose,
                           std::optional<Mover> mover);
-  std::uint32_t add_upright(const Body& body, const Shape& shape, double bottom, const Pose& pose,
-                            bool sensed, std::optional<Mover> mover);
+  std::uint32_t add_upright(const Body& body, const world::Fixture& fixture, double bottom,
+                            const Pose& pose, bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
   void enter_robot(std::size_t robot);
   void place_in_scene(std::size_t robot);
@@ -131,7 +150,7 @@ PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& phys
   for (const world::Fixture& wall : world::walls_of(arena)) {
     const Vector3& at = wall.frame.origin;
     const double heading = std::atan2(wall.frame.forward.y, wall.frame.forward.x);
-    add_upright({BodyKind::wall, index++}, wall.shape, at.z - 0.5 * wall.shape.size.z,
+    add_upright({BodyKind::wall, index++}, wall, at.z - 0.5 * wall.shape.size.z,
                 {at.x, at.y, heading}, true, std::nullopt);
   }
 }
@@ -157,10 +176,11 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   return id;
 }
 
-std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, double bottom,
-                                        const Pose& pose, bool sensed, std::optional<Mover> mover) {
-  return add_thing(body, 0, {{Outline::of(shape, bottom + 0.5 * shape.size.z), {}, {}}},
-                   Look::of_box(shape.size, bottom), sensed, pose, std::move(mover));
+std::uint32_t PlanarEngine::add_upright(const Body& body, const world::Fixture& fixture,
+                                        double bottom, const Pose& pose, bool sensed,
+                                        std::optional<Mover> mover) {
+  return add_thing(body, 0, {{outline_of(fixture, bottom), {}, {}}}, Look::of(fixture, bottom),
+                   sensed, pose, std::move(mover));
 }
 
 std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
@@ -222,12 +242,11 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   const bool is_dynamic = box.kind == world::BoxKind::dynamic;
   refuse_if(fault_of(box, "a box"));
   const std::size_t index = boxes_.size();
-  const Shape shape = world::fixture_of(box).shape;
+  const world::Fixture fixture = world::fixture_of(box);
   std::optional<Mover> mover;
   if (is_dynamic) {
-    const double around = shape.size.x * shape.size.x + shape.size.y * shape.size.y;
-    const Inertia inertia{box.mass, {}, box.mass / 12.0 * around};
-    const double lever = physics::lever_of(Outline::of(shape, 0.0));
+    const Inertia inertia{box.mass, {}, box.mass * second_moment(fixture)};
+    const double lever = physics::lever_of(outline_of(fixture, 0.0));
     mover.emplace(inertia, FloorFriction(inertia, lever, physics_));
   } else if (box.kind == world::BoxKind::moving) {
     mover.emplace();
@@ -236,7 +255,7 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   made.kind = box.kind;
   made.bottom = box.z;
   made.thing =
-      add_upright({BodyKind::box, index}, shape, box.z, {box.x, box.y, radians(box.heading_deg)},
+      add_upright({BodyKind::box, index}, fixture, box.z, {box.x, box.y, radians(box.heading_deg)},
                   box.seen_by_range_sensors, std::move(mover));
   if (things_[made.thing].mover != Contact::kFixed) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));

@@ -67,7 +67,8 @@ double distance_to_floor(const Vector3& origin, const Vector3& direction) {
 }
 
 double distance_to_look(const Ray& ray, const Look& look) {
-  double nearest = look.kind == Shape::Kind::box        ? distance_to_box(ray, look.box)
+  double nearest = !look.corners.empty()           ? distance_to_prism(ray, look.box, look.corners)
+                   : look.kind == Shape::Kind::box ? distance_to_box(ray, look.box)
                    : look.kind == Shape::Kind::cylinder ? distance_to_cylinder(ray, look.round)
                                                         : distance_to_capsule(ray, look.round);
   // Most beams are level and above the wheels.
@@ -81,7 +82,9 @@ double distance_to_look(const Ray& ray, const Look& look) {
 
 }  // namespace
 
-Look Look::of_box(const Vector3& size, double bottom) {
+namespace {
+
+Look look_of_box(const Vector3& size, double bottom) {
   Look look;
   look.box = {{0.0, 0.0, bottom + 0.5 * size.z}, {}, 0.5 * size};
   look.box.axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -89,10 +92,29 @@ Look Look::of_box(const Vector3& size, double bottom) {
   return look;
 }
 
+}  // namespace
+
+Look Look::of(const world::Fixture& fixture, double bottom) {
+  const Shape& shape = fixture.shape;
+  Look look = look_of_box(shape.size, bottom);
+  look.kind = shape.kind;
+  look.corners = fixture.outline;
+  if (shape.kind == Shape::Kind::cylinder) {
+    look.round = {look.box.center, {0.0, 0.0, 1.0}, shape.radius(), look.box.half.z};
+    look.reach = shape.radius();
+  } else if (!look.corners.empty()) {
+    look.reach = 0.0;
+    for (const Vector2& corner : look.corners) {
+      look.reach = std::max(look.reach, std::hypot(corner.x, corner.y));
+    }
+  }
+  return look;
+}
+
 Look Look::of(std::span<const Part> vehicle) {
   const Part& chassis = vehicle.front();
   const Shape& shape = chassis.shape;
-  Look look = of_box(shape.size, chassis.frame.origin.z - 0.5 * shape.size.z);
+  Look look = look_of_box(shape.size, chassis.frame.origin.z - 0.5 * shape.size.z);
   look.kind = shape.kind;
   const bool is_upright = shape.axis == Shape::Axis::up;
   if (shape.kind == Shape::Kind::box || (shape.kind == Shape::Kind::cylinder && is_upright)) {
@@ -127,9 +149,8 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, Look look, const Vector
   entry.top = std::max(entry.high, look.wheels_top) + kHair;
   if (!look.wheels.empty()) entry.wheels_top = look.wheels_top;
   const bool is_disc = look.kind == Shape::Kind::cylinder && look.round.axis.z == 1.0;
-  entry.outside = look.kind == Shape::Kind::box ? Outside::box
-                  : is_disc                     ? Outside::disc
-                                                : Outside::other;
+  const bool is_box = look.kind == Shape::Kind::box && look.corners.empty();
+  entry.outside = is_box ? Outside::box : is_disc ? Outside::disc : Outside::other;
   looks_.push_back(std::move(look));
   const auto id = static_cast<Id>(entries_.size() - 1);
   move(id, place, ahead);
@@ -357,7 +378,8 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
         const Look& look = looks_[id];
         const Placing placing(entry.place, entry.ahead);
         if (look.kind == Shape::Kind::cylinder ? test.meets(placing.cylinder(look.round))
-                                               : test.meets(placing.box(look.box))) {
+            : look.corners.empty()             ? test.meets(placing.box(look.box))
+                                               : test.meets(placing.box(look.box), look.corners)) {
           return true;
         }
         const auto is_met = [&](const Cylinder& wheel) {

@@ -13,6 +13,7 @@
 #include "elsie/api/sensor.h"
 #include "elsie/base/grid.h"
 #include "elsie/physics/engine.h"
+#include "elsie/world/parts.h"
 
 #include "plane.h"
 #include "ray_tests.h"
@@ -26,12 +27,14 @@ struct Look {
   OrientedBox box;  // around it, with the sensor deck of a flat top
   Cylinder round;   // unused for a box; for a ball or a capsule, the cylinder around it
   std::vector<Cylinder> wheels;
-  double wheels_top = 0.0;  // m
-  double reach = 0.0;       // m, from above: the radius of the circle around it
+  double wheels_top = 0.0;       // m
+  double reach = 0.0;            // m, from above: the radius of the circle around it
+  std::vector<Vector2> corners;  // of a prism, from above: counter-clockwise; `box` is around it
 
   /// `vehicle`: a chassis and what is below it.
   static Look of(std::span<const Part> vehicle);
-  static Look of_box(const Vector3& size, double bottom);
+  /// An obstacle, charger or wall.
+  static Look of(const world::Fixture& fixture, double bottom);
 };
 
 class PlanarScene {

@@ -8,8 +8,8 @@
 
 #include "elsie/world/footprint.h"
 
+#include "conformance.h"
 #include "outlines.h"
-#include "physics_context.h"
 #include "prism_contact.h"
 
 using namespace elsie;
@@ -72,8 +72,8 @@ bool in_pyramid(const PhysicsContext& context, const Vector3& from, double range
 }
 
 /// How far a robot gets that drives from x = 0 towards an obstacle ahead.
-double stopped_at(const world::Box& obstacle) {
-  PhysicsContext context;
+double stopped_at(const std::string& engine, const world::Box& obstacle) {
+  PhysicsContext context(with(engine));
   const std::size_t robot = context.robot(0.0, 0.0);
   context.engine->add_box(obstacle);
   context.drive(robot, {5.0, 5.0});
@@ -103,7 +103,9 @@ TEST_CASE("The distance of a point from an outline is negative inside") {
 }
 
 TEST_CASE("A ray meets a cylinder and a prism at their exact distance") {
-  PhysicsContext context;
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
   context.engine->add_box(cylinder(BoxKind::fixed, 1.0, 0.0, 0.3));
   // Turned by 90 degrees, its right angle is at (-2 + 0.1, 1 - 0.2).
   context.engine->add_box(prism(BoxKind::fixed, -2.0, 1.0, kTriangle, 90.0));
@@ -129,7 +131,9 @@ TEST_CASE("A ray meets a cylinder and a prism at their exact distance") {
 }
 
 TEST_CASE("A pyramid holds a cylinder and a prism from their nearest point on") {
-  PhysicsContext context;
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
   context.engine->add_box(cylinder(BoxKind::fixed, 1.0, 0.0, 0.3));
   context.engine->add_box(prism(BoxKind::fixed, 1.0, 2.0, regular(6, 0.2)));
   context.engine->add_box(prism(BoxKind::fixed, 1.0, -2.0, regular(6, 0.2), 30.0));
@@ -146,22 +150,27 @@ TEST_CASE("A pyramid holds a cylinder and a prism from their nearest point on") 
 
 TEST_CASE("A robot is stopped at the surface of a cylinder and of a prism") {
   constexpr double kSoft = 2e-4;  // m
-  CHECK(stopped_at(cylinder(BoxKind::fixed, 1.0, 0.0, 0.2)) ==
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  CHECK(stopped_at(engine, cylinder(BoxKind::fixed, 1.0, 0.0, 0.2)) ==
         Approx(1.0 - 0.2 - kFront).margin(kSoft));
-  CHECK(stopped_at(prism(BoxKind::fixed, 1.0, 0.0, regular(6, 0.2))) ==
+  CHECK(stopped_at(engine, prism(BoxKind::fixed, 1.0, 0.0, regular(6, 0.2))) ==
         Approx(1.0 - 0.2 * std::cos(radians(30)) - kFront).margin(kSoft));
-  CHECK(stopped_at(prism(BoxKind::fixed, 1.0, 0.0, regular(3, 0.2))) ==
+  CHECK(stopped_at(engine, prism(BoxKind::fixed, 1.0, 0.0, regular(3, 0.2))) ==
         Approx(1.0 - 0.1 - kFront).margin(kSoft));
-  CHECK(stopped_at(prism(BoxKind::moving, 1.0, 0.0, regular(16, 0.2))) ==
+  CHECK(stopped_at(engine, prism(BoxKind::moving, 1.0, 0.0, regular(16, 0.2))) ==
         Approx(1.0 - 0.2 * std::cos(radians(11.25)) - kFront).margin(kSoft));
   // Where no prism is, although the box around it would be.
-  CHECK(stopped_at(prism(BoxKind::fixed, 0.25, 0.37, {{0, 0}, {0.5, 0.4}, {0, 0.4}})) > 0.8);
+  CHECK(stopped_at(engine, prism(BoxKind::fixed, 0.25, 0.37, {{0, 0}, {0.5, 0.4}, {0, 0.4}})) >
+        0.8);
 }
 
 TEST_CASE("A round robot is stopped by a cylinder and by the corner of a prism") {
   constexpr double kRobot = 0.05;
   const bool is_cylinder = GENERATE(true, false);
-  PhysicsContext context;
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
   world::RobotBody body;
   body.round = true;
   body.length = body.width = 2.0 * kRobot;
@@ -177,7 +186,9 @@ TEST_CASE("A round robot is stopped by a cylinder and by the corner of a prism")
 
 TEST_CASE("A robot pushes a cylinder and a prism ahead of it") {
   const double reach = GENERATE(0.1, 0.1 * 0.5);  // of a cylinder, of a triangle
-  PhysicsContext context;
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
   const std::size_t robot = context.robot(0.0, 0.0);
   const std::size_t pushed =
       context.engine->add_box(reach == 0.1 ? cylinder(BoxKind::dynamic, 0.3, 0.0, 0.1)
@@ -198,7 +209,9 @@ TEST_CASE("A cylinder and a prism that were set in motion slide until friction s
                                    prism(BoxKind::dynamic, 0.3, 0.0, regular(6, 0.1)));
   world::Box slider = form;
   slider.height = 0.05;
-  PhysicsContext context;
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
   const std::size_t ram = context.box(BoxKind::moving, 0.0, 0.0, {0.1, 0.4, 0.05});
   const std::size_t slid = context.engine->add_box(slider);
   context.drive(ram, {kSpeed, 0.0}, 0.5);
@@ -214,7 +227,9 @@ TEST_CASE("A cylinder and a prism that were set in motion slide until friction s
 
 TEST_CASE("Cylinders and prisms at rest do not creep, whatever their corners") {
   const int corners = GENERATE(0, 3, 5, 16);
-  PhysicsContext context;
+  const std::string engine = each_engine();
+  CAPTURE(engine);
+  PhysicsContext context(with(engine));
   const world::Box form = corners == 0
                               ? cylinder(BoxKind::dynamic, 1.0, 2.0, 0.1)
                               : prism(BoxKind::dynamic, 1.0, 2.0, regular(corners, 0.1), 25.0);
