@@ -62,8 +62,9 @@ TEST_CASE("Every shipped world runs the same with 1, 2, 3 and 8 threads, with bo
   for (const auto& file : std::filesystem::directory_iterator(source_path("worlds"))) {
     if (file.path().extension() != ".xml") continue;
     CAPTURE(file.path().filename());
-    world::World world =
-        world::read_world(file.path().string(), shipped(), {.data_directories = {source_path("")}});
+    world::ReadOptions options;
+    options.data_directories = {source_path("")};
+    world::World world = world::read_world(file.path().string(), shipped(), options);
     for (const char* engine : {"ode", "planar"}) {
       CAPTURE(engine);
       world.physics.engine = engine;
