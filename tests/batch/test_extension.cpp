@@ -262,5 +262,5 @@ TEST_CASE("New cells bring their plugins and files, and share those that are the
   CHECK(run->libraries.size() == 6);
   CHECK(run->data.size() == 2);
   CHECK(database.run(1)->libraries.size() == 5);
-  CHECK(run->program.size() == 8);
+  CHECK(run->program.size() == 9);
 }

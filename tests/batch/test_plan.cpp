@@ -99,10 +99,11 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   CHECK(plan.files[0].kind == batch::FileKind::library);
   CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
   // And all others that decide a run, each once.
-  REQUIRE(plan.program_files == 8);
+  REQUIRE(plan.program_files == 9);
   for (std::size_t i = 1; i < plan.program_files; ++i) {
     const char* const names[] = {"",
                                  "engines/ode.so",
+                                 "engines/planar.so",
                                  "layouts.so",
                                  "libelsie-base",
                                  "libelsie-inference",

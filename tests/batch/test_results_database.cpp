@@ -146,9 +146,9 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK(run->data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
   CHECK(run->data[0].content.size() > 100);
   CHECK(run->libraries.size() == 5);
-  REQUIRE(run->program.size() == 8);
+  REQUIRE(run->program.size() == 9);
   CHECK_THAT(run->program[0].path, Contains("libelsie.so"));
-  CHECK_THAT(run->program[7].path, Contains("libode"));
+  CHECK_THAT(run->program[8].path, Contains("libode"));
   CHECK(run->record.state == batch::RunState::done);
   CHECK(run->record.state_hash == "0123456789abcdef");
   CHECK(run->record.solver_gave_up == 12U);
