@@ -73,17 +73,18 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) 
     const Vector2 turned = ahead.turn(solid.place);
     return Vector2{at.x + turned.x, at.y + turned.y};
   };
+  const std::vector<Solid>&solids_a = *a.solids, &solids_b = *b.solids;
   bool touches = false;
-  for (std::size_t i = 0; i < a.solids.size(); ++i) {
-    const Solid& of_a = a.solids[i];
+  for (std::size_t i = 0; i < solids_a.size(); ++i) {
+    const Solid& of_a = solids_a[i];
     const Vector2 middle_a = middle(of_a, at_a, ahead_a);
     bool is_placed = false;
     PlacedOutline placed_a;
-    for (std::size_t k = 0; k < b.solids.size(); ++k) {
-      const Solid& of_b = b.solids[k];
+    for (std::size_t k = 0; k < solids_b.size(); ++k) {
+      const Solid& of_b = solids_b[k];
       if (!of_a.outline.is_level_with(of_b.outline)) continue;
-      if (of_a.below && of_b.outline.is_level_with(a.solids.front().outline)) continue;
-      if (of_b.below && of_a.outline.is_level_with(b.solids.front().outline)) continue;
+      if (of_a.below && of_b.outline.is_level_with(solids_a.front().outline)) continue;
+      if (of_b.below && of_a.outline.is_level_with(solids_b.front().outline)) continue;
       const Vector2 middle_b = middle(of_b, at_b, ahead_b);
       const double dx = middle_a.x - middle_b.x, dy = middle_a.y - middle_b.y;
       const double far = of_a.outline.reach + of_b.outline.reach + margin;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct Thing {
   std::size_t vehicle = 0;   // of a robot
   std::uint64_t number = 0;  // the same in an engine that takes it over
   std::uint32_t mover = Contact::kFixed;
-  std::vector<Solid> solids;
+  std::shared_ptr<const std::vector<Solid>> solids;
   Vector2 place;  // of a fixed body
   Direction ahead;
 };

@@ -1,7 +1,8 @@
 // The planar engine: bodies are added, meet, and move along their arcs.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/abi.h"
@@ -10,6 +11,7 @@
 #include "elsie/physics/failure.h"
 #include "elsie/world/parts.h"
 
+#include "body_models.h"
 #include "bounds.h"
 #include "checks.h"
 #include "encounters.h"
@@ -110,8 +112,9 @@ class PlanarEngine final : public Engine {
     bool stays_within = false;
   };
 
-  std::uint32_t add_thing(const Body& body, std::size_t vehicle, std::vector<Solid> solids,
-                          const Look& look, bool sensed, const Pose& pose,
+  std::uint32_t add_thing(const Body& body, std::size_t vehicle,
+                          std::shared_ptr<const std::vector<Solid>> solids,
+                          std::shared_ptr<const Look> look, bool sensed, const Pose& pose,
                           std::optional<Mover> mover);
   std::uint32_t add_upright(const Body& body, const world::Fixture& fixture, double bottom,
                             const Pose& pose, bool sensed, std::optional<Mover> mover);
@@ -131,6 +134,7 @@ class PlanarEngine final : public Engine {
   std::vector<Thing> things_;
   std::vector<Mover> movers_;
   std::vector<Encounters::Moving> moving_;
+  BodyModels models_;
   std::vector<PlanarRobot> robots_;
   std::vector<RobotBody> robot_bodies_;
   std::vector<BoxBody> boxes_;
@@ -156,7 +160,8 @@ PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& phys
 }
 
 std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
-                                      std::vector<Solid> solids, const Look& look, bool sensed,
+                                      std::shared_ptr<const std::vector<Solid>> solids,
+                                      std::shared_ptr<const Look> look, bool sensed,
                                       const Pose& pose, std::optional<Mover> mover) {
   Thing thing;
   thing.body = body;
@@ -165,12 +170,13 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   thing.solids = std::move(solids);
   thing.place = {pose.x, pose.y};
   thing.ahead = Direction::of(pose.heading_rad);
-  const std::uint32_t id = scene_.add(body, sensed, look, thing.place, thing.ahead);
+  const double reach = look->reach;
+  const std::uint32_t id = scene_.add(body, sensed, std::move(look), thing.place, thing.ahead);
   if (mover) {
     mover->put(thing.place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
     movers_.push_back(std::move(*mover));
-    moving_.push_back({id, thing.mover, look.reach});
+    moving_.push_back({id, thing.mover, reach});
   }
   things_.push_back(std::move(thing));
   return id;
@@ -179,7 +185,9 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
 std::uint32_t PlanarEngine::add_upright(const Body& body, const world::Fixture& fixture,
                                         double bottom, const Pose& pose, bool sensed,
                                         std::optional<Mover> mover) {
-  return add_thing(body, 0, {{outline_of(fixture, bottom), {}, {}}}, Look::of(fixture, bottom),
+  auto solids = std::make_shared<std::vector<Solid>>();
+  solids->push_back({outline_of(fixture, bottom), {}, {}});
+  return add_thing(body, 0, std::move(solids), std::make_shared<Look>(Look::of(fixture, bottom)),
                    sensed, pose, std::move(mover));
 }
 
@@ -191,12 +199,12 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
   const std::size_t index = robots_.size();
   const auto first = static_cast<std::uint32_t>(movers_.size());
   robot_bodies_.push_back({static_cast<std::uint32_t>(things_.size()), false});
+  const std::shared_ptr<BodyModel> model = models_.model_of(plan);
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
-    const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
-    add_thing({BodyKind::robot, index}, vehicle, solids_of(parts), Look::of(parts), true, pose,
-              physics::mover_of(parts, physics_));
+    add_thing({BodyKind::robot, index}, vehicle, model->solids[vehicle], model->looks[vehicle],
+              true, pose, physics::mover_of(world::vehicle_of(plan, vehicle), physics_));
   }
-  robots_.emplace_back(plan, first, movers_);
+  robots_.emplace_back(model, first, movers_);
   robots_.back().put(pose, movers_);
   enter_robot(index);
   return index;
@@ -311,14 +319,7 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
 void PlanarEngine::place_in_scene(std::size_t robot) {
   const PlanarRobot& made = robots_[robot];
   const std::uint32_t first = robot_bodies_[robot].first_thing;
-  made.for_each_steered([&](std::uint32_t vehicle, std::uint32_t wheel, double heading) {
-    const Direction ahead = Direction::of(heading);
-    scene_.look(first + vehicle).wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
-    std::size_t number = 0;
-    for (Solid& solid : things_[first + vehicle].solids) {
-      if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;
-    }
-  });
+  made.point_shapes();
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
     const Mover& mover = movers_[made.first() + i];
     scene_.move(first + i, mover.place(), mover.ahead());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "elsie/world/parts.h"
 
@@ -18,11 +19,12 @@ double approach(double from, double to, double most) {
 
 }  // namespace
 
-PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<const Mover> movers)
-    : first_(first), lever_(physics::lever_of(plan)), plan_(plan) {
+PlanarRobot::PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first,
+                         std::span<const Mover> movers)
+    : first_(first), lever_(physics::lever_of(model->plan)), model_(std::move(model)) {
   std::uint32_t wheels = 0;
   std::size_t vehicle = 0;
-  for (const Part& part : plan.parts) {
+  for (const Part& part : plan().parts) {
     if (part.vehicle != vehicle) wheels = 0;
     vehicle = part.vehicle;
     Link link;
@@ -52,7 +54,7 @@ PlanarRobot::PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<co
 }
 
 void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
-  const std::vector<Frame> frames = world::in_line(plan_);
+  const std::vector<Frame> frames = world::in_line(plan());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Vector3& at = frames[i].origin;
     Mover& mover = movers[first_ + i];
@@ -123,6 +125,13 @@ void PlanarRobot::steer(const Steering& steering, double step, std::span<Mover> 
   now.angle_rad = all_round ? wrap_angle(angle) : angle;
   movers[first_ + links_[steering.joint].vehicle].wheels()->point(
       steering.wheel, steering.rest_rad + now.angle_rad);
+}
+
+void PlanarRobot::point_shapes() const {
+  for (const Steering& each : steerings_) {
+    model_->point(links_[each.joint].vehicle, each.wheel,
+                  each.rest_rad + joints_[each.joint].angle_rad);
+  }
 }
 
 void PlanarRobot::settle(std::span<Mover> movers) {

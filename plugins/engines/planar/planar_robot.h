@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "elsie/physics/engine.h"
 
+#include "body_models.h"
 #include "contact_solver.h"
 #include "mover.h"
 
@@ -16,9 +18,9 @@ namespace elsie::physics {
 class PlanarRobot {
  public:
   /// `first`: its first mover; all of them are there.
-  PlanarRobot(const BodyPlan& plan, std::uint32_t first, std::span<const Mover> movers);
+  PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first, std::span<const Mover> movers);
 
-  const BodyPlan& plan() const { return plan_; }
+  const BodyPlan& plan() const { return model_->plan; }
   std::uint32_t first() const { return first_; }
   std::size_t vehicles() const { return hinges_.size() + 1; }
   std::vector<Hinge>& hinges() { return hinges_; }
@@ -37,14 +39,8 @@ class PlanarRobot {
   /// Puts the pulled vehicles back to their joints and reads the joints.
   void settle(std::span<Mover> movers);
 
-  /// The direction of each wheel in its vehicle's frame, rad, for those that are steered: calls
-  /// `call` with the vehicle, the number of the wheel and its heading.
-  template <class Call>
-  void for_each_steered(Call call) const {
-    for (const Steering& each : steerings_) {
-      call(links_[each.joint].vehicle, each.wheel, each.rest_rad + joints_[each.joint].angle_rad);
-    }
-  }
+  /// Turns the shapes of steered wheels as the wheels are.
+  void point_shapes() const;
   /// The speed of the fastest rim with these settings, m/s.
   double rim_speed(std::span<const JointSetting> settings) const;
   double lever() const { return lever_; }
@@ -75,7 +71,7 @@ class PlanarRobot {
   std::vector<JointSetting> joints_;  // measured
   std::vector<Steering> steerings_;
   std::vector<Hinge> hinges_;
-  BodyPlan plan_;
+  std::shared_ptr<BodyModel> model_;
 };
 
 }  // namespace elsie::physics

@@ -135,8 +135,9 @@ Look Look::of(std::span<const Part> vehicle) {
   return look;
 }
 
-PlanarScene::Id PlanarScene::add(Body body, bool sensed, Look look, const Vector2& place,
-                                 const Direction& ahead) {
+PlanarScene::Id PlanarScene::add(Body body, bool sensed, std::shared_ptr<const Look> shared,
+                                 const Vector2& place, const Direction& ahead) {
+  const Look& look = *shared;
   Entry& entry = entries_.emplace_back();
   const OrientedBox& box = look.box;
   entry.body = body;
@@ -151,7 +152,7 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, Look look, const Vector
   const bool is_disc = look.kind == Shape::Kind::cylinder && look.round.axis.z == 1.0;
   const bool is_box = look.kind == Shape::Kind::box && look.corners.empty();
   entry.outside = is_box ? Outside::box : is_disc ? Outside::disc : Outside::other;
-  looks_.push_back(std::move(look));
+  looks_.push_back(std::move(shared));
   const auto id = static_cast<Id>(entries_.size() - 1);
   move(id, place, ahead);
   return id;
@@ -236,7 +237,7 @@ double PlanarScene::distance_past_circle(const Entry& entry, Id id, const Ray& r
   const Vector2 from = entry.ahead.turn_back(away);
   const Vector2 along = entry.ahead.turn_back(Vector2{direction.x, direction.y});
   return distance_to_look({{from.x, from.y, origin.z}, {along.x, along.y, direction.z}},
-                          looks_[id]);
+                          *looks_[id]);
 }
 
 /// From cell to cell along the ray (Amanatides and Woo 1987).
@@ -375,7 +376,7 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
             lower.y > entry.place.y + reach || upper.y < entry.place.y - reach) {
           continue;
         }
-        const Look& look = looks_[id];
+        const Look& look = *looks_[id];
         const Placing placing(entry.place, entry.ahead);
         if (look.kind == Shape::Kind::cylinder ? test.meets(placing.cylinder(look.round))
             : look.corners.empty()             ? test.meets(placing.box(look.box))

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,10 +46,10 @@ class PlanarScene {
 
   /// Adds a body; its ids count upwards from 0. Only `sensed` bodies take part in rays and
   /// pyramids.
-  Id add(Body body, bool sensed, Look look, const Vector2& place, const Direction& ahead);
+  Id add(Body body, bool sensed, std::shared_ptr<const Look> look, const Vector2& place,
+         const Direction& ahead);
   void move(Id id, const Vector2& place, const Direction& ahead);
   void remove(Id id);
-  Look& look(Id id) { return looks_[id]; }
 
   /// Calls `call` with every other body that may be no further than `margin` away from the circle
   /// around this one; perhaps more than once.
@@ -114,7 +115,7 @@ class PlanarScene {
 
   base::Grid grid_;
   std::vector<Entry> entries_;
-  std::vector<Look> looks_;
+  std::vector<std::shared_ptr<const Look>> looks_;
 };
 
 template <class Call>

@@ -1,0 +1,34 @@
+// What robots with equal bodies share.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "elsie/api/body.h"
+
+#include "planar_scene.h"
+#include "planar_vehicle.h"
+
+namespace elsie::physics {
+
+struct BodyModel {
+  BodyPlan plan;
+  // Of each vehicle:
+  std::vector<std::shared_ptr<std::vector<Solid>>> solids;
+  std::vector<std::shared_ptr<Look>> looks;
+
+  explicit BodyModel(const BodyPlan& plan);
+  /// Points a wheel of a vehicle in this direction of the vehicle's frame.
+  void point(std::size_t vehicle, std::size_t wheel, double heading_rad);
+};
+
+/// Finds models by their plans. Steered wheels change a model, so that such robots share none.
+class BodyModels {
+ public:
+  std::shared_ptr<BodyModel> model_of(const BodyPlan& plan);
+
+ private:
+  std::vector<std::shared_ptr<BodyModel>> known_;
+};
+
+}  // namespace elsie::physics
