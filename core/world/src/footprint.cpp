@@ -174,8 +174,9 @@ std::optional<std::string> problem_of_outline(std::span<const Vector2> points) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vector2 edge = nth(i + 1) - nth(i), next = nth(i + 2) - nth(i + 1);
     const double length = std::hypot(edge.x, edge.y);
-    if (length < kLeastLength)
+    if (length < kLeastLength) {
       return "has " + point(i + 1) + " where the one before it is; take it out";
+    }
     around += length;
     turned += turns.emplace_back(std::atan2(cross(edge, next), edge.x * next.x + edge.y * next.y));
   }

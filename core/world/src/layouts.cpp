@@ -17,7 +17,7 @@ AttributeSpec given(const char* name, Member value, ParameterFacts facts) {
   AttributeSpec attribute;
   attribute.name = name;
   attribute.type = detail::type_of<decltype(held_by(value))>();
-  const std::optional<decltype(held_by(value))> held = value;
+  const std::optional<decltype(held_by(value))>& held = value;
   if (held) attribute.default_value = detail::to_value(*held);
   attribute.facts = std::move(facts);
   return attribute;
