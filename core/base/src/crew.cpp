@@ -86,17 +86,15 @@ void Crew::help(std::size_t thread) {
   stack_t second{};
   second.ss_sp = stacks_[thread - 1]->bytes;
   second.ss_size = sizeof(Stack::bytes);
-  sigaltstack(&second, nullptr);
-  for (std::uint32_t calls = 0;;) {
-    calls = next_value(calls_, calls);
-    if (over_) {
-      return;
-    }
+  stack_t before{};
+  sigaltstack(&second, &before);
+  for (std::uint32_t calls = next_value(calls_, 0); !over_; calls = next_value(calls_, calls)) {
     take_shares(thread);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
       busy_.notify_one();
     }
   }
+  sigaltstack(&before, nullptr);  // sanitizers have one of their own in each thread
 }
 
 void Crew::take_shares(std::size_t thread) {
