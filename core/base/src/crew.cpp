@@ -49,6 +49,8 @@ Crew::Crew(std::size_t threads) {
   pthread_sigmask(SIG_SETMASK, &others, &before);
   for (std::size_t i = 1; i < threads; ++i) {
     stacks_.push_back(std::make_unique<Stack>());
+  }
+  for (std::size_t i = 1; i < threads; ++i) {  // once nothing changes that they read
     helpers_.emplace_back([this, i] { help(i); });
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
