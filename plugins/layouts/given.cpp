@@ -21,8 +21,8 @@ std::optional<ParameterValue> Given::value(const char* name) const {
   const world::AttributeSpec& known = *spec_.attribute(name);
   const world::Attribute* const attribute = element_.find(name);
   // One that is not allowed is a problem already.
-  auto read = attribute ? world::parse_value(known, attribute->value).value : std::nullopt;
-  return read ? std::move(read) : known.default_value;
+  const auto read = attribute ? world::parse_value(known, attribute->value).value : std::nullopt;
+  return read ? read : known.default_value;
 }
 
 std::optional<double> Given::number(const char* name) const {

@@ -20,6 +20,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
 
 Spot around(double x, double y, double radius, Random& random) {
   const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -163,10 +165,9 @@ std::optional<Spot> Places::next(std::size_t thing, int attempt, Random& random)
             const Area area = grid.area;
             const auto columns = static_cast<std::size_t>(grid.columns);
             const double length = area.length / grid.columns, width = area.width / grid.rows;
-            const double x =
-                area.left() + length * (0.5 + static_cast<double>(cells_.back() % columns));
-            const double y =
-                area.bottom() + width * (0.5 + static_cast<double>(cells_.back() / columns));
+            const std::size_t column = cells_.back() % columns, row = cells_.back() / columns;
+            const double x = area.left() + length * (0.5 + static_cast<double>(column));
+            const double y = area.bottom() + width * (0.5 + static_cast<double>(row));
             const double off = 0.5 * grid.jitter * length;
             return Spot{x + random.uniform(-off, off),
                         y + 0.5 * grid.jitter * width * random.uniform(-1.0, 1.0)};

@@ -30,7 +30,8 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
 void Encounters::find(std::span<const Moving> moving, double margin) {
   contacts_.clear();
   touches_.clear();
-  for (const auto& [id, mover, reach] : moving) {
+  for (const Moving& each : moving) {
+    const std::uint32_t id = each.thing;
     near_.clear();
     scene_.for_each_near(id, margin, [&](std::uint32_t other) {
       // Two movers find each other.
