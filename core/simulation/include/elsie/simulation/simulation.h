@@ -55,7 +55,7 @@ struct Options {
   /// Paths of data files by their names, as in world::ReadOptions. They are used before any search.
   std::map<std::string, std::string> files{};
   Budget budget{};
-  /// Threads that sense, decide and move bodies, at least 1. The run is the same with any number,
+  /// Threads in which robots sense and decide, at least 1. The run is the same with any number,
   /// bit for bit. A budget needs 1: other threads would count in it.
   std::size_t threads = 1;
   /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. It does
