@@ -22,8 +22,14 @@ inline void click_on(QWidget* widget, Qt::MouseButton button = Qt::LeftButton,
   REQUIRE(widget->isVisible());
   click_at(widget, widget->rect().center(), button, keys);
 }
-/// In whatever has the focus in the window of the widget.
+/// In whatever has the focus in the window of the widget. Shortcuts act in the active window only,
+/// and a dialog that closes gives that back some time later.
 inline void press_key(QWidget* in, Qt::Key key, Qt::KeyboardModifiers keys = {}) {
+  if (!in->window()->isActiveWindow() && !QApplication::activeModalWidget() &&
+      !QApplication::activePopupWidget()) {
+    in->window()->activateWindow();
+    static_cast<void>(QTest::qWaitForWindowActive(in->window()));
+  }
   QTest::keyClick(in->window()->windowHandle(), key, keys);
 }
 inline void type_text(QWidget* in, const char* text) {
