@@ -171,7 +171,7 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   thing.place = {pose.x, pose.y};
   thing.ahead = Direction::of(pose.heading_rad);
   const double reach = look->reach;
-  const std::uint32_t id = scene_.add(body, sensed, std::move(look), thing.place, thing.ahead);
+  const std::uint32_t id = scene_.add(body, sensed, mover.has_value(), std::move(look), thing.place, thing.ahead);
   if (mover) {
     mover->put(thing.place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
@@ -214,6 +214,7 @@ void PlanarEngine::enter_robot(std::size_t robot) {
   const Vector2& at = movers_[robots_[robot].first()].place();
   robot_bodies_[robot].stays_within = bounds_.within_walls({at.x, at.y, 0.0});
   place_in_scene(robot);
+  scene_.note_moves();
 }
 
 std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
@@ -286,6 +287,7 @@ std::size_t PlanarEngine::add_box_of(const Engine& other, std::size_t box,
     Mover& mover = movers_[thing.mover];
     mover.take(before.movers_[known.mover]);
     scene_.move(boxes_[index].thing, mover.place(), mover.ahead());
+    scene_.note_moves();
     boxes_[index].stays_within = boxes_[index].kind == world::BoxKind::dynamic &&
                                  bounds_.within_walls({mover.place().x, mover.place().y, 0.0});
   }
@@ -446,6 +448,7 @@ void PlanarEngine::settle() {
     }
     scene_.move(box.thing, mover.place(), mover.ahead());
   }
+  scene_.note_moves();
 }
 
 void PlanarEngine::judge(const Mover& mover, double limit, bool stays_within, const Body& body,

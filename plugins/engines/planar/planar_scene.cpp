@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "elsie/world/parts.h"
@@ -12,8 +14,14 @@
 namespace elsie::physics {
 namespace {
 
-// More cells than so many for each ray are not searched as a whole.
-constexpr long kCellsOfRay = 8;
+// Rays that are cast together.
+constexpr std::size_t kMostRays = 16;
+
+// What is around a robot is found again when something has moved so far. Farther lists are longer.
+constexpr double kMargin = 0.2;  // m
+
+// Around a robot with longer rays, each ray is followed through the grid.
+constexpr double kFarthest = 6.0;  // m
 
 constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
 
@@ -135,13 +143,15 @@ Look Look::of(std::span<const Part> vehicle) {
   return look;
 }
 
-PlanarScene::Id PlanarScene::add(Body body, bool sensed, std::shared_ptr<const Look> shared,
-                                 const Vector2& place, const Direction& ahead) {
+PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
+                                 std::shared_ptr<const Look> shared, const Vector2& place,
+                                 const Direction& ahead) {
   const Look& look = *shared;
   Entry& entry = entries_.emplace_back();
   const OrientedBox& box = look.box;
   entry.body = body;
   entry.sensed = sensed;
+  entry.moves = moves;
   entry.reach = look.reach + kHair;
   entry.half = {box.half.x, box.half.y};
   entry.low = box.center.z - box.half.z;
@@ -152,33 +162,66 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, std::shared_ptr<const L
   const bool is_disc = look.kind == Shape::Kind::cylinder && look.round.axis.z == 1.0;
   const bool is_box = look.kind == Shape::Kind::box && look.corners.empty();
   entry.outside = is_box ? Outside::box : is_disc ? Outside::disc : Outside::other;
+  entry.place = place;
+  entry.ahead = ahead;
   looks_.push_back(std::move(shared));
   const auto id = static_cast<Id>(entries_.size() - 1);
-  move(id, place, ahead);
+  this->place(id);
+  if (body.kind == BodyKind::robot) {
+    if (body.index < around_.size()) {
+      around_[body.index].pulls = true;
+    } else {
+      around_.resize(body.index + 1);
+    }
+  }
+  for (Around& each : around_) each.radius = -1.0;
   return id;
 }
 
-base::Grid::Block PlanarScene::block_of(const Entry& entry, double margin) const {
-  double x = entry.reach + margin, y = x;
-  if (entry.outside == Outside::box && entry.wheels_top < 0.0) {
+base::Grid::Block PlanarScene::block_of(const Entry& entry) const {
+  double x = entry.reach, y = x;
+  if (!entry.moves && entry.outside == Outside::box) {
     const Vector2& half = entry.half;
     const double c = std::abs(entry.ahead.c), s = std::abs(entry.ahead.s);
-    x = c * half.x + s * half.y + margin + kHair;
-    y = s * half.x + c * half.y + margin + kHair;
+    x = c * half.x + s * half.y + kHair;
+    y = s * half.x + c * half.y + kHair;
   }
   return grid_.block(entry.place.x - x, entry.place.y - y, entry.place.x + x, entry.place.y + y);
 }
 
+/// Enters a body in the grid.
+void PlanarScene::place(Id id) {
+  Entry& entry = entries_[id];
+  const base::Grid::Block block = block_of(entry);
+  if (!entry.placed || block != entry.block) {
+    if (entry.placed) grid_.erase(id, entry.block);
+    grid_.insert(id, block);
+    entry.block = block;
+    entry.placed = true;
+  }
+  // Cells at the border reach to infinity.
+  const auto least = [&](int first, int last, int count, auto border) {
+    const double a = first == 0 ? -kMiss : border(first) + entry.reach;
+    const double b = last == 0 ? -kMiss : border(last) - entry.reach;
+    const double c = first == count - 1 ? kMiss : border(first + 1) + entry.reach;
+    const double d = last == count - 1 ? kMiss : border(last + 1) - entry.reach;
+    return std::pair(std::max(a, b), std::min(c, d));
+  };
+  const auto column = [this](int i) { return grid_.column_border(i); };
+  const auto row = [this](int i) { return grid_.row_border(i); };
+  std::tie(entry.least.x, entry.most.x) = least(block.x0, block.x1, grid_.columns(), column);
+  std::tie(entry.least.y, entry.most.y) = least(block.y0, block.y1, grid_.rows(), row);
+}
+
 void PlanarScene::move(Id id, const Vector2& place, const Direction& ahead) {
   Entry& entry = entries_[id];
+  const double dx = place.x - entry.place.x, dy = place.y - entry.place.y;
+  farthest_move_ = std::max(farthest_move_, dx * dx + dy * dy);
   entry.place = place;
   entry.ahead = ahead;
-  const base::Grid::Block block = block_of(entry, 0.0);
-  if (entry.placed && block == entry.block) return;
-  if (entry.placed) grid_.erase(id, entry.block);
-  grid_.insert(id, block);
-  entry.block = block;
-  entry.placed = true;
+  const bool stays = place.x >= entry.least.x && place.x < entry.most.x &&
+                     place.y >= entry.least.y && place.y < entry.most.y;
+  if (!stays) this->place(id);
 }
 
 void PlanarScene::remove(Id id) {
@@ -198,12 +241,11 @@ double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
   if (across * across > entry.reach * entry.reach * flat) return kMiss;
   const double to_middle = -(away.x * direction.x + away.y * direction.y);
   if (to_middle - entry.reach > range || to_middle + entry.reach < 0.0) return kMiss;
-  return distance_past_circle(entry, id, ray, range);
+  return distance_past_circle(entry, id, origin, direction, range);
 }
 
-double PlanarScene::distance_past_circle(const Entry& entry, Id id, const Ray& ray,
-                                         double range) const {
-  const Vector3 &origin = ray.origin, &direction = ray.direction;
+double PlanarScene::distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
+                                         const Vector3& direction, double range) const {
   const Vector2 away{origin.x - entry.place.x, origin.y - entry.place.y};
   if (direction.z <= 0.0 && origin.z < entry.bottom) return kMiss;
   if (direction.z >= 0.0 && origin.z > entry.top) return kMiss;
@@ -288,76 +330,96 @@ std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3
   return best.found ? std::optional(best.hit) : std::nullopt;
 }
 
-/// Finds all bodies that the rays may meet; false: it is better to walk along them.
-bool PlanarScene::gather(std::span<const RayQuery> rays, std::size_t except,
-                         Candidates& found) const {
-  Vector2 lower{kMiss, kMiss}, upper{-kMiss, -kMiss};
-  for (const auto& [origin, direction, range, answer] : rays) {
-    lower = {std::min(lower.x, origin.x - range), std::min(lower.y, origin.y - range)};
-    upper = {std::max(upper.x, origin.x + range), std::max(upper.y, origin.y + range)};
-  }
-  const base::Grid::Block block = grid_.block(lower.x, lower.y, upper.x, upper.y);
-  const long cells = static_cast<long>(block.x1 - block.x0 + 1) * (block.y1 - block.y0 + 1);
-  if (cells > kCellsOfRay * static_cast<long>(rays.size())) return false;
-  const Vector2 middle{0.5 * (lower.x + upper.x), 0.5 * (lower.y + upper.y)};
-  found.middle = middle;
-  double reach = 0.0;
-  for (const auto& [origin, direction, range, answer] : rays) {
-    const double x = origin.x - middle.x, y = origin.y - middle.y;
-    reach = std::max(reach, std::abs(x) + std::abs(y) + range);
-  }
+/// What is around a robot: at least all that comes within the radius. Null: better ask the grid.
+const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2& middle,
+                                               double radius) const {
+  if (robot >= around_.size()) return nullptr;
+  Around& known = around_[robot];
+  const double dx = middle.x - known.middle.x, dy = middle.y - known.middle.y;
+  const double left = known.radius - radius - (odometer_ - known.odometer);
+  if (left >= 0.0 && dx * dx + dy * dy <= left * left) return &known;
+  if (!(radius <= kFarthest)) return nullptr;
+  known.near.clear();
+  known.middle = middle;
+  known.wanted = std::max(known.wanted, radius);
+  known.radius = known.wanted + kMargin;
+  known.odometer = odometer_;
+  const base::Grid::Block block =
+      grid_.block(middle.x - known.radius, middle.y - known.radius, middle.x + known.radius,
+                  middle.y + known.radius);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {
         const Entry& entry = entries_[id];
         // Once: in the first of its cells.
-        if (x != std::max(entry.block.x0, block.x0) || y != std::max(entry.block.y0, block.y0) ||
-            !is_seen(entry, except) || !comes_within(entry, middle.x, middle.y, reach)) {
-          continue;
+        if (x == std::max(entry.block.x0, block.x0) && y == std::max(entry.block.y0, block.y0) &&
+            !is_of(entry, robot) && comes_within(entry, middle.x, middle.y, known.radius)) {
+          known.near.push_back(id);
         }
-        if (found.count == kMostCandidates) return false;
-        found.all[found.count++] = {id, entry.place.x - middle.x, entry.place.y - middle.y,
-                                    entry.reach};
       }
     }
   }
-  return true;
+  return &known;
 }
 
 void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const {
-  Candidates near;
-  const bool is_gathered = gather(rays, except, near);
-  for (RayQuery& each : rays) {
-    const auto& [origin, direction, max_range, answer] = each;
-    each.distance_m = RayQuery::kNothing;
-    if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) continue;
-    const double floor = distance_to_floor(origin, direction);
-    const Ray ray(origin, direction);
-    Best best;
-    best.found = floor <= max_range;
-    best.hit.distance = best.found ? floor : max_range;
-    if (is_gathered) {
-      const double x = origin.x - near.middle.x, y = origin.y - near.middle.y;
-      const double flat = direction.x * direction.x + direction.y * direction.y;
-      for (std::size_t k = 0; k < near.count; ++k) {
-        const Candidate& candidate = near.all[k];
-        const double ahead_x = candidate.x - x, ahead_y = candidate.y - y;
-        const double across = ahead_x * direction.y - ahead_y * direction.x;
-        if (across * across > candidate.reach * candidate.reach * flat) continue;
-        const double to_middle = ahead_x * direction.x + ahead_y * direction.y;
-        if (to_middle - candidate.reach > best.hit.distance || to_middle + candidate.reach < 0.0) {
-          continue;
-        }
-        const double distance =
-            distance_past_circle(entries_[candidate.id], candidate.id, ray, best.hit.distance);
-        if (distance == kMiss || distance > best.hit.distance) continue;
-        best.hit.distance = distance;
-        best.found = true;
-      }
-    } else {
-      walk(ray, except, best);
+  for (; !rays.empty(); rays = rays.subspan(std::min(kMostRays, rays.size()))) {
+    cast_together(rays.first(std::min(kMostRays, rays.size())), except);
+  }
+}
+
+/// Casts at most kMostRays.
+void PlanarScene::cast_together(std::span<RayQuery> rays, std::size_t except) const {
+  const Vector2 middle{rays.front().origin.x, rays.front().origin.y};
+  double reach = 0.0, sum = 0.0;
+  for (const auto& [origin, direction, range, answer] : rays) {
+    reach = std::max(reach, std::abs(origin.x - middle.x) + std::abs(origin.y - middle.y) + range);
+    sum += dot(origin, direction);
+  }
+  const Around* const near = std::isfinite(sum) ? around(except, middle, reach) : nullptr;
+  if (!near) {
+    for (RayQuery& ray : rays) {
+      const auto hit = cast_ray(ray.origin, ray.direction, ray.max_range_m, except);
+      ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
     }
-    if (best.found) each.distance_m = best.hit.distance;
+    return;
+  }
+  std::array<double, kMostRays> flat, nearest;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    RayQuery& ray = rays[k];
+    const Vector3& direction = ray.direction;
+    flat[k] = direction.x * direction.x + direction.y * direction.y;
+    nearest[k] = ray.max_range_m;
+    ray.distance_m = RayQuery::kNothing;
+    if (direction.z < 0.0) {
+      const double floor = distance_to_floor(ray.origin, direction);
+      if (floor <= nearest[k]) nearest[k] = ray.distance_m = floor;
+    }
+  }
+  for (const Id id : near->near) {
+    const Entry& entry = entries_[id];
+    if (!entry.sensed || !entry.placed ||
+        !comes_within(entry, middle.x, middle.y, reach)) {
+      continue;
+    }
+    // Bits: the rays that meet its circle.
+    unsigned meets = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const RayQuery& ray = rays[k];
+      const double x = entry.place.x - ray.origin.x, y = entry.place.y - ray.origin.y;
+      const double across = x * ray.direction.y - y * ray.direction.x;
+      const double to_middle = x * ray.direction.x + y * ray.direction.y;
+      const bool is_met = (across * across <= entry.reach * entry.reach * flat[k]) &
+                          (to_middle - entry.reach <= nearest[k]) &
+                          (to_middle + entry.reach >= 0.0);
+      meets |= static_cast<unsigned>(is_met) << k;
+    }
+    for (; meets != 0; meets &= meets - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(meets));
+      const double distance =
+          distance_past_circle(entry, id, rays[k].origin, rays[k].direction, nearest[k]);
+      if (distance <= nearest[k]) nearest[k] = rays[k].distance_m = distance;
+    }
   }
 }
 

@@ -46,10 +46,16 @@ class PlanarScene {
 
   /// Adds a body; its ids count upwards from 0. Only `sensed` bodies take part in rays and
   /// pyramids.
-  Id add(Body body, bool sensed, std::shared_ptr<const Look> look, const Vector2& place,
-         const Direction& ahead);
+  /// `moves`: move() will be called.
+  Id add(Body body, bool sensed, bool moves, std::shared_ptr<const Look> look,
+         const Vector2& place, const Direction& ahead);
   void move(Id id, const Vector2& place, const Direction& ahead);
   void remove(Id id);
+  /// Call this after each round of moves.
+  void note_moves() {
+    odometer_ += std::sqrt(farthest_move_);
+    farthest_move_ = 0.0;
+  }
 
   /// Calls `call` with every other body that may be no further than `margin` away from the circle
   /// around this one; perhaps more than once.
@@ -58,7 +64,7 @@ class PlanarScene {
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
-  /// As Engine::cast_rays().
+  /// As Engine::cast_rays(). Only one thread at a time may ask for a robot.
   void cast_rays(std::span<RayQuery> rays, std::size_t except) const;
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
@@ -77,52 +83,70 @@ class PlanarScene {
     Outside outside = Outside::box;
     bool sensed = false;
     bool placed = false;
+    bool moves = false;
     base::Grid::Block block;
+    Vector2 least, most;  // the places that have this block
   };
   struct Best {
     RayHit hit;
     bool found = false;
   };
-  static constexpr std::size_t kMostCandidates = 64;
-  struct Candidate {
-    Id id;
-    double x, y;  // from the middle of the rays
-    double reach;
-  };
-  struct Candidates {
-    Vector2 middle;  // of the origins of the rays
-    std::size_t count = 0;
-    std::array<Candidate, kMostCandidates> all;
+  /// What is around a robot, so that most queries need not search the grid (the neighbour lists of
+  /// Verlet, "Computer experiments on classical fluids", 1967).
+  struct Around {
+    std::vector<Id> near;  // all that came within the radius, but not the robot itself
+    Vector2 middle;
+    double radius = -1.0;   // m
+    double odometer = 0.0;  // m, when it was made
+    double wanted = 0.0;    // m, the largest radius that was asked for
+    bool pulls = false;     // the robot has segments, which may meet each other
   };
 
-  base::Grid::Block block_of(const Entry& entry, double margin) const;
-  bool is_seen(const Entry& entry, std::size_t except) const {
-    return entry.sensed && !(entry.body.kind == BodyKind::robot && entry.body.index == except);
+  base::Grid::Block block_of(const Entry& entry) const;
+  void place(Id id);
+  static bool is_of(const Entry& entry, std::size_t robot) {
+    return entry.body.kind == BodyKind::robot && entry.body.index == robot;
+  }
+  static bool is_seen(const Entry& entry, std::size_t except) {
+    return entry.sensed && !is_of(entry, except);
   }
   /// Whether the body comes within this distance of a point; perhaps also if it nearly does.
   static bool comes_within(const Entry& entry, double x, double y, double distance) {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
     const double far = entry.reach + distance;
     if (dx * dx + dy * dy > far * far) return false;
-    if (entry.outside != Outside::box || entry.wheels_top >= 0.0) return true;
+    if (entry.moves || entry.outside != Outside::box) return true;
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
     return std::abs(at.x) <= entry.half.x + distance && std::abs(at.y) <= entry.half.y + distance;
   }
   double distance_to(Id id, const Ray& ray, double range) const;
-  double distance_past_circle(const Entry& entry, Id id, const Ray& ray, double range) const;
-  bool gather(std::span<const RayQuery> rays, std::size_t except, Candidates& found) const;
+  double distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
+                              const Vector3& direction, double range) const;
+  const Around* around(std::size_t robot, const Vector2& middle, double radius) const;
+  void cast_together(std::span<RayQuery> rays, std::size_t except) const;
   void walk(const Ray& ray, std::size_t except, Best& best) const;
 
   base::Grid grid_;
   std::vector<Entry> entries_;
   std::vector<std::shared_ptr<const Look>> looks_;
+  mutable std::vector<Around> around_;  // of robots; each belongs to the thread that asks for it
+  double odometer_ = 0.0;               // m: the sum of the farthest moves of all rounds
+  double farthest_move_ = 0.0;          // m2, in this round
 };
 
 template <class Call>
 void PlanarScene::for_each_near(Id id, double margin, Call call) const {
   const Entry& self = entries_[id];
   const double x0 = self.place.x, y0 = self.place.y, reach = self.reach + margin;
-  const base::Grid::Block block = block_of(self, margin);
+  const bool is_alone = self.body.kind == BodyKind::robot && !around_[self.body.index].pulls;
+  if (const Around* near = is_alone ? around(self.body.index, self.place, reach) : nullptr) {
+    for (const Id other : near->near) {
+      const Entry& entry = entries_[other];
+      if (entry.placed && comes_within(entry, x0, y0, reach)) call(other);
+    }
+    return;
+  }
+  const base::Grid::Block block = grid_.block(x0 - reach, y0 - reach, x0 + reach, y0 + reach);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id other : grid_.cell(x, y)) {

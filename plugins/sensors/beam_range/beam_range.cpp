@@ -14,44 +14,41 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
   double error_m = 0.0;
 
   elsie::RangeReading sense(const elsie::SensorContext& now) override {
-    elsie::RayQuery ray = ray_of(now);
+    elsie::RayQuery ray{now.frame.origin, now.frame.forward, max_range};
     now.world->cast_rays({&ray, 1});
-    return reading_of(ray, now);
+    return reading_of(ray, *now.random);
   }
 
-  void update_all(std::span<const Update> all) override {
+  void update_all(const elsie::SensorBatch& all) override {
     constexpr std::size_t kMost = 16;  // rays in a query
-    for (; !all.empty(); all = all.subspan(std::min(kMost, all.size()))) {
-      const auto some = all.first(std::min(kMost, all.size()));
+    for (auto rest = all.sensors; !rest.empty(); rest = rest.subspan(std::min(kMost, rest.size()))) {
+      const auto some = rest.first(std::min(kMost, rest.size()));
       std::array<elsie::RayQuery, kMost> rays;
       for (std::size_t i = 0; i < some.size(); ++i) {
-        rays[i] = beam(some[i]).ray_of(some[i].now);
+        rays[i] = {some[i].origin(all.robot), some[i].forward(all.robot), beam(some[i]).max_range};
       }
-      some.front().now.world->cast_rays(std::span(rays).first(some.size()));
+      all.world->cast_rays(std::span(rays).first(some.size()));
       for (std::size_t i = 0; i < some.size(); ++i) {
-        beam(some[i]).set_reading(beam(some[i]).reading_of(rays[i], some[i].now));
+        beam(some[i]).set_reading(beam(some[i]).reading_of(rays[i], *some[i].random));
       }
     }
   }
 
  private:
-  static BeamRange& beam(const Update& update) { return static_cast<BeamRange&>(*update.sensor); }
-
-  elsie::RayQuery ray_of(const elsie::SensorContext& now) const {
-    return {now.frame.origin, now.frame.forward, max_range};
+  static BeamRange& beam(const elsie::SensorBatch::Entry& each) {
+    return static_cast<BeamRange&>(*each.sensor);
   }
 
-  elsie::RangeReading reading_of(const elsie::RayQuery& ray,
-                                 const elsie::SensorContext& now) const {
+  elsie::RangeReading reading_of(const elsie::RayQuery& ray, elsie::Random& random) const {
     if (ray.distance_m > max_range) {
       return {max_range, max_range, false};
     }
     double measured = ray.distance_m;
     if (error > 0.0) {
-      measured += now.random->normal(0.0, error * ray.distance_m);
+      measured += random.normal(0.0, error * ray.distance_m);
     }
     if (error_m > 0.0) {
-      measured += now.random->normal(0.0, error_m);
+      measured += random.normal(0.0, error_m);
     }
     return {std::clamp(measured, 0.0, max_range), max_range, true};
   }

@@ -123,7 +123,7 @@ class Guard {
 
   /// Checks after a call whether it changed the process.
   void settle(const world::PluginUse& use, plugin::Call& call) {
-    if (const char* const changed = call.restore_arithmetic()) [[unlikely]] {
+    if (const char* const changed = call.end_arithmetic()) [[unlikely]] {
       note_arithmetic(use, changed);
     }
     if (call.has_forked()) [[unlikely]] {

@@ -251,17 +251,16 @@ void Controller::check(const Slot& slot, const Response& response) const {
   if (!response.command.is_finite()) {
     fail("its command is not a finite number: " + text(response.command));
   }
-  const auto check_degree = [&](const char* what, double value) {
-    if (!(value >= 0.0 && value <= 1.0)) {
+  for (const auto& [what, value] : {std::pair("activation", response.activation),
+                                    std::pair("strength", response.strength),
+                                    std::pair("speed_strength", response.speed_strength),
+                                    std::pair("lateral_strength", response.lateral_strength),
+                                    std::pair("turn_strength", response.turn_strength)}) {
+    if (!(value >= 0.0 && value <= 1.0)) [[unlikely]] {
       fail(std::string("its ") + what + " is " + std::to_string(value) +
            ", which is not in [0, 1]");
     }
-  };
-  check_degree("activation", response.activation);
-  check_degree("strength", response.strength);
-  check_degree("speed_strength", response.speed_strength);
-  check_degree("lateral_strength", response.lateral_strength);
-  check_degree("turn_strength", response.turn_strength);
+  }
   for (const Event& event : response.events) {
     const auto& declared = slot.declaration->events;
     if (std::none_of(declared.begin(), declared.end(),

@@ -231,29 +231,20 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
     return;
   }
   guard_.begin_step(now.step);
-  std::vector<Sensor::Update>& updates = carrier.memory().updates;
   for (const Together& group : together_) {
-    updates.resize(group.count);
-    for (std::size_t i = 0; i < group.count; ++i) {
-      SensorSlot& slot = *sensors_[group.first + i];
-      updates[i].sensor = &slot.object();
-      SensorContext& context = updates[i].now;
-      context.time_s = now.time_s;
-      context.period_s = now.period_s;
-      context.frame = body_frame_.frame(slot.frame);
-      context.mounting = &slot.mounting;
-      context.world = &carrier;
-      context.random = &slot.random;
-      context.image = slot.camera ? &slot.picture : nullptr;
-    }
     SensorSlot& first = *sensors_[group.first];
-    guard_.step(first, [&] {
-      if (group.count == 1) {
-        first.object().update(updates.front().now);
-      } else {
-        first.object().update_all(updates);
+    if (group.count == 1) {
+      update(first, carrier, now);
+    } else {
+      std::vector<SensorBatch::Entry>& entries = carrier.memory().sensors;
+      entries.clear();
+      for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+        SensorSlot& slot = *sensors_[i];
+        entries.push_back({&slot.object(), &slot.frame, &slot.mounting, &slot.random});
       }
-    });
+      const SensorBatch all{entries, now.time_s, now.period_s, body_frame_, &carrier};
+      guard_.step(first, [&] { first.object().update_all(all); });
+    }
     const std::optional<Pyramid> volume = carrier.take_volume();
     if (!volume) {
       first.volume.reset();
@@ -263,6 +254,14 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
       first.volume = std::make_unique<Pyramid>(*volume);
     }
   }
+}
+
+void Robot::update(SensorSlot& slot, const Carrier& carrier, const Instant& now) {
+  const SensorContext context{
+      now.time_s,    now.period_s, body_frame_.frame(slot.frame),
+      &slot.mounting, &carrier,     &slot.random,
+      slot.camera ? &slot.picture : nullptr};
+  guard_.step(slot, [&] { slot.object().update(context); });
 }
 
 void Robot::decide(const Instant& now) {

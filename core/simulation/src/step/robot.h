@@ -187,6 +187,7 @@ class Robot final : private Wishes {
     raised_.emplace_back(events::Raised{std::string(event.name)});
   }
   void ask_for_charge() override { charge_asked_ = true; }
+  void update(SensorSlot& slot, const Carrier& carrier, const Instant& now);
   void replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras);
   void replace_drive(Swap& swap);
   /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.

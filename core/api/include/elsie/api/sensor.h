@@ -83,6 +83,32 @@ struct SensorContext {
   const Image* image = nullptr;  // the present picture of its camera; see Sensor::camera()
 };
 
+class Sensor;
+
+/// Several sensors of one plugin on one robot, which are updated in one call.
+struct SensorBatch {
+  struct Entry {
+    Sensor* sensor;         // of the same class as the called object
+    const Frame* on_robot;  // its frame, in the frame of the robot
+    const Mounting* mounting;
+    Random* random;
+
+    /// Its place and where it points, in the world: those of SensorContext::frame.
+    Vector3 origin(const Frame& robot) const { return robot.point(on_robot->origin); }
+    Vector3 forward(const Frame& robot) const { return robot.direction(on_robot->forward); }
+  };
+  std::span<const Entry> sensors;
+  double time_s;
+  double period_s;
+  Frame robot;  // in the world
+  const Surroundings* world;
+
+  /// What update() of one of them gets.
+  SensorContext now(const Entry& each) const {
+    return {time_s, period_s, robot.frame(*each.on_robot), each.mounting, world, each.random};
+  }
+};
+
 /// Properties of the robot that carries a sensor; they do not change in a run. A view, valid only
 /// during the call.
 struct Carrier {
@@ -107,18 +133,13 @@ class Sensor : public Component {
   virtual ReadingKind kind() const = 0;
   /// Produces a new reading.
   virtual void update(const SensorContext& now) = 0;
-  /// One of several sensors of one plugin on one robot, which are updated in one call.
-  struct Update {
-    Sensor* sensor;  // of the same class as the called object
-    SensorContext now;
-  };
   /// Produces new readings of all sensors of this plugin on the robot, in file order; the called
   /// object is the first of them. Override this only for speed, where one query for all is cheaper
   /// than one for each: readings and random numbers must be those of update(). A fault in it is
   /// that of the first sensor. Sensors with a camera are always updated one by one.
-  virtual void update_all(std::span<const Update> all) {
-    for (const Update& each : all) {
-      each.sensor->update(each.now);
+  virtual void update_all(const SensorBatch& all) {
+    for (const SensorBatch::Entry& each : all.sensors) {
+      each.sensor->update(all.now(each));
     }
   }
   /// The address of the current reading, the same for the whole life of the sensor.
@@ -186,7 +207,7 @@ constexpr bool kInheritsSenseInto = requires {
 template <class Class>
 constexpr bool kUpdatesAll = !requires {
   requires std::is_same_v<decltype(&Class::update_all),
-                          void (Sensor::*)(std::span<const Sensor::Update>)>;
+                          void (Sensor::*)(const SensorBatch&)>;
 };
 
 }  // namespace detail

@@ -37,15 +37,18 @@ struct CallFacts {
 /// Notes a call during its lifetime. Calls nest and end in reverse order.
 class Call {
  public:
-  explicit Call(const CallFacts& facts) noexcept : facts_(facts), outer_(innermost_) {
+  // Always inline: several calls for each decision of a robot.
+  [[gnu::always_inline]] explicit Call(const CallFacts& facts) noexcept : facts_(facts), outer_(innermost_) {
     std::atomic_signal_fence(std::memory_order_release);
     innermost_ = this;
   }
-  ~Call() {
+  [[gnu::always_inline]] ~Call() {
     if (end_copy_) [[unlikely]] {
       end_copy_();
     }
-    restore_arithmetic();
+    if (!is_over_) {
+      restore_arithmetic();
+    }
     if (start_ns_ != 0) {
       stop_clock();
     }
@@ -60,6 +63,12 @@ class Call {
   const char* restore_arithmetic() noexcept {
     const Arithmetic now = Arithmetic::now();
     return now == before_ ? nullptr : restore_from(now);
+  }
+
+  /// The same when the plugin's code is over; then the destructor does not.
+  [[gnu::always_inline]] const char* end_arithmetic() noexcept {
+    is_over_ = true;
+    return restore_arithmetic();
   }
 
   /// Returns whether this thread called fork() during the call, since watch_for_copies().
@@ -100,6 +109,7 @@ class Call {
   CallFacts facts_;
   Call* outer_;
   bool has_forked_ = false;
+  bool is_over_ = false;  // end_arithmetic() was called
   const Arithmetic before_ = Arithmetic::now();
   std::int64_t start_ns_ = 0;  // on the steady clock; 0: not measured
   std::int64_t inner_ns_ = 0;  // of the calls inside it that are over
