@@ -14,9 +14,6 @@
 namespace elsie::physics {
 namespace {
 
-// Rays that are cast together.
-constexpr std::size_t kMostRays = 16;
-
 // What is around a robot is found again when something has moved so far. Farther lists are longer.
 constexpr double kMargin = 0.2;  // m
 
@@ -363,64 +360,48 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
 }
 
 void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const {
-  for (; !rays.empty(); rays = rays.subspan(std::min(kMostRays, rays.size()))) {
-    cast_together(rays.first(std::min(kMostRays, rays.size())), except);
-  }
-}
-
-/// Casts at most kMostRays.
-void PlanarScene::cast_together(std::span<RayQuery> rays, std::size_t except) const {
-  const Vector2 middle{rays.front().origin.x, rays.front().origin.y};
-  double reach = 0.0, sum = 0.0;
-  for (const auto& [origin, direction, range, answer] : rays) {
-    reach = std::max(reach, std::abs(origin.x - middle.x) + std::abs(origin.y - middle.y) + range);
-    sum += dot(origin, direction);
-  }
-  const Around* const near = std::isfinite(sum) ? around(except, middle, reach) : nullptr;
-  if (!near) {
-    for (RayQuery& ray : rays) {
+  for (; !rays.empty(); rays = rays.subspan(std::min(LevelRays::kMost, rays.size()))) {
+    const auto some = rays.first(std::min(LevelRays::kMost, rays.size()));
+    LevelRays level;
+    if (level.set(some) && cast_together(some, level, except)) continue;
+    for (RayQuery& ray : some) {
       const auto hit = cast_ray(ray.origin, ray.direction, ray.max_range_m, except);
       ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
     }
-    return;
   }
-  std::array<double, kMostRays> flat, nearest;
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    RayQuery& ray = rays[k];
-    const Vector3& direction = ray.direction;
-    flat[k] = direction.x * direction.x + direction.y * direction.y;
-    nearest[k] = ray.max_range_m;
-    ray.distance_m = RayQuery::kNothing;
-    if (direction.z < 0.0) {
-      const double floor = distance_to_floor(ray.origin, direction);
-      if (floor <= nearest[k]) nearest[k] = ray.distance_m = floor;
-    }
+}
+
+/// False: there is too much around them.
+bool PlanarScene::cast_together(std::span<RayQuery> rays, LevelRays& level,
+                                std::size_t except) const {
+  const Vector2 middle{rays.front().origin.x, rays.front().origin.y};
+  double reach = 0.0, lowest = kMiss;
+  for (const auto& [origin, direction, range, answer] : rays) {
+    reach = std::max(reach, std::abs(origin.x - middle.x) + std::abs(origin.y - middle.y) + range);
+    lowest = std::min(lowest, origin.z);
   }
+  const Around* const near = around(except, middle, reach);
+  if (!near) return false;
   for (const Id id : near->near) {
     const Entry& entry = entries_[id];
-    if (!entry.sensed || !entry.placed ||
-        !comes_within(entry, middle.x, middle.y, reach)) {
+    if (!entry.sensed || !entry.placed || !comes_within(entry, middle.x, middle.y, reach)) {
       continue;
     }
-    // Bits: the rays that meet its circle.
-    unsigned meets = 0;
-    for (std::size_t k = 0; k < rays.size(); ++k) {
-      const RayQuery& ray = rays[k];
-      const double x = entry.place.x - ray.origin.x, y = entry.place.y - ray.origin.y;
-      const double across = x * ray.direction.y - y * ray.direction.x;
-      const double to_middle = x * ray.direction.x + y * ray.direction.y;
-      const bool is_met = (across * across <= entry.reach * entry.reach * flat[k]) &
-                          (to_middle - entry.reach <= nearest[k]) &
-                          (to_middle + entry.reach >= 0.0);
-      meets |= static_cast<unsigned>(is_met) << k;
+    if (entry.outside == Outside::box && lowest > entry.wheels_top) {
+      level.meet_box(entry);
+      continue;
     }
-    for (; meets != 0; meets &= meets - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(meets));
-      const double distance =
-          distance_past_circle(entry, id, rays[k].origin, rays[k].direction, nearest[k]);
-      if (distance <= nearest[k]) nearest[k] = rays[k].distance_m = distance;
+    for (std::uint32_t rest = level.meeting_circle(entry); rest != 0; rest &= rest - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+      if (k >= rays.size()) break;
+      const double nearest = level.nearest(k);
+      const double distance = distance_past_circle(entry, id, rays[k].origin, rays[k].direction,
+                                                   nearest);
+      if (distance <= nearest) level.shorten(k, distance);
     }
   }
+  level.answer(rays);
+  return true;
 }
 
 bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const {

@@ -16,6 +16,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/world/parts.h"
 
+#include "level_rays.h"
 #include "plane.h"
 #include "ray_tests.h"
 #include "shapes.h"
@@ -71,13 +72,8 @@ class PlanarScene {
  private:
   /// How much of a look the frequent rays need.
   enum class Outside : std::uint8_t { box, disc, other };
-  struct Entry {
-    Vector2 place;
-    Direction ahead;
-    double reach = 0.0;
-    Vector2 half;                    // of a box
+  struct Entry : LevelRays::Target {  // without its wheels
     double bottom = 0.0, top = 0.0;  // of all of it
-    double low = 0.0, high = 0.0;    // of the box or disc
     double wheels_top = -1.0;        // m; negative: no wheels
     Body body;
     Outside outside = Outside::box;
@@ -123,7 +119,7 @@ class PlanarScene {
   double distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
                               const Vector3& direction, double range) const;
   const Around* around(std::size_t robot, const Vector2& middle, double radius) const;
-  void cast_together(std::span<RayQuery> rays, std::size_t except) const;
+  bool cast_together(std::span<RayQuery> rays, LevelRays& level, std::size_t except) const;
   void walk(const Ray& ray, std::size_t except, Best& best) const;
 
   base::Grid grid_;

@@ -1,0 +1,61 @@
+// Level rays against upright boxes, several at a time: the inner loop of range sensors.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "elsie/api/sensor.h"
+
+#include "plane.h"
+
+namespace elsie::physics {
+
+/// Rays that run level. The processor's vector instructions take four of them at once; the numbers
+/// are those of one at a time.
+class LevelRays {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  /// At most kMost rays. Returns whether all are level and finite; else the object is of no use.
+  bool set(std::span<const RayQuery> rays);
+
+  /// An upright box, or the circle around something else.
+  struct Target {
+    Vector2 place;
+    Direction ahead;
+    Vector2 half;
+    double low = 0.0, high = 0.0;  // m
+    double reach = 0.0;            // m, the radius of the circle around it
+  };
+  /// Shortens the rays that meet the box.
+  void meet_box(const Target& box);
+  /// The rays that meet the circle: the first in bit 0.
+  std::uint32_t meeting_circle(const Target& target) const;
+
+  double nearest(std::size_t ray) const { return groups_[ray / kLanes].nearest[ray % kLanes]; }
+  void shorten(std::size_t ray, double distance) {
+    groups_[ray / kLanes].nearest[ray % kLanes] = distance;
+    groups_[ray / kLanes].found[ray % kLanes] = -1;
+  }
+  /// Sets the distances of the rays that met something.
+  void answer(std::span<RayQuery> rays) const;
+
+  static constexpr std::size_t kLanes = 4;
+  using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+  using Flags = std::int64_t __attribute__((vector_size(kLanes * sizeof(double))));
+  struct Group {
+    Lanes x, y, z;        // origins
+    Lanes along_x, along_y;
+    Lanes flat;           // the square of the length of (along_x, along_y)
+    Lanes nearest;        // m
+    Flags found;          // -1 if it met something
+  };
+
+ private:
+  std::array<Group, kMost / kLanes> groups_;
+  std::size_t used_ = 0;  // groups
+};
+
+}  // namespace elsie::physics
