@@ -86,6 +86,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
     for (const Change& one : changes) {
       pending_.push_back(one.text());
     }
+    take_stock();
     log_events();
     // Of edits in place, only those of speeds can cause warnings of the physics.
     if (std::any_of(changes.begin(), changes.end(),
@@ -107,6 +108,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
     throw ChangeRefused(text_of(changes) + ": " + error.what());
   }
   settle(becoming);
+  take_stock();
   log_events();
 }
 
@@ -245,7 +247,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   std::swap(world_, *before);
   const auto renew = [this] {
     changes_.emplace(world_, *host_, options_);
-    neighbours_ = Neighbours(world_.arena);
+    neighbours_.emplace(world_.arena);
   };
   undo.add([this, before, renew] {
     std::swap(world_, *before);

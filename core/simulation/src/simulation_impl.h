@@ -90,6 +90,7 @@ class Simulation::Impl {
       robots_[i]->reset(seed);
       robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
     }
+    take_stock();
     wall_s_ = 0.0;
     judgement_ = {};
     touches_ = {};
@@ -118,7 +119,7 @@ class Simulation::Impl {
       if (decides) {
         control(period);
       }
-      move();
+      move(decides);
     } catch (...) {
       // Robots after the failed one may have raised events in other threads.
       const std::size_t failed = loop_.failed_at();
@@ -127,14 +128,21 @@ class Simulation::Impl {
     }
     decided_ = decides;
     touches_.handle(world_, robots_, *engine_, time_s());
-    if (decides) {
-      loop_.each(robots_, [&](std::size_t i, std::size_t) {
-        Robot& robot = *robots_[i];
+    for (const physics::Touch& touch : engine_->touches()) {
+      for (const physics::Body& body : {touch.a, touch.b}) {
+        if (body.kind == physics::BodyKind::robot) attention_[body.index] = true;
+      }
+    }
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (!attention_[i]) continue;
+      Robot& robot = *robots_[i];
+      if (decides) {
         const Pose& pose = robot.state().pose;
         robot.charge(period, charger_rate(world_, robot.description().team, {pose.x, pose.y}));
-      });
+      }
+      robot.take_log(time_s(), events_);
+      attention_[i] = false;
     }
-    log_events();
     if (judgement_.outcome == Outcome::running) {
       judgement_ = judge(self, goal_starts_);
     }
@@ -170,6 +178,7 @@ class Simulation::Impl {
       events_.push_back({time_s(), object.robot, events::Replaced{object.path, object.plugin}});
     }
     ++renewals_;
+    take_stock();
     return replacement;
   }
 
@@ -251,19 +260,23 @@ class Simulation::Impl {
   void control(double period_s) {
     const Instant now{time_s(), period_s, steps_};
     cameras_->take(*engine_);
-    farthest_call_m_ = 0.0;
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const OwnState& robot = robots_[i]->state();
-      neighbours_.place(i, {robot.pose.x, robot.pose.y});
-      farthest_call_m_ = std::max(farthest_call_m_, robot.coverage_m);
+    neighbours_->begin(robots_);
+    if (!knows_calls_) {
+      farthest_call_m_ = 0.0;
+      for (const auto& robot : robots_) {
+        farthest_call_m_ = std::max(farthest_call_m_, robot->state().coverage_m);
+      }
+      knows_calls_ = true;
     }
     // What a robot decides now, no other robot perceives before the next step.
     loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
       Robot& robot = *robots_[i];
-      robot.sense(Carrier(*engine_, robots_, neighbours_, i, memory_[thread]), now);
+      robot.sense(Carrier(*engine_, robots_, *neighbours_, i, memory_[thread]), now);
       update_team(i, memory_[thread].near);
       robot.decide(now);
       robot.use_energy(period_s);
+      engine_->set_joints(i, robot.wanted_joints());
+      attention_[i] = robot.needs_attention();
     });
   }
 
@@ -273,11 +286,9 @@ class Simulation::Impl {
     measuring_->observe(robots_, *engine_, time_s(), last_step, decided, is_start);
   }
 
-  /// Sets the motors and makes a step of the physics.
-  void move() {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      engine_->set_joints(i, robots_[i]->wanted_joints());
-    }
+  /// A step of the physics.
+  void move(bool decides) {
+    if (!decides) set_joints();
     drive_boxes();
     try {
       engine_->step();
@@ -288,6 +299,18 @@ class Simulation::Impl {
     loop_.each(robots_, [&](std::size_t i, std::size_t) {
       robots_[i]->moved(engine_->robot(i), engine_->joints(i));
     });
+  }
+
+  /// After anything but a step has changed robots.
+  void take_stock() {
+    attention_.assign(robots_.size(), true);
+    knows_calls_ = false;
+  }
+
+  void set_joints() {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      engine_->set_joints(i, robots_[i]->wanted_joints());
+    }
   }
 
   void log_events() { log_events(robots_.size()); }
@@ -302,8 +325,10 @@ class Simulation::Impl {
     Robot& robot = *robots_[index];
     const Pose& pose = robot.state().pose;
     robot.mates().clear();
+    robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
+    if (!(farthest_call_m_ > 0.0)) return;
     // A mate is perceived if the mate's own coverage reaches this robot.
-    for (const std::size_t i : neighbours_.near({pose.x, pose.y}, farthest_call_m_, memory)) {
+    for (const std::size_t i : neighbours_->near({pose.x, pose.y}, farthest_call_m_, memory)) {
       const Pose& other = robots_[i]->state().pose;
       // A rough test first, because most are too far away.
       const double reach = robots_[i]->state().coverage_m;
@@ -313,7 +338,6 @@ class Simulation::Impl {
         robot.mates().push_back(seen_from(robots_, index, i));
       }
     }
-    robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
   }
 
   void drive_boxes() {
@@ -339,8 +363,10 @@ class Simulation::Impl {
   RobotLoop loop_;
   std::vector<SensingMemory> memory_;  // of each thread
   Touches touches_;
-  Neighbours neighbours_{world_.arena};  // positions at the last control step
-  double farthest_call_m_ = 0.0;         // the largest coverage of a robot then
+  std::optional<Neighbours> neighbours_{std::in_place, world_.arena};  // positions at the last control step
+  double farthest_call_m_ = 0.0;         // the largest coverage of a robot
+  bool knows_calls_ = false;             // false: a coverage may have changed
+  std::vector<char> attention_;          // of robots: may have events for the log, or be charging
 };
 
 }  // namespace elsie::simulation

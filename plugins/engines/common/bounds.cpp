@@ -1,6 +1,7 @@
 #include "bounds.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -23,7 +24,12 @@ void Bounds::add(const Bounds& other) {
 }
 
 void Bounds::add_height(double top) { top_ = std::max(top_, top); }
-void Bounds::add_robot_speed(double speed) { robot_ = std::max(robot_, speed); }
+void Bounds::add_robot_speed(double speed) {
+  const std::atomic_ref<double> robot(robot_);
+  double known = robot.load(std::memory_order_relaxed);
+  while (speed > known && !robot.compare_exchange_weak(known, speed, std::memory_order_relaxed)) {
+  }
+}
 void Bounds::add_moving_speed(double speed) { moving_ = std::max(moving_, speed); }
 
 double Bounds::most_speed() const {

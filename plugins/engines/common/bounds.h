@@ -34,7 +34,7 @@ class Bounds {
 
   // Things that may set bodies in motion.
   void add_height(double top);          // m, the upper side of a body that may fall
-  void add_robot_speed(double speed);   // m/s, of a robot's fastest part
+  void add_robot_speed(double speed);   // m/s, of a robot's fastest part; several threads may
   void add_moving_speed(double speed);  // m/s, of a moving box
 
   /// The highest possible speed of a body, m/s.

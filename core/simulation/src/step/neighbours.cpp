@@ -2,9 +2,21 @@
 
 #include <algorithm>
 
+#include "step/robot.h"
+
 namespace elsie::simulation {
 
-void Neighbours::place(std::size_t robot, const Vector2& at) {
+void Neighbours::place_all() const {
+  const std::scoped_lock lock(placing_);
+  if (is_placed_) return;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Pose& pose = robots_[i]->state().pose;
+    place(i, {pose.x, pose.y});
+  }
+  is_placed_ = true;
+}
+
+void Neighbours::place(std::size_t robot, const Vector2& at) const {
   const auto id = static_cast<base::Grid::Id>(robot);
   const base::Grid::Block cell = grid_.block(at.x, at.y, at.x, at.y);
   for (std::size_t next = cells_.size(); next <= robot; ++next) {
@@ -20,6 +32,7 @@ void Neighbours::place(std::size_t robot, const Vector2& at) {
 
 std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double reach,
                                                  std::vector<base::Grid::Id>& memory) const {
+  if (!is_placed_) place_all();
   constexpr std::size_t kFew = 8;
   if (all_.size() <= kFew) {
     return all_;

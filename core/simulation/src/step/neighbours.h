@@ -1,7 +1,10 @@
 // Finds robots near a place.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -11,21 +14,33 @@
 
 namespace elsie::simulation {
 
+class Robot;
+
 class Neighbours {
  public:
   explicit Neighbours(const world::Arena& arena) : grid_(arena.length, arena.width) {}
 
-  /// Sets the present position of a robot.
-  void place(std::size_t robot, const Vector2& at);
+  /// From now on these are the robots. They do not move before the next call.
+  void begin(std::span<const std::shared_ptr<Robot>> robots) {
+    robots_ = robots;
+    is_placed_ = false;
+  }
   /// All robots within `reach` of the place, m, along x and along y, and perhaps others, in the
   /// order of their indices. Valid until `memory` changes.
   std::span<const base::Grid::Id> near(const Vector2& place, double reach,
                                        std::vector<base::Grid::Id>& memory) const;
 
  private:
-  base::Grid grid_;
-  std::vector<base::Grid::Block> cells_;  // of each robot: one cell
-  std::vector<base::Grid::Id> all_;
+  void place_all() const;
+  void place(std::size_t robot, const Vector2& at) const;
+
+  std::span<const std::shared_ptr<Robot>> robots_;
+  // Made when it is first needed, by one of the threads that need it.
+  mutable std::mutex placing_;
+  mutable std::atomic<bool> is_placed_ = false;
+  mutable base::Grid grid_;
+  mutable std::vector<base::Grid::Block> cells_;  // of each robot: one cell
+  mutable std::vector<base::Grid::Id> all_;
 };
 
 }  // namespace elsie::simulation

@@ -130,6 +130,10 @@ class Robot final : private Wishes {
     controller_->list_inferences("", list);
     return list;
   }
+  /// Returns whether charge() or take_log() would do anything.
+  bool needs_attention() const {
+    return charge_asked_ || state_.charging || logged_ < raised_.size();
+  }
   /// Appends the events since the last call to the log.
   void take_log(double time_s, std::vector<EventRecord>& log);
 

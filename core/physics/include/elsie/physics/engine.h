@@ -115,7 +115,8 @@ class Engine {
 
   /// Sets the set points of a robot's joints that can be set (can_be_set()), in the order of its
   /// parts. The caller limits rates to those that the motors can make. Throws std::invalid_argument
-  /// if the number of settings is wrong or one is not finite.
+  /// if the number of settings is wrong or one is not finite. Several threads may call this at once
+  /// for different robots.
   virtual void set_joints(std::size_t robot, std::span<const JointSetting> settings) = 0;
   /// Measured values of these joints; valid until the next step.
   virtual std::span<const JointSetting> joints(std::size_t robot) const = 0;
