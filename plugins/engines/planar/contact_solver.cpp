@@ -68,10 +68,12 @@ void ContactSolver::prepare(Contact& contact) const {
 }
 
 void ContactSolver::apply(const Contact& contact, const Contact::Row& row, double impulse) {
-  movers_[contact.a].add(impulse * row.a, impulse * row.change_a);
-  if (contact.b != Contact::kFixed) {
-    movers_[contact.b].add(impulse * row.b, impulse * row.change_b);
-  }
+  // A box that nothing stops takes no impulse, and other islands meet it, too.
+  Mover& a = movers_[contact.a];
+  if (a.gives_way()) a.add(impulse * row.a, impulse * row.change_a);
+  if (contact.b == Contact::kFixed) return;
+  Mover& b = movers_[contact.b];
+  if (b.gives_way()) b.add(impulse * row.b, impulse * row.change_b);
 }
 
 void ContactSolver::aim(Contact& contact) const {
@@ -232,7 +234,9 @@ void ContactSolver::separate(std::span<const Contact> contacts) {
       const double way =
           std::min(physics_.effective_erp() * depth, world::kMaxCorrectingSpeed * physics_.step) /
           (of_a + of_b);
-      movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});
+      if (of_a > 0.0) {
+        movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});
+      }
       if (of_b > 0.0) {
         movers_[contact.b].shift({-way * of_b * contact.normal.x, -way * of_b * contact.normal.y});
       }

@@ -9,6 +9,10 @@ namespace {
 
 constexpr std::uint32_t kNone = Contact::kFixed;
 
+// In the share of a thread: fewer do not pay for waking it.
+constexpr std::size_t kLeastThings = 32;
+constexpr std::size_t kLeastIslands = 4;
+
 }  // namespace
 
 bool Encounters::may_meet(const Thing& a, const Thing& b) const {
@@ -27,28 +31,20 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
   return std::tie(at_a.x, at_a.y, a.number) < std::tie(at_b.x, at_b.y, b.number);
 }
 
-void Encounters::find(std::span<const Moving> moving, double margin) {
+void Encounters::find(std::span<const Moving> moving, double margin, base::Crew& crew) {
+  found_.resize(crew.threads());
+  crew.divide(moving.size(), kLeastThings, [&](const base::Crew::Share& share) {
+    for (std::size_t i = share.first; i < share.end; ++i) {
+      look_around(moving[i], margin, found_[share.thread]);
+    }
+  });
   contacts_.clear();
   touches_.clear();
-  for (const Moving& each : moving) {
-    const std::uint32_t id = each.thing;
-    near_.clear();
-    scene_.for_each_near(id, margin, [&](std::uint32_t other) {
-      // Two movers find each other.
-      if (things_[other].mover == kNone || id < other) near_.push_back(other);
-    });
-    if (near_.empty()) continue;
-    std::sort(near_.begin(), near_.end());
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-    for (const std::uint32_t other : near_) {
-      const Thing &a = things_[id], &b = things_[other];
-      if (!may_meet(a, b)) continue;
-      if (is_before(a, b)) {
-        meet(id, other, margin);
-      } else {
-        meet(other, id, margin);
-      }
-    }
+  for (Found& each : found_) {
+    contacts_.insert(contacts_.end(), each.contacts.begin(), each.contacts.end());
+    touches_.insert(touches_.end(), each.touches.begin(), each.touches.end());
+    each.contacts.clear();
+    each.touches.clear();
   }
   if (touches_.size() < 2) return;
   std::sort(touches_.begin(), touches_.end(),
@@ -60,7 +56,30 @@ void Encounters::find(std::span<const Moving> moving, double margin) {
       touches_.end());
 }
 
-void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) {
+void Encounters::look_around(const Moving& moving, double margin, Found& found) const {
+  const std::uint32_t id = moving.thing;
+  std::vector<std::uint32_t>& near = found.near;
+  near.clear();
+  scene_.for_each_near(id, margin, [&](std::uint32_t other) {
+    // Two movers find each other.
+    if (things_[other].mover == kNone || id < other) near.push_back(other);
+  });
+  if (near.empty()) return;
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  for (const std::uint32_t other : near) {
+    const Thing &a = things_[id], &b = things_[other];
+    if (!may_meet(a, b)) continue;
+    if (is_before(a, b)) {
+      meet(id, other, margin, found);
+    } else {
+      meet(other, id, margin, found);
+    }
+  }
+}
+
+void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
+                      Found& found) const {
   const Thing &a = things_[first], &b = things_[second];
   const auto place_of = [this](const Thing& thing) {
     return thing.mover == kNone ? thing.place : movers_[thing.mover].place();
@@ -91,13 +110,13 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) 
       const double far = of_a.outline.reach + of_b.outline.reach + margin;
       if (dx * dx + dy * dy > far * far) continue;
       if (!is_placed) {
-        placed_a = placed(of_a.outline, middle_a, ahead_a.turned(of_a.ahead), space_a_);
+        placed_a = placed(of_a.outline, middle_a, ahead_a.turned(of_a.ahead), found.space_a);
         is_placed = true;
       }
       const Meeting met = physics::meet(
-          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), space_b_), margin);
+          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), found.space_b), margin);
       for (std::size_t n = 0; n < met.count; ++n) {
-        Contact& contact = contacts_.emplace_back();
+        Contact& contact = found.contacts.emplace_back();
         contact.key = {a.number, b.number,
                        static_cast<std::uint64_t>(i) << 48 | static_cast<std::uint64_t>(k) << 32 |
                            met.points[n].feature};
@@ -111,7 +130,7 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin) 
     }
   }
   if ((touches || pushed(a.number, b.number)) && a.body != b.body) {
-    touches_.push_back(a.body < b.body ? Touch{a.body, b.body} : Touch{b.body, a.body});
+    found.touches.push_back(a.body < b.body ? Touch{a.body, b.body} : Touch{b.body, a.body});
   }
 }
 
@@ -187,7 +206,8 @@ void Encounters::order(std::span<Hinge* const> hinges) {
     const auto place = [&](const Contact& contact) {
       // Boxes that nothing stops have the last word.
       return std::tuple(island(contact), solver_.is_driven(contact), ranks_[contact.a],
-                        rank_b(contact), contact.at.x, contact.at.y, contact.key.feature);
+                        rank_b(contact), contact.at.x, contact.at.y, contact.key.feature,
+                        contact.key.b);
     };
     return place(x) < place(y);
   });
@@ -201,13 +221,13 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   });
 }
 
-void Encounters::solve(std::span<Hinge* const> hinges) {
+void Encounters::solve(std::span<Hinge* const> hinges, base::Crew& crew) {
   if (contacts_.empty() && hinges.empty()) {
     memory_.clear();
     return;
   }
   order(hinges);
-  for (Contact& contact : contacts_) recall(contact);
+  islands_.clear();
   auto contact = contacts_.begin();
   auto hinge = hinges_.begin();
   for (auto first = involved_.begin(); first != involved_.end();) {
@@ -219,11 +239,14 @@ void Encounters::solve(std::span<Hinge* const> hinges) {
     });
     const auto last_hinge = std::find_if(
         hinge, hinges_.end(), [&](const Hinge* each) { return root(each->front) != island; });
-    solve_island({first, last}, {contact, last_contact}, {hinge, last_hinge});
+    islands_.push_back({{first, last}, {contact, last_contact}, {hinge, last_hinge}});
     first = last;
     contact = last_contact;
     hinge = last_hinge;
   }
+  crew.divide(islands_.size(), kLeastIslands, [this](const base::Crew::Share& share) {
+    for (std::size_t i = share.first; i < share.end; ++i) solve_island(islands_[i]);
+  });
   memory_.clear();
   for (const Contact& each : contacts_) {
     if (each.push > 0.0 || each.coming > 0.0) {
@@ -234,8 +257,9 @@ void Encounters::solve(std::span<Hinge* const> hinges) {
             [](const Memory& a, const Memory& b) { return a.key < b.key; });
 }
 
-void Encounters::solve_island(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
-                              std::span<Hinge* const> hinges) {
+void Encounters::solve_island(const Island& island) {
+  const auto& [bodies, contacts, hinges] = island;
+  for (Contact& contact : contacts) recall(contact);
   const bool is_needed =
       !hinges.empty() || std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
         return contact.gap < 0.0 || contact.coming > 0.0 || solver_.is_needed(contact);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "elsie/base/crew.h"
 #include "elsie/physics/engine.h"
 
 #include "contact_solver.h"
@@ -50,9 +51,9 @@ class Encounters {
 
   /// Finds the contacts of things that may come `margin` nearer in this step. `moving`: all that
   /// are still there.
-  void find(std::span<const Moving> moving, double margin);
+  void find(std::span<const Moving> moving, double margin, base::Crew& crew);
   /// Gives the movers their velocities; the hinges join them.
-  void solve(std::span<Hinge* const> hinges);
+  void solve(std::span<Hinge* const> hinges, base::Crew& crew);
 
   std::span<const Touch> touches() const { return touches_; }
   /// Takes over what another engine remembers of the last step.
@@ -65,7 +66,23 @@ class Encounters {
     double push, rub, coming;
   };
 
-  void meet(std::uint32_t first, std::uint32_t second, double margin);
+  /// What one thread finds.
+  struct Found {
+    std::vector<Contact> contacts;
+    std::vector<Touch> touches;
+    // Kept to reuse their memory.
+    std::vector<std::uint32_t> near;
+    std::vector<Vector2> space_a, space_b;
+  };
+  /// Bodies that act on each other.
+  struct Island {
+    std::span<const std::uint32_t> bodies;  // movers
+    std::span<Contact> contacts;
+    std::span<Hinge* const> hinges;
+  };
+
+  void look_around(const Moving& moving, double margin, Found& found) const;
+  void meet(std::uint32_t first, std::uint32_t second, double margin, Found& found) const;
   bool may_meet(const Thing& a, const Thing& b) const;
   bool is_before(const Thing& a, const Thing& b) const;
   bool pushed(std::uint64_t a, std::uint64_t b) const;
@@ -74,8 +91,7 @@ class Encounters {
   void join(std::uint32_t a, std::uint32_t b);
   void involve(std::uint32_t mover);
   void order(std::span<Hinge* const> hinges);
-  void solve_island(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
-                    std::span<Hinge* const> hinges);
+  void solve_island(const Island& island);
 
   const world::Physics& physics_;
   std::vector<Thing>& things_;
@@ -85,9 +101,9 @@ class Encounters {
   std::vector<Contact> contacts_;
   std::vector<Touch> touches_;
   std::vector<Memory> memory_;  // ascending
+  std::vector<Found> found_;    // by each thread
   // Kept to reuse their memory.
-  std::vector<std::uint32_t> near_;
-  std::vector<Vector2> space_a_, space_b_;
+  std::vector<Island> islands_;
   std::vector<std::uint32_t> parents_;   // of movers; kFixed: not involved
   std::vector<std::uint32_t> ranks_;     // of movers
   std::vector<std::uint32_t> involved_;  // movers

@@ -1,6 +1,7 @@
 // The planar engine: bodies are added, meet, and move along their arcs.
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -27,6 +28,9 @@ namespace {
 
 // The additional distance that a body may move in a step because it is accelerated.
 constexpr double kSlack = 1e-4;  // m
+
+// In the share of a thread: fewer do not pay for waking it.
+constexpr std::size_t kLeastMovers = 32;
 
 void refuse_if(const std::optional<std::string>& fault) { require(!fault, fault.value_or("")); }
 
@@ -73,6 +77,7 @@ class PlanarEngine final : public Engine {
     return robots_.at(robot).joints();
   }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void work_with(base::Crew& crew) override { crew_ = &crew; }
   void step() override;
 
   RobotState robot(std::size_t robot) const override;
@@ -120,10 +125,12 @@ class PlanarEngine final : public Engine {
                             const Pose& pose, bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
   void enter_robot(std::size_t robot);
-  void place_in_scene(std::size_t robot);
+  void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
-  double farthest() const;
+  double begin_movers();
   void settle();
+  void settle_robot(std::size_t robot, double limit, PlanarScene::Moves& moves);
+  void settle_boxes(double limit, PlanarScene::Moves& moves);
   void judge(const Mover& mover, double limit, bool stays_within, const Body& body,
              std::optional<std::size_t> segment = std::nullopt) const;
 
@@ -141,7 +148,11 @@ class PlanarEngine final : public Engine {
   std::vector<std::uint32_t> mobile_boxes_;
   Encounters encounters_;
   Bounds bounds_;
-  std::vector<Hinge*> hinges_;  // of all robots, in each step
+  std::vector<std::uint32_t> jointed_;  // robots with steering or segments
+  std::vector<Hinge*> hinges_;          // of all robots, in each step
+  base::Crew alone_;
+  base::Crew* crew_ = &alone_;
+  std::vector<PlanarScene::Moves> moves_ = std::vector<PlanarScene::Moves>(1);  // of each thread
 };
 
 PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& physics)
@@ -206,6 +217,7 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
   }
   robots_.emplace_back(model, first, movers_);
   robots_.back().put(pose, movers_);
+  if (robots_.back().has_joints()) jointed_.push_back(static_cast<std::uint32_t>(index));
   enter_robot(index);
   return index;
 }
@@ -213,8 +225,8 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
 void PlanarEngine::enter_robot(std::size_t robot) {
   const Vector2& at = movers_[robots_[robot].first()].place();
   robot_bodies_[robot].stays_within = bounds_.within_walls({at.x, at.y, 0.0});
-  place_in_scene(robot);
-  scene_.note_moves();
+  place_in_scene(robot, moves_.front());
+  scene_.settle(moves_);
 }
 
 std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
@@ -286,8 +298,8 @@ std::size_t PlanarEngine::add_box_of(const Engine& other, std::size_t box,
   } else if (thing.mover != Contact::kFixed) {
     Mover& mover = movers_[thing.mover];
     mover.take(before.movers_[known.mover]);
-    scene_.move(boxes_[index].thing, mover.place(), mover.ahead());
-    scene_.note_moves();
+    scene_.move(boxes_[index].thing, mover.place(), mover.ahead(), moves_.front());
+    scene_.settle(moves_);
     boxes_[index].stays_within = boxes_[index].kind == world::BoxKind::dynamic &&
                                  bounds_.within_walls({mover.place().x, mover.place().y, 0.0});
   }
@@ -318,13 +330,13 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   enter_robot(robot);
 }
 
-void PlanarEngine::place_in_scene(std::size_t robot) {
+void PlanarEngine::place_in_scene(std::size_t robot, PlanarScene::Moves& moves) {
   const PlanarRobot& made = robots_[robot];
   const std::uint32_t first = robot_bodies_[robot].first_thing;
   made.point_shapes();
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
     const Mover& mover = movers_[made.first() + i];
-    scene_.move(first + i, mover.place(), mover.ahead());
+    scene_.move(first + i, mover.place(), mover.ahead(), moves);
   }
 }
 
@@ -398,57 +410,84 @@ void PlanarEngine::start_moving_boxes() {
   }
 }
 
-/// How far two bodies may come nearer in this step, m.
-double PlanarEngine::farthest() const {
-  double most = 0.0;
-  for (const Encounters::Moving& moving : moving_) {
-    const Twist& v = movers_[moving.mover].velocity();
-    const double square = v.x * v.x + v.y * v.y;
-    const double edge = moving.reach * std::abs(v.turn);
-    most = std::max(most, 2.0 * (square + edge * edge));  // at least the square of their sum
-  }
-  return 2.0 * physics_.step * (1.0 + physics_.bounce) * std::sqrt(most) + kSlack;
+/// Returns how far two bodies may come nearer in this step, m.
+double PlanarEngine::begin_movers() {
+  std::vector<double> most(crew_->threads());  // m2/s2
+  crew_->divide(moving_.size(), kLeastMovers, [&](const base::Crew::Share& share) {
+    double& fastest = most[share.thread];
+    for (std::size_t i = share.first; i < share.end; ++i) {
+      Mover& mover = movers_[moving_[i].mover];
+      mover.begin(physics_.step);
+      const Twist& v = mover.velocity();
+      const double square = v.x * v.x + v.y * v.y;
+      const double edge = moving_[i].reach * std::abs(v.turn);
+      fastest = std::max(fastest, 2.0 * (square + edge * edge));  // the square of their sum, or more
+    }
+  });
+  const double fastest = *std::max_element(most.begin(), most.end());
+  return 2.0 * physics_.step * (1.0 + physics_.bounce) * std::sqrt(fastest) + kSlack;
 }
 
 void PlanarEngine::step() {
+  moves_.resize(crew_->threads());
   start_moving_boxes();
   hinges_.clear();
-  for (PlanarRobot& robot : robots_) {
-    robot.begin(physics_.step, movers_);
-    for (Hinge& hinge : robot.hinges()) hinges_.push_back(&hinge);
+  for (const std::uint32_t i : jointed_) {
+    robots_[i].begin(physics_.step, movers_);
+    for (Hinge& hinge : robots_[i].hinges()) hinges_.push_back(&hinge);
   }
-  for (const Encounters::Moving& moving : moving_) movers_[moving.mover].begin(physics_.step);
-  encounters_.find(moving_, farthest());
-  encounters_.solve(hinges_);
-  for (const Encounters::Moving& moving : moving_) movers_[moving.mover].advance(physics_.step);
+  encounters_.find(moving_, begin_movers(), *crew_);
+  encounters_.solve(hinges_, *crew_);
   time_ += physics_.step;
   settle();
 }
 
+/// Moves all bodies.
 void PlanarEngine::settle() {
   const double limit = bounds_.most_speed();
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    PlanarRobot& robot = robots_[i];
-    robot.settle(movers_);
-    for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-      judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within, {BodyKind::robot, i},
-            k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+  crew_->divide(robots_.size(), kLeastMovers, [&](const base::Crew::Share& share) {
+    std::exception_ptr failure;  // the others are moved, too
+    for (std::size_t i = share.first; i < share.end; ++i) {
+      try {
+        settle_robot(i, limit, moves_[share.thread]);
+      } catch (const PhysicsFailure&) {
+        if (!failure) failure = std::current_exception();
+      }
     }
-    place_in_scene(i);
+    if (failure) std::rethrow_exception(failure);
+  });
+  settle_boxes(limit, moves_.front());
+  scene_.settle(moves_);
+}
+
+void PlanarEngine::settle_robot(std::size_t i, double limit, PlanarScene::Moves& moves) {
+  PlanarRobot& robot = robots_[i];
+  for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
+    movers_[robot.first() + k].advance(physics_.step);
   }
+  robot.settle(movers_);
+  place_in_scene(i, moves);
+  for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
+    judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within, {BodyKind::robot, i},
+          k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+  }
+}
+
+void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
   for (const std::uint32_t index : mobile_boxes_) {
     BoxBody& box = boxes_[index];
     Mover& mover = mover_of_box(box);
+    mover.advance(physics_.step);
     if (box.kind == world::BoxKind::moving) {
-      if (!box.driven) continue;
-      box.driven = false;
-      mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
+      if (box.driven) {
+        box.driven = false;
+        mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
+      }
     } else {
       judge(mover, limit, box.stays_within, {BodyKind::box, index});
     }
-    scene_.move(box.thing, mover.place(), mover.ahead());
+    scene_.move(box.thing, mover.place(), mover.ahead(), moves);
   }
-  scene_.note_moves();
 }
 
 void PlanarEngine::judge(const Mover& mover, double limit, bool stays_within, const Body& body,

@@ -26,6 +26,7 @@ class PlanarRobot {
   std::vector<Hinge>& hinges() { return hinges_; }
   const std::vector<Hinge>& hinges() const { return hinges_; }
 
+  bool has_joints() const { return !steerings_.empty() || !hinges_.empty(); }
   /// Puts all vehicles in line at a pose, at rest.
   void put(const Pose& pose, std::span<Mover> movers);
   /// Takes the state of a robot with the same plan.

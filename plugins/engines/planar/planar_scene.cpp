@@ -210,15 +210,26 @@ void PlanarScene::place(Id id) {
   std::tie(entry.least.y, entry.most.y) = least(block.y0, block.y1, grid_.rows(), row);
 }
 
-void PlanarScene::move(Id id, const Vector2& place, const Direction& ahead) {
+void PlanarScene::move(Id id, const Vector2& place, const Direction& ahead, Moves& moves) {
   Entry& entry = entries_[id];
   const double dx = place.x - entry.place.x, dy = place.y - entry.place.y;
-  farthest_move_ = std::max(farthest_move_, dx * dx + dy * dy);
+  moves.farthest = std::max(moves.farthest, dx * dx + dy * dy);
   entry.place = place;
   entry.ahead = ahead;
   const bool stays = place.x >= entry.least.x && place.x < entry.most.x &&
                      place.y >= entry.least.y && place.y < entry.most.y;
-  if (!stays) this->place(id);
+  if (!stays) moves.leavers.push_back(id);
+}
+
+void PlanarScene::settle(std::span<Moves> moves) {
+  double farthest = 0.0;
+  for (Moves& each : moves) {
+    farthest = std::max(farthest, each.farthest);
+    for (const Id id : each.leavers) place(id);
+    each.farthest = 0.0;
+    each.leavers.clear();
+  }
+  odometer_ += std::sqrt(farthest);
 }
 
 void PlanarScene::remove(Id id) {

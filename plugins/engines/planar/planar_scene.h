@@ -50,13 +50,16 @@ class PlanarScene {
   /// `moves`: move() will be called.
   Id add(Body body, bool sensed, bool moves, std::shared_ptr<const Look> look,
          const Vector2& place, const Direction& ahead);
-  void move(Id id, const Vector2& place, const Direction& ahead);
+  /// What one thread notes in a round of moves.
+  struct Moves {
+    double farthest = 0.0;     // m2
+    std::vector<Id> leavers;  // of their cells in the grid
+  };
+  /// Moves a body, at most once in a round. Several threads may move different bodies at once.
+  void move(Id id, const Vector2& place, const Direction& ahead, Moves& moves);
+  /// Ends a round.
+  void settle(std::span<Moves> moves);
   void remove(Id id);
-  /// Call this after each round of moves.
-  void note_moves() {
-    odometer_ += std::sqrt(farthest_move_);
-    farthest_move_ = 0.0;
-  }
 
   /// Calls `call` with every other body that may be no further than `margin` away from the circle
   /// around this one; perhaps more than once.
@@ -127,7 +130,6 @@ class PlanarScene {
   std::vector<std::shared_ptr<const Look>> looks_;
   mutable std::vector<Around> around_;  // of robots; each belongs to the thread that asks for it
   double odometer_ = 0.0;               // m: the sum of the farthest moves of all rounds
-  double farthest_move_ = 0.0;          // m2, in this round
 };
 
 template <class Call>
