@@ -324,14 +324,14 @@ void Simulation::Impl::become_changes(const world::World& was) {
 void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {
   std::vector<std::shared_ptr<Robot>> gone = std::move(robots_);
   robots_.clear();
-  Teams teams(world_);
+  Commons commons(world_);
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     const std::size_t place = place_of(was.robots, world_.robots[i].id, i);
     if (place < was.robots.size()) {
       robots_.push_back(std::move(gone[place]));
-      robots_.back()->become(was.robots[place], world_, i, teams, becoming);
+      robots_.back()->become(was.robots[place], world_, i, commons, becoming);
     } else {
-      robots_.push_back(std::make_shared<Robot>(world_, i, teams, *host_, options_));
+      robots_.push_back(std::make_shared<Robot>(world_, i, commons, *host_, options_));
       robots_.back()->reset(seed_);
       robots_.back()->ask(becoming.said());
     }

@@ -3,14 +3,14 @@
 #include <stdexcept>
 
 #include "step/robot.h"
-#include "step/teams.h"
+#include "step/commons.h"
 
 namespace elsie::simulation {
 
 EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot,
                              const plugin::Host& host) {
-  Teams teams(world);
-  robot_ = std::make_unique<Robot>(world, robot, teams, host, Options{});
+  Commons commons(world);
+  robot_ = std::make_unique<Robot>(world, robot, commons, host, Options{});
 }
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;

@@ -50,10 +50,10 @@ class Simulation::Impl {
     }
     changes_.emplace(world_, host, options_);
     std::vector<base::Problem> problems;
-    Teams teams(world_);
+    Commons commons(world_);
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
-        robots_.push_back(std::make_shared<Robot>(world_, i, teams, host, options));
+        robots_.push_back(std::make_shared<Robot>(world_, i, commons, host, options));
         world_.robots[i].driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());

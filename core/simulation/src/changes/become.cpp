@@ -9,7 +9,7 @@
 #include "changes/becoming.h"
 #include "step/controller.h"
 #include "step/robot.h"
-#include "step/teams.h"
+#include "step/commons.h"
 
 namespace elsie::simulation {
 namespace {
@@ -161,7 +161,7 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
 }
 
 void Robot::become(const world::Robot& was, const world::World& world, std::size_t index,
-                   Teams& teams, Becoming& becoming) {
+                   Commons& commons, Becoming& becoming) {
   const world::Robot& next = world.robots[index];
   Undo& undo = becoming.undo();
   std::vector<base::Problem>& problems = becoming.problems();
@@ -184,13 +184,13 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   description_ = &next;
   const bool had_charger = team_.charger.has_value();
   const std::vector<Colour> colours = resource_colours_;
-  take_membership(world, index, teams);
+  take_membership(world, index, commons);
   // Objects that stay are equipped again if they could see a difference.
   const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
                           had_charger != team_.charger.has_value() || colours != resource_colours_;
   state_.energy = std::min(state_.energy, state_.capacity);
   drive_use_.location = next.location;
-  become_sensors(was, becoming);
+  become_sensors(was, commons, becoming);
   controller_->become(was, next, "", becoming);
   if (!problems.empty()) {
     return;
@@ -232,7 +232,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
                              (becoming.asks(next, "energy") || description_->energy != was.energy));
 }
 
-void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
+void Robot::become_sensors(const world::Robot& was, Commons& commons, Becoming& becoming) {
   becoming.undo().keep(sensors_);
   const auto slots = sensors_;
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, description_);
@@ -248,7 +248,7 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
       slot.energy_cost = use.energy_cost;
       continue;
     }
-    sensors_.push_back(make_sensor(use, becoming.host(), becoming.problems()));
+    sensors_.push_back(make_sensor(use, commons, becoming.host(), becoming.problems()));
     if (is_known) {
       becoming.note_lost(description_->id, use.id);
     }

@@ -29,14 +29,14 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
 
 }  // namespace
 
-Robot::Robot(const world::World& world, std::size_t index, Teams& teams, const plugin::Host& host,
+Robot::Robot(const world::World& world, std::size_t index, Commons& commons, const plugin::Host& host,
              const Options& options)
     : description_(&world.robots[index]), guard_(description_->id, options.budget) {
   const world::Robot& description = *description_;
   const plugin::Call call({.robot = description.id.c_str()});
   std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
-    sensors_.push_back(make_sensor(use, host, problems));
+    sensors_.push_back(make_sensor(use, commons, host, problems));
   }
   controller_ = std::make_unique<Controller>(
       description, host, Controller::Setting{guard_, *this, names_, options.measure_time},
@@ -46,7 +46,7 @@ Robot::Robot(const world::World& world, std::size_t index, Teams& teams, const p
   throw_if_any(problems);
   group_readings();
 
-  take_membership(world, index, teams);
+  take_membership(world, index, commons);
   take_description();
   perception_.self = &state_;
   perception_.team = &team_;
@@ -70,14 +70,12 @@ void Robot::list_members() {
 }
 
 std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& use,
-                                                      const plugin::Host& host,
+                                                      Commons& commons, const plugin::Host& host,
                                                       std::vector<base::Problem>& problems) const {
   auto slot = std::make_shared<SensorSlot>(use, host, *this);
   slot->energy_cost = use.energy_cost;
   slot->make(host, problems);
-  slot->mounting = mounting_of(use, description_->body);
-  slot->frame =
-      Frame::turned(slot->mounting.position, slot->mounting.azimuth_rad, slot->mounting.pitch_rad);
+  slot->place = commons.place(mounting_of(use, description_->body));
   if (slot->held) {
     slot->camera = blaming(use, problems, [&] { return slot->object().camera(); });
   }
@@ -86,16 +84,16 @@ std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& us
 
 /// Copies what only an edit of the description changes, and data of the team: the robot's index,
 /// whether there is a charger, and the colours of the resources that it may collect.
-void Robot::take_membership(const world::World& world, std::size_t index, Teams& teams) {
+void Robot::take_membership(const world::World& world, std::size_t index, Commons& commons) {
   const world::Robot& robot = *description_;
   state_.id = robot.id;
   state_.length_m = robot.body.length;
   state_.width_m = robot.body.width;
-  state_.team_index = teams.number_of(index);
+  state_.team_index = commons.number_of(index);
   state_.capacity = robot.battery;
   team_.name = robot.team;
   team_.charger = nearest_charger(world, robot.team, {robot.x, robot.y});
-  resource_colours_ = teams.resource_colours(robot.team);
+  resource_colours_ = commons.resource_colours(robot.team);
 }
 
 void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
@@ -169,7 +167,7 @@ void Robot::group_readings() {
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (kind_of[i] == kind) {
         const SensorSlot& slot = *sensors_[i];
-        sensed_.push_back({slot.object().reading(), &slot.mounting, slot.use->id});
+        sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id});
       }
     }
     groups_.push_back({kind, std::span(sensed_).subspan(first)});
@@ -209,7 +207,7 @@ void Robot::reset(std::uint64_t seed) {
     guard_.run(*each.use, [&] { each.reset(seed, "robot[" + description_->id + "]/" + path); });
   });
   for (const auto& slot : sensors_) {
-    slot->picture = {};
+    slot->picture.reset();
   }
   std::fill(joints_.begin(), joints_.end(), JointSetting{});
   wanted_joints_ = joints_;
@@ -240,7 +238,7 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
       entries.clear();
       for (std::size_t i = group.first; i < group.first + group.count; ++i) {
         SensorSlot& slot = *sensors_[i];
-        entries.push_back({&slot.object(), &slot.frame, &slot.mounting, &slot.random});
+        entries.push_back({&slot.object(), &slot.place->frame, &slot.place->mounting, &slot.random});
       }
       const SensorBatch all{entries, now.time_s, now.period_s, body_frame_, &carrier};
       guard_.step(first, [&] { first.object().update_all(all); });
@@ -257,10 +255,10 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
 }
 
 void Robot::update(SensorSlot& slot, const Carrier& carrier, const Instant& now) {
+  const auto& [mounting, frame] = *slot.place;
   const SensorContext context{
-      now.time_s,    now.period_s, body_frame_.frame(slot.frame),
-      &slot.mounting, &carrier,     &slot.random,
-      slot.camera ? &slot.picture : nullptr};
+      now.time_s, now.period_s, body_frame_.frame(frame), &mounting, &carrier, &slot.random,
+      slot.camera ? slot.picture.get() : nullptr};
   guard_.step(slot, [&] { slot.object().update(context); });
 }
 
@@ -432,9 +430,9 @@ SensorView Robot::sensor(std::size_t index) const {
   return {slot.use->id,
           slot.use->plugin,
           &slot.object(),
-          &slot.mounting,
+          &slot.place->mounting,
           slot.camera ? &*slot.camera : nullptr,
-          slot.picture.empty() ? nullptr : &slot.picture,
+          slot.picture && !slot.picture->empty() ? slot.picture.get() : nullptr,
           slot.volume.get()};
 }
 

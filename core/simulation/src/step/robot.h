@@ -20,6 +20,7 @@
 
 #include "plugins/guard.h"
 #include "plugins/plugin_object.h"
+#include "step/commons.h"
 #include "step/controller.h"
 
 namespace elsie::simulation {
@@ -28,7 +29,6 @@ class Becoming;
 class Cameras;
 class Carrier;
 class Swap;
-class Teams;
 
 /// Time and identity of a control step, the same for all robots.
 struct Instant {
@@ -48,7 +48,7 @@ struct Tally {
 class Robot final : private Wishes {
  public:
   /// Makes the plugin objects of a robot of the world. Throws world::WorldError.
-  Robot(const world::World& world, std::size_t index, Teams& teams, const plugin::Host& host,
+  Robot(const world::World& world, std::size_t index, Commons& commons, const plugin::Host& host,
         const Options& options);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -105,7 +105,7 @@ class Robot final : private Wishes {
 
   /// Becomes the robot with this index; `was` is its present description, with all changes. Objects
   /// with unchanged descriptions stay. Adds problems to `becoming`.
-  void become(const world::Robot& was, const world::World& world, std::size_t index, Teams& teams,
+  void become(const world::Robot& was, const world::World& world, std::size_t index, Commons& commons,
               Becoming& becoming);
 
   /// Collects notes and curves of the plugins after a reset. Throws PluginFault.
@@ -160,18 +160,22 @@ class Robot final : private Wishes {
   bool may_share_threads() const { return may_share_threads_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
-  Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->frame); }
+  Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->place->frame); }
   /// The camera of a sensor, if it has one.
   const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor]->camera; }
   /// The picture of that camera; fill it before sense().
-  Image& picture(std::size_t sensor) { return sensors_[sensor]->picture; }
+  Image& picture(std::size_t sensor) {
+    auto& picture = sensors_[sensor]->picture;
+    if (!picture) picture = std::make_unique<Image>();
+    return *picture;
+  }
 
  private:
   struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
     SensorSlot(const world::PluginUse& described, const plugin::Host& host, const Robot& its_robot)
         : ObjectOf(described, host), robot(its_robot) {}
     void equip(Component& object, const Perception&) const override {
-      static_cast<Sensor&>(object).equipped({&mounting, robot.resource_colours_});
+      static_cast<Sensor&>(object).equipped({&place->mounting, robot.resource_colours_});
     }
     std::optional<Camera> camera_of(const Component& object) const override {
       return static_cast<const Sensor&>(object).camera();
@@ -180,9 +184,8 @@ class Robot final : private Wishes {
 
     const Robot& robot;
     double energy_cost = 0.0;  // units per second
-    Mounting mounting;
-    Frame frame;  // in the robot's frame
-    Image picture;
+    std::shared_ptr<const SensorPlace> place;
+    std::unique_ptr<Image> picture;   // null: none was taken
     std::unique_ptr<Pyramid> volume;  // of its last query; null: none
   };
   using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
@@ -196,10 +199,11 @@ class Robot final : private Wishes {
   void replace_drive(Swap& swap);
   /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.
   void check_needs() const;
-  std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, const plugin::Host& host,
+  std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, Commons& commons,
+                                          const plugin::Host& host,
                                           std::vector<base::Problem>& problems) const;
-  void take_membership(const world::World& world, std::size_t index, Teams& teams);
-  void become_sensors(const world::Robot& was, Becoming& becoming);
+  void take_membership(const world::World& world, std::size_t index, Commons& commons);
+  void become_sensors(const world::Robot& was, Commons& commons, Becoming& becoming);
   void take_live(bool has_new_drive, bool has_new_energy);
   void list_members();
   void group_readings();

@@ -1,9 +1,6 @@
 #include "step/teams.h"
 
-#include <algorithm>
 #include <cmath>
-
-#include "elsie/world/colours.h"
 
 namespace elsie::simulation {
 namespace {
@@ -43,30 +40,6 @@ double charger_rate(const world::World& world, const std::string& team, const Ve
 
 bool may_collect(const std::string& team, const world::Box& box) {
   return box.kind == world::BoxKind::resource && (box.team.empty() || box.team == team);
-}
-
-Teams::Teams(const world::World& world) : world_(world) {
-  std::map<std::string_view, int> sizes;
-  for (const world::Robot& robot : world.robots) {
-    numbers_.push_back(sizes[robot.team]++);
-  }
-}
-
-const std::vector<Colour>& Teams::resource_colours(const std::string& team) {
-  const auto [known, is_new] = colours_.try_emplace(team);
-  std::vector<Colour>& colours = known->second;
-  if (!is_new) {
-    return colours;
-  }
-  for (const world::Box& box : world_.boxes) {
-    if (may_collect(team, box)) {
-      const Colour colour = world::resource_colour(world_, box);
-      if (std::find(colours.begin(), colours.end(), colour) == colours.end()) {
-        colours.push_back(colour);
-      }
-    }
-  }
-  return colours;
 }
 
 }  // namespace elsie::simulation

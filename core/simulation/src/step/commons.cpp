@@ -1,0 +1,45 @@
+#include "step/commons.h"
+
+#include <algorithm>
+
+#include "elsie/world/colours.h"
+
+#include "step/teams.h"
+
+namespace elsie::simulation {
+
+Commons::Commons(const world::World& world) : world_(world) {
+  std::map<std::string_view, int> sizes;
+  for (const world::Robot& robot : world.robots) {
+    numbers_.push_back(sizes[robot.team]++);
+  }
+}
+
+const std::vector<Colour>& Commons::resource_colours(const std::string& team) {
+  const auto [known, is_new] = colours_.try_emplace(team);
+  std::vector<Colour>& colours = known->second;
+  if (!is_new) {
+    return colours;
+  }
+  for (const world::Box& box : world_.boxes) {
+    if (may_collect(team, box)) {
+      const Colour colour = world::resource_colour(world_, box);
+      if (std::find(colours.begin(), colours.end(), colour) == colours.end()) {
+        colours.push_back(colour);
+      }
+    }
+  }
+  return colours;
+}
+
+std::shared_ptr<const SensorPlace> Commons::place(const Mounting& mounting) {
+  const auto& [at, azimuth, pitch] = mounting;
+  std::shared_ptr<const SensorPlace>& place = places_[{at.x, at.y, at.z, azimuth, pitch}];
+  if (!place) {
+    place = std::make_shared<SensorPlace>(
+        SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
+  }
+  return place;
+}
+
+}  // namespace elsie::simulation
