@@ -34,7 +34,6 @@ inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other
 /// Memory of one thread that is used again for each robot.
 struct SensingMemory {
   std::vector<base::Grid::Id> near;
-  std::vector<SensorBatch::Entry> sensors;
 };
 
 class Carrier final : public Surroundings {

@@ -147,6 +147,7 @@ void Robot::take_description() {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     sensors_[i]->energy_cost = description_->sensors[i].energy_cost;
   }
+  sensor_cost_.reset();
 }
 
 void Robot::group_readings() {
@@ -177,7 +178,13 @@ void Robot::group_readings() {
 }
 
 void Robot::group_sensors() {
+  entries_.clear();
+  for (const auto& slot : sensors_) {
+    const auto& [mounting, frame] = *slot->place;
+    entries_.push_back({&slot->object(), &frame, &mounting, &slot->random});
+  }
   together_.clear();
+  sensor_cost_.reset();
   may_share_threads_ = true;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const SensorSlot& slot = *sensors_[i];
@@ -234,13 +241,8 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
     if (group.count == 1) {
       update(first, carrier, now);
     } else {
-      std::vector<SensorBatch::Entry>& entries = carrier.memory().sensors;
-      entries.clear();
-      for (std::size_t i = group.first; i < group.first + group.count; ++i) {
-        SensorSlot& slot = *sensors_[i];
-        entries.push_back({&slot.object(), &slot.place->frame, &slot.place->mounting, &slot.random});
-      }
-      const SensorBatch all{entries, now.time_s, now.period_s, body_frame_, &carrier};
+      const SensorBatch all{std::span(entries_).subspan(group.first, group.count), now.time_s,
+                            now.period_s, body_frame_, &carrier};
       guard_.step(first, [&] { first.object().update_all(all); });
     }
     const std::optional<Pyramid> volume = carrier.take_volume();
@@ -298,12 +300,14 @@ void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) con
 
 void Robot::use_energy(double period_s) {
   if (!empty_) {
-    double cost = 0.0;
-    for (const auto& slot : sensors_) {
-      cost += slot->energy_cost;
+    if (!sensor_cost_) {
+      sensor_cost_ = 0.0;
+      for (const auto& slot : sensors_) {
+        *sensor_cost_ += slot->energy_cost;
+      }
     }
     const double before = state_.energy;
-    state_.energy = std::max(0.0, before - cost * period_s);
+    state_.energy = std::max(0.0, before - *sensor_cost_ * period_s);
     tally_.energy_used += before - state_.energy;
     stop_when_empty();
   }
@@ -337,6 +341,7 @@ void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
   for (const auto& slot : sensors_) {
     if (slot->use == &sensor) {
       slot->energy_cost = cost;
+      sensor_cost_.reset();
     }
   }
 }

@@ -242,6 +242,8 @@ class Robot final : private Wishes {
     std::size_t count;
   };
   std::vector<Together> together_;
+  std::vector<SensorBatch::Entry> entries_;  // of the sensors
+  std::optional<double> sensor_cost_;        // of all sensors, units per second; none: not known
   bool may_share_threads_ = true;
 
   std::vector<SensedReading> sensed_;  // in groups of one kind
