@@ -45,11 +45,12 @@ bool is_steered(const Part& part) {
 
 }  // namespace
 
-BodyModel::BodyModel(const BodyPlan& of) : plan(of) {
+BodyModel::BodyModel(const BodyPlan& of, const world::Physics& physics) : plan(of) {
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
     const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
     solids.push_back(std::make_shared<std::vector<Solid>>(solids_of(parts)));
     looks.push_back(std::make_shared<Look>(Look::of(parts)));
+    movers.push_back(mover_of(parts, physics));
   }
 }
 
@@ -71,7 +72,7 @@ std::shared_ptr<BodyModel> BodyModels::model_of(const BodyPlan& plan) {
   // The last one first: robots of a kind are often added in a row.
   const auto known = std::find_if(known_.rbegin(), known_.rend(), is_known);
   if (known != known_.rend()) return *known;
-  auto made = std::make_shared<BodyModel>(plan);
+  auto made = std::make_shared<BodyModel>(plan, physics_);
   if (known_.size() < kMostModels &&
       std::none_of(plan.parts.begin(), plan.parts.end(), is_steered)) {
     known_.push_back(made);

@@ -16,8 +16,9 @@ struct BodyModel {
   // Of each vehicle:
   std::vector<std::shared_ptr<std::vector<Solid>>> solids;
   std::vector<std::shared_ptr<Look>> looks;
+  std::vector<Mover> movers;  // as they begin
 
-  explicit BodyModel(const BodyPlan& plan);
+  BodyModel(const BodyPlan& plan, const world::Physics& physics);
   /// Points a wheel of a vehicle in this direction of the vehicle's frame.
   void point(std::size_t vehicle, std::size_t wheel, double heading_rad);
 };
@@ -25,9 +26,12 @@ struct BodyModel {
 /// Finds models by their plans. Steered wheels change a model, so that such robots share none.
 class BodyModels {
  public:
+  explicit BodyModels(const world::Physics& physics) : physics_(physics) {}
+
   std::shared_ptr<BodyModel> model_of(const BodyPlan& plan);
 
  private:
+  const world::Physics& physics_;
   std::vector<std::shared_ptr<BodyModel>> known_;
 };
 

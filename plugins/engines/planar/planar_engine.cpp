@@ -158,6 +158,7 @@ class PlanarEngine final : public Engine {
 PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
       scene_(arena),
+      models_(physics_),
       encounters_(physics_, things_, movers_, scene_),
       bounds_(arena, physics) {
   refuse_if(fault_of(physics));
@@ -213,7 +214,7 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
   const std::shared_ptr<BodyModel> model = models_.model_of(plan);
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
     add_thing({BodyKind::robot, index}, vehicle, model->solids[vehicle], model->looks[vehicle],
-              true, pose, physics::mover_of(world::vehicle_of(plan, vehicle), physics_));
+              true, pose, model->movers[vehicle]);
   }
   robots_.emplace_back(model, first, movers_);
   robots_.back().put(pose, movers_);

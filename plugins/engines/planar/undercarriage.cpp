@@ -26,11 +26,13 @@ constexpr int kMostSearches = 12;
 
 Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<double>& loads,
                              const Inertia& inertia, const world::Physics& physics)
-    : inertia_(inertia),
-      step_(physics.step),
-      slip_(std::max(physics.wheel_slip, kLeastSlip)),
-      stiffness_(1.0 / slip_),
-      friction_(kTyreGrip * physics.friction) {
+    : model_(std::make_shared<Model>()) {
+  Model& made = *model_;
+  made.inertia = inertia;
+  made.step = physics.step;
+  made.slip = std::max(physics.wheel_slip, kLeastSlip);
+  made.stiffness = 1.0 / made.slip;
+  made.friction = kTyreGrip * physics.friction;
   std::size_t wheels = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part& part = parts[i];
@@ -40,16 +42,16 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
     const double radius = part.shape.radius();
     const double heading = std::atan2(part.frame.forward.y, part.frame.forward.x);
     const auto add = [&](double angle) {
-      Grip& grip = grips_.emplace_back();
-      grip.limit = friction_ * loads[i];
+      Grip& grip = made.grips.emplace_back();
+      grip.limit = made.friction * loads[i];
       if (wheel->torque > 0.0 && std::abs(std::cos(angle)) > kLeastCosine) {
         grip.rim = radius * std::cos(angle);
         grip.torque = wheel->torque;
-        grip.per_torque = step_ / std::max(0.5 * part.mass * radius * radius, kLeastInertia);
+        grip.per_torque = made.step / std::max(0.5 * part.mass * radius * radius, kLeastInertia);
       }
-      grip.stiffness = 1.0 / (slip_ + grip.rim * grip.rim * grip.per_torque);
-      mounts_.push_back({{at.x - inertia.center.x, at.y - inertia.center.y}, angle, wheels});
-      aim(grips_.size() - 1, heading);
+      grip.stiffness = 1.0 / (made.slip + grip.rim * grip.rim * grip.per_torque);
+      made.mounts.push_back({{at.x - inertia.center.x, at.y - inertia.center.y}, angle, wheels});
+      made.aim(made.grips.size() - 1, heading);
     };
     if (wheel->rollers_rad) {
       add(*wheel->rollers_rad);
@@ -59,126 +61,144 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
     }
     ++wheels;
   }
+  made.find_rolling();
+  turnings_.resize(made.grips.size());
 }
 
 std::size_t Undercarriage::motor_of(std::size_t wheel) const {
-  for (std::size_t i = 0; i < grips_.size(); ++i) {
-    if (mounts_[i].wheel == wheel && grips_[i].is_driven()) return i;
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    if (model_->mounts[i].wheel == wheel && model_->grips[i].is_driven()) return i;
   }
   return kNoMotor;
 }
 
-void Undercarriage::aim(std::size_t grip, double heading_rad) {
-  const Mount& mount = mounts_[grip];
+void Undercarriage::Model::aim(std::size_t grip, double heading_rad) {
+  const Mount& mount = mounts[grip];
   const Direction along = Direction::of(heading_rad + mount.angle);
-  grips_[grip].along = {along.c, along.s, mount.place.x * along.s - mount.place.y * along.c};
-  is_known_ = is_rolling_known_ = false;
+  grips[grip].along = {along.c, along.s, mount.place.x * along.s - mount.place.y * along.c};
+}
+
+void Undercarriage::Model::find_rolling() {
+  Symmetric sum;
+  sum.xx = sum.yy = inertia.mass;
+  sum.tt = inertia.about_center;
+  for (const Grip& grip : grips) sum.add(step * stiffness, grip.along);
+  rolling = sum.inverse();
 }
 
 void Undercarriage::point(std::size_t wheel, double heading_rad) {
-  for (std::size_t i = 0; i < grips_.size(); ++i) {
-    if (mounts_[i].wheel == wheel) aim(i, heading_rad);
+  own_model();
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    if (model_->mounts[i].wheel == wheel) model_->aim(i, heading_rad);
   }
+  model_->find_rolling();
+  is_known_ = false;
 }
 
 void Undercarriage::roll(const Twist& velocity) {
-  for (Grip& grip : grips_) {
-    if (grip.is_driven()) grip.rate = dot(grip.along, velocity) / grip.rim;
-    grip.hold = Hold::rolls;
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    const Grip& grip = model_->grips[i];
+    if (grip.is_driven()) turnings_[i].rate = dot(grip.along, velocity) / grip.rim;
+    turnings_[i].hold = Hold::rolls;
   }
   loose_ = 0;
   is_known_ = false;
 }
 
 void Undercarriage::take(const Undercarriage& other) {
-  for (std::size_t i = 0; i < grips_.size(); ++i) {
-    Grip& grip = grips_[i];
-    const Grip& same = other.grips_[i];
-    grip.along = same.along;
-    grip.rate = same.rate;
-    grip.wanted = same.wanted;
-    grip.hold = same.hold;
+  bool is_aimed = true;
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    is_aimed = is_aimed && model_->grips[i].along == other.model_->grips[i].along;
   }
+  if (!is_aimed) {
+    own_model();
+    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+      model_->grips[i].along = other.model_->grips[i].along;
+    }
+    model_->find_rolling();
+  }
+  turnings_ = other.turnings_;
   loose_ = other.loose_;
-  is_known_ = is_rolling_known_ = false;
+  is_known_ = false;
 }
 
-Undercarriage::Law Undercarriage::law(const Grip& grip) const {
-  if (grip.hold == Hold::rolls) return {stiffness_, grip.rim * grip.wanted};
+Undercarriage::Law Undercarriage::law(const Grip& grip, const Turning& now) const {
+  if (now.hold == Hold::rolls) return {model_->stiffness, grip.rim * now.wanted};
   // The motor gives its most, and the wheel turns as tyre and motor make it.
-  const double torque = grip.hold == Hold::motor_up ? grip.torque : -grip.torque;
-  return {grip.stiffness, grip.rim * (grip.rate + grip.per_torque * torque)};
+  const double torque = now.hold == Hold::motor_up ? grip.torque : -grip.torque;
+  return {grip.stiffness, grip.rim * (now.rate + grip.per_torque * torque)};
 }
 
-double Undercarriage::force(const Grip& grip, double moving) const {
-  if (grip.hold == Hold::slides_up) return grip.limit;
-  if (grip.hold == Hold::slides_down) return -grip.limit;
-  const Law known = law(grip);
+double Undercarriage::force(const Grip& grip, const Turning& now, double moving) const {
+  if (now.hold == Hold::slides_up) return grip.limit;
+  if (now.hold == Hold::slides_down) return -grip.limit;
+  const Law known = law(grip, now);
   return known.stiffness * (known.speed - moving);
 }
 
 /// The rate of a wheel after a step in which its tyre pulls with this force.
-double Undercarriage::turning(const Grip& grip, double pull) {
-  const double rolling = grip.rate - grip.per_torque * grip.rim * pull;
+double Undercarriage::turning(const Grip& grip, const Turning& now, double pull) {
+  const double rolling = now.rate - grip.per_torque * grip.rim * pull;
   const double most = grip.per_torque * grip.torque;
-  return std::clamp(grip.wanted, rolling - most, rolling + most);
+  return std::clamp(now.wanted, rolling - most, rolling + most);
 }
 
 /// The state of the grip at this velocity.
-Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Twist& velocity) const {
-  const double moving = dot(grip.along, velocity), pull = force(grip, moving);
-  if (grip.hold >= Hold::slides_up) {
+Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
+                                          const Twist& velocity) const {
+  const double moving = dot(grip.along, velocity), pull = force(grip, now, moving);
+  if (now.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
     double rate = 0.0;
     Hold otherwise = Hold::rolls;
     if (grip.is_driven()) {
-      rate = turning(grip, pull);
-      otherwise = rate < grip.wanted   ? Hold::motor_up
-                  : rate > grip.wanted ? Hold::motor_down
+      rate = turning(grip, now, pull);
+      otherwise = rate < now.wanted   ? Hold::motor_up
+                  : rate > now.wanted ? Hold::motor_down
                                        : Hold::rolls;
     }
     const double gliding = grip.rim * rate - moving;
-    const double least = slip_ * grip.limit;
-    const bool still = grip.hold == Hold::slides_up ? gliding >= least : gliding <= -least;
-    return still ? grip.hold : otherwise;
+    const double least = model_->slip * grip.limit;
+    const bool still = now.hold == Hold::slides_up ? gliding >= least : gliding <= -least;
+    return still ? now.hold : otherwise;
   }
   // Most motors are at their limit before their tyres are.
-  if (grip.is_driven() && grip.hold == Hold::rolls) {
-    const double torque = (grip.wanted - grip.rate) / grip.per_torque + grip.rim * pull;
+  if (grip.is_driven() && now.hold == Hold::rolls) {
+    const double torque = (now.wanted - now.rate) / grip.per_torque + grip.rim * pull;
     if (std::abs(torque) > grip.torque) return torque > 0.0 ? Hold::motor_up : Hold::motor_down;
   }
   if (std::abs(pull) > grip.limit) return pull > 0.0 ? Hold::slides_up : Hold::slides_down;
-  if (grip.hold == Hold::rolls) return Hold::rolls;
-  const double torque = grip.hold == Hold::motor_up ? grip.torque : -grip.torque;
-  const double rate = grip.rate + grip.per_torque * (torque - grip.rim * pull);
-  const bool is_short = grip.hold == Hold::motor_up ? rate <= grip.wanted : rate >= grip.wanted;
-  return is_short ? grip.hold : Hold::rolls;
+  if (now.hold == Hold::rolls) return Hold::rolls;
+  const double torque = now.hold == Hold::motor_up ? grip.torque : -grip.torque;
+  const double rate = now.rate + grip.per_torque * (torque - grip.rim * pull);
+  const bool is_short = now.hold == Hold::motor_up ? rate <= now.wanted : rate >= now.wanted;
+  return is_short ? now.hold : Hold::rolls;
 }
 
 void Undercarriage::respond() {
   is_known_ = true;
   ++changes_;
-  const bool rolls = std::all_of(grips_.begin(), grips_.end(),
-                                 [](const Grip& grip) { return grip.hold == Hold::rolls; });
-  if (rolls && is_rolling_known_) {
-    response_ = rolling_;
+  response_ = model_->rolling;
+  if (std::all_of(turnings_.begin(), turnings_.end(),
+                  [](const Turning& now) { return now.hold == Hold::rolls; })) {
     return;
   }
   Symmetric inertia;
-  inertia.xx = inertia.yy = inertia_.mass;
-  inertia.tt = inertia_.about_center;
-  for (const Grip& grip : grips_) {
-    if (grip.hold < Hold::slides_up) inertia.add(step_ * law(grip).stiffness, grip.along);
+  inertia.xx = inertia.yy = model_->inertia.mass;
+  inertia.tt = model_->inertia.about_center;
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    const Grip& grip = model_->grips[i];
+    if (turnings_[i].hold < Hold::slides_up) {
+      inertia.add(model_->step * law(grip, turnings_[i]).stiffness, grip.along);
+    }
   }
   response_ = inertia.inverse();
-  if (!rolls) return;
-  rolling_ = response_;
-  is_rolling_known_ = true;
 }
 
 Twist Undercarriage::solve(const Twist& free) {
-  const Twist momentum{inertia_.mass * free.x, inertia_.mass * free.y,
-                       inertia_.about_center * free.turn};
+  const Inertia& inertia = model_->inertia;
+  const Twist momentum{inertia.mass * free.x, inertia.mass * free.y,
+                       inertia.about_center * free.turn};
   if (loose_ == 0) {
     if (!is_known_) respond();
     const Twist velocity = rolling(momentum);
@@ -189,23 +209,28 @@ Twist Undercarriage::solve(const Twist& free) {
 
 /// The velocity if nothing is at a limit.
 Twist Undercarriage::rolling(Twist momentum) const {
-  for (const Grip& grip : grips_) {
+  const Model& model = *model_;
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    const Grip& grip = model.grips[i];
     if (!grip.is_driven()) continue;
-    const double push = step_ * stiffness_ * (grip.rim * grip.wanted);
+    const double push = model.step * model.stiffness * (grip.rim * turnings_[i].wanted);
     momentum = momentum + push * grip.along;
   }
-  return response_ * momentum;
+  return model.rolling * momentum;
 }
 
 bool Undercarriage::all_roll(const Twist& velocity) const {
-  for (const Grip& grip : grips_) {
+  const Model& model = *model_;
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    const Grip& grip = model.grips[i];
     const double moving = dot(grip.along, velocity);
     if (!grip.is_driven()) {
-      if (stiffness_ * std::abs(moving) > grip.limit) return false;
+      if (model.stiffness * std::abs(moving) > grip.limit) return false;
       continue;
     }
-    const double pull = stiffness_ * (grip.rim * grip.wanted - moving);
-    const double gained = grip.wanted - grip.rate + grip.per_torque * grip.rim * pull;
+    const auto& [rate, wanted, hold] = turnings_[i];
+    const double pull = model.stiffness * (grip.rim * wanted - moving);
+    const double gained = wanted - rate + grip.per_torque * grip.rim * pull;
     if (std::abs(pull) > grip.limit || std::abs(gained) > grip.per_torque * grip.torque) {
       return false;
     }
@@ -219,42 +244,52 @@ Twist Undercarriage::search(const Twist& momentum) {
   for (int search = 1; search <= kMostSearches; ++search) {
     if (!is_known_) respond();
     Twist pushed = momentum;
-    for (const Grip& grip : grips_) {
+    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+      const Grip& grip = model_->grips[i];
+      const Hold hold = turnings_[i].hold;
       double push = 0.0;
-      if (grip.hold < Hold::slides_up) {
+      if (hold < Hold::slides_up) {
         if (!grip.is_driven()) continue;
-        const Law known = law(grip);
+        const Law known = law(grip, turnings_[i]);
         push = known.stiffness * known.speed;
       } else {
-        push = grip.hold == Hold::slides_up ? grip.limit : -grip.limit;
+        push = hold == Hold::slides_up ? grip.limit : -grip.limit;
       }
-      pushed = pushed + step_ * push * grip.along;
+      pushed = pushed + model_->step * push * grip.along;
     }
     velocity = response_ * pushed;
     if (search == kMostSearches) break;
     bool fits = true;
-    for (Grip& grip : grips_) {
-      Hold next = fitting(grip, velocity);
-      if (search > kSearches && next < grip.hold) next = grip.hold;
-      if (next == grip.hold) continue;
-      grip.hold = next;
+    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+      Turning& now = turnings_[i];
+      Hold next = fitting(model_->grips[i], now, velocity);
+      if (search > kSearches && next < now.hold) next = now.hold;
+      if (next == now.hold) continue;
+      now.hold = next;
       fits = is_known_ = false;
     }
     if (fits) break;
   }
-  loose_ = static_cast<int>(std::count_if(
-      grips_.begin(), grips_.end(), [](const Grip& grip) { return grip.hold != Hold::rolls; }));
+  loose_ = static_cast<int>(std::count_if(turnings_.begin(), turnings_.end(), [](const auto& now) {
+    return now.hold != Hold::rolls;
+  }));
   return velocity;
 }
 
 void Undercarriage::settle(const Twist& velocity) {
-  for (Grip& grip : grips_) {
+  if (loose_ == 0) {
+    for (Turning& now : turnings_) now.rate = now.wanted;
+    return;
+  }
+  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    const Grip& grip = model_->grips[i];
+    Turning& now = turnings_[i];
     if (!grip.is_driven()) continue;
-    if (grip.hold == Hold::rolls) {
-      grip.rate = grip.wanted;
+    if (now.hold == Hold::rolls) {
+      now.rate = now.wanted;
     } else {
-      const double pull = force(grip, dot(grip.along, velocity));
-      grip.rate = turning(grip, std::clamp(pull, -grip.limit, grip.limit));
+      const double pull = force(grip, now, dot(grip.along, velocity));
+      now.rate = turning(grip, now, std::clamp(pull, -grip.limit, grip.limit));
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "elsie/api/body.h"
@@ -48,8 +49,8 @@ class Undercarriage {
   static constexpr std::size_t kNoMotor = static_cast<std::size_t>(-1);
   /// The motor of a wheel, or kNoMotor.
   std::size_t motor_of(std::size_t wheel) const;
-  void set_rate(std::size_t motor, double wanted) { grips_[motor].wanted = wanted; }
-  double rate(std::size_t motor) const { return grips_[motor].rate; }
+  void set_rate(std::size_t motor, double wanted) { turnings_[motor].wanted = wanted; }
+  double rate(std::size_t motor) const { return turnings_[motor].rate; }
   /// Lets all wheels stand still, or roll along with a velocity of the body (at its center of
   /// mass, in its frame).
   void roll(const Twist& velocity);
@@ -74,11 +75,8 @@ class Undercarriage {
     double limit = 0.0;       // N
     double rim = 0.0;         // m, its velocity from the wheel's rate; 0: no motor
     double stiffness = 0.0;   // N s/m, while the motor gives its most
-    double rate = 0.0;        // rad/s
-    double wanted = 0.0;      // rad/s
     double torque = 0.0;      // N m, maximum
     double per_torque = 0.0;  // rad/s per N m in a step
-    Hold hold = Hold::rolls;
 
     bool is_driven() const { return rim != 0.0; }
   };
@@ -88,35 +86,50 @@ class Undercarriage {
     double angle = 0.0;  // of the grip, from the wheel's heading
     std::size_t wheel = 0;
   };
+  /// What undercarriages of equal vehicles share until one is steered.
+  struct Model {
+    std::vector<Grip> grips;
+    std::vector<Mount> mounts;  // of the grips
+    Inertia inertia;
+    double step = 0.0;
+    double slip = 0.0;
+    double stiffness = 0.0;  // N s/m, of a tyre
+    double friction = 0.0;
+    Symmetric rolling;  // the response if nothing is at a limit
+
+    void aim(std::size_t grip, double heading_rad);
+    void find_rolling();  // after aim()
+  };
+  /// The state of a grip.
+  struct Turning {
+    double rate = 0.0;    // rad/s, of its wheel
+    double wanted = 0.0;  // rad/s
+    Hold hold = Hold::rolls;
+  };
   /// A force that depends on the velocity J V: stiffness (speed - J V).
   struct Law {
     double stiffness = 0.0;
     double speed = 0.0;
   };
 
-  Law law(const Grip& grip) const;
-  static double turning(const Grip& grip, double pull);
-  double force(const Grip& grip, double moving) const;
-  Hold fitting(const Grip& grip, const Twist& velocity) const;
-  void aim(std::size_t grip, double heading_rad);
+  void own_model() {
+    if (model_.use_count() > 1) model_ = std::make_shared<Model>(*model_);
+  }
+  Law law(const Grip& grip, const Turning& now) const;
+  static double turning(const Grip& grip, const Turning& now, double pull);
+  double force(const Grip& grip, const Turning& now, double moving) const;
+  Hold fitting(const Grip& grip, const Turning& now, const Twist& velocity) const;
   void respond();
   Twist rolling(Twist momentum) const;
   bool all_roll(const Twist& velocity) const;
   Twist search(const Twist& momentum);
 
-  std::vector<Grip> grips_;
-  Inertia inertia_;
+  std::shared_ptr<Model> model_;
+  std::vector<Turning> turnings_;  // of the grips
   Symmetric response_;
-  Symmetric rolling_;  // the response if nothing is at a limit
-  double step_;
-  double slip_;
-  double stiffness_;  // N s/m, of a tyre
-  double friction_;
   std::uint32_t changes_ = 0;
   int loose_ = 0;          // grips that are at a limit, or whose motor is
   bool is_known_ = false;  // the response
-  bool is_rolling_known_ = false;
-  std::vector<Mount> mounts_;  // of the grips
 };
 
 /// The friction of a body that slides on the floor, for translation and turning together: the
