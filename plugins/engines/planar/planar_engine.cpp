@@ -152,7 +152,9 @@ class PlanarEngine final : public Engine {
   std::vector<Hinge*> hinges_;          // of all robots, in each step
   base::Crew alone_;
   base::Crew* crew_ = &alone_;
-  std::vector<PlanarScene::Moves> moves_ = std::vector<PlanarScene::Moves>(1);  // of each thread
+  // Of each thread:
+  std::vector<PlanarScene::Moves> moves_ = std::vector<PlanarScene::Moves>(1);
+  std::vector<double> fastest_;  // m2/s2
 };
 
 PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& physics)
@@ -413,9 +415,9 @@ void PlanarEngine::start_moving_boxes() {
 
 /// Returns how far two bodies may come nearer in this step, m.
 double PlanarEngine::begin_movers() {
-  std::vector<double> most(crew_->threads());  // m2/s2
+  std::fill(fastest_.begin(), fastest_.end(), 0.0);
   crew_->divide(moving_.size(), kLeastMovers, [&](const base::Crew::Share& share) {
-    double& fastest = most[share.thread];
+    double& fastest = fastest_[share.thread];
     for (std::size_t i = share.first; i < share.end; ++i) {
       Mover& mover = movers_[moving_[i].mover];
       mover.begin(physics_.step);
@@ -425,12 +427,13 @@ double PlanarEngine::begin_movers() {
       fastest = std::max(fastest, 2.0 * (square + edge * edge));  // the square of their sum, or more
     }
   });
-  const double fastest = *std::max_element(most.begin(), most.end());
+  const double fastest = *std::max_element(fastest_.begin(), fastest_.end());
   return 2.0 * physics_.step * (1.0 + physics_.bounce) * std::sqrt(fastest) + kSlack;
 }
 
 void PlanarEngine::step() {
   moves_.resize(crew_->threads());
+  fastest_.resize(crew_->threads());
   start_moving_boxes();
   hinges_.clear();
   for (const std::uint32_t i : jointed_) {

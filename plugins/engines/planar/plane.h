@@ -53,10 +53,11 @@ struct HalfTurn {
   explicit HalfTurn(double h) {
     const double q = h * h;
     if (q < 0.01) {  // the next terms are below the rounding
-      sinc = 1.0 -
-             q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0 * (1.0 - q / 110.0))));
+      constexpr auto part = [](int n) { return 1.0 / static_cast<double>(n * (n + 1)); };
+      const auto less = [q](double of, double rest) { return 1.0 - of * q * rest; };
+      sinc = less(part(2), less(part(4), less(part(6), less(part(8), less(part(10), 1.0)))));
       s = h * sinc;
-      c = 1.0 - q / 2.0 * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0))));
+      c = less(part(1), less(part(3), less(part(5), less(part(7), less(part(9), 1.0)))));
     } else {
       s = std::sin(h);
       c = std::cos(h);

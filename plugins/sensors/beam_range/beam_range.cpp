@@ -1,7 +1,5 @@
 // A single beam: a laser, or a very narrow sonar.
 #include <algorithm>
-#include <array>
-#include <span>
 
 #include <elsie/api/sensor.h>
 
@@ -20,17 +18,14 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
   }
 
   void update_all(const elsie::SensorBatch& all) override {
-    constexpr std::size_t kMost = 16;  // rays in a query
-    for (auto rest = all.sensors; !rest.empty(); rest = rest.subspan(std::min(kMost, rest.size()))) {
-      const auto some = rest.first(std::min(kMost, rest.size()));
-      std::array<elsie::RayQuery, kMost> rays;
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        rays[i] = {some[i].origin(all.robot), some[i].forward(all.robot), beam(some[i]).max_range};
-      }
-      all.world->cast_rays(std::span(rays).first(some.size()));
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        beam(some[i]).set_reading(beam(some[i]).reading_of(rays[i], *some[i].random));
-      }
+    for (std::size_t i = 0; i < all.sensors.size(); ++i) {
+      const auto& each = all.sensors[i];
+      all.rays[i] = {each.origin(all.robot), each.forward(all.robot), beam(each).max_range};
+    }
+    all.world->cast_rays(all.rays);
+    for (std::size_t i = 0; i < all.sensors.size(); ++i) {
+      const auto& each = all.sensors[i];
+      beam(each).set_reading(beam(each).reading_of(all.rays[i], *each.random));
     }
   }
 

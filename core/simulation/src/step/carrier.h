@@ -34,6 +34,8 @@ inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other
 /// Memory of one thread that is used again for each robot.
 struct SensingMemory {
   std::vector<base::Grid::Id> near;
+  std::vector<RayQuery> rays;
+  Pyramid volume;
 };
 
 class Carrier final : public Surroundings {
@@ -49,7 +51,8 @@ class Carrier final : public Surroundings {
   }
   void cast_rays(std::span<RayQuery> rays) const override { engine_.cast_rays(rays, robot_); }
   bool anything_in(const Pyramid& pyramid) const override {
-    volume_ = pyramid;
+    memory_.volume = pyramid;
+    has_volume_ = true;
     return engine_.anything_in(pyramid, robot_);
   }
   Pose pose() const override { return robots_[robot_]->state().pose; }
@@ -70,8 +73,10 @@ class Carrier final : public Surroundings {
   }
 
   SensingMemory& memory() const { return memory_; }
-  /// The volume of the last query since the last call, for viewers.
-  std::optional<Pyramid> take_volume() const { return std::exchange(volume_, std::nullopt); }
+  /// The volume of the last query since the last call, for viewers; null: there was none.
+  const Pyramid* take_volume() const {
+    return std::exchange(has_volume_, false) ? &memory_.volume : nullptr;
+  }
 
  private:
   template <class Visit>
@@ -92,7 +97,7 @@ class Carrier final : public Surroundings {
   const Neighbours& neighbours_;
   std::size_t robot_;
   SensingMemory& memory_;
-  mutable std::optional<Pyramid> volume_;
+  mutable bool has_volume_ = false;
 };
 
 }  // namespace elsie::simulation

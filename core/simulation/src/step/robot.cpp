@@ -241,12 +241,17 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
     if (group.count == 1) {
       update(first, carrier, now);
     } else {
-      const SensorBatch all{std::span(entries_).subspan(group.first, group.count), now.time_s,
-                            now.period_s, body_frame_, &carrier};
+      std::vector<RayQuery>& rays = carrier.memory().rays;
+      if (rays.size() < group.count) rays.resize(group.count);
+      const SensorBatch all{std::span(entries_).subspan(group.first, group.count),
+                            now.time_s,
+                            now.period_s,
+                            body_frame_,
+                            &carrier,
+                            std::span(rays).first(group.count)};
       guard_.step(first, [&] { first.object().update_all(all); });
     }
-    const std::optional<Pyramid> volume = carrier.take_volume();
-    if (!volume) {
+    if (const Pyramid* const volume = carrier.take_volume(); !volume) {
       first.volume.reset();
     } else if (first.volume) {
       *first.volume = *volume;

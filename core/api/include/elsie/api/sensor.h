@@ -102,6 +102,7 @@ struct SensorBatch {
   double period_s;
   Frame robot;  // in the world
   const Surroundings* world;
+  std::span<RayQuery> rays;  // memory for a query of each sensor, with any values
 
   /// What update() of one of them gets.
   SensorContext now(const Entry& each) const {
