@@ -70,10 +70,11 @@ void Encounters::look_around(const Moving& moving, double margin, Found& found) 
   for (const std::uint32_t other : near) {
     const Thing &a = things_[id], &b = things_[other];
     if (!may_meet(a, b)) continue;
+    const double nearer = b.mover == kNone ? 0.5 * margin : margin;  // only one of them moves
     if (is_before(a, b)) {
-      meet(id, other, margin, found);
+      meet(id, other, nearer, found);
     } else {
-      meet(other, id, margin, found);
+      meet(other, id, nearer, found);
     }
   }
 }
