@@ -1,6 +1,7 @@
 // Checks of the engine's input.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "elsie/api/geometry.h"
@@ -10,6 +11,9 @@ namespace elsie::physics {
 
 /// Throws std::invalid_argument with the sentence if the condition does not hold.
 void require(bool holds, const std::string& sentence);
+inline void require(bool holds, const char* sentence) {  // in each step: makes no string
+  if (!holds) [[unlikely]] throw std::invalid_argument(sentence);
+}
 
 // These throw std::invalid_argument with a sentence about the first impossible thing.
 
