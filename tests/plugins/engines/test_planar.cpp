@@ -153,6 +153,37 @@ TEST_CASE("Many rays at once find what single rays find") {
   }
 }
 
+TEST_CASE("Many rays at once find what single rays find, wherever the bodies have gone") {
+  PhysicsContext context(planar());
+  for (int i = 0; i < 12; ++i) {
+    const std::size_t robot = context.robot(0.5 * (i % 4) - 1.0, 0.5 * (i / 4) - 1.0, 77.0 * i);
+    context.drive(robot, {10.0 + i, 14.0 - 0.5 * i});
+  }
+  context.box(BoxKind::fixed, 0.5, 0.0, {0.2, 0.2, 0.3});  // its sides run along rays
+  const std::size_t pushed = context.box(BoxKind::dynamic, -0.3, 0.2, {0.1, 0.2, 0.3});
+  for (int step = 0; step < 300; ++step) {
+    context.engine->step();
+    if (step == 150) context.engine->remove_box(pushed);
+    if (step == 200) context.engine->place_robot(5, {1.5, 1.5, 0.0});
+    const std::size_t robot = static_cast<std::size_t>(step % 12);
+    const Pose at = context.pose(robot);
+    std::vector<RayQuery> rays;
+    for (int i = 0; i < 20; ++i) {
+      const double heading = i < 4 ? 0.5 * std::numbers::pi * i : at.heading_rad + 0.4 * i;
+      const Vector2 from = i < 4 ? Vector2{0.4, -0.1} : Vector2{at.x, at.y};
+      rays.push_back(
+          {{from.x, from.y, 0.1}, {std::round(1e9 * std::cos(heading)) / 1e9, std::sin(heading), 0.0},
+           1.0});
+    }
+    context.engine->cast_rays(rays, robot);
+    for (const RayQuery& ray : rays) {
+      const auto hit = context.engine->cast_ray(ray.origin, ray.direction, 1.0, robot);
+      CAPTURE(step, robot, ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y);
+      REQUIRE(ray.distance_m == (hit ? hit->distance : RayQuery::kNothing));
+    }
+  }
+}
+
 TEST_CASE("A body that two others press to death ends the run, and is named") {
   PhysicsContext context(planar());
   const std::size_t robot = context.robot(4.8, 0.0, 0);

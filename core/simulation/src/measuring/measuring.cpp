@@ -85,13 +85,14 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
                      std::vector<base::Problem>& problems)
-    : guard_("", budget), lookout_(world) {
+    : guard_("", budget) {
+  if (!world.measures.empty()) lookout_.emplace(world);
   for (const world::PluginUse& use : world.measures) {
     Slot& slot = *slots_.emplace_back(std::make_shared<Slot>(use, host));
     slot.make(host, problems);
     if (slot.held) {
       slot.quantities = blaming(use, problems, [&] {
-        slot.object().equipped(lookout_.now());
+        slot.object().equipped(lookout_->now());
         return full_names(use, slot.object().quantities());
       });
       slot.values.resize(slot.quantities.size());
@@ -147,7 +148,7 @@ void Measuring::ask(Statements& said) {
 }
 
 void Measuring::take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo) {
-  if (!lookout_.has_cast_of(before.lookout_)) {
+  if (!lookout_ || !before.lookout_ || !lookout_->has_cast_of(*before.lookout_)) {
     return;
   }
   has_failed_ = before.has_failed_;
@@ -183,14 +184,15 @@ bool Measuring::has_begun() const {
 void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
                         std::uint64_t step, bool decided, bool is_start) {
   guard_.begin_step(step);
-  lookout_.look(robots, engine, time_s, decided, is_start);
+  if (!lookout_) return;
+  lookout_->look(robots, engine, time_s, decided, is_start);
   for (const auto& slot : slots_) {
     if (is_start && slot->has_begun) {
       continue;
     }
     slot->has_begun = true;
     try {
-      guard_.step(*slot, [&] { slot->object().observe(lookout_.now()); });
+      guard_.step(*slot, [&] { slot->object().observe(lookout_->now()); });
     } catch (...) {
       has_failed_ = true;
       throw;

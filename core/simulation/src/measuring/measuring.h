@@ -67,7 +67,7 @@ class Measuring {
   void check_names(std::vector<base::Problem>& problems) const;
 
   Guard guard_;
-  Lookout lookout_;
+  std::optional<Lookout> lookout_;  // with measures only
   std::vector<std::shared_ptr<Slot>> slots_;
   bool has_failed_ = false;
 };
