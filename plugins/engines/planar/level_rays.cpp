@@ -1,6 +1,6 @@
 #include "level_rays.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 // Vectors are passed between inline functions only, so that it does not matter how.
@@ -61,42 +61,92 @@ ELSIE_INLINE void meet_all(std::span<Group> groups, const Target& box) {
   }
 }
 
-void meet_plainly(std::span<Group> groups, const Target& box) { meet_all(groups, box); }
+/// The rays of one group, turned from the frame `within` to the world. Returns what is not level in
+/// them; not finite if a ray is not.
+ELSIE_INLINE double turn(const Frame& within, const RayQuery* rays, std::size_t count,
+                         Group& group) {
+  Lanes x{}, y{}, z{}, ahead{}, aside{}, up{};  // in the frame `within`
+  for (std::size_t lane = 0; lane < LevelRays::kLanes; ++lane) {
+    const auto& [from, range, distance] = rays[lane < count ? lane : 0];
+    x[lane] = from->origin.x;
+    y[lane] = from->origin.y;
+    z[lane] = from->origin.z;
+    ahead[lane] = from->forward.x;
+    aside[lane] = from->forward.y;
+    up[lane] = from->forward.z;
+    group.nearest[lane] = range;
+  }
+  const auto& [at, f, l, u] = within;
+  group.x = at.x + (x * f.x + y * l.x + z * u.x);
+  group.y = at.y + (x * f.y + y * l.y + z * u.y);
+  group.z = at.z + (x * f.z + y * l.z + z * u.z);
+  group.along_x = ahead * f.x + aside * l.x + up * u.x;
+  group.along_y = ahead * f.y + aside * l.y + up * u.y;
+  group.flat = group.along_x * group.along_x + group.along_y * group.along_y;
+  group.found = Flags{};
+  const Lanes slant = size_of(ahead * f.z + aside * l.z + up * u.z);
+  const Lanes finite = 0.0 * (group.x + group.y + group.z + group.flat);
+  const Lanes both = slant + finite;
+  return both[0] + both[1] + both[2] + both[3];
+}
+
+ELSIE_INLINE double turn_all(const Frame& within, std::span<const RayQuery> rays,
+                             std::span<Group> groups) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const std::size_t first = i * LevelRays::kLanes;
+    sum += turn(within, &rays[first], rays.size() - first, groups[i]);
+  }
+  return sum;
+}
+
+struct Instructions {
+  void (*meet_all)(std::span<Group> groups, const Target& box);
+  double (*turn_all)(const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups);
+};
+
+constexpr Instructions kPlain{
+    [](std::span<Group> groups, const Target& box) { meet_all(groups, box); },
+    [](const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups) {
+      return turn_all(within, rays, groups);
+    }};
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void meet_with_avx2(std::span<Group> groups, const Target& box) {
+__attribute__((target("avx2"))) void meet_all_avx2(std::span<Group> groups, const Target& box) {
   meet_all(groups, box);
 }
-const auto meet_fast = __builtin_cpu_supports("avx2") ? meet_with_avx2 : meet_plainly;
+__attribute__((target("avx2"))) double turn_all_avx2(const Frame& within,
+                                                     std::span<const RayQuery> rays,
+                                                     std::span<Group> groups) {
+  return turn_all(within, rays, groups);
+}
+const Instructions kFast =
+    __builtin_cpu_supports("avx2") ? Instructions{meet_all_avx2, turn_all_avx2} : kPlain;
 #else
-const auto meet_fast = meet_plainly;
+constexpr Instructions kFast = kPlain;
 #endif
 
 }  // namespace
 
-bool LevelRays::set(std::span<const RayQuery> rays) {
+bool LevelRays::set(const Frame& within, std::span<const RayQuery> rays) {
   used_ = (rays.size() + kLanes - 1) / kLanes;
-  double sum = 0.0, steepest = 0.0;
-  for (std::size_t k = 0; k < used_ * kLanes; ++k) {
-    const auto& [origin, direction, range, distance] = rays[k < rays.size() ? k : 0];
-    Group& group = groups_[k / kLanes];
-    const std::size_t lane = k % kLanes;
-    const double flat = direction.x * direction.x + direction.y * direction.y;
-    group.x[lane] = origin.x;
-    group.y[lane] = origin.y;
-    group.z[lane] = origin.z;
-    group.along_x[lane] = direction.x;
-    group.along_y[lane] = direction.y;
-    group.flat[lane] = flat;
-    group.nearest[lane] = range;
-    group.found[lane] = 0;
-    sum += origin.x + origin.y + origin.z + flat;
-    steepest += std::abs(direction.z);
+  if (kFast.turn_all(within, rays, std::span(groups_).first(used_)) != 0.0) return false;
+  middle_ = {groups_[0].x[0], groups_[0].y[0]};
+  reach_ = 0.0;
+  lowest_ = kInfinity;
+  for (const Group& group : std::span(groups_).first(used_)) {
+    const Lanes far = size_of(group.x - middle_.x) + size_of(group.y - middle_.y) + group.nearest;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      reach_ = std::max(reach_, far[lane]);
+      lowest_ = std::min(lowest_, group.z[lane]);
+    }
   }
-  return steepest == 0.0 && std::isfinite(sum);
+  return true;
 }
 
-void LevelRays::meet_box(const Target& box) { meet_fast(std::span(groups_).first(used_), box); }
+void LevelRays::meet_box(const Target& box) {
+  kFast.meet_all(std::span(groups_).first(used_), box);
+}
 
 std::uint32_t LevelRays::meeting_circle(const Target& target) const {
   std::uint32_t bits = 0;

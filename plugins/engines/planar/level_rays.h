@@ -18,8 +18,16 @@ class LevelRays {
  public:
   static constexpr std::size_t kMost = 16;
 
-  /// At most kMost rays. Returns whether all are level and finite; else the object is of no use.
-  bool set(std::span<const RayQuery> rays);
+  /// At most kMost rays, as in Engine::cast_rays(). Returns whether all are level and finite; else
+  /// the object is of no use.
+  bool set(const Frame& within, std::span<const RayQuery> rays);
+
+  /// The origin of the first ray.
+  const Vector2& middle() const { return middle_; }
+  /// No ray goes further away from there, m.
+  double reach() const { return reach_; }
+  /// The height of the lowest ray, m.
+  double lowest() const { return lowest_; }
 
   /// An upright box, or the circle around something else.
   struct Target {
@@ -34,6 +42,14 @@ class LevelRays {
   /// The rays that meet the circle: the first in bit 0.
   std::uint32_t meeting_circle(const Target& target) const;
 
+  Vector3 origin(std::size_t ray) const {
+    const Group& group = groups_[ray / kLanes];
+    return {group.x[ray % kLanes], group.y[ray % kLanes], group.z[ray % kLanes]};
+  }
+  Vector3 direction(std::size_t ray) const {
+    const Group& group = groups_[ray / kLanes];
+    return {group.along_x[ray % kLanes], group.along_y[ray % kLanes], 0.0};
+  }
   double nearest(std::size_t ray) const { return groups_[ray / kLanes].nearest[ray % kLanes]; }
   void shorten(std::size_t ray, double distance) {
     groups_[ray / kLanes].nearest[ray % kLanes] = distance;
@@ -56,6 +72,9 @@ class LevelRays {
  private:
   std::array<Group, kMost / kLanes> groups_;
   std::size_t used_ = 0;  // groups
+  Vector2 middle_;
+  double reach_ = 0.0;
+  double lowest_ = 0.0;
 };
 
 }  // namespace elsie::physics

@@ -370,13 +370,15 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
   return &known;
 }
 
-void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const {
+void PlanarScene::cast_rays(const Frame& within, std::span<RayQuery> rays,
+                            std::size_t except) const {
   for (; !rays.empty(); rays = rays.subspan(std::min(LevelRays::kMost, rays.size()))) {
     const auto some = rays.first(std::min(LevelRays::kMost, rays.size()));
     LevelRays level;
-    if (level.set(some) && cast_together(some, level, except)) continue;
+    if (level.set(within, some) && cast_together(some, level, except)) continue;
     for (RayQuery& ray : some) {
-      const auto hit = cast_ray(ray.origin, ray.direction, ray.max_range_m, except);
+      const auto hit = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
+                                ray.max_range_m, except);
       ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
     }
   }
@@ -385,20 +387,15 @@ void PlanarScene::cast_rays(std::span<RayQuery> rays, std::size_t except) const 
 /// False: there is too much around them.
 bool PlanarScene::cast_together(std::span<RayQuery> rays, LevelRays& level,
                                 std::size_t except) const {
-  const Vector2 middle{rays.front().origin.x, rays.front().origin.y};
-  double reach = 0.0, lowest = kMiss;
-  for (const auto& [origin, direction, range, answer] : rays) {
-    reach = std::max(reach, std::abs(origin.x - middle.x) + std::abs(origin.y - middle.y) + range);
-    lowest = std::min(lowest, origin.z);
-  }
-  const Around* const near = around(except, middle, reach);
+  const Vector2& middle = level.middle();
+  const Around* const near = around(except, middle, level.reach());
   if (!near) return false;
   for (const Id id : near->near) {
     const Entry& entry = entries_[id];
-    if (!entry.sensed || !entry.placed || !comes_within(entry, middle.x, middle.y, reach)) {
+    if (!entry.sensed || !entry.placed || !comes_within(entry, middle.x, middle.y, level.reach())) {
       continue;
     }
-    if (entry.outside == Outside::box && lowest > entry.wheels_top) {
+    if (entry.outside == Outside::box && level.lowest() > entry.wheels_top) {
       level.meet_box(entry);
       continue;
     }
@@ -406,8 +403,8 @@ bool PlanarScene::cast_together(std::span<RayQuery> rays, LevelRays& level,
       const auto k = static_cast<std::size_t>(std::countr_zero(rest));
       if (k >= rays.size()) break;
       const double nearest = level.nearest(k);
-      const double distance = distance_past_circle(entry, id, rays[k].origin, rays[k].direction,
-                                                   nearest);
+      const double distance =
+          distance_past_circle(entry, id, level.origin(k), level.direction(k), nearest);
       if (distance <= nearest) level.shorten(k, distance);
     }
   }

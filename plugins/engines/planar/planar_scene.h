@@ -68,8 +68,8 @@ class PlanarScene {
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
-  /// As Engine::cast_rays(). Only one thread at a time may ask for a robot.
-  void cast_rays(std::span<RayQuery> rays, std::size_t except) const;
+  /// As Engine::cast_rays().
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const;
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:

@@ -12,20 +12,19 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
   double error_m = 0.0;
 
   elsie::RangeReading sense(const elsie::SensorContext& now) override {
-    elsie::RayQuery ray{now.frame.origin, now.frame.forward, max_range};
-    now.world->cast_rays({&ray, 1});
-    return reading_of(ray, *now.random);
+    const auto distance = now.world->cast_ray(now.frame.origin, now.frame.forward, max_range);
+    return reading_of(distance.value_or(elsie::RayQuery::kNothing), *now.random);
   }
 
   void update_all(const elsie::SensorBatch& all) override {
     for (std::size_t i = 0; i < all.sensors.size(); ++i) {
       const auto& each = all.sensors[i];
-      all.rays[i] = {each.origin(all.robot), each.forward(all.robot), beam(each).max_range};
+      all.rays[i] = {each.on_robot, beam(each).max_range};
     }
-    all.world->cast_rays(all.rays);
+    all.world->cast_rays(all.robot, all.rays);
     for (std::size_t i = 0; i < all.sensors.size(); ++i) {
       const auto& each = all.sensors[i];
-      beam(each).set_reading(beam(each).reading_of(all.rays[i], *each.random));
+      beam(each).set_reading(beam(each).reading_of(all.rays[i].distance_m, *each.random));
     }
   }
 
@@ -34,13 +33,13 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
     return static_cast<BeamRange&>(*each.sensor);
   }
 
-  elsie::RangeReading reading_of(const elsie::RayQuery& ray, elsie::Random& random) const {
-    if (ray.distance_m > max_range) {
+  elsie::RangeReading reading_of(double distance_m, elsie::Random& random) const {
+    if (distance_m > max_range) {
       return {max_range, max_range, false};
     }
-    double measured = ray.distance_m;
+    double measured = distance_m;
     if (error > 0.0) {
-      measured += random.normal(0.0, error * ray.distance_m);
+      measured += random.normal(0.0, error * distance_m);
     }
     if (error_m > 0.0) {
       measured += random.normal(0.0, error_m);

@@ -139,14 +139,17 @@ TEST_CASE("Many rays at once find what single rays find") {
   const double pitch = GENERATE(0.0, -0.05, 0.1);
   const double height = GENERATE(0.01, 0.05, 0.105);
   CAPTURE(range, pitch, height);
+  const Frame within = Frame::turned({0.1, -0.2, 0.0}, 0.3, 0.0);
+  std::vector<Frame> from;
   std::vector<RayQuery> rays;
   for (int i = 0; i < 24; ++i) {
-    const Frame frame = Frame::turned({}, radians(15.0 * i + 1.0), pitch);
-    rays.push_back({{0.01 * i, 0.0, height}, frame.forward, range});
+    from.push_back(Frame::turned({0.01 * i, 0.0, height}, radians(15.0 * i + 1.0), pitch));
   }
-  context.engine->cast_rays(rays, 2);
+  for (const Frame& frame : from) rays.push_back({&frame, range});
+  context.engine->cast_rays(within, rays, 2);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const auto hit = context.engine->cast_ray(rays[i].origin, rays[i].direction, range, 2);
+    const Frame frame = within.frame(from[i]);
+    const auto hit = context.engine->cast_ray(frame.origin, frame.forward, range, 2);
     CAPTURE(i);
     CHECK((rays[i].distance_m != RayQuery::kNothing) == hit.has_value());
     if (hit) CHECK(rays[i].distance_m == Approx(hit->distance).epsilon(1e-12));
@@ -167,18 +170,18 @@ TEST_CASE("Many rays at once find what single rays find, wherever the bodies hav
     if (step == 200) context.engine->place_robot(5, {1.5, 1.5, 0.0});
     const std::size_t robot = static_cast<std::size_t>(step % 12);
     const Pose at = context.pose(robot);
-    std::vector<RayQuery> rays;
+    std::vector<Frame> from{{{0.4, 0.3, 0.1}, {0, -1, 0}, {}, {}},  // along a side of the box
+                            {{0.4, -0.1, 0.1}, {1, 0, 0}, {}, {}},  // from its corner
+                            {{0.5, 0.0, 0.1}, {1, 0, 0}, {}, {}}};  // from inside
     for (int i = 0; i < 20; ++i) {
-      const double heading = i < 4 ? 0.5 * std::numbers::pi * i : at.heading_rad + 0.4 * i;
-      const Vector2 from = i < 4 ? Vector2{0.4, -0.1} : Vector2{at.x, at.y};
-      rays.push_back(
-          {{from.x, from.y, 0.1}, {std::round(1e9 * std::cos(heading)) / 1e9, std::sin(heading), 0.0},
-           1.0});
+      from.push_back(Frame::turned({at.x, at.y, 0.1}, at.heading_rad + 0.4 * i, 0.0));
     }
-    context.engine->cast_rays(rays, robot);
+    std::vector<RayQuery> rays;
+    for (const Frame& frame : from) rays.push_back({&frame, 1.0});
+    context.engine->cast_rays({}, rays, robot);
     for (const RayQuery& ray : rays) {
-      const auto hit = context.engine->cast_ray(ray.origin, ray.direction, 1.0, robot);
-      CAPTURE(step, robot, ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y);
+      const auto hit = context.engine->cast_ray(ray.from->origin, ray.from->forward, 1.0, robot);
+      CAPTURE(step, robot, ray.from->origin.x, ray.from->forward.x);
       REQUIRE(ray.distance_m == (hit ? hit->distance : RayQuery::kNothing));
     }
   }

@@ -34,8 +34,7 @@ struct Pyramid {
 struct RayQuery {
   static constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-  Vector3 origin;     // in the world
-  Vector3 direction;  // a unit vector in the world
+  const Frame* from = nullptr;  // it begins at the origin and runs forward
   double max_range_m = 0.0;
   double distance_m = kNothing;  // the answer: to the first surface; kNothing beyond the range
 };
@@ -47,11 +46,13 @@ class Surroundings {
   /// `direction` (a unit vector), both in the world frame; none beyond `max_range_m`.
   virtual std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range_m) const = 0;
-  /// The same for all these rays, faster: sets their distances.
-  virtual void cast_rays(std::span<RayQuery> rays) const {
+  /// The same for all these rays, faster: sets their distances. Their frames are given in the frame
+  /// `within`, as those of sensors in the robot's.
+  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays) const {
     for (RayQuery& ray : rays) {
-      ray.distance_m =
-          cast_ray(ray.origin, ray.direction, ray.max_range_m).value_or(RayQuery::kNothing);
+      ray.distance_m = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
+                                ray.max_range_m)
+                           .value_or(RayQuery::kNothing);
     }
   }
   /// True if a body that proximity sensors see reaches into the volume. The floor does not count.
@@ -92,15 +93,11 @@ struct SensorBatch {
     const Frame* on_robot;  // its frame, in the frame of the robot
     const Mounting* mounting;
     Random* random;
-
-    /// Its place and where it points, in the world: those of SensorContext::frame.
-    Vector3 origin(const Frame& robot) const { return robot.point(on_robot->origin); }
-    Vector3 forward(const Frame& robot) const { return robot.direction(on_robot->forward); }
   };
   std::span<const Entry> sensors;
   double time_s;
   double period_s;
-  Frame robot;  // in the world
+  const Frame& robot;  // in the world
   const Surroundings* world;
   std::span<RayQuery> rays;  // memory for a query of each sensor, with any values
 

@@ -152,10 +152,12 @@ class Engine {
   /// order is hit.
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
-  /// The same for several rays: sets their distances.
-  virtual void cast_rays(std::span<RayQuery> rays, std::size_t except) const {
+  /// The same for several rays, whose frames are given in the frame `within`: sets their distances.
+  /// Only one thread at a time may ask for a robot.
+  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const {
     for (RayQuery& ray : rays) {
-      const auto hit = cast_ray(ray.origin, ray.direction, ray.max_range_m, except);
+      const auto hit = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
+                                ray.max_range_m, except);
       ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
     }
   }
