@@ -64,6 +64,7 @@ class OdeEngine final : public Engine {
     return robots_.at(robot).joints();
   }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void work_with(base::Crew& crew) override { world_.work_with(crew); }
   void step() override;
 
   RobotState robot(std::size_t robot) const override { return robots_.at(robot).state(); }
@@ -323,7 +324,7 @@ void OdeEngine::take_step() {
   for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
     find_contacts();
     routing_.divide(contacts_, robots_, Routing::OdeTakes::small_islands);
-    solved = world_.step(physics_.step);
+    solved = world_.step(physics_.step, mobile_.size());
     contacts_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
     routing_.wake();
     if (!solved) before_.restore();
