@@ -45,7 +45,7 @@ struct IslandCrew::Locks {
 
 constinit thread_local IslandCrew::Chain* IslandCrew::present_ = nullptr;
 
-IslandCrew::IslandCrew() : chains_(1) {}
+IslandCrew::IslandCrew(base::Crew& crew) : crew_(&crew), chains_(crew.threads()) {}
 IslandCrew::~IslandCrew() = default;
 
 void IslandCrew::work_with(base::Crew& crew) {

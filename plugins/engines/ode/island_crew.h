@@ -18,12 +18,13 @@ namespace elsie::physics {
 /// Unlike ODE's schedulers it passes exceptions on: dWorldStep() throws what a call threw.
 class IslandCrew {
  public:
-  IslandCrew();
+  /// The crew must outlive the steps.
+  explicit IslandCrew(base::Crew& crew);
   ~IslandCrew();
   IslandCrew(const IslandCrew&) = delete;
   IslandCrew& operator=(const IslandCrew&) = delete;
 
-  /// Takes the threads of this crew from now on. It must outlive the steps.
+  /// Takes another crew.
   void work_with(base::Crew& crew);
   /// Schedules the steps of this world, which must be destroyed first.
   void serve(dWorldID world);
@@ -54,8 +55,7 @@ class IslandCrew {
   // The chain that this thread is making.
   static constinit thread_local Chain* present_;
 
-  base::Crew alone_;
-  base::Crew* crew_ = &alone_;
+  base::Crew* crew_;
   std::size_t threads_ = 1;
   std::deque<Call> outer_;     // posted by the thread that steps the world
   std::vector<Call*> ready_;   // of these, the calls that wait for no others

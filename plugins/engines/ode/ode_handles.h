@@ -26,14 +26,15 @@ class OdeFailure : public std::runtime_error {
 /// A world with its bodies and joints.
 class OdeWorld {
  public:
-  OdeWorld();
+  /// Steps with the threads of this crew, which must outlive the world.
+  explicit OdeWorld(base::Crew& crew);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
 
   dWorldID get() const { return world_; }
 
-  /// Steps with the threads of this crew from now on. It must outlive the world.
+  /// Takes another crew.
   void work_with(base::Crew& crew) { islands_.work_with(crew); }
 
   /// Takes a step of about so many islands. Returns false if ODE's solver gave up: the world has

@@ -41,9 +41,9 @@ class OdeRobot {
   double height() const { return height_; }
   /// The highest speed that any of its parts can reach with these wheel rates, m/s; see bounds.h.
   double most_speed(std::span<const JointSetting> settings) const;
-  /// Puts a vehicle into the scene, for sensors and neighbours.
-  void place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const {
-    vehicles_[vehicle].place_in(scene, id, step);
+  /// Puts a vehicle into the scene, for sensors and neighbours; see Scene::place_robot().
+  bool place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const {
+    return vehicles_[vehicle].place_in(scene, id, step);
   }
 
   /// Calls `call` with every dBodyID, always in the same order.
