@@ -44,7 +44,7 @@ void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
     surface.bounce = bounce_;
     surface.bounce_vel = bounce_threshold_;
   }
-  found_.push_back({a, b, contact});
+  found_.push_back({a, b, a ? dBodyGetData(a) : nullptr, b ? dBodyGetData(b) : nullptr, contact});
 }
 
 dContact OdeContacts::on_floor(const Vector3& point, double friction) const {

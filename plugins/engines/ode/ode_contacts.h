@@ -14,10 +14,13 @@
 
 namespace elsie::physics {
 
-/// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body.
+/// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body. The members are
+/// the data of the bodies, which Routing gives to them; null for a fixed body.
 struct FoundContact {
   dBodyID a = nullptr;
   dBodyID b = nullptr;
+  void* member_a = nullptr;
+  void* member_b = nullptr;
   dContact contact{};
 };
 

@@ -11,9 +11,7 @@ namespace {
 constexpr std::size_t kRobotSize = 2;
 constexpr std::size_t kMostForOde = 6 * kRobotSize;
 
-std::size_t member_of(dBodyID body) {
-  return reinterpret_cast<std::uintptr_t>(dBodyGetData(body)) - 1;
-}
+std::size_t member_of(void* data) { return reinterpret_cast<std::uintptr_t>(data) - 1; }
 
 }  // namespace
 
@@ -40,7 +38,7 @@ void Routing::add(Member member) {
   }
 }
 
-void Routing::remove_box(dBodyID box) { members_[member_of(box)].bodies.clear(); }
+void Routing::remove_box(dBodyID box) { members_[member_of(dBodyGetData(box))].bodies.clear(); }
 
 void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
                      std::span<const OdeRobot> robots, OdeTakes takes) {
@@ -48,7 +46,9 @@ void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
   for (std::size_t i = 0; i < members_.size(); ++i) islands_.count(i, members_[i].size);
   for (FoundContacts& some : found) {
     for (const FoundContact& contact : some.contacts.found()) {
-      if (contact.a && contact.b) islands_.link(member_of(contact.a), member_of(contact.b));
+      if (contact.a && contact.b) {
+        islands_.link(member_of(contact.member_a), member_of(contact.member_b));
+      }
     }
   }
   crowd_.clear();
@@ -61,7 +61,7 @@ void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
   for (FoundContacts& some : found) {
     for (FoundContact& contact : some.contacts.found()) {
       joints.finish(contact, number++);
-      if (members_[member_of(contact.a ? contact.a : contact.b)].in_crowd) {
+      if (members_[member_of(contact.a ? contact.member_a : contact.member_b)].in_crowd) {
         crowd_.add_contact(contact);
       } else {
         joints.join(contact);
