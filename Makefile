@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: desktop configure-program transcript api install package all demo test sanitize fuzz fuzz-check bench figures coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -53,6 +53,12 @@ sanitize: dependencies
 	@cmake --preset asan --log-level=WARNING
 	cmake --build --preset asan --target elsie_unit_tests
 	ctest --preset asan
+
+# What several threads do, under the thread sanitizer.
+sanitize-threads: dependencies
+	@cmake --preset tsan --log-level=WARNING
+	cmake --build --preset tsan --target elsie_thread_tests
+	ctest --preset tsan
 
 # Damaged input for every reader of files, FUZZ_SECONDS for each: scripts/fuzz.
 FUZZ_SECONDS ?= 60

@@ -20,7 +20,10 @@ target_compile_options(
             "$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>"
             # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
             -ffp-contract=off)
-if(ELSIE_SANITIZE)
+if(ELSIE_SANITIZE STREQUAL "thread")
+  target_compile_options(elsie_compiler INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(elsie_compiler INTERFACE -fsanitize=thread)
+elseif(ELSIE_SANITIZE)
   target_compile_options(elsie_compiler INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                                                   -fno-sanitize-recover=undefined)
   # With the sanitizers, GCC 12 does not see that a std::variant is initialised.

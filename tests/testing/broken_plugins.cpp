@@ -1,6 +1,7 @@
 // Plugins with one fault each, for the checker to find.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "elsie/api/behavior.h"
@@ -70,6 +72,24 @@ class SharesQuietly final : public elsie::Behavior {
   static inline double last = 0.0;
 };
 ELSIE_BEHAVIOR(SharesQuietly, "shares_quietly", "Smooths in a static, which reset() clears");
+
+/// Correct in one thread: what is shared is used within one call only.
+class Scratch : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    static std::atomic<double> scratch;
+    const double own = now.self().pose.x;
+    scratch = own;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(20);
+    while (scratch == own && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    return elsie::WheelPair().motion({scratch, scratch});
+  }
+};
+ELSIE_BEHAVIOR(Scratch, "scratch", "Computes in a static");
+
+class ScratchAlone final : public Scratch {};
+ELSIE_BEHAVIOR(ScratchAlone, "scratch_alone", "Computes in a static, and says so",
+               elsie::one_thread());
 
 /// A hidden channel between objects: robots tell each other where they are.
 class Board final : public elsie::Behavior {

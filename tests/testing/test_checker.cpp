@@ -55,6 +55,7 @@ const Fault kFaults[] = {
     {kBehavior, "turns_by_way", "parameter 'offset_m' has the unit 'deg', but its name says 'm'"},
     {kBehavior, "shares_static", "state that all objects share (a static or a global)"},
     {kBehavior, "shares_quietly", "while another object of it works on something else"},
+    {kBehavior, "scratch", "while another object of it works in another thread"},
     {kBehavior, "address", "two objects answer the same input differently"},
     {kBehavior, "clock", "uses a clock"},
     {kBehavior, "other_random", "random numbers other than now.random()"},
@@ -106,7 +107,7 @@ TEST_CASE("The checker reports the fault of a plugin, once, and names it") {
 }
 
 TEST_CASE("Each plugin that is broken on purpose is in the list") {
-  std::set<std::string> listed{"sound"};
+  std::set<std::string> listed{"sound", "scratch_alone"};
   for (const Fault& fault : kFaults) {
     listed.insert(fault.name);
   }
@@ -126,6 +127,10 @@ TEST_CASE("The checker finds nothing in a sound plugin, whatever the seed") {
     CHECK_THAT(check_plugin(kBehavior, "sound", options, broken()), finds_nothing());
     CHECK_THAT(check_plugin(kDrive, "sound", options, broken()), finds_nothing());
   }
+}
+
+TEST_CASE("A plugin that wants one thread is not tried in two") {
+  CHECK_THAT(check_plugin(kBehavior, "scratch_alone", {}, broken()), finds_nothing());
 }
 
 TEST_CASE("Readings of a kind that no sensor makes can be handed to the checker") {

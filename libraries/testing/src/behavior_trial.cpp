@@ -26,6 +26,24 @@ void Answer::add(const Motion& command) {
   add("its turn", command.turn);
 }
 
+std::optional<std::string> difference(const Answer& one, const Answer& other) {
+  for (std::size_t i = 0; i < std::min(one.numbers.size(), other.numbers.size()); ++i) {
+    const auto& [name, a] = one.numbers[i];
+    const double b = other.numbers[i].value;
+    if (a != b) {
+      return std::string(name) + " is " + number_text(b) + ", and was " + number_text(a);
+    }
+  }
+  if (one.numbers.size() != other.numbers.size()) {
+    return "it has " + std::to_string(other.numbers.size()) + " numbers, and had " +
+           std::to_string(one.numbers.size());
+  }
+  if (one.events != other.events) {
+    return "its events, or the reasons in its trace, differ";
+  }
+  return std::nullopt;
+}
+
 void require_finite(const char* what, double value) {
   if (!std::isfinite(value)) {
     throw Wrong(std::string(what) + " is " + number_text(value) + ", which is no finite number");

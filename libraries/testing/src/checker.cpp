@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <latch>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "elsie/base/crew.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/kind_name.h"
 
@@ -20,33 +22,6 @@ namespace elsie::testing {
 namespace {
 
 constexpr std::uint64_t kRunSeed = 5;
-
-/// The first difference of two answers; or none.
-std::optional<std::string> difference(const Answer& one, const Answer& other) {
-  for (std::size_t i = 0; i < std::min(one.numbers.size(), other.numbers.size()); ++i) {
-    const auto& [name, a] = one.numbers[i];
-    const double b = other.numbers[i].value;
-    if (a != b) {
-      return std::string(name) + " is " + number_text(b) + ", and was " + number_text(a);
-    }
-  }
-  if (one.numbers.size() != other.numbers.size()) {
-    return "it has " + std::to_string(other.numbers.size()) + " numbers, and had " +
-           std::to_string(one.numbers.size());
-  }
-  if (one.events != other.events) {
-    return "its events, or the reasons in its trace, differ";
-  }
-  return std::nullopt;
-}
-
-/// "40.1 MB".
-std::string in_bytes(double bytes) {
-  const auto rounded = [](double value) { return number_text(std::round(10.0 * value) / 10.0); };
-  return bytes < 1e4   ? number_text(std::round(bytes)) + " bytes"
-         : bytes < 1e6 ? rounded(bytes / 1e3) + " kB"
-                       : rounded(bytes / 1e6) + " MB";
-}
 
 /// The same input for another robot of the team: the first mate that the others perceive, and their
 /// leader if they have none.
@@ -303,6 +278,9 @@ class Checker {
         return;
       }
     }
+    if (!compare_threads(settings, one, other_input, *first)) {
+      return;
+    }
     try {
       one.configure_again();
     } catch (...) {
@@ -313,6 +291,45 @@ class Checker {
     if (same("configured", "after configured() was called once more it answers differently", *first,
              run(one))) {
       compare_successor(one, *two, *first);
+    }
+  }
+
+  /// Checks that objects of two robots, each in its own thread, answer as they do alone. Measures
+  /// belong to no robot.
+  bool compare_threads(const Settings& settings, Trial& one, const Input& other_input,
+                       const Answers& first) {
+    const bool is_asked_in_several =
+        declaration_.may_share_threads && declaration_.kind != PluginKind::measure;
+    const auto other = is_asked_in_several ? try_to_make(settings, other_input, false) : nullptr;
+    const auto second = other ? run(*other) : std::nullopt;
+    if (!second) {
+      return true;
+    }
+    const std::string finding =
+        "it answers differently while another object of it works in another thread: objects must "
+        "not share what they change, or it declares elsie::one_thread()";
+    Answers ones(first.size()), others(second->size());
+    std::latch begun(2);
+    try {
+      base::Crew(2).divide(2, 1, [&](const base::Crew::Share& share) {
+        begun.arrive_and_wait();  // neither thread does both
+        run_quietly(share.first == 0 ? one : *other, share.first == 0 ? ones : others);
+      });
+    } catch (...) {
+      find("threads", finding + ": it fails: " + caught_text() + where_);
+      return false;
+    }
+    return same("threads", finding, first, ones) && same("threads", finding, *second, others);
+  }
+
+  /// A run without findings. Throws what the plugin throws.
+  void run_quietly(Trial& trial, Answers& answers) const {
+    plugin::Call all({.plugin = declaration_.name.c_str(), .doing = doing_.c_str()});
+    trial.reset(kRunSeed);
+    for (std::size_t step = 0; step < answers.size(); ++step) {
+      plugin::Call call({.step = step, .doing = doing_.c_str()});
+      call.start_clock();
+      trial.step(step, answers[step]);
     }
   }
 

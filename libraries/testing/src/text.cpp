@@ -1,5 +1,6 @@
 #include "text.h"
 
+#include <cmath>
 #include <exception>
 
 namespace elsie::testing {
@@ -12,6 +13,13 @@ std::string caught_text() {
   } catch (...) {
     return "something that is no std::exception";
   }
+}
+
+std::string in_bytes(double bytes) {
+  const auto rounded = [](double value) { return number_text(std::round(10.0 * value) / 10.0); };
+  return bytes < 1e4   ? number_text(std::round(bytes)) + " bytes"
+         : bytes < 1e6 ? rounded(bytes / 1e3) + " kB"
+                       : rounded(bytes / 1e6) + " MB";
 }
 
 }  // namespace elsie::testing

@@ -12,4 +12,7 @@ using base::number_text;
 /// To be called in a catch block: what() of the exception, or a note that it is no std::exception.
 std::string caught_text();
 
+/// "40.1 MB".
+std::string in_bytes(double bytes);
+
 }  // namespace elsie::testing

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,9 @@ struct Answer {
   void add(const CommandSets& sets);
   void add(const Motion& command);
 };
+
+/// The first difference of two answers; or none.
+std::optional<std::string> difference(const Answer& one, const Answer& other);
 
 /// Thrown for a wrong answer; what() continues "in step 3 ".
 class Wrong : public std::runtime_error {

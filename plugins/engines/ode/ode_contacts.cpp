@@ -12,23 +12,13 @@ namespace {
 // own weight.
 constexpr double kTyreGrip = 3.0;
 
-// If a body has two contacts more than it needs, their softness distributes its weight.
-constexpr double kLeastCfm = 1e-10;
-
-// ODE's solver gives up where two contacts of the same body reach their limits at the same instant,
-// as on symmetrical bodies. So two successive contacts are never quite equal.
-constexpr std::size_t kTies = 7;
-
 // The sine of a tilt up to which the end of a cylinder counts as level.
 constexpr double kLevel = 1e-3;
 
 }  // namespace
 
-OdeContacts::OdeContacts(dWorldID world, const world::Physics& physics)
-    : world_(world),
-      group_(dJointGroupCreate(0)),
-      step_(physics.step),
-      cfm_(std::max(physics.effective_cfm(), kLeastCfm)),
+OdeContacts::OdeContacts(const world::Physics& physics)
+    : step_(physics.step),
       gravity_(std::abs(physics.gravity)),
       friction_(physics.friction),
       tyre_friction_(kTyreGrip * physics.friction),
@@ -42,19 +32,9 @@ double OdeContacts::margin(double speed) const {
   return kSlack + (std::max(0.0, speed) + gravity_ * step_) * step_;
 }
 
-void OdeContacts::clear(double softer) {
-  dJointGroupEmpty(group_.get());
-  found_.clear();
-  softer_ = softer;
-}
-
 void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
   dSurfaceParameters& surface = contact.surface;
-  const double unequal = static_cast<double>(found_.size() % kTies);
   surface.mode |= dContactApprox1 | dContactSoftCFM;
-  surface.soft_cfm = softer_ * cfm_ * (1.0 + 1e-3 * unequal);
-  surface.mu *= 1.0 + 1e-6 * unequal;
-  surface.mu2 *= 1.0 + 1e-6 * unequal;
   contact.geom.depth = std::max(0.0, -gap);
   if (gap > 0.0) {
     surface.mode |= dContactMotionN;
@@ -64,11 +44,7 @@ void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
     surface.bounce = bounce_;
     surface.bounce_vel = bounce_threshold_;
   }
-  found_.push_back({a, b, contact});
-}
-
-void OdeContacts::join(const FoundContact& contact) {
-  dJointAttach(dJointCreateContact(world_, group_.get(), &contact.contact), contact.a, contact.b);
+  found_.push_back({a, b, a ? dBodyGetData(a) : nullptr, b ? dBodyGetData(b) : nullptr, contact});
 }
 
 dContact OdeContacts::on_floor(const Vector3& point, double friction) const {

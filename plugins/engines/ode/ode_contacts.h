@@ -1,4 +1,4 @@
-// Contact joints of one step.
+// Contacts of one step.
 #pragma once
 
 #include <span>
@@ -14,21 +14,24 @@
 
 namespace elsie::physics {
 
-/// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body.
+/// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body. The members are
+/// the data of the bodies, which Routing gives to them; null for a fixed body.
 struct FoundContact {
   dBodyID a = nullptr;
   dBodyID b = nullptr;
+  void* member_a = nullptr;
+  void* member_b = nullptr;
   dContact contact{};
 };
 
-/// Collects the contacts of one step, and makes joints of them that last for this step.
+/// Collects contacts of one step.
 ///
 /// A contact may be made across a gap. It then only keeps the bodies from coming closer in this
 /// step than to the surface. So a body at rest on the floor does not lose contact and fall back for
 /// a step, and a fast body stops at a wall instead of inside it.
 class OdeContacts {
  public:
-  OdeContacts(dWorldID world, const world::Physics& physics);
+  explicit OdeContacts(const world::Physics& physics);
 
   /// The gap, m, up to which a body that comes nearer at `speed` m/s needs a contact.
   double margin(double speed) const;
@@ -53,13 +56,9 @@ class OdeContacts {
   /// The same for a contact from one of ODE's colliders.
   void between(dBodyID a, dBodyID b, const dContactGeom& found);
 
-  /// All contacts of the step, in the order in which they were found.
-  std::span<const FoundContact> found() const { return found_; }
-  /// Makes a joint of a contact.
-  void join(const FoundContact& contact);
-
-  /// Forgets the contacts of the step. Later contacts are `softer` times as soft.
-  void clear(double softer = 1.0);
+  /// All contacts, in the order in which they were found.
+  std::span<FoundContact> found() { return found_; }
+  void clear() { found_.clear(); }
 
  private:
   static constexpr double kSlack = 1e-4;  // m
@@ -70,12 +69,8 @@ class OdeContacts {
   void corner_on_floor(dBodyID body, const Vector3& corner, double highest);
   dContact on_floor(const Vector3& point, double friction) const;
 
-  dWorldID world_;
-  OdeJointGroup group_;
   std::vector<FoundContact> found_;
   double step_;
-  double cfm_;
-  double softer_ = 1.0;
   double gravity_;
   double friction_;
   double tyre_friction_;

@@ -1,8 +1,10 @@
 // The engine on ODE: bodies are added, contacts are found, ODE solves.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/abi.h"
@@ -16,8 +18,8 @@
 #include "bounds.h"
 #include "box_body.h"
 #include "checks.h"
-#include "narrow_phase.h"
-#include "ode_contacts.h"
+#include "contact_finder.h"
+#include "contact_joints.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
 #include "routing.h"
@@ -61,80 +63,86 @@ class OdeEngine final : public Engine {
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
   std::span<const JointSetting> joints(std::size_t robot) const override {
-    return robots_.at(robot).joints();
+    return bodies_.robots.at(robot).joints();
   }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void work_with(base::Crew& crew) override {
+    crew_ = &crew;
+    world_.work_with(crew);
+  }
   void step() override;
 
-  RobotState robot(std::size_t robot) const override { return robots_.at(robot).state(); }
+  RobotState robot(std::size_t robot) const override { return bodies_.robots.at(robot).state(); }
   std::size_t segments(std::size_t robot) const override {
-    return robots_.at(robot).vehicles().size() - 1;
+    return bodies_.robots.at(robot).vehicles().size() - 1;
   }
   SegmentState segment(std::size_t robot, std::size_t segment) const override {
-    return robots_.at(robot).segment(segment);
+    return bodies_.robots.at(robot).segment(segment);
   }
   Frame box(std::size_t box) const override;
-  bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
-  std::span<const Touch> touches() const override { return touches_; }
+  bool has_box(std::size_t box) const override { return bodies_.boxes.at(box).present; }
+  std::span<const Touch> touches() const override { return finder_.touches(); }
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
-    return scene_.cast_ray(origin, direction, max_range, except);
+    return bodies_.scene.cast_ray(origin, direction, max_range, except);
   }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
-    return scene_.anything_in(pyramid, except);
+    return bodies_.scene.anything_in(pyramid, except);
   }
   std::uint64_t hash_state(std::uint64_t hash) const override;
   GiveUps give_ups() const override { return give_ups_; }
 
  private:
+  /// What a share of the robots does in a step.
+  struct Share {
+    BodyStates before;             // at the start of this step
+    std::vector<Scene::Id> moved;  // to other cells of the scene
+    std::optional<Failure> failure;
+  };
+
   std::size_t add_upright(std::vector<BoxBody>& list, BodyKind kind, world::BoxKind box_kind,
                           const world::Fixture& fixture, double mass, bool sensed);
-  BoxBody& box_of(const Body& body) {
-    return body.kind == BodyKind::wall ? walls_[body.index] : boxes_[body.index];
-  }
-  bool is_mobile(const Body& body) {
-    return body.kind == BodyKind::robot || box_of(body).is_mobile();
-  }
   std::size_t enter_robot(double top);
   void take_step();
-  void remember();
+  template <class Work>
+  void for_each_robot(const Work& work);
+  void begin();
+  void restore();
+  void find_contacts(Routing::OdeTakes takes);
   void start_moving_boxes();
-  void find_contacts();
-  bool meet(Scene::Id a, Scene::Id b);
-  bool meet_own(const OdeRobot& robot, std::size_t a, std::size_t b);
   void place_in_scene(std::size_t robot);
   void settle();
+  void settle_robot(std::size_t robot, Share& share);
   void settle_box(BoxBody& box, std::size_t index);
-  void judge(const Vector3& middle, const Vector3& velocity, bool stays_within, const Body& body,
-             std::optional<std::size_t> segment = std::nullopt) const;
+  std::optional<Failure> judge(const Vector3& middle, const Vector3& velocity, bool stays_within,
+                               const Body& body,
+                               std::optional<std::size_t> segment = std::nullopt) const;
   [[noreturn]] void fail(Failure failure) const;
 
   world::Physics physics_;
   double time_ = 0.0;
+  base::Crew alone_;
+  base::Crew* crew_ = &alone_;
   OdeWorld world_;
   // Geometry is destroyed before the world with the bodies that it is attached to.
-  OdeContacts contacts_;
-  OdeGeom floor_;
-  Scene scene_;
-  std::vector<OdeRobot> robots_;
+  ContactJoints joints_;
+  ContactFinder finder_;
+  OdeBodies bodies_;
   std::vector<std::vector<Scene::Id>> robot_ids_;  // of a robot's vehicles
-  std::vector<BoxBody> boxes_;
-  std::vector<BoxBody> walls_;
-  std::vector<Touch> touches_;
-  BodyStates before_;  // at the start of this step
+  std::vector<Share> shares_;
+  BodyStates boxes_before_;  // at the start of this step
   Routing routing_;
   Bounds bounds_;
   GiveUps give_ups_;
-  std::vector<bool> stay_within_;     // within the arena's walls: each robot
-  std::vector<Scene::Id> mobile_;     // ascending
-  std::vector<Scene::Id> neighbors_;  // of the current body; kept to reuse its memory
+  std::vector<bool> stay_within_;  // within the arena's walls: each robot
 };
 
 OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
-      contacts_(world_.get(), physics),
-      floor_(dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)),
-      scene_(arena),
+      world_(*crew_),
+      joints_(world_.get(), physics),
+      finder_(physics),
+      bodies_(arena),
       routing_(physics),
       bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
@@ -143,7 +151,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
   dWorldSetCFM(world_.get(), physics.effective_cfm());
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
   for (const world::Fixture& wall : world::walls_of(arena)) {
-    add_upright(walls_, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
+    add_upright(bodies_.walls, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
   }
 }
 
@@ -151,50 +159,50 @@ std::size_t OdeEngine::add_robot(const BodyPlan& plan, const Pose& pose, double 
   world::check(plan);
   check(pose, z);
   prepare_ode();
-  accept("a robot's body", [&] { robots_.emplace_back(world_.get(), plan, pose, z); });
-  return enter_robot(z + robots_.back().height());
+  accept("a robot's body", [&] { bodies_.robots.emplace_back(world_.get(), plan, pose, z); });
+  return enter_robot(z + bodies_.robots.back().height());
 }
 
 /// Enters the last of the robots. `top`: the height of its highest part, m.
 std::size_t OdeEngine::enter_robot(double top) {
-  const std::size_t index = robots_.size() - 1;
+  const std::size_t index = bodies_.robots.size() - 1;
   std::vector<Scene::Id>& ids = robot_ids_.emplace_back();
-  for (std::size_t vehicle = 0; vehicle < robots_[index].vehicles().size(); ++vehicle) {
-    ids.push_back(scene_.add({BodyKind::robot, index}, true, vehicle));
-    mobile_.push_back(ids.back());
+  for (std::size_t vehicle = 0; vehicle < bodies_.robots[index].vehicles().size(); ++vehicle) {
+    ids.push_back(bodies_.scene.add({BodyKind::robot, index}, true, vehicle));
+    bodies_.mobile.push_back(ids.back());
   }
-  routing_.add_robot(robots_[index]);
-  stay_within_.push_back(bounds_.within_walls(robots_[index].state().frame.origin));
+  routing_.add_robot(bodies_.robots[index]);
+  stay_within_.push_back(bounds_.within_walls(bodies_.robots[index].state().frame.origin));
   bounds_.add_height(top);
   place_in_scene(index);
   return index;
 }
 
 std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot) {
-  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).robots_.at(robot);
+  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).bodies_.robots.at(robot);
   prepare_ode();
-  robots_.emplace_back(world_.get(), same);
-  return enter_robot(std::max(0.0, same.state().frame.origin.z) + robots_.back().height());
+  bodies_.robots.emplace_back(world_.get(), same);
+  return enter_robot(std::max(0.0, same.state().frame.origin.z) + bodies_.robots.back().height());
 }
 
 std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
                                     const Pose& pose) {
-  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).robots_.at(robot);
+  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).bodies_.robots.at(robot);
   const double z = std::max(0.0, same.state().frame.origin.z);
   const std::size_t index = add_robot(plan, pose, z);
-  robots_[index].push(same);
+  bodies_.robots[index].push(same);
   place_in_scene(index);
   return index;
 }
 
 std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const world::Box& added) {
-  const BoxBody& same = dynamic_cast<const OdeEngine&>(other).boxes_.at(box);
+  const BoxBody& same = dynamic_cast<const OdeEngine&>(other).bodies_.boxes.at(box);
   const std::size_t index = add_box(added);
   if (!same.present) {
     remove_box(index);
     return index;
   }
-  BoxBody& made = boxes_[index];
+  BoxBody& made = bodies_.boxes[index];
   if (made.body) {
     copy_state(same.body, made.body);
     made.shape = same.shape;
@@ -204,7 +212,7 @@ std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const wo
     const Vector3 w = to_vector(dBodyGetAngularVel(made.body));
     const Vector3& half = made.shape.half;
     const double speed = std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
-    scene_.place_box(made.id, made.shape, physics_.step * speed + kSlack);
+    bodies_.scene.place_box(made.id, made.shape, physics_.step * speed + kSlack);
     bounds_.add_height(made.shape.center.z + made.shape.half.z);
   }
   return index;
@@ -219,15 +227,18 @@ void OdeEngine::go_on_from(const Engine& other) {
 
 void OdeEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   check(pose, z);
-  robots_.at(robot).put(pose, z);
-  stay_within_[robot] = bounds_.within_walls(robots_[robot].state().frame.origin);
-  bounds_.add_height(z + robots_[robot].height());
+  bodies_.robots.at(robot).put(pose, z);
+  stay_within_[robot] = bounds_.within_walls(bodies_.robots[robot].state().frame.origin);
+  bounds_.add_height(z + bodies_.robots[robot].height());
   place_in_scene(robot);
 }
 
 void OdeEngine::place_in_scene(std::size_t robot) {
   for (std::size_t vehicle = 0; vehicle < robot_ids_[robot].size(); ++vehicle) {
-    robots_[robot].place_in(scene_, vehicle, robot_ids_[robot][vehicle], physics_.step);
+    const Scene::Id id = robot_ids_[robot][vehicle];
+    if (bodies_.robots[robot].place_in(bodies_.scene, vehicle, id, physics_.step)) {
+      bodies_.scene.enter(id);
+    }
   }
 }
 
@@ -236,10 +247,10 @@ std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
                                    double mass, bool sensed) {
   const std::size_t index = list.size();
   BoxBody& made = list.emplace_back(world_.get(), box_kind, fixture, mass);
-  made.id = scene_.add({kind, index}, sensed);
-  scene_.shape_box(made.id, fixture.shape.kind, made.outline);
-  if (made.is_mobile()) mobile_.push_back(made.id);
-  scene_.place_box(made.id, made.shape, made.is_mobile() ? kSlack : 0.0);
+  made.id = bodies_.scene.add({kind, index}, sensed);
+  bodies_.scene.shape_box(made.id, fixture.shape.kind, made.outline);
+  if (made.is_mobile()) bodies_.mobile.push_back(made.id);
+  bodies_.scene.place_box(made.id, made.shape, made.is_mobile() ? kSlack : 0.0);
   return index;
 }
 
@@ -248,23 +259,23 @@ std::size_t OdeEngine::add_box(const world::Box& box) {
   prepare_ode();
   std::size_t index = 0;
   accept("a box", [&] {
-    index = add_upright(boxes_, BodyKind::box, box.kind, world::fixture_of(box), box.mass,
+    index = add_upright(bodies_.boxes, BodyKind::box, box.kind, world::fixture_of(box), box.mass,
                         box.seen_by_range_sensors);
   });
-  if (boxes_[index].is_mobile()) routing_.add_box(boxes_[index].body);
+  if (bodies_.boxes[index].is_mobile()) routing_.add_box(bodies_.boxes[index].body);
   if (box.kind == world::BoxKind::dynamic) {
-    boxes_[index].stays_within = bounds_.within_walls(boxes_[index].shape.center);
+    bodies_.boxes[index].stays_within = bounds_.within_walls(bodies_.boxes[index].shape.center);
     bounds_.add_height(box.z + box.height);
   }
   return index;
 }
 
 void OdeEngine::remove_box(std::size_t box) {
-  BoxBody& gone = boxes_.at(box);
+  BoxBody& gone = bodies_.boxes.at(box);
   if (!gone.present) return;
   gone.present = false;
-  scene_.remove(gone.id);
-  std::erase(mobile_, gone.id);
+  bodies_.scene.remove(gone.id);
+  std::erase(bodies_.mobile, gone.id);
   gone.geom.reset();
   if (gone.body) {
     routing_.remove_box(gone.body);
@@ -274,7 +285,7 @@ void OdeEngine::remove_box(std::size_t box) {
 }
 
 void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
-  OdeRobot& set = robots_.at(robot);
+  OdeRobot& set = bodies_.robots.at(robot);
   require(settings.size() == set.joints().size(),
           "A robot needs one setting for each joint with a motor or steering.");
   for (const JointSetting& setting : settings) {
@@ -287,7 +298,7 @@ void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> sett
 }
 
 void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
-  BoxBody& driven = boxes_.at(box);
+  BoxBody& driven = bodies_.boxes.at(box);
   require(driven.kind == world::BoxKind::moving, "Only a moving box can be driven.");
   require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
           "The position and velocity of a moving box must be finite.");
@@ -299,7 +310,7 @@ void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector
 }
 
 Frame OdeEngine::box(std::size_t box) const {
-  const BoxBody& asked = boxes_.at(box);
+  const BoxBody& asked = bodies_.boxes.at(box);
   const auto& [forward, left, up] = asked.shape.axes;
   return {asked.shape.center - asked.shape.half.z * up, forward, left, up};
 }
@@ -317,26 +328,22 @@ void OdeEngine::step() {
 
 void OdeEngine::take_step() {
   start_moving_boxes();
-  for (OdeRobot& robot : robots_) robot.begin_step(physics_.step);
-  remember();
+  begin();
   bool solved = false;
   for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
-    find_contacts();
-    routing_.divide(contacts_, robots_, Routing::OdeTakes::small_islands);
-    solved = world_.step(physics_.step);
-    contacts_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
+    find_contacts(Routing::OdeTakes::small_islands);
+    solved = world_.step(physics_.step, bodies_.mobile.size());
+    joints_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
     routing_.wake();
-    if (!solved) before_.restore();
+    if (!solved) restore();
     if (!solved && attempt == 1 && give_ups_.steps++ == 0) {
       give_ups_.first_s = time_ + physics_.step;
     }
   }
-  contacts_.clear();
+  joints_.clear();
   if (!solved) {
     ++give_ups_.unsolved;
-    find_contacts();
-    routing_.divide(contacts_, robots_, Routing::OdeTakes::nothing);
-    contacts_.clear();
+    find_contacts(Routing::OdeTakes::nothing);
     routing_.wake();
   }
   routing_.step_crowd();
@@ -344,17 +351,45 @@ void OdeEngine::take_step() {
   settle();
 }
 
-void OdeEngine::remember() {
-  before_.clear();
-  const auto add = [&](dBodyID body) { before_.add(body); };
-  for (const OdeRobot& robot : robots_) robot.for_each_body(add);
-  for (const BoxBody& box : boxes_) {
-    if (box.body) add(box.body);
+/// Calls work(robot, share) for all robots; the crew does several shares at once.
+template <class Work>
+void OdeEngine::for_each_robot(const Work& work) {
+  constexpr std::size_t kBlock = ContactFinder::kBlock;
+  const std::size_t robots = bodies_.robots.size();
+  shares_.resize((robots + kBlock - 1) / kBlock);
+  crew_->divide(shares_.size(), 1, [&](const base::Crew::Share& some) {
+    prepare_ode();
+    const std::size_t end = std::min(robots, kBlock * some.end);
+    for (std::size_t i = kBlock * some.first; i < end; ++i) work(i, shares_[i / kBlock]);
+  });
+}
+
+/// Prepares the bodies for a step, and remembers their states.
+void OdeEngine::begin() {
+  for (Share& share : shares_) share.before.clear();
+  for_each_robot([&](std::size_t i, Share& share) {
+    OdeRobot& robot = bodies_.robots[i];
+    robot.begin_step(physics_.step);
+    robot.for_each_body([&](dBodyID body) { share.before.add(body); });
+  });
+  boxes_before_.clear();
+  for (const BoxBody& box : bodies_.boxes) {
+    if (box.body) boxes_before_.add(box.body);
   }
 }
 
+void OdeEngine::restore() {
+  for (const Share& share : shares_) share.before.restore();
+  boxes_before_.restore();
+}
+
+void OdeEngine::find_contacts(Routing::OdeTakes takes) {
+  finder_.find(bodies_, *crew_);
+  routing_.divide(finder_.found(), joints_, bodies_.robots, takes);
+}
+
 void OdeEngine::start_moving_boxes() {
-  for (BoxBody& box : boxes_) {
+  for (BoxBody& box : bodies_.boxes) {
     if (!box.present || box.kind != world::BoxKind::moving) continue;
     if (!box.driven) {
       dBodySetLinearVel(box.body, 0.0, 0.0, 0.0);
@@ -365,82 +400,40 @@ void OdeEngine::start_moving_boxes() {
     box.shape.center = box.target - physics_.step * velocity;
     dBodySetPosition(box.body, box.shape.center.x, box.shape.center.y, box.shape.center.z);
     const double speed = std::sqrt(dot(velocity, velocity));
-    scene_.place_box(box.id, box.shape, physics_.step * speed + kSlack);
+    bodies_.scene.place_box(box.id, box.shape, physics_.step * speed + kSlack);
   }
-}
-
-void OdeEngine::find_contacts() {
-  for (const OdeRobot& robot : robots_) robot.meet_floor(contacts_, floor_.get());
-  for (const BoxBody& box : boxes_) {
-    if (box.present && box.kind == world::BoxKind::dynamic) box.meet_floor(contacts_);
-  }
-  touches_.clear();
-  for (const Scene::Id id : mobile_) {
-    scene_.neighbors(id, neighbors_);
-    for (const Scene::Id other : neighbors_) {
-      const Body a = scene_.body(id), b = scene_.body(other);
-      if (other < id && is_mobile(b)) continue;  // already met
-      if (meet(id, other)) touches_.push_back(a < b ? Touch{a, b} : Touch{b, a});
-    }
-  }
-  std::sort(touches_.begin(), touches_.end(),
-            [](const Touch& x, const Touch& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
-  // Several of a robot's vehicles may touch the same body.
-  touches_.erase(
-      std::unique(touches_.begin(), touches_.end(),
-                  [](const Touch& x, const Touch& y) { return x.a == y.a && x.b == y.b; }),
-      touches_.end());
-}
-
-bool OdeEngine::meet(Scene::Id first, Scene::Id second) {
-  const Body a = scene_.body(first), b = scene_.body(second);
-  const auto vehicle = [this](Scene::Id id) -> const Vehicle& {
-    return robots_[scene_.body(id).index].vehicles()[scene_.part(id)].solids();
-  };
-  if (a.kind == BodyKind::robot && b.kind == BodyKind::robot) {
-    if (a == b) return meet_own(robots_[a.index], scene_.part(first), scene_.part(second));
-    return meet_vehicles(contacts_, vehicle(first), vehicle(second));
-  }
-  if (a.kind == BodyKind::robot) {
-    return meet_vehicle_and_box(contacts_, vehicle(first), box_of(b).solid());
-  }
-  if (b.kind == BodyKind::robot) {
-    return meet_vehicle_and_box(contacts_, vehicle(second), box_of(a).solid());
-  }
-  const BoxBody &box_a = box_of(a), &box_b = box_of(b);
-  const bool can_give =
-      box_a.kind == world::BoxKind::dynamic || box_b.kind == world::BoxKind::dynamic;
-  return can_give && meet_solids(contacts_, box_a.solid(), box_b.solid());
-}
-
-// The limits of their joint keep neighbours apart. No contact is reported when a robot touches
-// itself.
-bool OdeEngine::meet_own(const OdeRobot& robot, std::size_t a, std::size_t b) {
-  if (std::max(a, b) - std::min(a, b) > 1) {
-    meet_vehicles(contacts_, robot.vehicles()[a].solids(), robot.vehicles()[b].solids());
-  }
-  return false;
 }
 
 void OdeEngine::settle() {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const Body body{BodyKind::robot, i};
-    if (!robots_[i].settle(physics_.step)) {
-      Failure failure;
-      failure.kind = Failure::Kind::not_finite;
-      failure.body = body;
-      fail(failure);
-    }
-    place_in_scene(i);
-    const std::vector<OdeVehicle>& vehicles = robots_[i].vehicles();
-    for (std::size_t k = 0; k < vehicles.size(); ++k) {
-      const dBodyID middle = vehicles[k].chassis();
-      judge(to_vector(dBodyGetPosition(middle)), to_vector(dBodyGetLinearVel(middle)),
-            stay_within_[i], body, k > 0 ? std::optional(k - 1) : std::nullopt);
-    }
+  for (Share& share : shares_) share.moved.clear();
+  for_each_robot([&](std::size_t i, Share& share) { settle_robot(i, share); });
+  for (Share& share : shares_) {
+    if (share.failure) fail(*share.failure);
+    for (const Scene::Id id : share.moved) bodies_.scene.enter(id);
   }
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (boxes_[i].present && boxes_[i].is_mobile()) settle_box(boxes_[i], i);
+  for (std::size_t i = 0; i < bodies_.boxes.size(); ++i) {
+    if (bodies_.boxes[i].present && bodies_.boxes[i].is_mobile()) settle_box(bodies_.boxes[i], i);
+  }
+}
+
+void OdeEngine::settle_robot(std::size_t robot, Share& share) {
+  OdeRobot& settled = bodies_.robots[robot];
+  const Body body{BodyKind::robot, robot};
+  const auto note = [&](std::optional<Failure> failure) {
+    if (failure && !share.failure) share.failure = std::move(failure);
+  };
+  if (!settled.settle(physics_.step)) {
+    Failure failure;
+    failure.kind = Failure::Kind::not_finite;
+    failure.body = body;
+    return note(failure);
+  }
+  for (std::size_t k = 0; k < settled.vehicles().size(); ++k) {
+    const Scene::Id id = robot_ids_[robot][k];
+    if (settled.place_in(bodies_.scene, k, id, physics_.step)) share.moved.push_back(id);
+    const dBodyID middle = settled.vehicles()[k].chassis();
+    note(judge(to_vector(dBodyGetPosition(middle)), to_vector(dBodyGetLinearVel(middle)),
+               stay_within_[robot], body, k > 0 ? std::optional(k - 1) : std::nullopt));
   }
 }
 
@@ -450,7 +443,7 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
     box.driven = false;
     box.shape.center = box.target;
     dBodySetPosition(box.body, box.target.x, box.target.y, box.target.z);
-    scene_.place_box(box.id, box.shape, scene_.reach(box.id));
+    bodies_.scene.place_box(box.id, box.shape, bodies_.scene.reach(box.id));
     return;
   }
   const dReal* r = dBodyGetRotation(box.body);
@@ -467,17 +460,19 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
     failure.body = Body{BodyKind::box, index};
     fail(failure);
   }
-  judge(c, v, box.stays_within, {BodyKind::box, index});
-  scene_.place_box(box.id, box.shape, physics_.step * speed + kSlack);
+  if (const auto failure = judge(c, v, box.stays_within, {BodyKind::box, index})) fail(*failure);
+  bodies_.scene.place_box(box.id, box.shape, physics_.step * speed + kSlack);
 }
 
-void OdeEngine::judge(const Vector3& middle, const Vector3& velocity, bool stays_within,
-                      const Body& body, std::optional<std::size_t> segment) const {
-  if (auto failure = bounds_.check(middle, velocity, stays_within)) {
+std::optional<Failure> OdeEngine::judge(const Vector3& middle, const Vector3& velocity,
+                                        bool stays_within, const Body& body,
+                                        std::optional<std::size_t> segment) const {
+  std::optional<Failure> failure = bounds_.check(middle, velocity, stays_within);
+  if (failure) {
     failure->body = body;
     failure->segment = segment;
-    fail(*failure);
   }
+  return failure;
 }
 
 void OdeEngine::fail(Failure failure) const {
@@ -487,10 +482,10 @@ void OdeEngine::fail(Failure failure) const {
 
 std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
   base::Fnv1a all(hash);
-  for (const OdeRobot& robot : robots_) {
+  for (const OdeRobot& robot : bodies_.robots) {
     robot.for_each_body([&](dBodyID body) { add_body(all, body); });
   }
-  for (const BoxBody& box : boxes_) {
+  for (const BoxBody& box : bodies_.boxes) {
     all.add(std::uint64_t{box.present});
     if (!box.present) continue;
     if (box.body) {

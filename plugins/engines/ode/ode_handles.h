@@ -1,6 +1,7 @@
 // Owners of ODE's objects, and ODE's start in this process.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <type_traits>
@@ -8,6 +9,8 @@
 #include <ode/ode.h>
 
 #include "elsie/api/geometry.h"
+
+#include "island_crew.h"
 
 namespace elsie::physics {
 
@@ -23,21 +26,24 @@ class OdeFailure : public std::runtime_error {
 /// A world with its bodies and joints.
 class OdeWorld {
  public:
-  OdeWorld();
+  /// Steps with the threads of this crew, which must outlive the world.
+  explicit OdeWorld(base::Crew& crew);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
 
   dWorldID get() const { return world_; }
 
-  /// Takes a step. Returns false if ODE's solver gave up: the world has moved, but bodies may have
-  /// passed through their contacts. Throws OdeFailure if it stopped half way; the world can then
-  /// only be destroyed.
-  bool step(double step);
+  /// Takes another crew.
+  void work_with(base::Crew& crew) { islands_.work_with(crew); }
+
+  /// Takes a step of about so many islands. Returns false if ODE's solver gave up: the world has
+  /// moved, but bodies may have passed through their contacts. Throws OdeFailure if it stopped half
+  /// way; the world can then only be destroyed.
+  bool step(double step, std::size_t islands);
 
  private:
-  bool stopped_ = false;
-  dThreadingImplementationID threading_;
+  IslandCrew islands_;
   dWorldID world_;
 };
 

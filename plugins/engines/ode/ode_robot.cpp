@@ -49,6 +49,7 @@ OdeRobot::OdeRobot(dWorldID world, const OdeRobot& other)
     : OdeRobot(world, other.plan_, other.made_at_, other.made_z_) {
   for (std::size_t i = 0; i < vehicles_.size(); ++i) vehicles_[i].take(other.vehicles_[i]);
   joints_ = other.joints_;
+  wanted_ = other.wanted_;
   state_ = other.state_;
 }
 
@@ -71,10 +72,15 @@ void OdeRobot::put(const Pose& pose, double z) {
 }
 
 void OdeRobot::set_joints(std::span<const JointSetting> settings) {
-  for (OdeVehicle& vehicle : vehicles_) settings = vehicle.set(settings);
+  wanted_.assign(settings.begin(), settings.end());
 }
 
 void OdeRobot::begin_step(double step) {
+  if (!wanted_.empty()) {
+    std::span<const JointSetting> settings = wanted_;
+    for (OdeVehicle& vehicle : vehicles_) settings = vehicle.set(settings);
+    wanted_.clear();
+  }
   for (OdeVehicle& vehicle : vehicles_) vehicle.begin_step(step);
 }
 

@@ -24,7 +24,7 @@ class OdeRobot {
   void put(const Pose& pose, double z);
   /// Takes the velocity of another robot; the whole robot moves as one rigid body.
   void push(const OdeRobot& other);
-  /// See Engine::set_joints().
+  /// See Engine::set_joints(). The motors get them at the start of the next step.
   void set_joints(std::span<const JointSetting> settings);
   /// The measured settings, one for each joint that can be set.
   std::span<const JointSetting> joints() const { return joints_; }
@@ -41,9 +41,9 @@ class OdeRobot {
   double height() const { return height_; }
   /// The highest speed that any of its parts can reach with these wheel rates, m/s; see bounds.h.
   double most_speed(std::span<const JointSetting> settings) const;
-  /// Puts a vehicle into the scene, for sensors and neighbours.
-  void place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const {
-    vehicles_[vehicle].place_in(scene, id, step);
+  /// Puts a vehicle into the scene, for sensors and neighbours; see Scene::place_robot().
+  bool place_in(Scene& scene, std::size_t vehicle, Scene::Id id, double step) const {
+    return vehicles_[vehicle].place_in(scene, id, step);
   }
 
   /// Calls `call` with every dBodyID, always in the same order.
@@ -61,6 +61,7 @@ class OdeRobot {
   double made_z_;
   std::vector<OdeVehicle> vehicles_;
   std::vector<JointSetting> joints_;
+  std::vector<JointSetting> wanted_;  // if they are new; else empty
   RobotState state_;
   double height_ = 0.0;
   double lever_ = 1.0;

@@ -431,6 +431,14 @@ void OdeVehicle::begin_hitch(double step) {
 }
 
 void OdeVehicle::meet_floor(OdeContacts& contacts, dGeomID floor) const {
+  // ODE computes the place of a geometry that is off its body's middle when it is first asked for,
+  // which later several threads may do at once.
+  for (const Wheel& wheel : wheels_) {
+    if (!wheel.motor) dGeomGetPosition(wheel.geom.get());
+  }
+  if (solids_.chassis.kind == SolidKind::wheel || solids_.chassis.kind == SolidKind::capsule) {
+    dGeomGetPosition(chassis_geom_.get());
+  }
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const Wheel& wheel = wheels_[i];
     const Cylinder& shape = wheel_shapes_[i];
@@ -561,9 +569,9 @@ void OdeVehicle::read_shapes() {
   }
 }
 
-void OdeVehicle::place_in(Scene& scene, Scene::Id id, double step) const {
-  place_vehicle(scene, id, shape_, solids_.chassis.shape.center, wheel_shapes_,
-                {frame_, velocity_, turning_}, step);
+bool OdeVehicle::place_in(Scene& scene, Scene::Id id, double step) const {
+  return place_vehicle(scene, id, shape_, solids_.chassis.shape.center, wheel_shapes_,
+                       {frame_, velocity_, turning_}, step);
 }
 
 }  // namespace elsie::physics

@@ -60,7 +60,7 @@ class OdeVehicle {
   /// After a step of `step` s: puts joints back in place and reads the new state. `front` is the
   /// frame of the vehicle in front. False if a number is not finite.
   bool settle(double step, const Frame* front);
-  void place_in(Scene& scene, Scene::Id id, double step) const;
+  bool place_in(Scene& scene, Scene::Id id, double step) const;
 
   /// A wheel with a motor.
   struct Motor {

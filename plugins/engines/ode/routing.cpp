@@ -11,9 +11,7 @@ namespace {
 constexpr std::size_t kRobotSize = 2;
 constexpr std::size_t kMostForOde = 6 * kRobotSize;
 
-std::size_t member_of(dBodyID body) {
-  return reinterpret_cast<std::uintptr_t>(dBodyGetData(body)) - 1;
-}
+std::size_t member_of(void* data) { return reinterpret_cast<std::uintptr_t>(data) - 1; }
 
 }  // namespace
 
@@ -40,13 +38,18 @@ void Routing::add(Member member) {
   }
 }
 
-void Routing::remove_box(dBodyID box) { members_[member_of(box)].bodies.clear(); }
+void Routing::remove_box(dBodyID box) { members_[member_of(dBodyGetData(box))].bodies.clear(); }
 
-void Routing::divide(OdeContacts& contacts, std::span<const OdeRobot> robots, OdeTakes takes) {
+void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
+                     std::span<const OdeRobot> robots, OdeTakes takes) {
   islands_.reset(members_.size());
   for (std::size_t i = 0; i < members_.size(); ++i) islands_.count(i, members_[i].size);
-  for (const FoundContact& contact : contacts.found()) {
-    if (contact.a && contact.b) islands_.link(member_of(contact.a), member_of(contact.b));
+  for (FoundContacts& some : found) {
+    for (const FoundContact& contact : some.contacts.found()) {
+      if (contact.a && contact.b) {
+        islands_.link(member_of(contact.member_a), member_of(contact.member_b));
+      }
+    }
   }
   crowd_.clear();
   for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -54,11 +57,15 @@ void Routing::divide(OdeContacts& contacts, std::span<const OdeRobot> robots, Od
     const bool small = islands_.members(i) == 1 || islands_.size(i) <= kMostForOde;
     if (takes == OdeTakes::nothing || !small) take_out(members_[i], robots);
   }
-  for (const FoundContact& contact : contacts.found()) {
-    if (members_[member_of(contact.a ? contact.a : contact.b)].in_crowd) {
-      crowd_.add_contact(contact);
-    } else {
-      contacts.join(contact);
+  std::size_t number = 0;
+  for (FoundContacts& some : found) {
+    for (FoundContact& contact : some.contacts.found()) {
+      joints.finish(contact, number++);
+      if (members_[member_of(contact.a ? contact.member_a : contact.member_b)].in_crowd) {
+        crowd_.add_contact(contact);
+      } else {
+        joints.join(contact);
+      }
     }
   }
 }

@@ -7,9 +7,10 @@
 
 #include "elsie/world/description.h"
 
+#include "contact_finder.h"
+#include "contact_joints.h"
 #include "crowd.h"
 #include "islands.h"
-#include "ode_contacts.h"
 #include "ode_robot.h"
 
 namespace elsie::physics {
@@ -31,7 +32,8 @@ class Routing {
 
   /// Makes joints of the contacts within islands that ODE takes. Disables other bodies in ODE, and
   /// adds them to the crowd with their contacts. `robots` are all that were added.
-  void divide(OdeContacts& contacts, std::span<const OdeRobot> robots, OdeTakes takes);
+  void divide(std::span<FoundContacts> found, ContactJoints& joints,
+              std::span<const OdeRobot> robots, OdeTakes takes);
   /// Enables in ODE the bodies that divide() disabled.
   void wake();
   /// Moves the bodies that the last divide() gave to the crowd by a step.

@@ -66,15 +66,19 @@ Scene::Id Scene::add(Body body, bool sensed, std::size_t part) {
   return static_cast<Id>(entries_.size() - 1);
 }
 
-void Scene::place(Id id, const Aabb& bounds, double reach) {
+bool Scene::place(Id id, const Aabb& bounds, double reach) {
   Entry& entry = entries_[id];
   entry.bounds = bounds.grown(kHair);
   entry.reach = reach;
-  const base::Grid::Block block = cells(grid_, entry.bounds.grown(reach));
-  if (entry.placed && block == entry.block) return;
+  entry.next = cells(grid_, entry.bounds.grown(reach));
+  return !entry.placed || entry.next != entry.block;
+}
+
+void Scene::enter(Id id) {
+  Entry& entry = entries_[id];
   if (entry.placed) grid_.erase(id, entry.block);
-  grid_.insert(id, block);
-  entry.block = block;
+  grid_.insert(id, entry.next);
+  entry.block = entry.next;
   entry.placed = true;
 }
 
@@ -89,10 +93,10 @@ void Scene::place_box(Id id, const OrientedBox& box, double reach) {
   if (solid.kind == Shape::Kind::cylinder) {
     solid.round = {box.center, box.axes[2], box.half.x, box.half.z};
   }
-  place(id, bounds(box), reach);
+  if (place(id, bounds(box), reach)) enter(id);
 }
 
-void Scene::place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
+bool Scene::place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
                         const Aabb& enclosing, double reach) {
   Entry& entry = entries_[id];
   entry.solid = sensed;
@@ -102,7 +106,7 @@ void Scene::place_robot(Id id, const SensedSolid& sensed, const std::vector<Cyli
     entry.wheels_top =
         std::max(entry.wheels_top, wheel.center.z + wheel.radius + wheel.half_length);
   }
-  place(id, enclosing, reach);
+  return place(id, enclosing, reach);
 }
 
 void Scene::remove(Id id) {

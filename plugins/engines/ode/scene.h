@@ -38,9 +38,12 @@ class Scene {
   /// Puts a box somewhere. `reach` is how far it may come in the next step, m.
   void place_box(Id id, const OrientedBox& box, double reach);
   /// Puts a robot or a segment somewhere: what sensors see of it (chassis with sensor deck, and
-  /// wheels), and bounds that enclose all of it.
-  void place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
+  /// wheels), and bounds that enclose all of it. Returns true if it comes into other cells; it must
+  /// then be entered before any query. Several threads may do so for different robots at once.
+  bool place_robot(Id id, const SensedSolid& sensed, const std::vector<Cylinder>& wheels,
                    const Aabb& enclosing, double reach);
+  /// Enters a robot or a segment into the cells of its place.
+  void enter(Id id);
   void remove(Id id);
 
   const Body& body(Id id) const { return entries_[id].body; }
@@ -66,10 +69,11 @@ class Scene {
     SensedSolid solid;             // as sensors see it
     std::vector<Cylinder> wheels;  // of a robot
     double wheels_top = 0.0;
-    base::Grid::Block block;
+    base::Grid::Block block;  // in which it is entered
+    base::Grid::Block next;   // of its place
   };
 
-  void place(Id id, const Aabb& bounds, double reach);
+  bool place(Id id, const Aabb& bounds, double reach);
   bool is_seen(const Entry& entry, std::size_t except) const {
     return entry.sensed && !(entry.is_robot && entry.body.index == except);
   }

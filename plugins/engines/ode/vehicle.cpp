@@ -27,7 +27,7 @@ SensedSolid sensed_chassis(const Shape& shape, const OrientedBox& box) {
 
 }  // namespace
 
-void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
+bool place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
                    const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step) {
   const Frame& frame = motion.frame;
   const OrientedBox chassis{middle, {frame.forward, frame.left, frame.up}, 0.5 * shape.size};
@@ -55,8 +55,8 @@ void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3
   const double size = half.x + half.y + 2.0 * half.z;
   const double speed = std::sqrt(dot(motion.velocity, motion.velocity)) +
                        size * std::sqrt(dot(motion.turning, motion.turning));
-  scene.place_robot(id, sensed_chassis(shape, chassis), wheels, enclosing,
-                    step * speed + kRobotSlack);
+  return scene.place_robot(id, sensed_chassis(shape, chassis), wheels, enclosing,
+                           step * speed + kRobotSlack);
 }
 
 }  // namespace elsie::physics

@@ -42,8 +42,9 @@ struct VehicleMotion {
 };
 
 /// Puts a vehicle into the scene, for sensors and neighbours: a chassis of this shape with its
-/// middle there, and wheels. Its reach is how far its speed carries it in a step.
-void place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
+/// middle there, and wheels. Its reach is how far its speed carries it in a step. See
+/// Scene::place_robot().
+bool place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
                    const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step);
 
 }  // namespace elsie::physics

@@ -13,6 +13,9 @@
 // - two objects answer the same input alike, also while a third one works on other input, and the
 //   first again after reset() and after a second configured(): objects share no state, and depend
 //   on no clock, no address, and no random numbers but their own;
+// - objects of two robots answer alike in two threads at once and one after the other, unless the
+//   plugin declares one_thread(); a fault that shows in few runs is found for sure only with the
+//   thread sanitizer (-fsanitize=thread);
 // - an object that takes over in mid-run what another one remembers (elsie/api/remember.h)
 //   continues as the other would have, if the class offers it;
 // - memory does not grow with the number of steps, and destroyed objects leave none behind.

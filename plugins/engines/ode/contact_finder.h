@@ -1,0 +1,70 @@
+// Finds the contacts of all bodies at the start of a step.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "elsie/base/crew.h"
+#include "elsie/physics/engine.h"
+#include "elsie/world/description.h"
+
+#include "box_body.h"
+#include "ode_contacts.h"
+#include "ode_handles.h"
+#include "ode_robot.h"
+#include "scene.h"
+
+namespace elsie::physics {
+
+/// The bodies of an engine.
+struct OdeBodies {
+  explicit OdeBodies(const world::Arena& arena) : scene(arena) {}
+
+  const BoxBody& box_of(const Body& body) const {
+    return body.kind == BodyKind::wall ? walls[body.index] : boxes[body.index];
+  }
+  bool is_mobile(const Body& body) const {
+    return body.kind == BodyKind::robot || box_of(body).is_mobile();
+  }
+
+  Scene scene;
+  std::vector<OdeRobot> robots;
+  std::vector<BoxBody> boxes;
+  std::vector<BoxBody> walls;
+  std::vector<Scene::Id> mobile;  // ascending
+};
+
+/// Some of the contacts of a step.
+struct FoundContacts {
+  OdeContacts contacts;
+  std::vector<Touch> touches;
+  std::vector<Scene::Id> neighbors;  // of the current body; kept to reuse its memory
+};
+
+/// A crew finds the contacts of several bodies at once. Their order does not depend on the crew.
+class ContactFinder {
+ public:
+  explicit ContactFinder(const world::Physics& physics);
+
+  /// Bodies in a share of the crew.
+  static constexpr std::size_t kBlock = 16;
+
+  void find(const OdeBodies& bodies, base::Crew& crew);
+
+  std::span<FoundContacts> found() { return std::span(blocks_).first(used_); }
+  /// See Engine::touches().
+  std::span<const Touch> touches() const { return touches_; }
+
+ private:
+  void find_floor(const OdeBodies& bodies, base::Crew& crew);
+  void find_neighbors(const OdeBodies& bodies, Scene::Id id, FoundContacts& found) const;
+
+  world::Physics physics_;
+  OdeGeom floor_;
+  std::vector<FoundContacts> blocks_;
+  std::size_t used_ = 0;
+  std::vector<Touch> touches_;
+};
+
+}  // namespace elsie::physics

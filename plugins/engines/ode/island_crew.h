@@ -1,0 +1,66 @@
+// Steps the islands of an ODE world with the threads of a crew.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include <ode/ode.h>
+#include <ode/threading.h>
+
+#include "elsie/base/crew.h"
+
+namespace elsie::physics {
+
+/// A scheduler of ODE's calls (ode/threading.h). One thread makes all calls for an island, always
+/// in the same order, so that the state after a step does not depend on the number of threads.
+/// Unlike ODE's schedulers it passes exceptions on: dWorldStep() throws what a call threw.
+class IslandCrew {
+ public:
+  /// The crew must outlive the steps.
+  explicit IslandCrew(base::Crew& crew);
+  ~IslandCrew();
+  IslandCrew(const IslandCrew&) = delete;
+  IslandCrew& operator=(const IslandCrew&) = delete;
+
+  /// Takes another crew.
+  void work_with(base::Crew& crew);
+  /// Schedules the steps of this world, which must be destroyed first.
+  void serve(dWorldID world);
+  /// Before a step of a world with so many islands, roughly. Few islands get few threads.
+  void expect(std::size_t islands);
+
+  /// Notes that ODE's solver gave up, in the thread in which it did.
+  static void note_give_up();
+  /// Whether the solver has given up since the last call.
+  bool gave_up() { return gave_up_.exchange(false); }
+
+ private:
+  struct Call;
+  struct Chain;
+  struct Locks;
+
+  static IslandCrew& of(dThreadingImplementationID id) {
+    return *reinterpret_cast<IslandCrew*>(id);
+  }
+  static const dThreadingFunctionsInfo& functions();
+  void post(int* fault, dCallReleaseeID* posted, std::size_t waits_for, Call* dependent,
+            dThreadedCallFunction* function, void* context, std::size_t index);
+  void change_waiting(Call& call, std::ptrdiff_t by);
+  void make_all();
+  void make(Call& first, std::size_t thread);
+  void finish(Call& call);
+
+  // The chain that this thread is making.
+  static constinit thread_local Chain* present_;
+
+  base::Crew* crew_;
+  std::size_t threads_ = 1;
+  std::deque<Call> outer_;     // posted by the thread that steps the world
+  std::vector<Call*> ready_;   // of these, the calls that wait for no others
+  std::vector<Chain> chains_;  // of each thread
+  std::atomic<bool> gave_up_{false};
+};
+
+}  // namespace elsie::physics
