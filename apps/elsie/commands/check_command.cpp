@@ -37,13 +37,12 @@ struct CheckOptions {
 /// The line about a world without mistakes.
 std::string check_world(const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
-  const world::World world =
-      world::read_world(file, host, read_options(options.overrides, options.seed));
   // This asks the plugins whether they fit their robots.
-  const simulation::Simulation simulation(world, host,
-                                          {.seed = options.seed,
-                                           .data_directories = data_directories(),
-                                           .cameras = render::world_cameras});
+  const simulation::Simulation simulation(
+      world::read_world(file, host, read_options(options.overrides, options.seed)), host,
+      {.seed = options.seed,
+       .data_directories = data_directories(),
+       .cameras = render::world_cameras});
   try {
     for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
       std::cerr << unmade.from << ": warning: " << unmade.sentence << '\n';
@@ -51,6 +50,7 @@ std::string check_world(const std::string& file, const plugin::Host& host,
   } catch (const simulation::ChangeRefused& refused) {
     throw BadInput(refused.report());
   }
+  const world::World& world = simulation.world();
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
   }
