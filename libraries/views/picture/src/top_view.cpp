@@ -147,7 +147,7 @@ Scene complete(const TopView& view) {
     scene.boxes.emplace_back(Pose{box.x, box.y, radians(box.heading_deg)});
   }
   if (scene.title.empty()) scene.title = view.world.name.empty() ? "World" : view.world.name;
-  scene.mark_every_s = mark_interval(scene);
+  if (!scene.is_crowd()) scene.mark_every_s = mark_interval(scene);
   return scene;
 }
 
@@ -182,10 +182,14 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     draw_chargers(canvas, scene, layout);
     draw_boxes(canvas, scene, layout, labels);
     draw_walls(canvas, scene, layout);
-    draw_paths(canvas, scene, layout, labels);
-    draw_beams(canvas, scene, layout, labels);
-    draw_robots(canvas, scene, layout, labels);
-    draw_touches(canvas, scene, layout);
+    if (scene.is_crowd()) {
+      draw_crowd(canvas, scene, layout);
+    } else {
+      draw_paths(canvas, scene, layout, labels);
+      draw_beams(canvas, scene, layout, labels);
+      draw_robots(canvas, scene, layout, labels);
+      draw_touches(canvas, scene, layout);
+    }
     if (!scene.bare) {
       draw_robot_labels(canvas, scene, layout, labels);
       draw_goal_labels(canvas, scene, layout, labels);
