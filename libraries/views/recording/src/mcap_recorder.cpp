@@ -17,7 +17,6 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 #include "elsie/traces/trace_rows.h"
-#include "elsie/world/writer.h"
 
 #include "crowd.h"
 #include "format.h"
@@ -312,24 +311,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   }
 
   void write_world(const Simulation& simulation) {
-    const world::World& world = simulation.world();
-    Json robots = Json::array();
-    for (const world::Robot& robot : world.robots) {
-      robots.push_back(robot.id);
-    }
-    Json message{{"name", world.name},
-                 {"file", world.file},
-                 {"seed", std::to_string(simulation.seed())},
-                 {"program", options_.program},
-                 {"xml", world::write_world(world)},
-                 {"robots", std::move(robots)}};
-    if (std::string start = world::write_world(simulation.start()); start != message["xml"]) {
-      message["start_xml"] = std::move(start);
-    }
-    for (const std::size_t place : crowd_) {
-      message["crowd"].push_back(world.robots[place].id);
-    }
-    write(world_, now(simulation), message);
+    out_.write(world_, now(simulation), world_text(simulation, options_.program, crowd_));
   }
 
   /// Places of the robots that a viewer shows as bodies.
