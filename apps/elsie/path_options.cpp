@@ -43,13 +43,18 @@ void PathOptions::check(const world::World& world) const {
                    base::number_text(choice_.from_s, 6) + " s and end at " +
                    base::number_text(choice_.to_s, 6) + " s");
   }
+  require_robots(world, choice_.robots, "--picture-robots");
+}
+
+void require_robots(const world::World& world, const std::vector<std::string>& robots,
+                    const std::string& option) {
   std::vector<std::string> ids;
   for (const world::Robot& robot : world.robots) {
     ids.push_back(robot.id);
   }
-  for (const std::string& id : choice_.robots) {
+  for (const std::string& id : robots) {
     if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
-      throw BadInput("--picture-robots: there is no robot '" + id + "' in this world" +
+      throw BadInput(option + ": there is no robot '" + id + "' in this world" +
                      base::did_you_mean(id, ids));
     }
   }

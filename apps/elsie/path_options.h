@@ -12,6 +12,10 @@ class App;
 
 namespace elsie::program {
 
+/// Throws BadInput, which begins with the option, for an id that no robot of the world has.
+void require_robots(const world::World& world, const std::vector<std::string>& robots,
+                    const std::string& option);
+
 class PathOptions {
  public:
   /// Adds the options, which need `--picture`.

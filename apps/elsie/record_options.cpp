@@ -22,6 +22,15 @@ void RecordOptions::add_to(CLI::App& command) {
       ->needs("--record");
   command.add_flag("--record-images", images, "Record what the cameras see, too; not in a table")
       ->needs("--record");
+  command
+      .add_option("--record-robots", robots,
+                  "Record only these robots, of the others only poses, and those not in a table: "
+                  "ids, separated by commas; default: all, in a recording for viewers the first "
+                  "1000")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->needs("--record")
+      ->type_name("IDS");
 }
 
 }  // namespace elsie::program

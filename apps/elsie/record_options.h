@@ -16,6 +16,7 @@ struct RecordOptions {
   double rate_hz = 10.0;  // samples per simulated second
   bool times = false;     // the time that each behaviour took; the simulation measures it
   bool images = false;    // the pictures of the cameras
+  std::vector<std::string> robots{};  // ids; empty: see recording::RecorderOptions
 
   void add_to(CLI::App& command);
 };

@@ -20,6 +20,8 @@ using simulation::RunResult;
 
 constexpr std::size_t kTextColumns = 2;  // id and team
 constexpr std::size_t kMeasureTextColumns = 2;
+constexpr std::size_t kMostRows = 100;  // of more robots, the table has the first few
+constexpr std::size_t kFirstRows = 20;
 
 std::vector<std::string> row(const RobotResult& robot) {
   return {robot.id,
@@ -71,10 +73,15 @@ std::string table(const RunResult& result) {
   if (!result.robots.empty()) {
     std::vector<std::vector<std::string>> rows{{"robot", "team", "distance m", "collected",
                                                 "energy", "collisions", "x m, y m, heading deg"}};
-    for (const RobotResult& robot : result.robots) {
-      rows.push_back(row(robot));
+    const std::size_t count = result.robots.size();
+    const std::size_t shown = count > kMostRows ? kFirstRows : count;
+    for (std::size_t i = 0; i < shown; ++i) {
+      rows.push_back(row(result.robots[i]));
     }
     out += '\n' + process::laid_out(rows, kTextColumns);
+    if (shown < count) {
+      out += "and " + std::to_string(count - shown) + " more; --json has all\n";
+    }
   }
   out += measures(result);
   if (!result.notes.empty()) {

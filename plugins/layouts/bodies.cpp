@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -47,11 +48,15 @@ std::optional<world::World> read(const Drawing& drawing, Element tree, Problems&
 
 /// The world without what may speak of things that are not drawn yet.
 Element without(const Element& world, std::initializer_list<const char*> names) {
-  Element rest = world;
-  std::erase_if(rest.children, [&](const Element& child) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](const char* name) { return child.name == name; });
-  });
+  Element rest;
+  rest.name = world.name;
+  rest.where = world.where;
+  rest.attributes = world.attributes;
+  std::copy_if(world.children.begin(), world.children.end(), std::back_inserter(rest.children),
+               [&](const Element& child) {
+                 return std::none_of(names.begin(), names.end(),
+                                     [&](const char* name) { return child.name == name; });
+               });
   return rest;
 }
 

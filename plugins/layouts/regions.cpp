@@ -35,8 +35,12 @@ Area extent_of(const Region& region) {
                                  const double width = box.area.width;
                                  const double c = std::abs(std::cos(radians(box.heading_deg)));
                                  const double s = std::abs(std::sin(radians(box.heading_deg)));
-                                 return {box.area.x, box.area.y, rounded_m(c * length + s * width),
-                                         rounded_m(s * length + c * width)};
+                                 // A region as large as the arena does not reach out of it.
+                                 const auto rounded = [](double v) {
+                                   return std::min(v, rounded_m(v));
+                                 };
+                                 return {box.area.x, box.area.y, rounded(c * length + s * width),
+                                         rounded(s * length + c * width)};
                                },
                                [](const InDisc& disc) -> Area {
                                  return {disc.x, disc.y, 2.0 * disc.radius, 2.0 * disc.radius};

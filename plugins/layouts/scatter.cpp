@@ -123,11 +123,12 @@ class Scattering {
       drawing_.add(list_, thing(i));
     }
     draws_.apply(drawing_);
-    std::vector<Element> things(made().begin() + static_cast<std::ptrdiff_t>(from), made().end());
-    if (are_alike_) things.resize(bodies_.empty() ? 1 : 0);
-    if (things.empty()) {
+    std::span<Element> fresh = made().subspan(from);
+    if (are_alike_) fresh = fresh.first(bodies_.empty() && !fresh.empty() ? 1 : 0);
+    if (fresh.empty()) {
       return true;
     }
+    std::vector<Element> things(fresh.begin(), fresh.end());
     if (!std::all_of(things.begin(), things.end(),
                      [&](auto& each) { return has_no_place(each); })) {
       return false;

@@ -385,3 +385,25 @@ TEST_CASE("Cylinders and prisms have their own outlines") {
   CHECK_FALSE(is_red(2.55, 0.0));
   CHECK_FALSE(is_red(1.5, 0.5));
 }
+
+TEST_CASE("A crowd is dots on thin paths, with room between them") {
+  Scene scene;
+  constexpr int kSide = 21;  // 441 robots, a few more than are drawn in detail
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Pose pose{0.45 * (i % kSide - kSide / 2), 0.45 * (i / kSide - kSide / 2), 0.0};
+    scene.add_robot("r" + std::to_string(i), "red", pose);
+    RobotTrack track;
+    track.id = scene.world.robots.back().id;
+    track.path = {{pose.x - 0.1, pose.y, 0.0}, pose};
+    track.now = pose;
+    track.beams = {{{pose.x, pose.y}, {pose.x, pose.y + 0.3}, true}};
+    scene.view.robots.push_back(track);
+  }
+  const Bitmap image = scene.image();
+  for (const double x : {-4.5, 0.0, 3.6}) {
+    CHECK(image.count(scene.place(x, 0.0), 1, [](const Pixel& pixel) { return !pixel.light(); }) ==
+          9);                                                // the robot
+    CHECK(image.at(scene.place(x + 0.225, 0.225)).light());  // no ring reaches so far
+    CHECK(image.at(scene.place(x, 0.25)).light());           // and no beam
+  }
+}

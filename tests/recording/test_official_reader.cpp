@@ -19,6 +19,7 @@ TEST_CASE("The official reader finds what was written, by the indexes and from t
       "worlds/clutter_moving.xml --duration 5 --record-rate 3",
       "worlds/nested.xml --duration 12.34 --record-times",
       "worlds/ten_robots.xml --duration 3 --record-rate 1000",
+      "worlds/ten_robots.xml --duration 1 --record-robots r1,r4",  // a crowd
       "worlds/pushing.xml",  // to its end: events, boxes that are pushed
   };
   for (const char* arguments : runs) {

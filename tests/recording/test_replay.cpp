@@ -125,6 +125,8 @@ TEST_CASE("Options of recordings that do not fit are refused before the run") {
   CHECK_THAT(refusal("--record run.mcap --record run.mcap"),
              Catch::Contains("--record: 'run.mcap' is given twice"));
   CHECK(!std::filesystem::exists(here.file("run.mcap")));
+  CHECK_THAT(refusal("--record run.csv --record-robots r9"),
+             Catch::Contains("--record-robots: there is no robot 'r9' in this world"));
   CHECK_THAT(refusal("--record-images"), Catch::Contains("--record-images requires --record"));
   CHECK(here.elsie("run worlds/open_arena.xml --record /nowhere/run.mcap").exit_code == 2);
 }

@@ -89,10 +89,10 @@ TEST_CASE("What is no file is refused in words") {
 
 TEST_CASE("A file that no world can fill is not read") {
   const Draft draft("<world format='1'/>");
-  fs::resize_file(draft.path(), (std::uintmax_t{32} << 20) + 1);
+  fs::resize_file(draft.path(), (std::uintmax_t{256} << 20) + 1);
   CHECK_THAT(message_of(draft.path()),
              Catch::EndsWith(
-                 ": this is 33.6 MB long; files of up to 32 MB are read; expected an XML file"));
+                 ": this is 268.5 MB long; files of up to 256 MB are read; expected an XML file"));
 }
 
 TEST_CASE("An element with very many attributes is refused soon") {

@@ -71,6 +71,11 @@ std::vector<std::size_t> chosen(const Trace& trace, const std::vector<std::strin
     known.push_back(robot.id);
   }
   for (const std::string& id : ids) {
+    if (trace.without_decisions.contains(id)) {
+      throw BadInput("--robot: of '" + id +
+                     "' only the poses were recorded; expected a recording " +
+                     "made with --record-robots " + id);
+    }
     if (std::find(known.begin(), known.end(), id) == known.end()) {
       throw BadInput("--robot: the recording has no robot '" + id + "'" +
                      base::did_you_mean(id, known));

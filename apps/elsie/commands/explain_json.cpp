@@ -94,6 +94,7 @@ std::string json(const Trace& trace, const traces::TimeSpan& span,
   object["cut_off"] = trace.cut_off;
   object["from_s"] = tidy(span.from_s);
   object["to_s"] = tidy(span.to_s);
+  object["without_decisions"] = trace.without_decisions.size();
   object["robots"] = Json::array();
   for (const ExplainedRobot& explained : robots) {
     const TraceRobot& robot = *explained.robot;

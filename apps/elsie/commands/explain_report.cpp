@@ -276,6 +276,10 @@ std::string headlines(const Trace& trace) {
   if (!trace.cut_off.empty()) {
     lines += trace.cut_off + '\n';
   }
+  if (!trace.without_decisions.empty()) {
+    lines += "Of " + base::counted(trace.without_decisions.size(), "robot") +
+             " only the poses were recorded (see --record-robots of `elsie run`).\n";
+  }
   return lines;
 }
 

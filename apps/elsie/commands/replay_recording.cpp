@@ -64,6 +64,9 @@ std::string report(const RecordedRun& run) {
       out += '\n';
     }
     out += "a sample every " + base::number_text(run.period_s, 6) + " s\n";
+    if (!run.crowd.empty()) {
+      out += "of " + std::to_string(run.crowd.size()) + " robots only the poses\n";
+    }
   } else if (run.library.starts_with("elsie ")) {
     out += "the recording breaks off before its first second was written\n";
   } else {

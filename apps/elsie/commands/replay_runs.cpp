@@ -176,6 +176,9 @@ std::vector<std::string> command_for(const Repeated& one, const RunsAgainOptions
     if (options.record.images) {
       words.emplace_back("--record-images");
     }
+    for (const std::string& robot : options.record.robots) {
+      words.insert(words.end(), {"--record-robots", robot});
+    }
   }
   if (options.wall_limit_s) {
     words.insert(words.end(), {"--wall-limit", base::number_text(*options.wall_limit_s)});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
 
 #include "elsie/recording/formats.h"
 #include "elsie/traces/tracks.h"
@@ -65,9 +66,16 @@ class Views final : public RunViews {
     }
     options_.paths.check(simulation.world());
     const RecordOptions& record = options_.record;
+    require_robots(simulation.world(), record.robots, "--record-robots");
     for (const std::string& file : record.files) {
-      add(format_of(file).recorder(
-          file, {record.rate_hz, record.images, record.times, "elsie " ELSIE_VERSION}));
+      add(format_of(file).recorder(file, {record.rate_hz, record.images, record.times,
+                                          record.robots, "elsie " ELSIE_VERSION}));
+      if (record.robots.empty() && format_of(file).most_robots < simulation.robots()) {
+        spdlog::warn("recording '" + file + "': of " + std::to_string(simulation.robots()) +
+                     " robots, only the poses are recorded beyond the first " +
+                     std::to_string(format_of(file).most_robots) +
+                     "; --record-robots chooses those with everything else");
+      }
     }
     if (options_.image_folder) {
       add(std::make_unique<ImageSaver>(*options_.image_folder, options_.image_period_s));

@@ -163,6 +163,7 @@ RunResult Simulation::Impl::figures() const {
 }
 
 const world::World& Simulation::world() const { return impl_->world_; }
+bool Simulation::has_edits() const { return impl_->start_ || !impl_->given_.empty(); }
 world::World Simulation::start() const {
   world::World start = impl_->start_ ? *impl_->start_ : impl_->world_;
   for (const TimedChange& given : impl_->given_) {

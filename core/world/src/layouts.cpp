@@ -5,9 +5,7 @@
 #include "elsie/world/facts.h"
 
 namespace elsie::world {
-
 namespace {
-
 constexpr std::optional<double> kNone;
 constexpr std::optional<std::int64_t> kNoCount;
 
@@ -39,7 +37,6 @@ ElementSpec element(const char* name, const char* meaning, std::vector<Attribute
   spec.at_most = at_most;
   return spec;
 }
-
 }  // namespace
 
 ElementSpec with_layouts(ElementSpec world) {

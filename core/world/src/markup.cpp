@@ -17,9 +17,7 @@
 #include "text_check.h"
 
 namespace elsie::world {
-
 namespace {
-
 namespace fs = std::filesystem;
 
 constexpr std::string_view kBlanks = " \t\r\n";
@@ -65,7 +63,6 @@ Element element_of(const tinyxml2::XMLElement& source, const std::string& file) 
   }
   return element;
 }
-
 }  // namespace
 
 const Attribute* Element::find(std::string_view attribute) const {
@@ -119,7 +116,7 @@ std::string read_text(const std::string& file) {
              did_you_mean_file(path.filename().string(), {path.parent_path().string()}));
   }
   try {
-    return base::read_whole(file, 32'000'000);
+    return base::read_whole(file, 256'000'000);
   } catch (const std::runtime_error& why) {
     fail(file, 0, std::string("this ") + why.what() + "; expected an XML file");
   }

@@ -20,9 +20,7 @@
 #include "refusals.h"
 
 namespace elsie::world {
-
 namespace {
-
 using plugin::find_declared;
 
 // Walks the tree and the vocabulary in parallel. The declaration of a plugin says what its element
@@ -343,7 +341,6 @@ class ObjectReader {
   Problems& problems_;
   bool sound_ = true;  // whether the element that is being read has no mistakes so far
 };
-
 }  // namespace
 
 std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, void* object,

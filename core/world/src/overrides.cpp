@@ -12,9 +12,7 @@
 #include "refusals.h"
 
 namespace elsie::world {
-
 namespace {
-
 [[noreturn]] void fail(const std::string& message) { throw std::invalid_argument(message); }
 
 Element element_of(const std::string& text, const Location& where) {
@@ -142,7 +140,6 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
          base::near_or_all(attribute, names_of(first.attributes), "it sets"));
   }
 }
-
 }  // namespace
 
 Concern concern_of(const std::string& override) {

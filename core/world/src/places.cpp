@@ -13,9 +13,7 @@
 #include "reading.h"
 
 namespace elsie::world {
-
 namespace {
-
 using base::number_text;
 
 // The area of a body, and the body's name in messages.
@@ -121,7 +119,6 @@ class PlaceCheck {
   base::Grid grid_;
   std::vector<Block> there_;
 };
-
 }  // namespace
 
 void check_places(const Reading& reading, bool is_running, Problems& problems) {

@@ -21,9 +21,7 @@
 #include "reading.h"
 
 namespace elsie::world {
-
 namespace {
-
 // Every world has "red" and "blue"; the file may change their colours and add others.
 void add_default_teams(std::vector<Team>& teams) {
   std::vector<Team> all{{"red", kRedTeam}, {"blue", kBlueTeam}};
@@ -38,7 +36,6 @@ void add_default_teams(std::vector<Team>& teams) {
   }
   teams = std::move(all);
 }
-
 }  // namespace
 
 World read_world(const std::string& file, const plugin::Host& host, const ReadOptions& options) {

@@ -8,9 +8,7 @@
 #include "elsie/world/writer.h"
 
 namespace elsie::world {
-
 namespace {
-
 // Joins steps of a path, "robot[r1]/sensor[2]", with brackets where they are needed.
 std::string joined(const std::string& path, const std::string& step, const std::string& key) {
   return (path.empty() ? "" : path + "/") + step + (key.empty() ? "" : "[" + key + "]");
@@ -32,7 +30,7 @@ void add_parameters(Element& element, const Use& use) {
 // The text of an element; "" if the element can be left out without a change of meaning.
 std::string text_of(const Element& element, const WorldTree& tree, std::size_t depth) {
   const std::string indent(2 * depth, ' ');
-  std::string content;
+  std::string content = element.text;
   for (const Element& child : element.children) {
     content += text_of(child, tree, depth + 1);
   }
@@ -43,7 +41,6 @@ std::string text_of(const Element& element, const WorldTree& tree, std::size_t d
   return indent + start_tag(element) +
          (content.empty() ? "/>\n" : ">\n" + content + indent + "</" + element.name + ">\n");
 }
-
 }  // namespace
 
 Element WorldTree::make(const ElementSpec& spec, const void* object, Meaning meaning) {
@@ -93,7 +90,14 @@ void WorldTree::add_children(Element& element, const ElementSpec& spec, const vo
                              : key.empty()       ? std::to_string(++number)
                                                  : key);
     }
-    element.children.push_back(make(*child, part.object, std::move(of_child)));
+    const std::size_t before = meanings_.size();
+    Element made = make(*child, part.object, std::move(of_child));
+    if (as_text_ && spec.group && meaning.path.empty()) {  // of the world: robots, obstacles...
+      element.text += text_of(made, *this, 2);
+      meanings_.resize(before);
+    } else {
+      element.children.push_back(std::move(made));
+    }
   }
 }
 
@@ -116,7 +120,7 @@ void WorldTree::add_declared(Element& element, const Meaning& meaning) {
 }
 
 std::string write_world(const World& world) {
-  WorldTree tree(world);
+  WorldTree tree(world, true);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + text_of(tree.root(), tree, 0);
 }
 

@@ -272,6 +272,16 @@ TEST_CASE("A run has no layouts: its world is written, and reads as the same wor
   CHECK(world::write_world(world::parse_world(text, "w.xml", shipped())) == text);
 }
 
+TEST_CASE("Things are scattered in an arena of any size, whatever its last digits") {
+  for (const char* length : {"7.07107", "31.622777", "3.33333333"}) {
+    CAPTURE(length);
+    const std::string arena =
+        "<arena length='" + std::string(length) + "' width='" + length + "'/>";
+    CHECK(drawn(arena + scattered("density='0.01'", "<static_box length='0.1' width='0.1'/>"), 1)
+              .boxes.size() > 1);
+  }
+}
+
 TEST_CASE("What cannot be scattered is refused in a sentence, at its line") {
   CHECK(refusal(scattered("count='400'", "<static_box length='1' width='1'/>")) ==
         "w.xml:2: the layout 'c' has no room for the next of its 400 things after 49: 1000 places "

@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kChunkHead =
     kPrefix + 3 * sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
 
+constexpr std::size_t kMostKept = 4;     // chunks, of the memory that a large message has taken
 constexpr std::size_t kTimeDigits = 20;  // of the time in the last words
 
 void check_count(std::size_t count, const char* what) {
@@ -113,6 +114,9 @@ class Writer::Impl {
     append_message_indexes(piece, chunk);
     const std::uint64_t messages = std::exchange(messages_, 0);
     records_.clear();
+    if (records_.capacity() > kMostKept * options_.chunk_bytes) {
+      records_.shrink_to_fit();
+    }
     for (auto& places : places_) {
       places.clear();
     }

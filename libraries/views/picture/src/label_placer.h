@@ -25,6 +25,8 @@ class LabelPlacer {
   /// The best place for a label of this size next to a mark of this radius; it is then occupied.
   /// None when every place would cover another label: the label is left out, and counted.
   std::optional<Place> place(const Vector2& mark, double radius, double width, double height);
+  /// Counts labels that are not even tried.
+  void leave_out(std::size_t count) { left_out_ += count; }
   std::size_t left_out() const { return left_out_; }
 
  private:

@@ -178,6 +178,10 @@ LineChart in_exponents(LineChart chart) {
     }
     for (Series& series : chart.series) {
       for (Vector2& point : series.points) point.*coordinate = std::log10(point.*coordinate);
+      if (coordinate != &Vector2::y) continue;
+      for (Interval& interval : series.spread) {
+        interval = {std::log10(interval.low), std::log10(interval.high)};
+      }
     }
   };
   convert(chart.x, &Vector2::x);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "elsie/world/colours.h"
 
@@ -14,12 +17,6 @@
 
 namespace elsie::picture {
 namespace {
-
-const world::Robot* find_robot(const world::World& world, const std::string& id) {
-  const auto found = std::find_if(world.robots.begin(), world.robots.end(),
-                                  [&](const world::Robot& robot) { return robot.id == id; });
-  return found == world.robots.end() ? nullptr : &*found;
-}
 
 // Members of a team differ in lightness and a little in hue: one team, but each differs from the
 // others.
@@ -122,18 +119,20 @@ Ink resource_ink(const world::World& world, const world::Box& resource) {
 Scene complete(const TopView& view) {
   Scene scene{view.world,         {},  view.boxes, view.title, view.subtitles,
               view.path_period_s, 0.0, view.paths, view.bare};
+  std::unordered_map<std::string_view, const world::Robot*> robots;
+  std::unordered_set<std::string_view> tracked;
+  for (const world::Robot& robot : view.world.robots) robots.emplace(robot.id, &robot);
   for (const RobotTrack& track : view.robots) {
-    const world::Robot* known = find_robot(view.world, track.id);
+    const auto known = robots.find(track.id);
+    tracked.insert(track.id);
     world::Robot unknown;
     unknown.team.clear();
-    DrawnRobot robot = drawn(track, known ? *known : unknown);
+    DrawnRobot robot = drawn(track, known != robots.end() ? *known->second : unknown);
     choose_path(view, robot.track);
     scene.robots.push_back(std::move(robot));
   }
   for (const world::Robot& robot : view.world.robots) {
-    const bool tracked = std::any_of(view.robots.begin(), view.robots.end(),
-                                     [&](const RobotTrack& track) { return track.id == robot.id; });
-    if (tracked) continue;
+    if (tracked.contains(robot.id)) continue;
     RobotTrack track;
     track.id = robot.id;
     track.now = {robot.x, robot.y, radians(robot.heading_deg)};
@@ -148,7 +147,7 @@ Scene complete(const TopView& view) {
     scene.boxes.emplace_back(Pose{box.x, box.y, radians(box.heading_deg)});
   }
   if (scene.title.empty()) scene.title = view.world.name.empty() ? "World" : view.world.name;
-  scene.mark_every_s = mark_interval(scene);
+  if (!scene.is_crowd()) scene.mark_every_s = mark_interval(scene);
   return scene;
 }
 
@@ -183,10 +182,14 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     draw_chargers(canvas, scene, layout);
     draw_boxes(canvas, scene, layout, labels);
     draw_walls(canvas, scene, layout);
-    draw_paths(canvas, scene, layout, labels);
-    draw_beams(canvas, scene, layout, labels);
-    draw_robots(canvas, scene, layout, labels);
-    draw_touches(canvas, scene, layout);
+    if (scene.is_crowd()) {
+      draw_crowd(canvas, scene, layout);
+    } else {
+      draw_paths(canvas, scene, layout, labels);
+      draw_beams(canvas, scene, layout, labels);
+      draw_robots(canvas, scene, layout, labels);
+      draw_touches(canvas, scene, layout);
+    }
     if (!scene.bare) {
       draw_robot_labels(canvas, scene, layout, labels);
       draw_goal_labels(canvas, scene, layout, labels);

@@ -62,14 +62,16 @@ std::string path_in_words(const PathChoice& choice) {
 }
 
 void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
+  const bool crowd = scene.is_crowd();
   std::vector<std::string> teams;
   for (const DrawnRobot& robot : scene.robots) {
     if (std::find(teams.begin(), teams.end(), robot.team_id) != teams.end()) continue;
     teams.push_back(robot.team_id);
     const std::string name =
         robot.team_id.empty() ? "robot" : "robot, team " + clean_text(robot.team_id, 24);
-    entries.push_back({name, 32, [colour = robot.team](Canvas& canvas, const Vector2& at) {
-                         draw_robot_symbol(canvas, {at.x - 4, at.y}, 0.0, colour);
+    entries.push_back({name, 32, [colour = robot.team, crowd](Canvas& canvas, const Vector2& at) {
+                         crowd ? draw_crowd_symbol(canvas, at, colour)
+                               : draw_robot_symbol(canvas, {at.x - 4, at.y}, 0.0, colour);
                        }});
   }
   if (any_robot(scene, [](const RobotTrack& track) { return track.path.size() > 1; })) {
@@ -81,7 +83,11 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
     std::string text = path_in_words(scene.paths);
     const bool marks = scene.mark_every_s > 0.0;
     if (marks) text += ", a mark every " + number_text(scene.mark_every_s) + " s";
-    entries.push_back({text, 34, [colour, marks, begins](Canvas& canvas, const Vector2& at) {
+    entries.push_back({text, 34, [colour, marks, begins, crowd](Canvas& canvas, const Vector2& at) {
+                         if (crowd) {
+                           draw_crowd_path_symbol(canvas, at, colour);
+                           return;
+                         }
                          canvas.line({at.x - 13, at.y}, {at.x + 13, at.y});
                          canvas.stroke(colour, {.width = 2});
                          if (begins) {
@@ -94,7 +100,7 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
                        }});
   }
   const auto beams = [&](bool hit) {
-    return any_robot(scene, [&](const RobotTrack& track) {
+    return !crowd && any_robot(scene, [&](const RobotTrack& track) {
       return std::any_of(track.beams.begin(), track.beams.end(),
                          [&](const Beam& beam) { return beam.hit == hit; });
     });
@@ -113,8 +119,9 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
                        }});
   }
   if (any_robot(scene, [](const RobotTrack& track) { return !track.touches.empty(); })) {
-    entries.push_back(
-        {"touch", 20, [](Canvas& canvas, const Vector2& at) { draw_touch(canvas, at); }});
+    entries.push_back({"touch", 20, [crowd](Canvas& canvas, const Vector2& at) {
+                         crowd ? draw_crowd_touch_symbol(canvas, at) : draw_touch(canvas, at);
+                       }});
   }
 }
 

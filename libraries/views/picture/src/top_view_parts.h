@@ -39,6 +39,10 @@ struct Scene {
   double mark_every_s = 0.0;
   PathChoice paths{};
   bool bare = false;
+
+  /// Whether there are too many robots for rings, names, beams and marks on their paths.
+  bool is_crowd() const { return robots.size() > kMostInDetail; }
+  static constexpr std::size_t kMostInDetail = 400;
 };
 Scene complete(const TopView& view);
 
@@ -75,6 +79,8 @@ struct Layout {
   Rect plot;                  // the part with the world
   Rect arena;                 // inside of the walls
   PlaneMap map;               // from m to units
+  static constexpr double kSmallestBox = 4.0;
+  double smallest_box = kSmallestBox;  // edge; less where there are very many
   LegendLayout legend;
   Vector2 legend_corner;
 };
@@ -94,6 +100,8 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
 void draw_beams(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
 void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
 void draw_touches(Canvas& canvas, const Scene& scene, const Layout& layout);
+/// All robots of a crowd with their paths and touches.
+void draw_crowd(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                        LabelPlacer& labels);
 void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
@@ -110,6 +118,9 @@ void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const 
 void draw_bolt(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
 void draw_touch(Canvas& canvas, const Vector2& at);
 void draw_robot_symbol(Canvas& canvas, const Vector2& at, double heading_rad, const Ink& ink);
+void draw_crowd_symbol(Canvas& canvas, const Vector2& at, const Ink& ink);
+void draw_crowd_path_symbol(Canvas& canvas, const Vector2& at, const Ink& ink);
+void draw_crowd_touch_symbol(Canvas& canvas, const Vector2& at);
 /// A filled arrow head with its tip at `tip`; `angle` is its direction in the picture.
 void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double length,
                      const Ink& ink);

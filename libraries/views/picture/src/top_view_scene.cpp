@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
 
 #include "elsie/world/parts.h"
 
@@ -12,7 +16,6 @@
 namespace elsie::picture {
 namespace {
 
-constexpr double kSmallestBox = 4.0;        // edge in the picture
 constexpr double kSmallestResource = 13.0;  // so that its mark is visible
 
 Pose start_of(const world::Box& box) { return {box.x, box.y, radians(box.heading_deg)}; }
@@ -31,7 +34,8 @@ Rect bounds_of(const std::vector<Vector2>& corners) {
 // A box, cylinder or prism from above, enlarged to the smallest visible size.
 std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, const Pose& pose) {
   constexpr int kRound = 48;  // corners of a circle
-  const double least = box.kind == world::BoxKind::resource ? kSmallestResource : kSmallestBox;
+  const double least =
+      box.kind == world::BoxKind::resource ? kSmallestResource : layout.smallest_box;
   const double scale = layout.map.scale_x;
   const world::Fixture fixture = world::fixture_of(box);
   const Vector3& size = fixture.shape.size;
@@ -95,7 +99,8 @@ void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const wo
   switch (box.kind) {
     case world::BoxKind::fixed:
       canvas.polygon(corners).fill_keep(own(kFixedBox));
-      canvas.stroke(box.colour ? mix(ink(*box.colour), kText, 0.4) : kFixedEdge, {.width = 1});
+      canvas.stroke(box.colour ? mix(ink(*box.colour), kText, 0.4) : kFixedEdge,
+                    {.width = layout.smallest_box / Layout::kSmallestBox});
       return;
     case world::BoxKind::dynamic: {
       const Ink edge = box.colour ? mix(ink(*box.colour), kText, 0.3) : kDynamicEdge;
@@ -127,13 +132,13 @@ void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
   const auto show = [&](double x, double y, double radius, const std::string& text) {
     visit(layout.map.pixel({x, y}), std::max(kSmallest, radius * layout.map.scale_x), text);
   };
+  std::unordered_map<std::string_view, const DrawnRobot*> robots;
+  for (const DrawnRobot& robot : scene.robots) robots.emplace(robot.track.id, &robot);
   for (const world::Goal& goal : scene.world.goals) {
     if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) {
       Vector2 place{reach->x, reach->y};
-      for (const DrawnRobot& robot : scene.robots) {
-        if (!reach->of.empty() && robot.track.id == reach->of) {
-          place = point_of(robot.track.now, place);
-        }
+      if (const auto robot = robots.find(reach->of); robot != robots.end()) {
+        place = point_of(robot->second->track.now, place);
       }
       show(place.x, place.y, reach->radius, "goal of " + clean_text(reach->robot, 16));
     } else if (const auto* push = std::get_if<world::PushGoal>(&goal)) {
@@ -151,18 +156,31 @@ struct MarkedPlace {
 
 // Goals in one place are drawn once, with one label.
 std::vector<MarkedPlace> marked_places(const Scene& scene, const Layout& layout) {
+  constexpr double kSame = 2.0;
   std::vector<MarkedPlace> marks;
+  std::map<std::pair<double, double>, std::vector<std::size_t>> cells;  // marks, by places
   each_place(scene, layout, [&](const Vector2& at, double radius, const std::string& text) {
-    constexpr double kSame = 2.0;
-    const auto known = std::find_if(marks.begin(), marks.end(), [&](const MarkedPlace& mark) {
-      return std::hypot(mark.at.x - at.x, mark.at.y - at.y) < kSame &&
-             std::abs(mark.radius - radius) < kSame;
-    });
-    if (known == marks.end()) {
-      marks.push_back({at, radius, {text}});
-    } else {
-      known->texts.push_back(text);
+    const double column = std::floor(at.x / kSame), row = std::floor(at.y / kSame);
+    std::size_t known = marks.size();  // the first of those that are there
+    for (const double dx : {-1.0, 0.0, 1.0}) {
+      for (const double dy : {-1.0, 0.0, 1.0}) {
+        const auto cell = cells.find({column + dx, row + dy});
+        if (cell == cells.end()) continue;
+        for (const std::size_t i : cell->second) {
+          const MarkedPlace& mark = marks[i];
+          if (i < known && std::hypot(mark.at.x - at.x, mark.at.y - at.y) < kSame &&
+              std::abs(mark.radius - radius) < kSame) {
+            known = i;
+          }
+        }
+      }
     }
+    if (known < marks.size()) {
+      marks[known].texts.push_back(text);
+      return;
+    }
+    cells[{column, row}].push_back(marks.size());
+    marks.push_back({at, radius, {text}});
   });
   return marks;
 }
@@ -238,7 +256,13 @@ void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout) {
 void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                       LabelPlacer& labels) {
   const TextStyle style{.size = 12, .ink = kGoal, .halo = 2.5};
-  for (const MarkedPlace& mark : marked_places(scene, layout)) {
+  const std::vector<MarkedPlace> marks = marked_places(scene, layout);
+  constexpr std::size_t kMostLabels = 120;
+  if (marks.size() > kMostLabels) {
+    labels.leave_out(marks.size());
+    return;
+  }
+  for (const MarkedPlace& mark : marks) {
     const std::string text = joined_goals(mark.texts);
     const auto place = labels.place(mark.at, mark.radius, canvas.text_width(text, style), 12);
     if (!place) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,8 +42,12 @@ std::size_t place_of(std::vector<std::string>& columns, const std::string& name)
 
 class CsvRecorder::Impl {
  public:
-  Impl(const std::filesystem::path& file, double rate_hz, bool with_times)
-      : out_("recording '" + file.string() + "'"), rate_hz_(rate_hz), with_times_(with_times) {
+  Impl(const std::filesystem::path& file, double rate_hz, bool with_times,
+       const std::vector<std::string>& robots)
+      : out_("recording '" + file.string() + "'"),
+        rate_hz_(rate_hz),
+        with_times_(with_times),
+        robots_(robots.begin(), robots.end()) {
     if (!(rate_hz > 0.0) || !std::isfinite(rate_hz)) {
       throw std::runtime_error("a recording needs a positive number of samples a second");
     }
@@ -105,6 +111,7 @@ class CsvRecorder::Impl {
  private:
   /// The places of each robot's readings and behaviours in a row.
   struct Places {
+    std::size_t robot = 0;               // its own place in the simulation
     std::vector<std::size_t> readings;   // of each number, sensors in order
     std::vector<std::size_t> behaviors;  // of each member
   };
@@ -120,7 +127,11 @@ class CsvRecorder::Impl {
     reading_columns_.clear();
     behaviors_.clear();
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
+      if (!robots_.empty() && !robots_.contains(simulation.robot(r).description->id)) {
+        continue;
+      }
       Places places;
+      places.robot = r;
       for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
         const simulation::SensorView sensor = simulation.sensor(r, s);
         values_.clear();
@@ -138,8 +149,8 @@ class CsvRecorder::Impl {
   }
 
   void sample(const simulation::Simulation& simulation) {
-    for (std::size_t r = 0; r < simulation.robots(); ++r) {
-      const simulation::RobotView robot = simulation.robot(r);
+    for (const Places& places : places_) {
+      const simulation::RobotView robot = simulation.robot(places.robot);
       line_.number(output::tidy_time(simulation.time_s()));
       line_.text(robot.description->id);
       for (const double value :
@@ -149,21 +160,21 @@ class CsvRecorder::Impl {
             robot.asked.turn, robot.command.forward, robot.command.lateral, robot.command.turn}) {
         line_.number(value);
       }
-      write_readings(simulation, r);
-      write_trace(robot, places_[r], simulation.steps() > 0);
+      write_readings(simulation, places);
+      write_trace(robot, places, simulation.steps() > 0);
       out_.line(line_.take());
     }
   }
 
-  void write_readings(const simulation::Simulation& simulation, std::size_t r) {
+  void write_readings(const simulation::Simulation& simulation, const Places& places) {
     values_.clear();
-    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      simulation.list_values(r, s, values_);
+    for (std::size_t s = 0; s < simulation.sensors(places.robot); ++s) {
+      simulation.list_values(places.robot, s, values_);
     }
     row_.assign(reading_columns_.size() + 1, nullptr);  // the last: numbers without a column
     const bool measured = simulation.steps() > 0;
-    for (std::size_t i = 0; measured && i < places_[r].readings.size(); ++i) {
-      row_[places_[r].readings[i]] = &values_[i];
+    for (std::size_t i = 0; measured && i < places.readings.size(); ++i) {
+      row_[places.readings[i]] = &values_[i];
     }
     row_.pop_back();
     for (const NamedValue* value : row_) {
@@ -203,6 +214,7 @@ class CsvRecorder::Impl {
   output::RecordFile out_;
   double rate_hz_;
   bool with_times_;
+  std::set<std::string> robots_;  // ids; empty: all
   double flushed_at_s_ = 0.0;
   traces::Sampling sampling_;
   std::vector<std::string> reading_columns_;
@@ -220,14 +232,17 @@ Format CsvRecorder::format() {
           kBodyColumns,
           "",
           false,
+          std::numeric_limits<std::size_t>::max(),
           [](const std::filesystem::path& file,
              const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
-            return std::make_unique<CsvRecorder>(file, options.rate_hz, options.with_times);
+            return std::make_unique<CsvRecorder>(file, options.rate_hz, options.with_times,
+                                                 options.robots);
           }};
 }
 
-CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times)
-    : impl_(std::make_unique<Impl>(file, rate_hz, with_times)) {}
+CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times,
+                         const std::vector<std::string>& robots)
+    : impl_(std::make_unique<Impl>(file, rate_hz, with_times, robots)) {}
 CsvRecorder::~CsvRecorder() = default;
 void CsvRecorder::started(const simulation::Simulation& simulation) { impl_->start(simulation); }
 void CsvRecorder::stepped(const simulation::Simulation& simulation) { impl_->step(simulation); }

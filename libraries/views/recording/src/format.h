@@ -22,6 +22,7 @@ constexpr const char* kWorldTopic = "/world";
 constexpr const char* kSceneTopic = "/scene";
 constexpr const char* kTransformsTopic = "/tf";
 constexpr const char* kEventsTopic = "/events";
+constexpr const char* kCrowdTopic = "/crowd";
 
 /// "/robots/r1/pose"
 inline std::string robot_topic(std::string_view robot, std::string_view kind) {

@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <exception>
+#include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,8 +17,8 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 #include "elsie/traces/trace_rows.h"
-#include "elsie/world/writer.h"
 
+#include "crowd.h"
 #include "format.h"
 #include "messages.h"
 #include "scene.h"
@@ -43,7 +46,9 @@ bool sees_ranges(const Simulation& simulation, std::size_t robot) {
 class McapRecorder::Impl final : private files::EmergencyWriter {
  public:
   Impl(const std::filesystem::path& file, RecorderOptions options)
-      : options_(checked(std::move(options))), out_(file, {.library = options_.program}) {}
+      : options_(checked(std::move(options))),
+        chosen_(options_.robots.begin(), options_.robots.end()),
+        out_(file, {.library = options_.program}) {}
 
   ~Impl() override { retire(); }
 
@@ -123,6 +128,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
     std::optional<std::uint16_t> processed;
   };
   struct RobotChannels {
+    std::size_t place;  // in the simulation
     std::uint16_t pose, state, readings, command, trace;
     std::optional<std::uint16_t> beams;
     std::vector<CameraChannels> cameras;
@@ -214,8 +220,19 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
     return kind;
   }
 
+  /// The given robots have channels of their own, or as many as a viewer can list.
+  bool has_channels(const std::string& robot) const {
+    return chosen_.empty() ? robots_.size() < kMostWithChannels : chosen_.contains(robot);
+  }
+
   void add_robots(const Simulation& simulation) {
-    std::vector<RobotChannels> before = std::exchange(robots_, {});
+    std::map<std::string, RobotChannels> before;  // by kind
+    for (RobotChannels& channels : std::exchange(robots_, {})) {
+      std::string kind = channels.kind;
+      before.emplace(std::move(kind), std::move(channels));
+    }
+    places_.clear();
+    crowd_.clear();
     const auto scene = schema("foxglove.SceneUpdate", schemas::scene_update());
     const auto pose = schema("foxglove.PoseInFrame", schemas::pose_in_frame());
     const auto state = schema("elsie.State", schemas::state());
@@ -226,12 +243,15 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
                            : std::uint16_t{0};
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const world::Robot& robot = *simulation.robot(r).description;
+      places_.emplace(robot.id, r);
+      if (!has_channels(robot.id)) {
+        crowd_.push_back(r);
+        continue;
+      }
       const std::string cast = kind_of(simulation, r);
-      const auto known =
-          std::find_if(before.begin(), before.end(),
-                       [&](const RobotChannels& channels) { return channels.kind == cast; });
-      if (known != before.end()) {
-        robots_.push_back(std::move(*known));
+      if (const auto known = before.find(cast); known != before.end()) {
+        robots_.push_back(std::move(known->second));
+        robots_.back().place = r;
         continue;
       }
       const std::map<std::string, std::string> who{{"robot", robot.id}, {"team", robot.team}};
@@ -239,6 +259,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
         return channel(robot_topic(robot.id, kind), of, who);
       };
       RobotChannels channels{
+          r,
           own("pose", pose),
           own("state", state),
           own("readings", schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
@@ -265,6 +286,9 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
       }
       robots_.push_back(std::move(channels));
     }
+    if (!crowd_.empty() && crowd_channel_ == 0) {
+      crowd_channel_ = channel(kCrowdTopic, schema("foxglove.PointCloud", schemas::point_cloud()));
+    }
   }
 
   std::string readings_schema(const Simulation& simulation, std::size_t r) {
@@ -287,21 +311,16 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   }
 
   void write_world(const Simulation& simulation) {
-    const world::World& world = simulation.world();
-    Json robots = Json::array();
-    for (const world::Robot& robot : world.robots) {
-      robots.push_back(robot.id);
+    out_.write(world_, now(simulation), world_text(simulation, options_.program, crowd_));
+  }
+
+  /// Places of the robots that a viewer shows as bodies.
+  std::vector<std::size_t> places_seen() const {
+    std::vector<std::size_t> places;
+    for (const RobotChannels& channels : robots_) {
+      places.push_back(channels.place);
     }
-    Json message{{"name", world.name},
-                 {"file", world.file},
-                 {"seed", std::to_string(simulation.seed())},
-                 {"program", options_.program},
-                 {"xml", world::write_world(world)},
-                 {"robots", std::move(robots)}};
-    if (std::string start = world::write_world(simulation.start()); start != message["xml"]) {
-      message["start_xml"] = std::move(start);
-    }
-    write(world_, now(simulation), message);
+    return places;
   }
 
   static std::size_t standing_boxes(const Simulation& simulation) {
@@ -314,18 +333,16 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
 
   void write_scene(const Simulation& simulation) {
     standing_ = standing_boxes(simulation);
-    write(scene_, now(simulation), scene_message(now(simulation), simulation));
+    write(scene_, now(simulation), scene_message(now(simulation), simulation, places_seen()));
   }
 
   void write_events(const Simulation& simulation) {
     const auto events = simulation.events();
     for (; seen_events_ < events.size(); ++seen_events_) {
       const simulation::EventRecord& event = events[seen_events_];
-      const Pose* where = nullptr;
-      for (std::size_t r = 0; !where && r < simulation.robots(); ++r) {
-        const RobotView robot = simulation.robot(r);
-        where = robot.description->id == event.robot ? &robot.state->pose : nullptr;
-      }
+      const auto robot = places_.find(event.robot);
+      const Pose* where =
+          robot == places_.end() ? nullptr : &simulation.robot(robot->second).state->pose;
       const std::uint64_t time_ns = nanoseconds(event.time_s);
       write(events_, time_ns, event_message(time_ns, event, where));
     }
@@ -341,43 +358,48 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   void sample(const Simulation& simulation, bool decided) {
     sampled_ = simulation.steps();
     const std::uint64_t time_ns = now(simulation);
-    write(transforms_, time_ns, transforms_message(time_ns, simulation));
-    for (std::size_t r = 0; r < robots_.size(); ++r) {
-      const RobotView robot = simulation.robot(r);
-      write(robots_[r].pose, time_ns, pose_message(time_ns, robot.state->pose));
-      write(robots_[r].state, time_ns, state_message(time_ns, robot));
+    write(transforms_, time_ns, transforms_message(time_ns, simulation, places_seen()));
+    for (const RobotChannels& channels : robots_) {
+      const RobotView robot = simulation.robot(channels.place);
+      write(channels.pose, time_ns, pose_message(time_ns, robot.state->pose));
+      write(channels.state, time_ns, state_message(time_ns, robot));
       if (decided) {
-        write_decision(simulation, r, robot, time_ns);
+        write_decision(simulation, channels, robot, time_ns);
       }
+    }
+    if (!crowd_.empty()) {
+      out_.write(crowd_channel_, time_ns, crowd_text(time_ns, simulation, crowd_));
     }
     new_pictures_ = new_pictures_ && !decided;
   }
 
   /// Writes the decisions that differ from the previous ones.
   void write_traces(const Simulation& simulation) {
-    for (std::size_t r = 0; r < robots_.size(); ++r) {
-      const RobotView robot = simulation.robot(r);
-      if (robots_[r].rows.changed(robot) || options_.with_times) {
-        out_.write(robots_[r].trace, decided_ns_,
-                   robots_[r].texts.message(decided_ns_, robot, options_.with_times));
+    for (RobotChannels& channels : robots_) {
+      const RobotView robot = simulation.robot(channels.place);
+      if (channels.rows.changed(robot) || options_.with_times) {
+        out_.write(channels.trace, decided_ns_,
+                   channels.texts.message(decided_ns_, robot, options_.with_times));
       }
     }
   }
 
-  void write_decision(const Simulation& simulation, std::size_t r, const RobotView& robot,
-                      std::uint64_t time_ns) {
-    const RobotChannels& channels = robots_[r];
-    write_readings(simulation, r, time_ns);
+  void write_decision(const Simulation& simulation, const RobotChannels& channels,
+                      const RobotView& robot, std::uint64_t time_ns) {
+    const std::size_t r = channels.place;
+    write_readings(simulation, channels, time_ns);
     write(channels.command, time_ns, command_message(decided_ns_, robot));
     if (channels.beams) {
       write(*channels.beams, time_ns, beams_message(time_ns, range_beams(simulation, r)));
     }
     if (new_pictures_ && !channels.cameras.empty() && !blind_[r]) {
-      write_pictures(simulation, r, time_ns);
+      write_pictures(simulation, channels, time_ns);
     }
   }
 
-  void write_readings(const Simulation& simulation, std::size_t r, std::uint64_t time_ns) {
+  void write_readings(const Simulation& simulation, const RobotChannels& channels,
+                      std::uint64_t time_ns) {
+    const std::size_t r = channels.place;
     Json sensors = Json::object();
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
       values_.clear();
@@ -389,13 +411,15 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
         }
       }
     }
-    write(robots_[r].readings, time_ns,
+    write(channels.readings, time_ns,
           {{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}});
   }
 
   // The reading already contains what a sensor makes of a picture, including noise.
-  void write_pictures(const Simulation& simulation, std::size_t r, std::uint64_t time_ns) {
-    for (const CameraChannels& camera : robots_[r].cameras) {
+  void write_pictures(const Simulation& simulation, const RobotChannels& channels,
+                      std::uint64_t time_ns) {
+    const std::size_t r = channels.place;
+    for (const CameraChannels& camera : channels.cameras) {
       const SensorView sensor = simulation.sensor(r, camera.sensor);
       const Image* raw = sensor.picture;
       if (camera.processed) {
@@ -418,13 +442,16 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   }
 
   RecorderOptions options_;
+  std::set<std::string> chosen_;  // robots; empty: see kMostWithChannels
   mcap::Writer out_;
   std::uint64_t every_ = 1;  // steps from one sample to the next, as the run begins
   traces::Sampling sampling_;
   std::uint64_t control_steps_ = 1;               // from one decision to the next
   std::map<std::string, std::uint16_t> schemas_;  // by name and text
-  std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0;
+  std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0, crowd_channel_ = 0;
   std::vector<RobotChannels> robots_;
+  std::vector<std::size_t> crowd_;                       // places of the robots without channels
+  std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation
   std::size_t seen_events_ = 0;
   std::size_t standing_ = 0;  // boxes, when the scene was last written
   std::uint64_t sampled_ = 0;
@@ -441,6 +468,7 @@ Format McapRecorder::format() {
           "\x89MCAP",
           "elsie",
           true,
+          kMostWithChannels,
           [](const std::filesystem::path& file,
              const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
             return std::make_unique<McapRecorder>(file, options);

@@ -6,6 +6,7 @@
 #include "elsie/output/base64.h"
 #include "elsie/picture/image_file.h"
 #include "elsie/traces/trace_rows.h"
+#include "elsie/world/writer.h"
 
 namespace elsie::recording {
 namespace {
@@ -63,6 +64,35 @@ Json rotation_json(const Frame& frame) {
 
 Frame frame_of(const Pose& pose, double z) {
   return Frame::turned({pose.x, pose.y, z}, pose.heading_rad, 0.0);
+}
+
+std::string world_text(const simulation::Simulation& simulation, const std::string& program,
+                       std::span<const std::size_t> crowd) {
+  const world::World& world = simulation.world();
+  Json robots = Json::array();
+  for (const world::Robot& robot : world.robots) {
+    robots.push_back(robot.id);
+  }
+  Json message{{"name", world.name},
+               {"file", world.file},
+               {"seed", std::to_string(simulation.seed())},
+               {"program", program},
+               {"robots", std::move(robots)}};
+  for (const std::size_t place : crowd) {
+    message["crowd"].push_back(world.robots[place].id);
+  }
+  // A world may have a hundred thousand robots: it is not copied without need.
+  std::string xml = world::write_world(world);
+  if (simulation.has_edits()) {
+    if (std::string start = world::write_world(simulation.start()); start != xml) {
+      message["start_xml"] = std::move(start);
+    }
+  }
+  std::string text = text_of(message);
+  text.pop_back();
+  text += ",\"xml\":";
+  text += text_of(std::move(xml));
+  return text += '}';
 }
 
 Json pose_message(std::uint64_t time_ns, const Pose& pose) {

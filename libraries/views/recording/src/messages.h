@@ -1,8 +1,10 @@
 // The messages of a recording. Each is one JSON object.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,9 @@ Json rotation_json(const Frame& frame);
 /// A frame flat on the floor.
 Frame frame_of(const Pose& pose, double z = 0.0);
 
+/// The text of the message about the world. `crowd`: places of robots without channels.
+std::string world_text(const simulation::Simulation& simulation, const std::string& program,
+                       std::span<const std::size_t> crowd);
 Json pose_message(std::uint64_t time_ns, const Pose& pose);
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
 Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot);

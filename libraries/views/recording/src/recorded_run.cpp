@@ -1,6 +1,7 @@
 #include "elsie/recording/recorded_run.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "elsie/api/simulator_events.h"
@@ -8,6 +9,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/traces/sampling.h"
 
+#include "crowd.h"
 #include "format.h"
 #include "reading.h"
 
@@ -37,6 +39,8 @@ class Follower final : public Visitor {
       read_scene(json());
     } else if (channel.topic == kEventsTopic) {
       read_event(json(), message.log_time_ns);
+    } else if (channel.topic == kCrowdTopic) {
+      read_crowd(json(), message.log_time_ns);
     } else if (channel.topic == kWorldTopic) {
       read_world(json());
     }
@@ -49,13 +53,11 @@ class Follower final : public Visitor {
   };
 
   picture::RobotTrack& track_of(const std::string& robot) {
-    for (picture::RobotTrack& track : run_.robots) {
-      if (track.id == robot) {
-        return track;
-      }
+    const auto [known, is_new] = places_.try_emplace(robot, run_.robots.size());
+    if (is_new) {
+      run_.robots.push_back({.id = robot, .path = {}, .now = {}, .beams = {}, .touches = {}});
     }
-    run_.robots.push_back({.id = robot, .path = {}, .now = {}, .beams = {}, .touches = {}});
-    return run_.robots.back();
+    return run_.robots[known->second];
   }
 
   /// Removes the robots that an edit removed.
@@ -65,13 +67,34 @@ class Follower final : public Visitor {
       run_.start_xml = world.value("start_xml", run_.world_xml);
     }
     ids_ = world.at("robots").get<std::set<std::string>>();
+    run_.crowd = world.value("crowd", std::vector<std::string>());
     std::erase_if(run_.robots, [&](const auto& track) { return !ids_.contains(track.id); });
     std::erase_if(memory_, [&](const auto& known) { return !ids_.contains(known.first); });
+    places_.clear();
+    for (std::size_t i = 0; i < run_.robots.size(); ++i) {
+      places_[run_.robots[i].id] = i;
+    }
   }
 
   void read_state(picture::RobotTrack& track, const Json& state, std::uint64_t time_ns) {
+    take_pose(track, {number(state, "x_m"), number(state, "y_m"), number(state, "heading_rad")},
+              time_ns);
+  }
+
+  void read_crowd(const Json& message, std::uint64_t time_ns) {
+    const std::vector<Pose> poses = crowd_poses(message);
+    if (poses.size() != run_.crowd.size()) {
+      throw Unexpected("it has " + std::to_string(poses.size()) + " points for " +
+                       std::to_string(run_.crowd.size()) + " robots");
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      take_pose(track_of(run_.crowd[i]), poses[i], time_ns);
+    }
+  }
+
+  void take_pose(picture::RobotTrack& track, const Pose& pose, std::uint64_t time_ns) {
     const double time_s = static_cast<double>(time_ns) / kSecondNs;
-    track.now = {number(state, "x_m"), number(state, "y_m"), number(state, "heading_rad")};
+    track.now = pose;
     run_.shown_s = time_s;
     // The last sample of a run may be between two periods.
     if (!sampling_ && run_.period_s > 0.0) {
@@ -159,8 +182,9 @@ class Follower final : public Visitor {
 
   RecordedRun& run_;
   double until_s_;
-  std::set<std::string> ids_;             // of the robots that are present
-  std::map<std::string, Memory> memory_;  // of each of them
+  std::set<std::string> ids_;                            // of the robots that are present
+  std::map<std::string, Memory> memory_;                 // of each of them
+  std::unordered_map<std::string, std::size_t> places_;  // of the tracks, by robot
   std::optional<traces::Sampling> sampling_;
   std::uint64_t sampled_ns_ = ~0ULL;  // when the last state was sampled
   bool is_due_ = false;               // true: that state belongs to the path
@@ -182,10 +206,13 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
   picture::TopView view{world};
   view.robots = run.robots;
   // A recording has the robots by name; a picture colours them in the order of the world.
+  std::unordered_map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    places.emplace(world.robots[i].id, i);
+  }
   const auto place = [&](const auto& track) {
-    return std::find_if(world.robots.begin(), world.robots.end(),
-                        [&](const world::Robot& robot) { return robot.id == track.id; }) -
-           world.robots.begin();
+    const auto known = places.find(track.id);
+    return known == places.end() ? world.robots.size() : known->second;
   };
   std::stable_sort(view.robots.begin(), view.robots.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });

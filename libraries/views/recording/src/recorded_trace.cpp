@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "elsie/base/number_text.h"
 #include "elsie/output/rounded.h"
@@ -71,11 +72,14 @@ class TraceBuilder final : public Visitor {
       robot.members.push_back(std::move(member));
     }
     // With other sensors a robot has other channels, but its trace goes on.
-    const auto known = std::find_if(
-        trace_.robots.begin(), trace_.robots.end(),
-        [&](const TraceRobot& each) { return is_there(each) && same_cast(each, robot); });
-    places_[channel.id] = static_cast<std::size_t>(known - trace_.robots.begin());
-    if (known == trace_.robots.end()) {
+    std::vector<std::size_t>& namesakes = by_id_[id];
+    const auto known =
+        std::find_if(namesakes.begin(), namesakes.end(), [&](const std::size_t place) {
+          return is_there(trace_.robots[place]) && same_cast(trace_.robots[place], robot);
+        });
+    places_[channel.id] = known == namesakes.end() ? trace_.robots.size() : *known;
+    if (known == namesakes.end()) {
+      namesakes.push_back(trace_.robots.size());
       trace_.robots.push_back(std::move(robot));
     }
   }
@@ -113,15 +117,13 @@ class TraceBuilder final : public Visitor {
   /// This message comes with every edit that may add, remove or change robots.
   void read_world(const Json& world, double time_s) {
     const auto ids = world.at("robots").get<std::set<std::string>>();
+    trace_.without_decisions.merge(world.value("crowd", std::set<std::string>()));
     for (std::size_t i = 0; i < trace_.robots.size(); ++i) {
       TraceRobot& robot = trace_.robots[i];
-      const auto is_newer = [&](const TraceRobot& other) { return other.id == robot.id; };
       if (i >= introduced_) {
         robot.from_s = time_s;
       } else if (is_there(robot) &&
-                 (!ids.contains(robot.id) ||
-                  std::any_of(trace_.robots.begin() + static_cast<std::ptrdiff_t>(introduced_),
-                              trace_.robots.end(), is_newer))) {
+                 (!ids.contains(robot.id) || by_id_.at(robot.id).back() >= introduced_)) {
         robot.to_s = time_s;
       }
     }
@@ -133,19 +135,20 @@ class TraceBuilder final : public Visitor {
     if (id.empty()) {
       return;  // an edit of the world
     }
-    const auto is_of = [&](const TraceRobot& each) { return each.id == id; };
-    const auto before =
-        std::partition_point(trace_.robots.begin(), trace_.robots.end(),
-                             [&](const TraceRobot& each) { return each.from_s <= time_s; });
-    auto robot = std::find_if(std::reverse_iterator(before), trace_.robots.rend(), is_of);
-    if (robot == trace_.robots.rend()) {
-      robot = std::find_if(trace_.robots.rbegin(), trace_.robots.rend(), is_of);
+    const auto known = by_id_.find(id);
+    if (known == by_id_.end() && trace_.without_decisions.contains(id)) {
+      return;
     }
-    if (robot == trace_.robots.rend()) {
+    if (known == by_id_.end()) {
       throw Unexpected("the recording has no robot '" + one_line(id) + "'");
     }
-    robot->events.push_back({time_s, one_line(event.at("event").get<std::string>()),
-                             one_line(event.at("detail").get<std::string>())});
+    const std::vector<std::size_t>& namesakes = known->second;  // each from a later time on
+    const auto after =
+        std::find_if(namesakes.begin(), namesakes.end(),
+                     [&](const std::size_t place) { return trace_.robots[place].from_s > time_s; });
+    const std::size_t place = after == namesakes.begin() ? namesakes.back() : *std::prev(after);
+    trace_.robots[place].events.push_back({time_s, one_line(event.at("event").get<std::string>()),
+                                           one_line(event.at("detail").get<std::string>())});
   }
 
   void read_decision(TraceRobot& robot, const Json& decision, double time_s) {
@@ -197,6 +200,7 @@ class TraceBuilder final : public Visitor {
   double decided_s_ = -1.0;
   std::size_t introduced_ = 0;                   // robots of the world's last message
   std::map<std::uint16_t, std::size_t> places_;  // of robots, by the ids of their channels
+  std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};
 };
 

@@ -195,7 +195,8 @@ bool may_move(const world::Box& box) {
   return box.kind == world::BoxKind::dynamic || box.kind == world::BoxKind::moving;
 }
 
-Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation) {
+Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
+                   std::span<const std::size_t> robots) {
   const World& world = simulation.world();
   Json entities = Json::array();
   entities.push_back(arena(time_ns, world.arena));
@@ -207,8 +208,8 @@ Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulati
       entities.push_back(box(time_ns, world, world.boxes[i]));
     }
   }
-  for (const world::Robot& robot : world.robots) {
-    add_robot(entities, time_ns, world, robot);
+  for (const std::size_t place : robots) {
+    add_robot(entities, time_ns, world, world.robots[place]);
   }
   constexpr int kAll = 1;  // foxglove.SceneEntityDeletionType
   Json deletions = Json::array();
@@ -216,10 +217,11 @@ Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulati
   return {{"deletions", std::move(deletions)}, {"entities", std::move(entities)}};
 }
 
-Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& simulation) {
+Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
+                        std::span<const std::size_t> robots) {
   const World& world = simulation.world();
   Json transforms = Json::array();
-  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+  for (const std::size_t i : robots) {
     const world::Robot& robot = world.robots[i];
     const Pose& pose = simulation.robot(i).state->pose;
     transforms.push_back(

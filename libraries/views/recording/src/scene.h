@@ -16,11 +16,14 @@ namespace elsie::recording {
 bool may_move(const world::Box& box);
 
 /// The whole current scene, which replaces the previous one. Robots, their segments, and boxes that
-/// may move have their own frames, which transforms_message() moves.
-Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation);
+/// may move have their own frames, which transforms_message() moves. `robots`: places of those that
+/// are shown.
+Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
+                   std::span<const std::size_t> robots);
 
-/// The places of all frames.
-Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& simulation);
+/// The places of their frames.
+Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
+                        std::span<const std::size_t> robots);
 
 /// Beams as two lists of lines: free ones, and red ones that hit. The entity's metadata have a
 /// digit for each beam, in their order: 1 if it hit.

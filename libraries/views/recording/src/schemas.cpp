@@ -64,6 +64,28 @@ std::string compressed_image() {
       .dump();
 }
 
+std::string point_cloud() {
+  const Json type = choice("foxglove.NumericType", {{"UNKNOWN", 0},
+                                                    {"UINT8", 1},
+                                                    {"INT8", 2},
+                                                    {"UINT16", 3},
+                                                    {"INT16", 4},
+                                                    {"UINT32", 5},
+                                                    {"INT32", 6},
+                                                    {"FLOAT32", 7},
+                                                    {"FLOAT64", 8}});
+  const Json field = object("foxglove.PackedElementField",
+                            {{"name", text()}, {"offset", integer("bytes")}, {"type", type}});
+  return object("foxglove.PointCloud",
+                {{"timestamp", time()},
+                 {"frame_id", text()},
+                 {"pose", pose()},
+                 {"point_stride", integer("bytes from one robot to the next")},
+                 {"fields", list(field)},
+                 {"data", base64_text("a point for each robot of the world's `crowd`")}})
+      .dump();
+}
+
 std::string log() {
   return object("foxglove.Log", {{"timestamp", time()},
                                  {"level", choice("foxglove.LogLevel", {{"UNKNOWN", 0},
@@ -91,6 +113,10 @@ std::string world() {
                  {"program", text("that ran it")},
                  {"xml", text("the world file, templates merged in")},
                  {"robots", list(text("id of a robot that is there"))},
+                 {"crowd",
+                  list(text("id of a robot without channels of its own"),
+                       "in the order of the points in the crowd; missing: none"),
+                  false},
                  {"start_xml",
                   text("the same at the start, with the edits that the run was given among its "
                        "changes; missing: xml"),

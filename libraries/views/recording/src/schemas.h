@@ -15,6 +15,7 @@ std::string pose_in_frame();
 std::string scene_update();
 std::string compressed_image();
 std::string log();
+std::string point_cloud();
 
 std::string world();
 std::string state();

@@ -21,24 +21,26 @@ class AccountRecorder::Impl {
   /// A robot whose behaviours have changed starts again.
   void list_robots(const simulation::Simulation& simulation) {
     const double now_s = output::tidy_time(simulation.time_s());
-    const std::vector<std::size_t> before = std::exchange(present_, {});
+    std::map<std::string, std::size_t> before;
+    for (const std::size_t place : std::exchange(present_, {})) {
+      before.emplace(robots_[place].id, place);
+    }
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       TraceRobot robot = introduced(simulation.robot(r));
-      const auto known = std::find_if(before.begin(), before.end(), [&](std::size_t place) {
-        return same_cast(robots_[place], robot);
-      });
-      present_.push_back(known == before.end() ? robots_.size() : *known);
-      if (known == before.end()) {
-        robot.from_s = now_s;
-        watches_.emplace_back(robot);
-        robots_.push_back(std::move(robot));
+      const auto known = before.find(robot.id);
+      if (known != before.end() && same_cast(robots_[known->second], robot)) {
+        present_.push_back(known->second);
+        before.erase(known);
+        continue;
       }
+      present_.push_back(robots_.size());
+      robot.from_s = now_s;
+      watches_.emplace_back(robot);
+      robots_.push_back(std::move(robot));
     }
-    for (const std::size_t place : before) {
-      if (std::find(present_.begin(), present_.end(), place) == present_.end()) {
-        add_up(robots_[place], watches_[place], now_s);
-        robots_[place].to_s = now_s;
-      }
+    for (const auto& [id, place] : before) {  // what is left is gone, or begins again
+      add_up(robots_[place], watches_[place], now_s);
+      robots_[place].to_s = now_s;
     }
   }
 

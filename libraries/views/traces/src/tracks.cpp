@@ -1,6 +1,5 @@
 #include "elsie/traces/tracks.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "elsie/simulation/simulation.h"
@@ -10,7 +9,7 @@ namespace elsie::traces {
 void TrackRecorder::started(const simulation::Simulation& simulation) {
   const double step = simulation.world().physics.step;
   sampling_ = Sampling(static_cast<double>(steps_in(asked_period_s_, step)) * step);
-  ids_.clear();
+  places_.clear();
   tracks_.clear();
   collisions_.clear();
   was_placed_.clear();
@@ -35,18 +34,18 @@ void TrackRecorder::stepped(const simulation::Simulation& simulation) {
 }
 
 void TrackRecorder::replaced(const simulation::Simulation& simulation) {
-  const std::vector<std::string> ids = std::exchange(ids_, {});
+  const std::unordered_map<std::string, std::size_t> places = std::exchange(places_, {});
   std::vector<Track> tracks = std::exchange(tracks_, {});
   const std::vector<int> collisions = std::exchange(collisions_, {});
   const std::vector<bool> was_placed = std::exchange(was_placed_, {});
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    ids_.push_back(simulation.robot(i).description->id);
-    const auto known =
-        static_cast<std::size_t>(std::find(ids.begin(), ids.end(), ids_.back()) - ids.begin());
-    const bool is_new = known == ids.size();
-    tracks_.push_back(is_new ? Track() : std::move(tracks[known]));
-    collisions_.push_back(is_new ? 0 : collisions[known]);
-    was_placed_.push_back(!is_new && was_placed[known]);
+    const std::string& id = simulation.robot(i).description->id;
+    places_.emplace(id, i);
+    const auto known = places.find(id);
+    const bool is_new = known == places.end();
+    tracks_.push_back(is_new ? Track() : std::move(tracks[known->second]));
+    collisions_.push_back(is_new ? 0 : collisions[known->second]);
+    was_placed_.push_back(!is_new && was_placed[known->second]);
   }
 }
 
@@ -72,10 +71,9 @@ void TrackRecorder::note_placements(const simulation::Simulation& simulation) {
     if (!changed || !changed->moves_robot()) {
       continue;
     }
-    for (std::size_t i = 0; i < simulation.robots(); ++i) {
-      if (simulation.robot(i).description->id == event.robot && !tracks_[i].path.empty()) {
-        was_placed_[i] = true;
-      }
+    const auto moved = places_.find(event.robot);
+    if (moved != places_.end() && !tracks_[moved->second].path.empty()) {
+      was_placed_[moved->second] = true;
     }
   }
 }

@@ -187,6 +187,7 @@ class Simulation {
   /// The world at time zero, with all edits given to run() in World::changes: a run of it with the
   /// same seed and time limit is the same, bit for bit.
   world::World start() const;
+  bool has_edits() const;  // otherwise start() is world()
   std::uint64_t seed() const;
   double time_s() const;
   /// The simulated time after which a run ends, even if goals are open, s.

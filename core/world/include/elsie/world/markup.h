@@ -68,7 +68,7 @@ struct ElementSpan {
 };
 
 /// The content of a file. Throws WorldError when the file does not exist, is not a regular file,
-/// cannot be read, or has more than 32 MB.
+/// cannot be read, or has more than 256 MB.
 std::string read_text(const std::string& file);
 
 /// Parses a text and returns its root element. Throws WorldError when the text is not well-formed

@@ -26,7 +26,9 @@ class WorldTree {
     bool is_listed = false;  // true: it has a meaning even without attributes
   };
 
-  explicit WorldTree(const World& world) : root_(make(vocabulary(), &world, {})) {}
+  /// `as_text`: robots and the like are text in their group, which takes a tenth of the memory.
+  explicit WorldTree(const World& world, bool as_text = false)
+      : as_text_(as_text), root_(make(vocabulary(), &world, {})) {}
 
   Element& root() { return root_; }
   /// `element` must have an Element::object.
@@ -38,6 +40,7 @@ class WorldTree {
                     const Meaning& meaning);
   void add_declared(Element& element, const Meaning& meaning);
 
+  bool as_text_;
   std::vector<Meaning> meanings_;  // Element::object is an index into it
   Element root_;
 };

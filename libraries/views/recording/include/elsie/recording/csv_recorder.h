@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "elsie/recording/formats.h"
 #include "elsie/simulation/observer.h"
@@ -29,7 +31,9 @@ class CsvRecorder final : public simulation::Observer {
   /// Creates the file at once; throws std::runtime_error with a sentence when it cannot.
   /// `rate_hz`: samples per simulated second, rounded to whole steps, at most one a step; must be
   /// positive.
-  CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false);
+  /// `robots`: ids of those that get rows; empty: all.
+  CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false,
+              const std::vector<std::string>& robots = {});
   ~CsvRecorder() override;
 
   /// Its entry in the table of formats.

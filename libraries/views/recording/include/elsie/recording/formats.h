@@ -2,11 +2,14 @@
 // recorder of its own, see CONTRIBUTING.md, and a line in formats.cpp.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "elsie/simulation/observer.h"
 
@@ -20,6 +23,9 @@ struct RecorderOptions {
   bool images = false;
   /// True: records the time that each behaviour took to answer; the simulation must measure it.
   bool with_times = false;
+  /// Ids of the robots to record. Empty: the first Format::most_robots. In a table the others have
+  /// no rows; in formats for viewers, their poses alone are recorded.
+  std::vector<std::string> robots{};
   /// The program that records: "elsie 0.1.0".
   std::string program = "elsie";
 };
@@ -30,6 +36,8 @@ struct Format {
   std::string_view mark;         // the first bytes of every such file
   std::string_view maker;        // text in its first kilobyte if Elsie wrote it
   bool images = false;           // true: it has a place for pictures
+  /// Robots that are recorded in full when RecorderOptions::robots is empty.
+  std::size_t most_robots = std::numeric_limits<std::size_t>::max();
   /// Creates the file at once, and throws an exception with a sentence when it cannot.
   std::unique_ptr<simulation::Observer> (*recorder)(const std::filesystem::path& file,
                                                     const RecorderOptions& options) = nullptr;

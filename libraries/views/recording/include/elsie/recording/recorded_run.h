@@ -54,6 +54,7 @@ struct RecordedRun {
   std::string world_file;
   std::string world_xml;  // the file's text, templates merged in
   std::string start_xml;  // the same at the start, with all edits of the run among its changes
+  std::vector<std::string> crowd;  // ids of the robots of which only the poses were recorded
   std::uint64_t seed = 0;
   double time_limit_s = 0.0;  // of the run, which may differ from the world's
   double step_s = 0.0;

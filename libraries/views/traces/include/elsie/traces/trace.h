@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -75,7 +76,8 @@ struct Trace {
   double step_s = 0.0;
   double period_s = 0.0;  // between two decisions
   std::vector<TraceRobot> robots;
-  std::vector<std::string> reasons;  // the first one is empty
+  std::set<std::string> without_decisions{};  // ids of the robots whose decisions nobody recorded
+  std::vector<std::string> reasons;           // the first one is empty
   /// The end of the trace: the end of the run if the trace has it, else the last message or the end
   /// of the last control period with a decision, whichever is later.
   double end_s = 0.0;

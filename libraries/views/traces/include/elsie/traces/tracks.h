@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "elsie/api/geometry.h"
@@ -42,7 +43,7 @@ class TrackRecorder final : public simulation::Observer {
 
   double asked_period_s_;
   Sampling sampling_;
-  std::vector<std::string> ids_;
+  std::unordered_map<std::string, std::size_t> places_;  // of the tracks, by robot
   std::vector<Track> tracks_;
   std::vector<int> collisions_;
   std::vector<bool> was_placed_;  // since the last pose of its path
