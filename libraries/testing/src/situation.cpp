@@ -130,7 +130,7 @@ Perception Situation::perception() const {
     const std::size_t first = v.sensed.size();
     for (auto entry = here; entry != entries_.end(); ++entry) {
       if (is_of_kind(*entry)) {
-        v.sensed.push_back({entry->value.get(), &entry->mounting, entry->sensor});
+        v.sensed.push_back({entry->value.get(), &entry->mounting, entry->sensor.c_str()});
       }
     }
     v.groups.push_back({kind, std::span(v.sensed).subspan(first)});

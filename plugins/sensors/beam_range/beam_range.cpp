@@ -19,7 +19,7 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
   void update_all(const elsie::SensorBatch& all) override {
     for (std::size_t i = 0; i < all.sensors.size(); ++i) {
       const auto& each = all.sensors[i];
-      all.rays[i] = {each.on_robot, beam(each).max_range};
+      all.rays[i] = {&each.place->frame, beam(each).max_range};
     }
     all.world->cast_rays(all.robot, all.rays);
     for (std::size_t i = 0; i < all.sensors.size(); ++i) {

@@ -248,7 +248,9 @@ void Robot::become_sensors(const world::Robot& was, Commons& commons, Becoming& 
       slot.energy_cost = use.energy_cost;
       continue;
     }
-    sensors_.push_back(make_sensor(use, commons, becoming.host(), becoming.problems()));
+    SensorSlot& made = *sensors_.emplace_back(
+        std::make_shared<SensorSlot>(use, becoming.host(), *this));
+    make_sensor(made, use, commons, becoming.host(), becoming.problems());
     if (is_known) {
       becoming.note_lost(description_->id, use.id);
     }

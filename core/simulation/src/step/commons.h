@@ -10,17 +10,10 @@
 
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
-#include "elsie/api/perception.h"
+#include "elsie/api/sensor.h"
 #include "elsie/world/description.h"
 
 namespace elsie::simulation {
-
-/// Where a sensor is on its robot. Sensors at the same place share it: memory that all robots use
-/// is near the processor.
-struct SensorPlace {
-  Mounting mounting;
-  Frame frame;  // in the robot's frame
-};
 
 /// Of a world, which must outlive this.
 class Commons {
@@ -31,6 +24,7 @@ class Commons {
   int number_of(std::size_t robot) const { return numbers_[robot]; }
   /// The colours of the resources that a robot of this team may collect, each once, in file order.
   const std::vector<Colour>& resource_colours(const std::string& team);
+  /// Sensors at the same place share it: memory that all robots use is near the processor.
   std::shared_ptr<const SensorPlace> place(const Mounting& mounting);
 
  private:

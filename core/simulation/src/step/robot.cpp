@@ -36,7 +36,11 @@ Robot::Robot(const world::World& world, std::size_t index, Commons& commons, con
   const plugin::Call call({.robot = description.id.c_str()});
   std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
-    sensors_.push_back(make_sensor(use, commons, host, problems));
+    sensors_.push_back(std::make_shared<SensorSlot>(use, host, *this));
+  }
+  // One after the other, so that they are near each other in memory.
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    make_sensor(*sensors_[i], description.sensors[i], commons, host, problems);
   }
   controller_ = std::make_unique<Controller>(
       description, host, Controller::Setting{guard_, *this, names_, options.measure_time},
@@ -69,17 +73,14 @@ void Robot::list_members() {
   controller_->list_members("", 0, -1, trace_);
 }
 
-std::shared_ptr<Robot::SensorSlot> Robot::make_sensor(const world::SensorUse& use,
-                                                      Commons& commons, const plugin::Host& host,
-                                                      std::vector<base::Problem>& problems) const {
-  auto slot = std::make_shared<SensorSlot>(use, host, *this);
-  slot->energy_cost = use.energy_cost;
-  slot->make(host, problems);
-  slot->place = commons.place(mounting_of(use, description_->body));
-  if (slot->held) {
-    slot->camera = blaming(use, problems, [&] { return slot->object().camera(); });
+void Robot::make_sensor(SensorSlot& slot, const world::SensorUse& use, Commons& commons,
+                        const plugin::Host& host, std::vector<base::Problem>& problems) const {
+  slot.energy_cost = use.energy_cost;
+  slot.make(host, problems);
+  slot.place = commons.place(mounting_of(use, description_->body));
+  if (slot.held) {
+    slot.camera = blaming(use, problems, [&] { return slot.object().camera(); });
   }
-  return slot;
 }
 
 /// Copies what only an edit of the description changes, and data of the team: the robot's index,
@@ -168,7 +169,7 @@ void Robot::group_readings() {
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (kind_of[i] == kind) {
         const SensorSlot& slot = *sensors_[i];
-        sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id});
+        sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id.c_str()});
       }
     }
     groups_.push_back({kind, std::span(sensed_).subspan(first)});
@@ -180,8 +181,7 @@ void Robot::group_readings() {
 void Robot::group_sensors() {
   entries_.clear();
   for (const auto& slot : sensors_) {
-    const auto& [mounting, frame] = *slot->place;
-    entries_.push_back({&slot->object(), &frame, &mounting, &slot->random});
+    entries_.push_back({&slot->object(), slot->place.get(), &slot->random});
   }
   together_.clear();
   sensor_cost_.reset();

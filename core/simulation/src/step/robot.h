@@ -199,9 +199,8 @@ class Robot final : private Wishes {
   void replace_drive(Swap& swap);
   /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.
   void check_needs() const;
-  std::shared_ptr<SensorSlot> make_sensor(const world::SensorUse& use, Commons& commons,
-                                          const plugin::Host& host,
-                                          std::vector<base::Problem>& problems) const;
+  void make_sensor(SensorSlot& slot, const world::SensorUse& use, Commons& commons,
+                   const plugin::Host& host, std::vector<base::Problem>& problems) const;
   void take_membership(const world::World& world, std::size_t index, Commons& commons);
   void become_sensors(const world::Robot& was, Commons& commons, Becoming& becoming);
   void take_live(bool has_new_drive, bool has_new_energy);
@@ -220,22 +219,11 @@ class Robot final : private Wishes {
   void carry_out(const Motion& motion);
 
   const world::Robot* description_;
-  mutable Guard guard_;  // reading a plugin's numbers can fail, too
-  Names names_;
 
-  world::PluginUse drive_use_;  // of a world without <drive>
-  std::shared_ptr<DriveSlot> drive_;
-  BodyPlan driven_;
-  std::vector<JointSetting> joints_;         // measured
-  std::vector<JointSetting> wanted_joints_;  // set points, one for each of joints_
-  world::DriveCheck drive_check_;
-  double period_s_ = 0.01;  // of the last decision
-
-  std::vector<std::shared_ptr<SensorSlot>> sensors_;
-  std::unique_ptr<Controller> controller_;
-  std::vector<TracedMember> trace_;
-  Random unused_random_;  // each plugin object draws from its own
-
+  // What each step needs, close together: a crowd is larger than the processor's caches.
+  bool may_share_threads_ = true;
+  bool charge_asked_ = false;
+  bool empty_ = false;
   /// Sensors that are updated in one call: one sensor, or several of one plugin.
   struct Together {
     std::size_t first;
@@ -243,25 +231,34 @@ class Robot final : private Wishes {
   };
   std::vector<Together> together_;
   std::vector<SensorBatch::Entry> entries_;  // of the sensors
-  std::optional<double> sensor_cost_;        // of all sensors, units per second; none: not known
-  bool may_share_threads_ = true;
-
-  std::vector<SensedReading> sensed_;  // in groups of one kind
-  std::vector<ReadingGroup> groups_;
+  std::vector<std::shared_ptr<SensorSlot>> sensors_;
+  std::unique_ptr<Controller> controller_;
+  std::shared_ptr<DriveSlot> drive_;
+  std::vector<JointSetting> joints_;         // measured
+  std::vector<JointSetting> wanted_joints_;  // set points, one for each of joints_
+  double period_s_ = 0.01;                   // of the last decision
+  Frame body_frame_;
+  Perception::Data perception_;
+  OwnState state_;
+  TeamState team_;
   std::vector<TeamMate> mates_;
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
   std::size_t logged_ = 0;                // number of them that the log has
-  OwnState state_;
-  TeamState team_;
-  std::vector<Colour> resource_colours_;
-  Perception::Data perception_;
-  Frame body_frame_;
+  std::optional<double> sensor_cost_;     // of all sensors, units per second; none: not known
   Motion asked_;
-
-  bool charge_asked_ = false;
-  bool empty_ = false;
   Tally tally_;
+  mutable Guard guard_;  // reading a plugin's numbers can fail, too
+
+  Names names_;
+  world::PluginUse drive_use_;  // of a world without <drive>
+  BodyPlan driven_;
+  world::DriveCheck drive_check_;
+  std::vector<TracedMember> trace_;
+  Random unused_random_;               // each plugin object draws from its own
+  std::vector<SensedReading> sensed_;  // in groups of one kind
+  std::vector<ReadingGroup> groups_;
+  std::vector<Colour> resource_colours_;
 };
 
 }  // namespace elsie::simulation

@@ -79,7 +79,7 @@ struct TeamState {
 struct SensedReading {
   const void* value = nullptr;
   const Mounting* mounting = nullptr;
-  std::string_view sensor;  // its id
+  const char* sensor = "";  // its id
 };
 
 /// All readings of one kind, in the order of the sensors in the world file.

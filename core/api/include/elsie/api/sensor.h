@@ -84,14 +84,19 @@ struct SensorContext {
   const Image* image = nullptr;  // the present picture of its camera; see Sensor::camera()
 };
 
+/// Where a sensor is on its robot.
+struct SensorPlace {
+  Mounting mounting;
+  Frame frame;  // the same, in the frame of the robot
+};
+
 class Sensor;
 
 /// Several sensors of one plugin on one robot, which are updated in one call.
 struct SensorBatch {
   struct Entry {
-    Sensor* sensor;         // of the same class as the called object
-    const Frame* on_robot;  // its frame, in the frame of the robot
-    const Mounting* mounting;
+    Sensor* sensor;  // of the same class as the called object
+    const SensorPlace* place;
     Random* random;
   };
   std::span<const Entry> sensors;
@@ -103,7 +108,7 @@ struct SensorBatch {
 
   /// What update() of one of them gets.
   SensorContext now(const Entry& each) const {
-    return {time_s, period_s, robot.frame(*each.on_robot), each.mounting, world, each.random};
+    return {time_s, period_s, robot.frame(each.place->frame), &each.place->mounting, world, each.random};
   }
 };
 
