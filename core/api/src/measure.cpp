@@ -12,9 +12,7 @@ namespace {
 template <class Range, class IdOf>
 std::string those_there(const Range& range, IdOf id_of) {
   constexpr std::size_t kMost = 12;
-  if (range.empty()) {
-    return "; there is none";
-  }
+  if (range.empty()) return "; there is none";
   std::string text = range.size() == 1 ? "; there is " : "; there are ";
   for (std::size_t i = 0; i < std::min(range.size(), kMost); ++i) {
     text.append(i == 0 ? "'" : ", '").append(id_of(range[i])).append("'");

@@ -34,9 +34,7 @@ std::string Changed::detail() const {
 
 std::optional<Changed> Changed::from(std::string_view detail) {
   const std::size_t equals = detail.find('=');
-  if (equals == std::string_view::npos) {
-    return std::nullopt;
-  }
+  if (equals == std::string_view::npos) return std::nullopt;
   const std::string_view path = detail.substr(0, equals);
   const std::size_t at = path.rfind('@');
   const std::string value(detail.substr(equals + 1));

@@ -102,9 +102,7 @@ void Crew::help(std::size_t thread) {
 void Crew::take_shares(std::size_t thread) {
   for (;;) {
     const std::size_t first = next_.fetch_add(share_, std::memory_order_relaxed);
-    if (first >= items_) {
-      return;
-    }
+    if (first >= items_) return;
     try {
       call_(work_, {first, std::min(items_, first + share_), thread});
     } catch (...) {

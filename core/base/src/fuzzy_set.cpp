@@ -5,15 +5,11 @@
 namespace elsie {
 
 double FuzzySet::degree(double x) const {
-  if (points.empty()) {
-    return 0.0;
-  }
+  if (points.empty()) return 0.0;
   // The first point right of x, and the last at or left of it.
   const auto right = std::upper_bound(points.begin(), points.end(), x,
                                       [](double value, const Point& p) { return value < p.x; });
-  if (right == points.begin()) {
-    return right->degree;
-  }
+  if (right == points.begin()) return right->degree;
   const Point& left = *(right - 1);
   if (left.x == x) {
     double highest = left.degree;
@@ -22,9 +18,7 @@ double FuzzySet::degree(double x) const {
     }
     return highest;
   }
-  if (right == points.end()) {
-    return left.degree;
-  }
+  if (right == points.end()) return left.degree;
   return left.degree + (right->degree - left.degree) * (x - left.x) / (right->x - left.x);
 }
 

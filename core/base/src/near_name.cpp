@@ -46,16 +46,12 @@ constexpr std::size_t kLongestName = 100;  // longer texts are not misspelled na
 
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates) {
-  if (name.empty() || name.size() > kLongestName) {
-    return std::nullopt;
-  }
+  if (name.empty() || name.size() > kLongestName) return std::nullopt;
   const std::string wanted = folded(name);
   std::optional<std::string_view> nearest;
   std::size_t limit = std::max<std::size_t>(1, wanted.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
-    if (candidate.empty() || candidate.size() > kLongestName) {
-      continue;
-    }
+    if (candidate.empty() || candidate.size() > kLongestName) continue;
     const std::size_t here = distance(wanted, folded(candidate));
     // If every letter changed, the two names have nothing in common.
     if (here < limit && here < std::max(wanted.size(), candidate.size())) {

@@ -21,9 +21,7 @@ std::string megabytes(std::uintmax_t bytes) {
 }  // namespace
 
 std::string why_unreadable(const fs::path& file, std::uintmax_t most) {
-  if (file.empty()) {
-    return "has no name";
-  }
+  if (file.empty()) return "has no name";
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   switch (status.type()) {

@@ -45,9 +45,7 @@ std::size_t first_invalid(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t bytes = character_at(text, at).bytes;
-    if (bytes == 0) {
-      return at;
-    }
+    if (bytes == 0) return at;
     at += bytes;
   }
   return at;

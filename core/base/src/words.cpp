@@ -24,9 +24,7 @@ std::string joined(const std::vector<std::string>& items, std::string_view separ
 
 std::string listed(const std::vector<std::string>& items) {
   constexpr std::size_t kMost = 20;
-  if (items.size() <= kMost) {
-    return joined(items);
-  }
+  if (items.size() <= kMost) return joined(items);
   return joined({items.begin(), items.begin() + kMost}) + " and " +
          std::to_string(items.size() - kMost) + " more";
 }

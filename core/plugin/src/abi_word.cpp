@@ -42,13 +42,9 @@ std::optional<std::pair<unsigned, unsigned>> version_of(std::string_view text) {
   unsigned minor = 0;
   const char* const end = text.data() + text.size();
   const auto [dot, bad_major] = std::from_chars(text.data(), end, major);
-  if (bad_major != std::errc() || dot == end || *dot != '.') {
-    return std::nullopt;
-  }
+  if (bad_major != std::errc() || dot == end || *dot != '.') return std::nullopt;
   const auto [rest, bad_minor] = std::from_chars(dot + 1, end, minor);
-  if (bad_minor != std::errc() || rest != end) {
-    return std::nullopt;
-  }
+  if (bad_minor != std::errc() || rest != end) return std::nullopt;
   return std::pair(major, minor);
 }
 
@@ -60,9 +56,7 @@ std::string interface_difference(std::string_view host, std::string_view library
   if (!ours || !theirs) {
     return host == library ? "" : text + ", where this program has " + std::string(host);
   }
-  if (*theirs > *ours) {
-    return text + ", which is newer than this program's " + std::string(host);
-  }
+  if (*theirs > *ours) return text + ", which is newer than this program's " + std::string(host);
   // Before 1.0, each minor version may break plugins of the one before.
   const bool is_too_old = theirs->first < ours->first || (ours->first == 0 && *theirs < *ours);
   return is_too_old ? text + ", which is older than this program's " + std::string(host) : "";
@@ -100,9 +94,7 @@ std::optional<std::string> abi_mismatch(std::string_view host, std::string_view 
       compare(entry.first);
     }
   }
-  if (differences.empty()) {
-    return std::nullopt;
-  }
+  if (differences.empty()) return std::nullopt;
   const auto version = value_of(ours, kInterface);
   return "was built " + joined(differences, ", and ") +
          "; rebuild it with the headers of this Elsie (plugin interface " +

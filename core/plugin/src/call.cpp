@@ -28,9 +28,7 @@ void Call::stop_clock() noexcept {
 }
 
 void Call::watch_for_copies(void (*end_copy)() noexcept) {
-  if (at_end_of_copy.exchange(end_copy)) {
-    return;
-  }
+  if (at_end_of_copy.exchange(end_copy)) return;
   const auto in_parent = [] {
     if (innermost_) {
       innermost_->has_forked_ = true;

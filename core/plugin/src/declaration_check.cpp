@@ -123,9 +123,7 @@ class Checker {
     }
     for (const ParameterDeclaration& parameter : element->parameters) {
       const auto given = value.parameters.find(parameter.name);
-      if (given == value.parameters.end()) {
-        continue;
-      }
+      if (given == value.parameters.end()) continue;
       if (const auto wrong = check_value(parameter, given->second)) {
         fault("in the default list of elements '" + value.element + "' " + *wrong);
       } else if (parameter.type == ParameterType::file &&

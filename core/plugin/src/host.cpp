@@ -112,13 +112,9 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
     files.push_back(directory.path);
     return "";
   }
-  if (!S_ISDIR(status.st_mode)) {
-    return "is not a directory";
-  }
+  if (!S_ISDIR(status.st_mode)) return "is not a directory";
   const auto [known, is_new] = seen.try_emplace({status.st_dev, status.st_ino}, directory.path);
-  if (!is_new) {
-    return "is the same directory as " + known->second.string();
-  }
+  if (!is_new) return "is the same directory as " + known->second.string();
   std::error_code error;
   for (fs::directory_iterator at(directory.path, error), end; !error && at != end;
        at.increment(error)) {
@@ -144,9 +140,7 @@ fs::path Host::State::former_of(std::size_t place) const {
 /// Keeps libraries in use that are no longer in the directory.
 void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
                             const fs::path& former) {
-  if (!before) {
-    return;
-  }
+  if (!before) return;
   for (const auto& old : before->loaded) {
     const fs::path& path = old.first;
     const bool here = path == found.directory.path || path.parent_path() == found.directory.path ||
@@ -208,9 +202,7 @@ FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
 
 /// The file if the previous host had loaded it, or null.
 const LoadedFiles::value_type* Host::State::known(const fs::path& file) const {
-  if (!before) {
-    return nullptr;
-  }
+  if (!before) return nullptr;
   const auto at = before->loaded.find(file);
   return at == before->loaded.end() ? nullptr : &*at;
 }
@@ -367,9 +359,7 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
   }
   std::string text = "there is no " + title(kind, name);
   const std::string hint = base::did_you_mean(name, names);
-  if (!hint.empty()) {
-    return text + hint;
-  }
+  if (!hint.empty()) return text + hint;
   for (const PluginKind other : kPluginKinds) {
     if (other != kind && find(other, name)) {
       text += "; '" + std::string(name) + "' is a " + std::string(kind_name(other));

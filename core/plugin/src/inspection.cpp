@@ -135,9 +135,7 @@ void check_segments(const Source& file, const std::vector<Elf64_Phdr>& segments)
   bool has_code = false;
   bool has_symbols = false;
   for (const Elf64_Phdr& segment : segments) {
-    if (segment.p_type == PT_NULL) {
-      continue;
-    }
+    if (segment.p_type == PT_NULL) continue;
     if (segment.p_filesz > 0 && !file.contains(segment.p_offset, segment.p_filesz)) {
       damaged(kCutShort);
     }
@@ -155,9 +153,7 @@ void check_segments(const Source& file, const std::vector<Elf64_Phdr>& segments)
 /// The linker writes the section headers last, so they show whether the file is complete. (A
 /// library may have none.)
 void check_end(const Source& file, const Elf64_Ehdr& header) {
-  if (header.e_shoff == 0 || header.e_shnum == 0) {
-    return;
-  }
+  if (header.e_shoff == 0 || header.e_shnum == 0) return;
   const std::uint64_t bytes = std::uint64_t{header.e_shnum} * sizeof(Elf64_Shdr);
   if (header.e_shentsize != sizeof(Elf64_Shdr)) {
     damaged("is a damaged library: its list of sections makes no sense; build or copy it again");
@@ -201,9 +197,7 @@ void find_words(std::string_view notes, std::uint64_t alignment, std::vector<std
     const std::uint64_t owner = at + sizeof note;
     const std::uint64_t text = at + padded(sizeof note + std::uint64_t{note.n_namesz}, alignment);
     const std::uint64_t end = text + note.n_descsz;
-    if (owner + note.n_namesz > notes.size() || end > notes.size()) {
-      return;
-    }
+    if (owner + note.n_namesz > notes.size() || end > notes.size()) return;
     if (note.n_type == ELSIE_ABI_NOTE_TYPE && notes.substr(owner, note.n_namesz) == kOwner) {
       words.push_back(word_of(notes.substr(text, note.n_descsz)));
     }
@@ -215,18 +209,14 @@ void find_words(std::string_view notes, std::uint64_t alignment, std::vector<std
 std::optional<std::string> read_word(const Source& file, const std::vector<Elf64_Phdr>& segments) {
   std::vector<std::string> words;
   for (const Elf64_Phdr& segment : segments) {
-    if (segment.p_type != PT_NOTE || segment.p_filesz > kMostNoteBytes) {
-      continue;
-    }
+    if (segment.p_type != PT_NOTE || segment.p_filesz > kMostNoteBytes) continue;
     std::string notes(segment.p_filesz, '\0');
     if (!file.read(segment.p_offset, notes.data(), notes.size())) {
       damaged(kCutShort);
     }
     find_words(notes, segment.p_align == 8 ? 8 : 4, words);
   }
-  if (words.empty()) {
-    return std::nullopt;
-  }
+  if (words.empty()) return std::nullopt;
   if (std::adjacent_find(words.begin(), words.end(), std::not_equal_to<>()) != words.end()) {
     damaged("consists of parts with different ABI words; rebuild it from scratch");
   }

@@ -49,9 +49,7 @@ Type facts_of(ParameterType type) {
 std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
 
 std::string value_text(const ParameterValue& value) {
-  if (value.valueless_by_exception()) {
-    return "nothing";
-  }
+  if (value.valueless_by_exception()) return "nothing";
   const bool has_blanks = std::holds_alternative<std::string>(value) ||
                           std::holds_alternative<std::vector<double>>(value);
   return has_blanks ? in_quotes(format_value(value)) : format_value(value);
@@ -198,9 +196,7 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
   }
   const Type type = facts_of(parameter.type);
   std::string text = type.words;
-  if (!type.is_number) {
-    return text;
-  }
+  if (!type.is_number) return text;
   const std::vector<std::string> limits = limit_texts(parameter);
   const std::string& unit = parameter.facts.unit;
   if (!limits.empty()) {
@@ -215,9 +211,7 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
 std::optional<std::string> check_value(const ParameterDeclaration& parameter,
                                        const ParameterValue& value) {
   const bool right_type = value.index() == facts_of(parameter.type).alternative;
-  if (right_type && is_allowed(parameter, value)) {
-    return std::nullopt;
-  }
+  if (right_type && is_allowed(parameter, value)) return std::nullopt;
   std::string sentence = parameter.name + " is " + value_text(value);
   if (right_type) {
     sentence += refusal_of(parameter, value);

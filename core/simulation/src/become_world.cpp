@@ -274,9 +274,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
   }
   become_changes(was);
   become_robots(was, becoming);
-  if (!becoming.problems().empty()) {
-    return;
-  }
+  if (!becoming.problems().empty()) return;
   const auto is_placed = [&](const world::Robot& robot) {
     const auto i = static_cast<std::size_t>(&robot - world_.robots.data());
     const std::size_t place = place_of(was.robots, robot.id, i);
@@ -293,9 +291,7 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
 
 /// Schedules the world's own changes that are still due.
 void Simulation::Impl::become_changes(const world::World& was) {
-  if (same_part("changes", was, world_)) {
-    return;
-  }
+  if (same_part("changes", was, world_)) return;
   ++own_changes_;
   std::vector<TimedChange> added;
   for (const world::TimedEdit& edit : world_.changes) {
@@ -452,9 +448,7 @@ void Simulation::Impl::check_room(const world::World& was,
 void Simulation::Impl::become_measures(const world::World& was, Becoming& becoming) {
   const auto before = measuring_;
   measuring_ = std::make_shared<Measuring>(world_, *host_, options_.budget, becoming.problems());
-  if (!becoming.problems().empty()) {
-    return;
-  }
+  if (!becoming.problems().empty()) return;
   if (same_part("teams", was, world_) && same_part("physics", was, world_) &&
       same_part("arena", was, world_)) {
     measuring_->take(*before, was.measures, becoming.undo());

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "step/robot.h"
 #include "step/commons.h"
+#include "step/robot.h"
 
 namespace elsie::simulation {
 

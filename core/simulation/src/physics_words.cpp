@@ -24,9 +24,7 @@ std::string name_of(const world::World& world, const physics::Failure& failure) 
     const world::Robot& robot = world.robots.at(index);
     const std::string name = "the robot '" + robot.id + "'";
     const std::size_t of_drive = failure.segment ? world::driven_plan(robot).vehicles() - 1 : 0;
-    if (!failure.segment || *failure.segment < of_drive) {
-      return name + place_of(robot.location);
-    }
+    if (!failure.segment || *failure.segment < of_drive) return name + place_of(robot.location);
     const world::Segment& segment = robot.segments.at(*failure.segment - of_drive);
     return "the segment '" + segment.id + "' of " + name + place_of(segment.location);
   }
@@ -49,9 +47,7 @@ std::string likely_cause(const world::World& world, const physics::Failure& fail
   }
   found = found != all.end() ? found : explains(About::physics, {});
   found = found != all.end() ? found : all.begin();
-  if (found != all.end()) {
-    return found->message;
-  }
+  if (found != all.end()) return found->message;
   switch (failure.kind) {
     case physics::Failure::Kind::outside:
       return "it climbed over the walls, or a moving box pressed it through them";
@@ -85,9 +81,7 @@ void note_new_warnings(const world::World& world, double time_s, std::vector<Not
 
 void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, std::uint64_t steps,
                    std::vector<Note>& notes) {
-  if (give_ups.steps == 0) {
-    return;
-  }
+  if (give_ups.steps == 0) return;
   std::string text = "the solver gave up in " + std::to_string(give_ups.steps) + " of " +
                      base::counted(steps, "step") + ", for the first time at " +
                      base::seconds_text(give_ups.first_s) +

@@ -232,9 +232,7 @@ SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
           state.yaw_rad, state.pitch_rad};
 }
 std::optional<Pose> Simulation::box(std::size_t index) const {
-  if (!impl_->engine_->has_box(index)) {
-    return std::nullopt;
-  }
+  if (!impl_->engine_->has_box(index)) return std::nullopt;
   const Frame frame = impl_->engine_->box(index);
   return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
 }

@@ -363,10 +363,11 @@ class Simulation::Impl {
   RobotLoop loop_;
   std::vector<SensingMemory> memory_;  // of each thread
   Touches touches_;
-  std::optional<Neighbours> neighbours_{std::in_place, world_.arena};  // positions at the last control step
-  double farthest_call_m_ = 0.0;         // the largest coverage of a robot
-  bool knows_calls_ = false;             // false: a coverage may have changed
-  std::vector<char> attention_;          // of robots: may have events for the log, or be charging
+  std::optional<Neighbours> neighbours_{std::in_place,
+                                        world_.arena};  // positions at the last control step
+  double farthest_call_m_ = 0.0;                        // the largest coverage of a robot
+  bool knows_calls_ = false;                            // false: a coverage may have changed
+  std::vector<char> attention_;  // of robots: may have events for the log, or be charging
 };
 
 }  // namespace elsie::simulation

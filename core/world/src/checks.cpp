@@ -42,17 +42,13 @@ void check_ids(const Element& holder, const ElementSpec& spec, const std::string
   for (const ElementSpec& group : spec.below()) {
     const Element* list = group.group ? holder.child(group.name) : nullptr;
     const ElementSpec* member = list ? &group.children.front() : nullptr;
-    if (!member || member->at_most == 1 || !member->attribute("id")) {
-      continue;
-    }
+    if (!member || member->at_most == 1 || !member->attribute("id")) continue;
     const bool of_boxes = group.name == "obstacles" || group.name == "resources";
     const std::string what = (of_boxes ? "box" : group.members) + whose;
     for (const Element& child : list->children) {
       check_ids(child, *member, " of this " + child.name, problems);
       const Attribute* id = child.find("id");
-      if (!id) {
-        continue;
-      }
+      if (!id) continue;
       const auto [known, fresh] = first[what].emplace(id->value, id->where);
       if (!fresh) {
         problems.add(id->where, "a second " + what + " with the id '" + id->value +
@@ -93,9 +89,7 @@ void check_mentions(const Reading& reading, Problems& problems) {
 
 void check_physics(const Element& root, const Physics& physics, Problems& problems) {
   const Element* element = root.child("physics");
-  if (!element) {
-    return;
-  }
+  if (!element) return;
   const Attribute* kp = element->find("kp");
   const Attribute* kd = element->find("kd");
   if (!kp != !kd) {
@@ -171,9 +165,7 @@ class CoordinationCheck {
 
   void check(const PluginUse& use, PluginKind kind) {
     const Declaration* declaration = host_.find(kind, use.plugin);
-    if (!declaration) {
-      return;
-    }
+    if (!declaration) return;
     for (const ReadingDeclaration& need : declaration->needs) {
       check_need(use, need);
     }

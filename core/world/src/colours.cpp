@@ -17,9 +17,7 @@ constexpr int kLeastChroma = 24;
 std::optional<double> hue_deg(const Colour& c) {
   const int high = std::max({c.red, c.green, c.blue}), low = std::min({c.red, c.green, c.blue});
   const double chroma = high - low;
-  if (chroma < kLeastChroma) {
-    return std::nullopt;
-  }
+  if (chroma < kLeastChroma) return std::nullopt;
   const double hue = high == c.red     ? 60.0 * (c.green - c.blue) / chroma
                      : high == c.green ? 120.0 + 60.0 * (c.blue - c.red) / chroma
                                        : 240.0 + 60.0 * (c.red - c.green) / chroma;
@@ -81,24 +79,18 @@ void colour_teams(World& world) {
 
 Colour team_colour(const World& world, std::string_view team) {
   for (const Team& known : world.teams) {
-    if (known.id == team && known.colour) {
-      return *known.colour;
-    }
+    if (known.id == team && known.colour) return *known.colour;
   }
   return team == "red" ? kRedTeam : team == "blue" ? kBlueTeam : kNoTeam;
 }
 
 Colour resource_colour(const World& world, const Box& resource) {
-  if (resource.colour) {
-    return *resource.colour;
-  }
+  if (resource.colour) return *resource.colour;
   return resource.team.empty() ? kResourceOfNoTeam : team_colour(world, resource.team);
 }
 
 Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise) {
-  if (box.kind == BoxKind::resource) {
-    return resource_colour(world, box);
-  }
+  if (box.kind == BoxKind::resource) return resource_colour(world, box);
   return box.colour.value_or(box.kind == BoxKind::fixed     ? otherwise.fixed
                              : box.kind == BoxKind::dynamic ? otherwise.dynamic
                                                             : otherwise.moving);

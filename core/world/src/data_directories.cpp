@@ -53,9 +53,7 @@ std::string find_document(const std::string& name,
     return name;  // its reader reports what is wrong with it
   }
   const Files files(name, data_directories);
-  if (auto found = files.find_data(name)) {
-    return std::move(*found);
-  }
+  if (auto found = files.find_data(name)) return std::move(*found);
   std::vector<std::string> folders{""};
   folders.insert(folders.end(), data_directories.begin(), data_directories.end());
   throw WorldError({{name, 0,

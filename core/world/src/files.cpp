@@ -68,24 +68,18 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
     const auto file = find(name, Location{});
     return file && absolute(*file) == target;
   };
-  if (leads_there(written)) {
-    return written;
-  }
+  if (leads_there(written)) return written;
   for (const std::string& directory : data_directories_) {
     const std::string name =
         fs::path(target).lexically_relative(absolute(directory)).generic_string();
-    if (!name.empty() && !name.starts_with("..") && leads_there(name)) {
-      return name;
-    }
+    if (!name.empty() && !name.starts_with("..") && leads_there(name)) return name;
   }
   // Both paths must be relative, as the user wrote them, or both absolute.
   const fs::path from = folder(Location{});
   for (const fs::path& name :
        {fs::path(found).lexically_relative(from.lexically_normal()),
         fs::path(target).lexically_relative(absolute(from.empty() ? "." : from.string()))}) {
-    if (!name.empty() && leads_there(name.generic_string())) {
-      return name.generic_string();
-    }
+    if (!name.empty() && leads_there(name.generic_string())) return name.generic_string();
   }
   return target;
 }
@@ -116,9 +110,7 @@ std::string Files::advice(const std::string& attribute, const std::string& value
   fs::path end;  // gets longer in every iteration; the longest that leads to a file is the best
   for (auto part = path.end(); part != path.begin();) {
     --part;
-    if (*part == ".." || *part == path.root_directory()) {
-      break;
-    }
+    if (*part == ".." || *part == path.root_directory()) break;
     end = end.empty() ? *part : *part / end;
     if (const auto found = find_data(end.string())) {
       advice =
@@ -129,9 +121,7 @@ std::string Files::advice(const std::string& attribute, const std::string& value
 }
 
 std::string Files::data_places() const {
-  if (data_directories_.empty()) {
-    return "in any data directory (none is given)";
-  }
+  if (data_directories_.empty()) return "in any data directory (none is given)";
   return (data_directories_.size() == 1 ? "in the data directory " : "in the data directories ") +
          base::joined(data_directories_);
 }
@@ -156,9 +146,7 @@ std::string did_you_mean_file(const std::string& missing, const std::vector<std:
     }
     const auto near = base::nearest_name(path.filename().string(),
                                          std::vector<std::string_view>(names.begin(), names.end()));
-    if (near) {
-      return "; did you mean '" + fs::path(missing).replace_filename(*near).string() + "'?";
-    }
+    if (near) return "; did you mean '" + fs::path(missing).replace_filename(*near).string() + "'?";
   }
   return "";
 }

@@ -53,9 +53,7 @@ bool separates(const Footprint& a, const Footprint& b) {
 }  // namespace
 
 double Footprint::reach(double ux, double uy) const {
-  if (round) {
-    return half_length;
-  }
+  if (round) return half_length;
   if (!outline.empty()) {
     const std::vector<Vector2> corners = corners_of(*this);
     double most = 0.0;
@@ -92,9 +90,7 @@ Vector3 extents_of(std::span<const Part> vehicle) {
 }
 
 double radius_of(std::span<const Part> vehicle) {
-  if (!vehicle.front().shape.is_round()) {
-    return 0.0;
-  }
+  if (!vehicle.front().shape.is_round()) return 0.0;
   double radius = 0.0;
   for (const Part& part : vehicle) {
     radius = std::max(radius, farthest_of(part, part.frame.origin));
@@ -149,9 +145,7 @@ std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, dou
 }
 
 bool overlap(const Footprint& a, const Footprint& b) {
-  if (a.bottom >= b.top - kTouching || b.bottom >= a.top - kTouching) {
-    return false;
-  }
+  if (a.bottom >= b.top - kTouching || b.bottom >= a.top - kTouching) return false;
   const auto radius = [](const Footprint& area) {
     return area.round ? area.half_length : std::hypot(area.half_length, area.half_width);
   };
@@ -220,9 +214,7 @@ std::vector<Vector2> centered_outline(std::span<const Vector2> points) {
 std::optional<std::string> outside(const Arena& arena, const std::string& what, double x,
                                    double y) {
   const double length = 0.5 * arena.length, width = 0.5 * arena.width;
-  if (std::abs(x) <= length && std::abs(y) <= width) {
-    return std::nullopt;
-  }
+  if (std::abs(x) <= length && std::abs(y) <= width) return std::nullopt;
   return what + " at (" + number_text(x) + ", " + number_text(y) +
          ") is outside of the arena, which reaches from " + number_text(-length) + " to " +
          number_text(length) + " in x and from " + number_text(-width) + " to " +
@@ -231,12 +223,8 @@ std::optional<std::string> outside(const Arena& arena, const std::string& what, 
 
 std::optional<std::string> outside(const Arena& arena, const std::string& what,
                                    const Footprint& footprint) {
-  if (auto problem = outside(arena, what, footprint.x, footprint.y)) {
-    return problem;
-  }
-  if (!arena.walls || footprint.bottom >= arena.wall_height) {
-    return std::nullopt;
-  }
+  if (auto problem = outside(arena, what, footprint.x, footprint.y)) return problem;
+  if (!arena.walls || footprint.bottom >= arena.wall_height) return std::nullopt;
   const struct {
     const char* name;
     double overhang;

@@ -20,9 +20,7 @@ void number(Element& list, bool numbered) {
   for (Element& child : list.children) {
     const bool named = child.find("id") != nullptr;
     int number = named && !numbered ? 0 : ++count[child.name];
-    if (named) {
-      continue;
-    }
+    if (named) continue;
     const auto name = [&] {
       return number == 1 && !numbered ? child.name : child.name + "_" + std::to_string(number);
     };
@@ -63,9 +61,7 @@ void complete_ids(Element& element, const ElementSpec& spec) {
   for (const ElementSpec& group : spec.below()) {
     Element* list = element.child(group.name);
     if (list && !group.group && !group.plugins) complete_ids(*list, group);  // as in <scatter>
-    if (!list || !group.group) {
-      continue;
-    }
+    if (!list || !group.group) continue;
     const ElementSpec& member = group.children.front();
     if (const AttributeSpec* id = member.attribute("id"); id && !id->required) {
       number(*list, !member.plugins);

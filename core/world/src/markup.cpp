@@ -34,9 +34,7 @@ void check_encoding(const tinyxml2::XMLDocument& document, const std::string& fi
   const std::string_view text = declaration ? declaration->Value() : "";
   const std::size_t open = text.find_first_of("\"'", text.find("encoding"));
   const std::size_t close = text.find_first_of("\"'", open == text.npos ? open : open + 1);
-  if (!text.starts_with("xml") || close == text.npos) {
-    return;
-  }
+  if (!text.starts_with("xml") || close == text.npos) return;
   const std::string encoding(text.substr(open + 1, close - open - 1));
   if (strcasecmp(encoding.c_str(), "utf-8") != 0 && strcasecmp(encoding.c_str(), "us-ascii") != 0) {
     fail(file, declaration->GetLineNum(),
@@ -160,9 +158,7 @@ std::string start_tag(const Element& element) {
 }
 
 std::string markup_of(const Element& element) {
-  if (element.children.empty() && element.text.empty()) {
-    return start_tag(element) + "/>";
-  }
+  if (element.children.empty() && element.text.empty()) return start_tag(element) + "/>";
   std::string text = start_tag(element) + ">" + escaped_attribute(element.text);
   for (const Element& child : element.children) {
     text += markup_of(child);

@@ -125,9 +125,7 @@ void mark(const std::vector<Place>& places, const std::string& value, const Loca
 void take_out(const std::vector<Place>& places, const std::string& attribute,
               const std::string& value, bool is_running) {
   require_true_or_false(places, value);
-  if (value == "false" || places.empty()) {
-    return;
-  }
+  if (value == "false" || places.empty()) return;
   std::size_t found = 0;
   for (const Place& place : places) {
     found += place.element->find(attribute) ? 1 : 0;

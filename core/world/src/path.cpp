@@ -40,9 +40,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
   }
   for (const ElementSpec& spec : place.spec->below()) {
     for (Element& child : place.element->children) {
-      if (child.name != spec.name) {
-        continue;
-      }
+      if (child.name != spec.name) continue;
       if (name == spec.name && name != spec.members) {
         found.push_back({&child, &spec});
       } else if (spec.group) {
@@ -82,9 +80,7 @@ std::vector<std::string> names_at(const Place& place) {
   std::set<std::string> names;
   for (const ElementSpec& spec : place.spec->below()) {
     // Only existing elements of a plugin's element are known.
-    if (place.spec->plugins && !place.element->child(spec.name)) {
-      continue;
-    }
+    if (place.spec->plugins && !place.element->child(spec.name)) continue;
     names.insert(spec.name);
     if (spec.group) {
       names.insert(spec.members);
@@ -115,9 +111,7 @@ std::string text_of(const PathStep& step) {
 
 // The places that the key of the step selects.
 std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step) {
-  if (step.key == "*") {
-    return places;
-  }
+  if (step.key == "*") return places;
   std::vector<std::string> ids;
   for (const Place& place : places) {
     ids.push_back(place.element->value("id"));
@@ -128,9 +122,7 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   ids.erase(std::remove(ids.begin(), ids.end(), ""), ids.end());
   const std::string count = std::to_string(places.size());
   if (step.key.empty()) {
-    if (places.size() == 1) {
-      return places;
-    }
+    if (places.size() == 1) return places;
     refuse("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
            "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
   }
@@ -157,9 +149,7 @@ Element empty_element(const std::string& name, const Place& parent) {
 std::vector<Place> step_from(const Place& place, const PathStep& step) {
   std::vector<Place> found = children(place, step.name);
   if (place.spec->root && step.key == "*") add_scattered(place, step.name, found);
-  if (!found.empty()) {
-    return chosen(found, step);
-  }
+  if (!found.empty()) return chosen(found, step);
   for (const ElementSpec& spec : place.spec->below()) {
     if (spec.name == step.name && spec.name != spec.members && !spec.plugins && spec.at_most == 1 &&
         step.key.empty()) {
@@ -245,9 +235,7 @@ bool add_to(const Place& place, const PathStep& step, const Element& given) {
   if (place.spec->group) {
     const ElementSpec& member = place.spec->children.front();
     const bool is_any = step.name == place.spec->members;
-    if (!is_any && !member.plugins && !place.spec->child(step.name)) {
-      return false;
-    }
+    if (!is_any && !member.plugins && !place.spec->child(step.name)) return false;
     if (!is_any) {
       require_name(step, given);
     }
@@ -361,9 +349,7 @@ Path parse_path(std::string_view text) {
       refuse("a step of the path is empty; a path looks like robot[r1]/@max_speed");
     }
     path.steps.push_back(std::move(step));
-    if (text.empty()) {
-      return path;
-    }
+    if (text.empty()) return path;
     if (!text.starts_with('/')) {
       refuse("expected \"/\" before '" + std::string(text) + "'");
     }

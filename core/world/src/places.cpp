@@ -129,9 +129,7 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
     return kind == BoxKind::dynamic || kind == BoxKind::resource;
   };
   for (const Box& box : world.boxes) {
-    if (!reading.sound(box.location)) {
-      continue;
-    }
+    if (!reading.sound(box.location)) continue;
     if (box.shape == BoxShape::prism) {
       if (const auto problem = problem_of_outline(box.points)) {
         problems.add(box.location, box.in_words() + " " + *problem);
@@ -145,9 +143,7 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
     } else if (!is_running) {
       check.check_free_of_walls(block);
     }
-    if (is_running) {
-      continue;
-    }
+    if (is_running) continue;
     check.check_apart({&block, 1}, [&](std::size_t other) {
       return !is_free(kinds[other]) && !is_free(box.kind);
     });
@@ -158,13 +154,9 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
       check.check_point("the charger '" + charger.id + "'", charger.x, charger.y, charger.location);
     }
   }
-  if (is_running) {
-    return;
-  }
+  if (is_running) return;
   for (const Robot& robot : world.robots) {
-    if (!reading.sound(robot.location)) {
-      continue;
-    }
+    if (!reading.sound(robot.location)) continue;
     const std::vector<Block> parts = blocks_of(robot, reading.sound_with_segments(robot));
     for (const Block& part : parts) {
       check.check_free_of_walls(part);

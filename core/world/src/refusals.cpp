@@ -48,9 +48,7 @@ std::string explain_missing(const plugin::Host& host, PluginKind kind, const std
 
 std::string explain_child(const plugin::Host& host, const Declaration& declaration,
                           const Element& child) {
-  if (plugin::find_declared(declaration.parameters, child.name)) {
-    return kAttributesOfItsElement;
-  }
+  if (plugin::find_declared(declaration.parameters, child.name)) return kAttributesOfItsElement;
   const ElementSpec& coordination = coordination_vocabulary();
   if (!declaration.hold && coordination.child(child.name)) {
     const std::string able = holders(host, [](const Declaration& each) { return !!each.hold; });

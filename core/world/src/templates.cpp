@@ -203,9 +203,7 @@ class Templates {
     std::erase_if(list.children, [&](Element& entry) {
       drop_removals_in(group.children.front(), entry);
       const Attribute* remove = entry.find("remove");
-      if (!remove) {
-        return false;
-      }
+      if (!remove) return false;
       const Attribute found = *remove;
       entry.erase("remove");
       if (found.value == "true") {

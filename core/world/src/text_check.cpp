@@ -105,17 +105,13 @@ class Scanner {
 
   // Allows the entities of XML itself, and character references.
   void check_entity() const {
-    if (text_[at_] != '&') {
-      return;
-    }
+    if (text_[at_] != '&') return;
     const std::size_t end = text_.find(';', at_);
     const std::string_view entity = end == std::string_view::npos || end - at_ > 12
                                         ? text_.substr(at_, 1)
                                         : text_.substr(at_, end - at_ + 1);
     for (const std::string_view known : {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"}) {
-      if (entity == known) {
-        return;
-      }
+      if (entity == known) return;
     }
     const bool hex = entity.starts_with("&#x");
     const std::string_view digits =

@@ -50,9 +50,7 @@ Parsed parse_number(const Field& field, std::string_view text) {
            : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
                                                                      : "";
   } else if (const auto value = static_cast<double>(number); in_range(field.facts, value)) {
-    if (value >= field.lowest && value <= field.highest) {
-      return accepted(number);
-    }
+    if (value >= field.lowest && value <= field.highest) return accepted(number);
     hint = "; this number is beyond what can be stored";
   }
   return refused("expected " + expectation(field) + hint);
@@ -63,9 +61,7 @@ Parsed parse_list(const Field& field, std::string_view text) {
   std::size_t at = 0;
   while (true) {
     at = text.find_first_not_of(" \t\n\r", at);
-    if (at == std::string_view::npos) {
-      return accepted(std::move(numbers));
-    }
+    if (at == std::string_view::npos) return accepted(std::move(numbers));
     const std::size_t end = std::min(text.find_first_of(" \t\n\r", at), text.size());
     const std::string_view word = text.substr(at, end - at);
     const Parsed number = parse_number<double>(field, word);
@@ -85,9 +81,7 @@ Parsed parse_text(const Field& field, std::string_view text) {
                     : field.form == TextForm::id     ? is_id(text)
                     : field.form == TextForm::colour ? is_colour(text)
                                                      : true;
-  if (good) {
-    return accepted(std::string(text));
-  }
+  if (good) return accepted(std::string(text));
   return refused("expected " + expectation(field) +
                  (choices.size() > 1 ? base::did_you_mean(std::string(text), choices) : ""));
 }
@@ -120,9 +114,7 @@ Parsed parse_value(const Field& field, std::string_view text) {
     case ParameterType::integer:
       return parse_number<std::int64_t>(field, text);
     case ParameterType::boolean:
-      if (text == "true" || text == "false") {
-        return accepted(text == "true");
-      }
+      if (text == "true" || text == "false") return accepted(text == "true");
       return refused("expected " + expectation(field));
     case ParameterType::reals:
       return parse_list(field, text);

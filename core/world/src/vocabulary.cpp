@@ -68,9 +68,7 @@ Describe<Box> with_size(Describe<Box> box, BoxShape shape) {
   if (shape == BoxShape::cylinder) {
     return std::move(box).attribute("radius", &Box::radius, size("of its outline"));
   }
-  if (shape == BoxShape::prism) {
-    return std::move(box).each(point(), &Box::points);
-  }
+  if (shape == BoxShape::prism) return std::move(box).each(point(), &Box::points);
   return std::move(box)
       .attribute("length", &Box::length, size("along its own x"))
       .attribute("width", &Box::width, size("along its own y"));

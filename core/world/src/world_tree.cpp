@@ -35,9 +35,7 @@ std::string text_of(const Element& element, const WorldTree& tree, std::size_t d
     content += text_of(child, tree, depth + 1);
   }
   const bool is_needed = depth == 0 || tree.meaning(element).is_listed;
-  if (content.empty() && element.attributes.empty() && !is_needed) {
-    return "";
-  }
+  if (content.empty() && element.attributes.empty() && !is_needed) return "";
   return indent + start_tag(element) +
          (content.empty() ? "/>\n" : ">\n" + content + indent + "</" + element.name + ">\n");
 }

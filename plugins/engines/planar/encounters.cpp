@@ -115,7 +115,8 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
         is_placed = true;
       }
       const Meeting met = physics::meet(
-          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), found.space_b), margin);
+          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), found.space_b),
+          margin);
       for (std::size_t n = 0; n < met.count; ++n) {
         Contact& contact = found.contacts.emplace_back();
         contact.key = {a.number, b.number,

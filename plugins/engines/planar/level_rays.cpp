@@ -22,7 +22,9 @@ ELSIE_INLINE Lanes all(double value) { return Lanes{} + value; }
 ELSIE_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return b < a ? b : a; }
 ELSIE_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 ELSIE_INLINE Lanes size_of(const Lanes& a) { return a < 0.0 ? -a : a; }
-ELSIE_INLINE bool any(const Flags& flags) { return (flags[0] | flags[1] | flags[2] | flags[3]) != 0; }
+ELSIE_INLINE bool any(const Flags& flags) {
+  return (flags[0] | flags[1] | flags[2] | flags[3]) != 0;
+}
 
 ELSIE_INLINE Flags meets_circle(const Group& rays, const Target& target) {
   const Lanes x = target.place.x - rays.x, y = target.place.y - rays.y;

@@ -62,11 +62,11 @@ class LevelRays {
   using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
   using Flags = std::int64_t __attribute__((vector_size(kLanes * sizeof(double))));
   struct Group {
-    Lanes x, y, z;        // origins
+    Lanes x, y, z;  // origins
     Lanes along_x, along_y;
-    Lanes flat;           // the square of the length of (along_x, along_y)
-    Lanes nearest;        // m
-    Flags found;          // -1 if it met something
+    Lanes flat;     // the square of the length of (along_x, along_y)
+    Lanes nearest;  // m
+    Flags found;    // -1 if it met something
   };
 
  private:

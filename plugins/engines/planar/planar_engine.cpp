@@ -92,8 +92,7 @@ class PlanarEngine final : public Engine {
                                  std::size_t except) const override {
     return scene_.cast_ray(origin, direction, max_range, except);
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays,
-                 std::size_t except) const override {
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
     scene_.cast_rays(within, rays, except);
   }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
@@ -186,7 +185,8 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   thing.place = {pose.x, pose.y};
   thing.ahead = Direction::of(pose.heading_rad);
   const double reach = look->reach;
-  const std::uint32_t id = scene_.add(body, sensed, mover.has_value(), std::move(look), thing.place, thing.ahead);
+  const std::uint32_t id =
+      scene_.add(body, sensed, mover.has_value(), std::move(look), thing.place, thing.ahead);
   if (mover) {
     mover->put(thing.place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
@@ -425,7 +425,8 @@ double PlanarEngine::begin_movers() {
       const Twist& v = mover.velocity();
       const double square = v.x * v.x + v.y * v.y;
       const double edge = moving_[i].reach * std::abs(v.turn);
-      fastest = std::max(fastest, 2.0 * (square + edge * edge));  // the square of their sum, or more
+      fastest =
+          std::max(fastest, 2.0 * (square + edge * edge));  // the square of their sum, or more
     }
   });
   const double fastest = *std::max_element(fastest_.begin(), fastest_.end());

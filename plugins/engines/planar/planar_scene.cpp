@@ -352,9 +352,8 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
   known.wanted = std::max(known.wanted, radius);
   known.radius = known.wanted + kMargin;
   known.odometer = odometer_;
-  const base::Grid::Block block =
-      grid_.block(middle.x - known.radius, middle.y - known.radius, middle.x + known.radius,
-                  middle.y + known.radius);
+  const base::Grid::Block block = grid_.block(middle.x - known.radius, middle.y - known.radius,
+                                              middle.x + known.radius, middle.y + known.radius);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {

@@ -48,11 +48,11 @@ class PlanarScene {
   /// Adds a body; its ids count upwards from 0. Only `sensed` bodies take part in rays and
   /// pyramids.
   /// `moves`: move() will be called.
-  Id add(Body body, bool sensed, bool moves, std::shared_ptr<const Look> look,
-         const Vector2& place, const Direction& ahead);
+  Id add(Body body, bool sensed, bool moves, std::shared_ptr<const Look> look, const Vector2& place,
+         const Direction& ahead);
   /// What one thread notes in a round of moves.
   struct Moves {
-    double farthest = 0.0;     // m2
+    double farthest = 0.0;    // m2
     std::vector<Id> leavers;  // of their cells in the grid
   };
   /// Moves a body, at most once in a round. Several threads may move different bodies at once.
@@ -76,8 +76,8 @@ class PlanarScene {
   /// How much of a look the frequent rays need.
   enum class Outside : std::uint8_t { box, disc, other };
   struct Entry : LevelRays::Target {  // without its wheels
-    double bottom = 0.0, top = 0.0;  // of all of it
-    double wheels_top = -1.0;        // m; negative: no wheels
+    double bottom = 0.0, top = 0.0;   // of all of it
+    double wheels_top = -1.0;         // m; negative: no wheels
     Body body;
     Outside outside = Outside::box;
     bool sensed = false;

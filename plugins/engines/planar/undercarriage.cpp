@@ -145,7 +145,7 @@ double Undercarriage::turning(const Grip& grip, const Turning& now, double pull)
 
 /// The state of the grip at this velocity.
 Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
-                                          const Twist& velocity) const {
+                                           const Twist& velocity) const {
   const double moving = dot(grip.along, velocity), pull = force(grip, now, moving);
   if (now.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
@@ -155,7 +155,7 @@ Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
       rate = turning(grip, now, pull);
       otherwise = rate < now.wanted   ? Hold::motor_up
                   : rate > now.wanted ? Hold::motor_down
-                                       : Hold::rolls;
+                                      : Hold::rolls;
     }
     const double gliding = grip.rim * rate - moving;
     const double least = model_->slip * grip.limit;
@@ -270,9 +270,8 @@ Twist Undercarriage::search(const Twist& momentum) {
     }
     if (fits) break;
   }
-  loose_ = static_cast<int>(std::count_if(turnings_.begin(), turnings_.end(), [](const auto& now) {
-    return now.hold != Hold::rolls;
-  }));
+  loose_ = static_cast<int>(std::count_if(turnings_.begin(), turnings_.end(),
+                                          [](const auto& now) { return now.hold != Hold::rolls; }));
   return velocity;
 }
 

@@ -7,9 +7,9 @@
 #include "elsie/world/same.h"
 
 #include "changes/becoming.h"
+#include "step/commons.h"
 #include "step/controller.h"
 #include "step/robot.h"
-#include "step/commons.h"
 
 namespace elsie::simulation {
 namespace {
@@ -192,17 +192,13 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   drive_use_.location = next.location;
   become_sensors(was, commons, becoming);
   controller_->become(was, next, "", becoming);
-  if (!problems.empty()) {
-    return;
-  }
+  if (!problems.empty()) return;
   if (same_drive) {
     becoming.describe(*drive_, drive_use());
   } else {
     make_drive(becoming.host(), problems);
   }
-  if (!problems.empty()) {
-    return;
-  }
+  if (!problems.empty()) return;
   list_members();
   group_readings();
   for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
@@ -214,9 +210,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
       each.camera = blaming(*each.use, problems, [&] { return each.camera_of(*each.held); });
     }
   });
-  if (!problems.empty()) {
-    return;
-  }
+  if (!problems.empty()) return;
   check_needs();
   for_each(Order::inner_first,
            [&](PluginObject& each, const std::string& path, const std::string& within) {
@@ -248,8 +242,8 @@ void Robot::become_sensors(const world::Robot& was, Commons& commons, Becoming& 
       slot.energy_cost = use.energy_cost;
       continue;
     }
-    SensorSlot& made = *sensors_.emplace_back(
-        std::make_shared<SensorSlot>(use, becoming.host(), *this));
+    SensorSlot& made =
+        *sensors_.emplace_back(std::make_shared<SensorSlot>(use, becoming.host(), *this));
     make_sensor(made, use, commons, becoming.host(), becoming.problems());
     if (is_known) {
       becoming.note_lost(description_->id, use.id);

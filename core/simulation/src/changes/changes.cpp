@@ -191,9 +191,7 @@ Plan plan_of(std::span<const Change> changes, const world::World& world,
 
 void check_room(const std::vector<Placed>& places, const world::World& world,
                 const physics::Engine& engine) {
-  if (places.empty()) {
-    return;
-  }
+  if (places.empty()) return;
   Room room(world, engine);
   for (const Placed& placed : places) {
     room.place(placed.robot, placed.pose, placed.z);

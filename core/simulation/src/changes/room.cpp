@@ -12,9 +12,7 @@ double height(const Frame& frame) {
 Room::Room(const world::World& world, const physics::Engine& engine)
     : world_(world), first_robot_(world.boxes.size() + world.chargers.size()) {
   for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    if (!engine.has_box(i)) {
-      continue;
-    }
+    if (!engine.has_box(i)) continue;
     const world::Fixture fixture = world::fixture_of(world.boxes[i]);
     Frame middle = engine.box(i);
     middle.origin = middle.point({0.0, 0.0, 0.5 * fixture.shape.size.z});
@@ -80,9 +78,7 @@ std::optional<std::string> Room::problem_of(std::size_t robot) const {
   for (const Block& own : blocks_) {
     if (own.owner == first_robot_ + robot) {
       auto problem = world::outside(world_.arena, own.in_words, own.footprint);
-      if (problem || (problem = overlap(own))) {
-        return problem;
-      }
+      if (problem || (problem = overlap(own))) return problem;
     }
   }
   return std::nullopt;

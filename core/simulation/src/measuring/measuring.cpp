@@ -148,9 +148,7 @@ void Measuring::ask(Statements& said) {
 }
 
 void Measuring::take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo) {
-  if (!lookout_ || !before.lookout_ || !lookout_->has_cast_of(*before.lookout_)) {
-    return;
-  }
+  if (!lookout_ || !before.lookout_ || !lookout_->has_cast_of(*before.lookout_)) return;
   has_failed_ = before.has_failed_;
   for (auto& slot : slots_) {
     for (std::size_t i = 0; i < was.size(); ++i) {
@@ -187,9 +185,7 @@ void Measuring::observe(Robots robots, const physics::Engine& engine, double tim
   if (!lookout_) return;
   lookout_->look(robots, engine, time_s, decided, is_start);
   for (const auto& slot : slots_) {
-    if (is_start && slot->has_begun) {
-      continue;
-    }
+    if (is_start && slot->has_begun) continue;
     slot->has_begun = true;
     try {
       guard_.step(*slot, [&] { slot->object().observe(lookout_->now()); });

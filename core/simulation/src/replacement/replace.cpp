@@ -48,9 +48,7 @@ void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras)
   const std::string path = "sensor[" + slot.use->id + "]";
   const std::string kind = slot.object().kind().name;
   const bool had_camera = slot.camera.has_value();
-  if (!swap.exchange(slot, path)) {
-    return;
-  }
+  if (!swap.exchange(slot, path)) return;
   swap.undo().keep(slot.camera);
   swap.run(slot, path, [&] { slot.camera = slot.object().camera(); });
   if (kind != slot.object().kind().name) {
@@ -68,9 +66,7 @@ void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras)
 }
 
 void Robot::replace_drive(Swap& swap) {
-  if (!swap.exchange(*drive_, "drive")) {
-    return;
-  }
+  if (!swap.exchange(*drive_, "drive")) return;
   swap.undo().keep(state_.wheels, state_.channels);
   BodyPlan plan;
   const Chassis chassis = world::chassis_of(description_->body);
@@ -89,9 +85,7 @@ void Robot::replace_drive(Swap& swap) {
 
 void Robot::check_needs() const {
   for_each(Order::outer_first, [&](PluginObject& each, const std::string& path, const auto&) {
-    if (each.kind != PluginKind::behavior) {
-      return;
-    }
+    if (each.kind != PluginKind::behavior) return;
     for (const ReadingDeclaration& need : each.declaration->needs) {
       const auto is_kind = [&](const ReadingGroup& group) { return group.kind.name == need.kind; };
       const auto of_size = [&](const ReadingGroup& group) {

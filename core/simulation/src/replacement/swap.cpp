@@ -82,9 +82,7 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
            std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +
                "; replace its element by an edit, or start a new run");
   }
-  if (fresh == object.declaration) {
-    return false;
-  }
+  if (fresh == object.declaration) return false;
   exchanged_.push_back({&object, object.held.get()});
   replacement_.objects.push_back({robot_, path, object.use->plugin, false});
   run(object, path, [&] {

@@ -23,9 +23,7 @@ BoxPath::BoxPath(const world::Box& box) : speed_(box.speed) {
 
 Vector2 BoxPath::position(double time_s) const {
   const double length = distances_.back();
-  if (length <= 0.0) {
-    return corners_.front();
-  }
+  if (length <= 0.0) return corners_.front();
   const double along = std::fmod(speed_ * time_s, length);
   const auto next = std::upper_bound(distances_.begin() + 1, distances_.end() - 1, along);
   const std::size_t i = static_cast<std::size_t>(next - distances_.begin());

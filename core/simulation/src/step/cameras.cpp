@@ -33,9 +33,7 @@ Cameras::Cameras(const world::World& world, const std::vector<std::shared_ptr<Ro
       }
     }
   }
-  if (mounts_.empty()) {
-    return;
-  }
+  if (mounts_.empty()) return;
   const auto blame = [&](const Mount& mount, const std::string& problem) {
     const world::PluginUse& use = world.robots[mount.robot].sensors[mount.sensor];
     problems.push_back(
@@ -66,9 +64,7 @@ std::optional<std::string> Cameras::problem_of(const Camera& camera) const {
 }
 
 void Cameras::take(const physics::Engine& engine) {
-  if (mounts_.empty()) {
-    return;
-  }
+  if (mounts_.empty()) return;
   views_.clear();
   for (const Mount& mount : mounts_) {
     Robot& robot = *robots_[mount.robot];

@@ -18,9 +18,7 @@ Commons::Commons(const world::World& world) : world_(world) {
 const std::vector<Colour>& Commons::resource_colours(const std::string& team) {
   const auto [known, is_new] = colours_.try_emplace(team);
   std::vector<Colour>& colours = known->second;
-  if (!is_new) {
-    return colours;
-  }
+  if (!is_new) return colours;
   for (const world::Box& box : world_.boxes) {
     if (may_collect(team, box)) {
       const Colour colour = world::resource_colour(world_, box);
@@ -36,8 +34,7 @@ std::shared_ptr<const SensorPlace> Commons::place(const Mounting& mounting) {
   const auto& [at, azimuth, pitch] = mounting;
   std::shared_ptr<const SensorPlace>& place = places_[{at.x, at.y, at.z, azimuth, pitch}];
   if (!place) {
-    place = std::make_shared<SensorPlace>(
-        SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
+    place = std::make_shared<SensorPlace>(SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
   }
   return place;
 }

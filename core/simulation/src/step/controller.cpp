@@ -251,11 +251,11 @@ void Controller::check(const Slot& slot, const Response& response) const {
   if (!response.command.is_finite()) {
     fail("its command is not a finite number: " + text(response.command));
   }
-  for (const auto& [what, value] : {std::pair("activation", response.activation),
-                                    std::pair("strength", response.strength),
-                                    std::pair("speed_strength", response.speed_strength),
-                                    std::pair("lateral_strength", response.lateral_strength),
-                                    std::pair("turn_strength", response.turn_strength)}) {
+  for (const auto& [what, value] :
+       {std::pair("activation", response.activation), std::pair("strength", response.strength),
+        std::pair("speed_strength", response.speed_strength),
+        std::pair("lateral_strength", response.lateral_strength),
+        std::pair("turn_strength", response.turn_strength)}) {
     if (!(value >= 0.0 && value <= 1.0)) [[unlikely]] {
       fail(std::string("its ") + what + " is " + std::to_string(value) +
            ", which is not in [0, 1]");
@@ -320,9 +320,7 @@ void Controller::list_members(const std::string& path, int depth, int parent,
 void Controller::list_inferences(const std::string& path, std::vector<MadeInference>& list) const {
   const auto add = [&](const PluginObject& object) {
     const auto* infers = dynamic_cast<const Infers*>(object.held.get());
-    if (!infers) {
-      return;
-    }
+    if (!infers) return;
     std::vector<Inference> made;
     setting_.guard.run(*object.use, [&] { infers->list_inferences(made); });
     for (Inference& each : made) {

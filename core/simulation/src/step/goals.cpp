@@ -23,9 +23,7 @@ bool is_near(const Pose& pose, double x, double y, double radius) {
 template <class Test>
 bool every_robot(const Simulation& simulation, const std::string& id, Test test) {
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    if ((id.empty() || simulation.robot(i).description->id == id) && !test(i)) {
-      return false;
-    }
+    if ((id.empty() || simulation.robot(i).description->id == id) && !test(i)) return false;
   }
   return true;
 }

@@ -34,16 +34,12 @@ std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double re
                                                  std::vector<base::Grid::Id>& memory) const {
   if (!is_placed_) place_all();
   constexpr std::size_t kFew = 8;
-  if (all_.size() <= kFew) {
-    return all_;
-  }
+  if (all_.size() <= kFew) return all_;
   const base::Grid::Block block =
       grid_.block(place.x - reach, place.y - reach, place.x + reach, place.y + reach);
   // A check of a few robots is faster than a search in many cells.
   const int cells = (block.x1 - block.x0 + 1) * (block.y1 - block.y0 + 1);
-  if (all_.size() <= static_cast<std::size_t>(cells)) {
-    return all_;
-  }
+  if (all_.size() <= static_cast<std::size_t>(cells)) return all_;
   memory.clear();
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {

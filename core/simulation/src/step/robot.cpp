@@ -29,8 +29,8 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
 
 }  // namespace
 
-Robot::Robot(const world::World& world, std::size_t index, Commons& commons, const plugin::Host& host,
-             const Options& options)
+Robot::Robot(const world::World& world, std::size_t index, Commons& commons,
+             const plugin::Host& host, const Options& options)
     : description_(&world.robots[index]), guard_(description_->id, options.budget) {
   const world::Robot& description = *description_;
   const plugin::Call call({.robot = description.id.c_str()});
@@ -232,9 +232,7 @@ void Robot::reset(std::uint64_t seed) {
 }
 
 void Robot::sense(const Carrier& carrier, const Instant& now) {
-  if (empty_) {
-    return;
-  }
+  if (empty_) return;
   guard_.begin_step(now.step);
   for (const Together& group : together_) {
     SensorSlot& first = *sensors_[group.first];
@@ -263,9 +261,13 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
 
 void Robot::update(SensorSlot& slot, const Carrier& carrier, const Instant& now) {
   const auto& [mounting, frame] = *slot.place;
-  const SensorContext context{
-      now.time_s, now.period_s, body_frame_.frame(frame), &mounting, &carrier, &slot.random,
-      slot.camera ? slot.picture.get() : nullptr};
+  const SensorContext context{now.time_s,
+                              now.period_s,
+                              body_frame_.frame(frame),
+                              &mounting,
+                              &carrier,
+                              &slot.random,
+                              slot.camera ? slot.picture.get() : nullptr};
   guard_.step(slot, [&] { slot.object().update(context); });
 }
 

@@ -105,8 +105,8 @@ class Robot final : private Wishes {
 
   /// Becomes the robot with this index; `was` is its present description, with all changes. Objects
   /// with unchanged descriptions stay. Adds problems to `becoming`.
-  void become(const world::Robot& was, const world::World& world, std::size_t index, Commons& commons,
-              Becoming& becoming);
+  void become(const world::Robot& was, const world::World& world, std::size_t index,
+              Commons& commons, Becoming& becoming);
 
   /// Collects notes and curves of the plugins after a reset. Throws PluginFault.
   void ask(Statements& said);
@@ -160,7 +160,9 @@ class Robot final : private Wishes {
   bool may_share_threads() const { return may_share_threads_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
-  Frame sensor_frame(std::size_t index) const { return body_frame_.frame(sensors_[index]->place->frame); }
+  Frame sensor_frame(std::size_t index) const {
+    return body_frame_.frame(sensors_[index]->place->frame);
+  }
   /// The camera of a sensor, if it has one.
   const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor]->camera; }
   /// The picture of that camera; fill it before sense().

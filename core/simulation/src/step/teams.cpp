@@ -31,9 +31,7 @@ std::optional<Vector2> nearest_charger(const world::World& world, const std::str
 
 double charger_rate(const world::World& world, const std::string& team, const Vector2& place) {
   for (const world::Charger& charger : world.chargers) {
-    if (serves(charger, team) && distance(charger, place) <= charger.radius) {
-      return charger.rate;
-    }
+    if (serves(charger, team) && distance(charger, place) <= charger.radius) return charger.rate;
   }
   return 0.0;
 }

@@ -11,13 +11,9 @@ constexpr double kSameCollision = 0.2;  // s
 /// If the robot may collect the touched body, collects it and returns true.
 bool collects(const world::World& world, Robot& robot, const physics::Body& other,
               physics::Engine& engine) {
-  if (other.kind != physics::BodyKind::box || other.index >= world.boxes.size()) {
-    return false;
-  }
+  if (other.kind != physics::BodyKind::box || other.index >= world.boxes.size()) return false;
   const world::Box& box = world.boxes[other.index];
-  if (!may_collect(robot.description().team, box)) {
-    return false;
-  }
+  if (!may_collect(robot.description().team, box)) return false;
   if (engine.has_box(other.index)) {  // else another robot took it in the same step
     engine.remove_box(other.index);
     robot.collect(box.energy);

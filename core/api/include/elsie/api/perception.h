@@ -176,9 +176,7 @@ class Perception {
   Readings<Reading> readings() const {
     constexpr ReadingKind wanted = ReadingKind::of<Reading>();
     for (const ReadingGroup& group : data_->groups) {
-      if (group.kind == wanted) {
-        return Readings<Reading>(group.readings);
-      }
+      if (group.kind == wanted) return Readings<Reading>(group.readings);
     }
     return {};
   }

@@ -108,7 +108,8 @@ struct SensorBatch {
 
   /// What update() of one of them gets.
   SensorContext now(const Entry& each) const {
-    return {time_s, period_s, robot.frame(each.place->frame), &each.place->mounting, world, each.random};
+    return {time_s, period_s,   robot.frame(each.place->frame), &each.place->mounting,
+            world,  each.random};
   }
 };
 
@@ -209,8 +210,7 @@ constexpr bool kInheritsSenseInto = requires {
 /// True if the class updates several sensors in one call.
 template <class Class>
 constexpr bool kUpdatesAll = !requires {
-  requires std::is_same_v<decltype(&Class::update_all),
-                          void (Sensor::*)(const SensorBatch&)>;
+  requires std::is_same_v<decltype(&Class::update_all), void (Sensor::*)(const SensorBatch&)>;
 };
 
 }  // namespace detail

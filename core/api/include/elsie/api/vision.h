@@ -27,9 +27,7 @@ inline std::optional<Sensed<VisionReading>> most_nearly_ahead(const Perception& 
   std::optional<Sensed<VisionReading>> nearest;
   double least = 0.0;
   for (const Sensed<VisionReading> view : now.readings<VisionReading>()) {
-    if (!view->found || view->width <= 0) {
-      continue;
-    }
+    if (!view->found || view->width <= 0) continue;
     const double off = std::abs(blob_bearing_rad(view));
     // Less than a billionth of a radian does not count: rounding must not decide between two
     // cameras that are mirror images of each other.

@@ -38,7 +38,8 @@ struct CallFacts {
 class Call {
  public:
   // Always inline: several calls for each decision of a robot.
-  [[gnu::always_inline]] explicit Call(const CallFacts& facts) noexcept : facts_(facts), outer_(innermost_) {
+  [[gnu::always_inline]] explicit Call(const CallFacts& facts) noexcept
+      : facts_(facts), outer_(innermost_) {
     std::atomic_signal_fence(std::memory_order_release);
     innermost_ = this;
   }

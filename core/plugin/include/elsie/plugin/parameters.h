@@ -15,9 +15,7 @@ namespace elsie::plugin {
 template <class Declared>
 const Declared* find_declared(const std::vector<Declared>& list, std::string_view name) {
   for (const Declared& declared : list) {
-    if (declared.name == name) {
-      return &declared;
-    }
+    if (declared.name == name) return &declared;
   }
   return nullptr;
 }
