@@ -6,10 +6,10 @@
 // World: worlds/scattered/swarm.xml in arenas of growing size. Each measurement is made in a
 // process of its own, which has no freed memory to reuse. Prints a table in Markdown.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <stdexcept>
@@ -29,8 +29,6 @@
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kSteps = 100;
 constexpr int kMostOnOde = 10'000;  // robots
 
@@ -41,8 +39,9 @@ struct Footprint {
   double described_bytes = 0.0, simulated_bytes = 0.0;
 };
 
-double seconds(Clock::time_point since) {
-  return std::chrono::duration<double>(Clock::now() - since).count();
+/// Processor time.
+double seconds(std::clock_t since) {
+  return static_cast<double>(std::clock() - since) / CLOCKS_PER_SEC;
 }
 
 double bytes_in_use() {
@@ -67,7 +66,7 @@ Footprint measure(const elsie::plugin::Host& host, const std::string& engine, in
                        "physics/@engine=" + engine};
   Footprint found;
   const double before = bytes_in_use();
-  auto start = Clock::now();
+  std::clock_t start = std::clock();
   elsie::world::World world =
       elsie::world::read_world(ELSIE_SOURCE_DIR "/worlds/scattered/swarm.xml", host, options);
   found.reading_s = seconds(start);
@@ -75,7 +74,7 @@ Footprint measure(const elsie::plugin::Host& host, const std::string& engine, in
   found.robots = static_cast<double>(world.robots.size());
   const double described = bytes_in_use();
   found.described_bytes = described - before;
-  start = Clock::now();
+  start = std::clock();
   elsie::simulation::Simulation simulation(std::move(world), host);
   found.making_s = seconds(start);
   for (int i = 0; i < kSteps; ++i) simulation.step();
