@@ -4,7 +4,9 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
@@ -151,9 +153,14 @@ int run(BatchOptions options) {
   } else {
     const bool bar = !options.quiet && !options.json && isatty(STDERR_FILENO);
     report.begin(bar);
+    std::vector<std::string> worker_template;
+    if (!options.fresh_processes) {
+      worker_template = {"/proc/self/exe", kTemplateCommand};
+    }
     try {
       const bool complete = batch::carry_out(database,
                                              {.worker = {"/proc/self/exe", kWorkerCommand},
+                                              .worker_template = worker_template,
                                               .workers = options.workers.value_or(processors()),
                                               .stop_descriptor = signals.descriptor()},
                                              [&](const batch::Progress& progress) {
@@ -233,6 +240,8 @@ void add_batch_command(CLI::App& program, Job& job) {
       ->allow_extra_args(false);
   command->add_flag("--detach", options->detach,
                     "With --cluster: submit without waiting; --resume follows it later");
+  // Not listed for users: workers are programs, not copies of one. For tests and benchmarks.
+  command->add_flag("--fresh-processes", options->fresh_processes)->group("");
   options->plugins.add_to(*command);
   command->add_flag("--json", options->json,
                     "Print a summary as one JSON object, and nothing else");

@@ -27,6 +27,7 @@ struct BatchOptions {
   std::optional<std::size_t> shards;
   std::vector<std::string> sbatch;
   bool detach = false;
+  bool fresh_processes = false;
   bool json = false;
   bool quiet = false;
 };

@@ -41,6 +41,6 @@ extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
 elsie_command_module() {
   using namespace elsie;
   static const program::CommandModule module{program::add_commands, batch::work,
-                                             program::make_views, render::world_cameras};
+                                             batch::stand_by, program::make_views, render::world_cameras};
   return &module;
 }

@@ -23,6 +23,7 @@ Job job_of(const Plan& plan, const PlannedRun& run) {
   const PlannedCell& cell = plan.cells[run.cell];
   Job job;
   job.run = run.id;
+  job.repetition = run.repetition;
   const auto layout = cell.layouts.find(run.seed);
   job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
   job.world_file = cell.world_file;
@@ -79,6 +80,7 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
   FileCheck files(plan);
   const auto start = Clock::now();
   WorkerPool pool({.command = options.worker,
+                   .template_command = options.worker_template,
                    .workers = options.workers,
                    .wall_limit_s = plan.wall_limit_s,
                    .stop_descriptor = options.stop_descriptor});

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "elsie/plugin/host.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/account_recorder.h"
@@ -36,14 +35,6 @@ struct Watchers {
   traces::TrackRecorder tracks;
   traces::AccountRecorder accounts;
 };
-
-plugin::Host host_of(const Job& job) {
-  std::vector<plugin::SearchDirectory> libraries;
-  for (const std::string& library : job.libraries) {
-    libraries.push_back({library, "the batch"});
-  }
-  return plugin::Host(std::move(libraries));
-}
 
 world::World world_of(const Job& job, const plugin::Host& host) {
   world::ReadOptions options;
@@ -117,10 +108,18 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
 
 }  // namespace
 
-RunRecord perform(const Job& job) {
+plugin::Host load_libraries(const Job& job) {
+  std::vector<plugin::SearchDirectory> libraries;
+  for (const std::string& library : job.libraries) {
+    libraries.push_back({library, "the batch"});
+  }
+  return plugin::Host(std::move(libraries));
+}
+
+RunRecord perform(const Job& job, std::optional<plugin::Host> loaded) {
   RunRecord record;
   try {
-    const plugin::Host host = host_of(job);
+    const plugin::Host host = loaded ? *std::move(loaded) : load_libraries(job);
     simulation::Simulation run(
         world_of(job, host), host,
         {.seed = job.seed, .files = job.files, .cameras = render::world_cameras});

@@ -12,6 +12,7 @@
 #include "elsie/batch/worker_pool.h"
 
 #include "descriptor.h"
+#include "run_template.h"
 
 namespace elsie::batch {
 
@@ -19,8 +20,9 @@ class WorkerPool::Worker {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts the process. Throws std::runtime_error.
-  Worker(const PoolOptions& options, const Job& job);
+  /// Starts the process: a copy of `original`, once that has loaded its libraries; or the program
+  /// of a worker, if there is none or it makes no copies. Throws std::runtime_error.
+  Worker(const PoolOptions& options, const Job& job, RunTemplate* original);
   /// Kills the process if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;
@@ -32,23 +34,29 @@ class WorkerPool::Worker {
   /// The number of entries for poll(2).
   static constexpr std::size_t kPolled = 3;
   void list(std::vector<pollfd>& polled) const;
-  /// Reads what the pipes hold.
+  /// Reads what the pipes hold, and starts a process that waits for its original. Throws
+  /// std::runtime_error if it cannot be started.
   void read(const pollfd* polled);
-  /// Called when the wall limit or the grace period is over.
+  /// Called when the wall limit or the grace period is over. Throws as read().
   void overdue(Clock::time_point now);
   bool has_ended() const { return ended_; }
   /// The record of a worker that has ended.
   RunRecord record();
 
  private:
-  void start(const PoolOptions& options, const Job& job);
+  bool is_waiting() const { return static_cast<bool>(job_); }
+  void set_due(double in_s);
+  /// Starts the process as soon as it does not have to wait.
+  void proceed();
+  /// Kills the process, if it still runs, and its children.
   void reap();
   void read_output();
   void read_answer();
 
+  const PoolOptions& options_;
   std::int64_t run_;
-  double wall_limit_s_;
-  double grace_s_;
+  Descriptor job_;  // until the process has started
+  RunTemplate* original_;
   Clock::time_point begun_;
   Clock::time_point due_;
   pid_t process_ = -1;

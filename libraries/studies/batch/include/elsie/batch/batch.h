@@ -16,6 +16,8 @@ namespace elsie::batch {
 
 struct BatchOptions {
   std::vector<std::string> worker{};  // the worker's program and its arguments
+  /// See PoolOptions::template_command.
+  std::vector<std::string> worker_template{};
   std::size_t workers = 1;
   int stop_descriptor = -1;  // the batch stops cleanly when this becomes readable
 };

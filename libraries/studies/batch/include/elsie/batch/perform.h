@@ -1,7 +1,12 @@
 // Does one run in this process.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
 #include "elsie/batch/job.h"
+#include "elsie/plugin/host.h"
 
 namespace elsie::batch {
 
@@ -16,9 +21,12 @@ inline constexpr std::size_t kMostEpisodes = 60;
 /// The largest number of events kept, the first ones; a note gives the number of the others.
 inline constexpr std::size_t kMostEvents = 10'000;
 
-/// Runs the world of a job from start to end. Never throws: errors are in the record. A plugin may
-/// still end the process; see work().
-RunRecord perform(const Job& job);
+/// The plugins of a job. Never throws because of a file; see plugin::Host.
+plugin::Host load_libraries(const Job& job);
+
+/// Runs the world of a job from start to end, with its libraries if they are loaded already. Never
+/// throws: errors are in the record. A plugin may still end the process; see work().
+RunRecord perform(const Job& job, std::optional<plugin::Host> loaded = std::nullopt);
 
 /// The current step of perform(), counted from 0; for signal handlers.
 std::uint64_t step_at_work() noexcept;

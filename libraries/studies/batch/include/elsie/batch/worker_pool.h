@@ -1,5 +1,10 @@
 // Worker processes: each does one run and ends.
 //
+// Starting a program and loading libraries takes longer than a short run. Therefore workers are
+// copies (as by fork(2)) of a process that has loaded the libraries of their run and nothing else;
+// see run_template.h. Runs whose libraries cannot be loaded in this way, for example because one
+// starts a thread while it is loaded, have a worker that is a program of its own.
+//
 // A worker gets its job on standard input, and answers with a line of JSON on its own pipe
 // (kResultDescriptor). The last kilobytes of its output are kept for the record of a failed run. If
 // a worker crashes, hangs, exits or is killed, only its own run fails. Workers end with the process
@@ -10,13 +15,18 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/batch/job.h"
 
 namespace elsie::batch {
+
+class RunTemplate;
 
 /// The descriptor to which a worker writes its answer.
 inline constexpr int kResultDescriptor = 3;
@@ -27,6 +37,8 @@ struct PoolOptions {
   /// The worker's program and its arguments. It starts with SIGTERM blocked, until it can
   /// distinguish the pool's SIGTERM from one of another process.
   std::vector<std::string> command{};
+  /// The same for the process of which workers are copies; empty: each is a program of its own.
+  std::vector<std::string> template_command{};
   std::size_t workers = 1;
   double wall_limit_s = 600.0;  // of one run
   /// After the wall limit a worker gets SIGTERM, and after this time SIGKILL.
@@ -57,9 +69,14 @@ class WorkerPool {
  private:
   class Worker;
 
+  /// The process to copy for this job, or null.
+  RunTemplate* original_for(const Job& job);
   bool wait(std::vector<std::pair<std::int64_t, RunRecord>>& results);
 
   PoolOptions options_;
+  /// By libraries, and by the repetition of the run: copies of one process have the same addresses
+  /// and the same state of libraries after loading, which repetitions must not have in common.
+  std::map<std::pair<std::vector<std::string>, int>, std::unique_ptr<RunTemplate>> templates_;
   std::list<Worker> workers_;
 };
 
