@@ -140,6 +140,16 @@ void take_place(const std::array<int, 3>& request, pid_t pool, const std::string
     close(copied);
   }
   std::cerr << printed << std::flush;
+  process::report_crashes_of_copy();
+}
+
+/// Does a run without plugins. What it sets up once for a process, such as the words of the world
+/// format or the addresses of functions, need not be set up in each copy.
+void rehearse() {
+  Job job;
+  job.world_text = R"(<world format="1"><limits time="0.02"/><obstacles><static_box/>
+      <dynamic_box x="1"/></obstacles></world>)";
+  to_json(perform(job_from(to_json(job))));
 }
 
 void tell(const std::string& text) {
@@ -163,6 +173,7 @@ void stand_by() {
   }
   const Job example = job_on_input();
   deciding_libraries();  // loads the engines
+  rehearse();
   const Ties before;
   std::optional<plugin::Host> loaded(load_libraries(example));
   std::cout.flush();

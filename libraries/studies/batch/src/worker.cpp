@@ -178,7 +178,6 @@ Job job_on_input() {
 }
 
 void do_run(std::optional<plugin::Host> loaded) {
-  process::report_crashes(kPluginFailed);
   let_requests_come();
   LastWordsWriter last_words;
   fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
@@ -190,6 +189,9 @@ void do_run(std::optional<plugin::Host> loaded) {
                                         : kOtherFailure);
 }
 
-void work() { do_run(std::nullopt); }
+void work() {
+  process::report_crashes(kPluginFailed);
+  do_run(std::nullopt);
+}
 
 }  // namespace elsie::batch

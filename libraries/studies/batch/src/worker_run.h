@@ -11,7 +11,8 @@ namespace elsie::batch {
 /// The job on standard input. Ends the process if there is none.
 Job job_on_input();
 
-/// As work(), with the libraries of the job if they are loaded already.
+/// As work(), with the libraries of the job if they are loaded already. Crashes of the process must
+/// be reported.
 [[noreturn]] void do_run(std::optional<plugin::Host> loaded);
 
 }  // namespace elsie::batch
