@@ -83,7 +83,8 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
                    .template_command = options.worker_template,
                    .workers = options.workers,
                    .wall_limit_s = plan.wall_limit_s,
-                   .stop_descriptor = options.stop_descriptor});
+                   .stop_descriptor = options.stop_descriptor,
+                   .note = options.note});
   const auto require_unchanged = [&](std::size_t cell) {
     if (const auto changed = files.changed(cell)) {
       throw FileChanged(

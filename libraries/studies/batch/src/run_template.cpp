@@ -73,7 +73,7 @@ void RunTemplate::hear() {
   } else if (size > 1 && text[0] == kRefused) {
     refuse({text.data() + 1, static_cast<std::size_t>(size) - 1});
   } else {
-    refuse("the process that loaded them has ended");
+    refuse("the process that loaded them ended");
   }
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/types.h>
@@ -40,8 +41,8 @@ class RunTemplate {
   void hear();
   /// Ends a process that cannot make copies.
   void refuse(std::string why);
-  /// Why it makes no copies, or "".
-  const std::string& refusal() const { return refusal_; }
+  /// Why it makes no copies, once; "" if it does.
+  std::string take_refusal() { return std::exchange(refusal_, {}); }
   /// Returns the number of a worker that has begun; -1 if there is none.
   pid_t copy(const Descriptor& job, const Descriptor& output, const Descriptor& answer);
 

@@ -61,11 +61,13 @@ bool has_children() {
 /// Why copies of this process would not be like programs of their own, or "".
 std::string obstacle(const Ties& before) {
   const Ties now;
-  return now.threads > 1                             ? "one of them started a thread"
-         : has_children()                            ? "one of them started a process"
-         : now.descriptors != before.descriptors     ? "one of them opened or closed a file"
-         : now.shared_memory != before.shared_memory ? "one of them shares memory with processes"
-                                                     : "";
+  return now.threads > 1  ? "one of them started a thread when it was loaded"
+         : has_children() ? "one of them started a process when it was loaded"
+         : now.descriptors != before.descriptors
+             ? "one of them opened or closed a file when it was loaded"
+         : now.shared_memory != before.shared_memory
+             ? "one of them shared memory when it was loaded"
+             : "";
 }
 
 /// The place where the C library keeps the number of this process's only thread; null if the
@@ -164,6 +166,7 @@ void tell(const std::string& text) {
 }  // namespace
 
 void stand_by() {
+  prctl(PR_SET_NAME, "elsie-template");
   // SIGTERM stays blocked, here and in copies until they can handle it.
   process::report_crashes(base::kPluginFailed);
   const pid_t pool = getppid();

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include "elsie/batch/perform.h"
@@ -178,6 +179,7 @@ Job job_on_input() {
 }
 
 void do_run(std::optional<plugin::Host> loaded) {
+  prctl(PR_SET_NAME, "elsie-run");  // as ps(1) shows it
   let_requests_come();
   LastWordsWriter last_words;
   fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it

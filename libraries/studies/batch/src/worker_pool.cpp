@@ -9,6 +9,8 @@
 
 #include <poll.h>
 
+#include "elsie/base/words.h"
+
 #include "run_template.h"
 #include "worker_process.h"
 
@@ -40,6 +42,16 @@ RunTemplate* WorkerPool::original_for(const Job& job) {
     place->second = std::make_unique<RunTemplate>(options_.template_command, job);
   }
   return place->second.get();
+}
+
+void WorkerPool::note_refusals() {
+  for (const auto& [what, original] : templates_) {
+    const std::string why = original->take_refusal();
+    if (!why.empty() && options_.note) {
+      options_.note("each run that needs these libraries starts a program of its own, because " +
+                    why + ": " + base::joined(what.first, ", "));
+    }
+  }
 }
 
 bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
@@ -111,6 +123,7 @@ bool WorkerPool::wait(std::vector<std::pair<std::int64_t, RunRecord>>& results) 
     }
     ++worker;
   }
+  note_refusals();
   return polled.front().revents == 0;
 }
 

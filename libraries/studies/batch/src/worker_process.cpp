@@ -157,7 +157,7 @@ void WorkerPool::Worker::read(const pollfd* polled) {
 
 void WorkerPool::Worker::overdue(Clock::time_point now) {
   if (is_waiting()) {
-    original_->refuse("they did not load within the wall limit of a run");
+    original_->refuse("they were not loaded within the wall limit of a run");
     proceed();
     return;
   }

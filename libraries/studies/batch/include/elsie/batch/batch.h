@@ -20,6 +20,7 @@ struct BatchOptions {
   std::vector<std::string> worker_template{};
   std::size_t workers = 1;
   int stop_descriptor = -1;  // the batch stops cleanly when this becomes readable
+  std::function<void(const std::string&)> note{};  // see PoolOptions::note
 };
 
 /// The progress of the batch.

@@ -16,13 +16,13 @@ namespace elsie::batch {
 /// One run and all its inputs.
 struct Job {
   std::int64_t run = 0;  // number of the run
-  int repetition = 1;    // not told to the worker: the run does not depend on it
   std::string world_text;
   std::string world_file;                    // name of the world in messages
   std::map<std::string, std::string> files;  // data files: name in the world's text, path
   std::vector<std::string> libraries;        // libraries of the world's plugins
   std::uint64_t seed = 1;
   double trajectory_period_s = 0.5;
+  int repetition = 1;  // not told to the worker: the run does not depend on it
 };
 
 using results::RunState;

@@ -45,6 +45,8 @@ struct PoolOptions {
   double grace_s = 2.0;
   /// When this descriptor becomes readable, workers are killed and run() returns. -1: none.
   int stop_descriptor = -1;
+  /// Gets a sentence when the workers of some runs cannot be copies. None: nobody wants to know.
+  std::function<void(const std::string&)> note{};
 };
 
 class WorkerPool {
@@ -71,6 +73,7 @@ class WorkerPool {
 
   /// The process to copy for this job, or null.
   RunTemplate* original_for(const Job& job);
+  void note_refusals();
   bool wait(std::vector<std::pair<std::int64_t, RunRecord>>& results);
 
   PoolOptions options_;
