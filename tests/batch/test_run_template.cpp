@@ -160,7 +160,7 @@ TEST_CASE("A library that ends its process while it is loaded fails in its run, 
       records_of(jobs, {.command = kWorker,
                         .template_command = kTemplate,
                         .note = [&](const std::string& text) { noted += text; }});
-  CHECK_THAT(noted, Contains("the process that loaded them ended"));
+  CHECK_THAT(noted, Contains("SIGTERM came while they were loaded"));
   CHECK(records == records_of(jobs, {.command = kWorker}));
   CHECK_THAT(records.at(7), Contains("\"state\":\"crash\""));
 }

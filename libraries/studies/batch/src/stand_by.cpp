@@ -33,6 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kName = "elsie-template";
+
 /// What copies would share with this process, or would lack.
 struct Ties {
   std::ptrdiff_t threads = entries_of("/proc/self/task");
@@ -53,6 +55,12 @@ struct Ties {
   }
 };
 
+/// SIGTERM is blocked, in contrast to a worker that loads libraries.
+bool was_asked_to_end() {
+  sigset_t waiting;
+  return sigpending(&waiting) == 0 && sigismember(&waiting, SIGTERM) == 1;
+}
+
 bool has_children() {
   siginfo_t child{};
   return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
@@ -61,8 +69,9 @@ bool has_children() {
 /// Why copies of this process would not be like programs of their own, or "".
 std::string obstacle(const Ties& before) {
   const Ties now;
-  return now.threads > 1  ? "one of them started a thread when it was loaded"
-         : has_children() ? "one of them started a process when it was loaded"
+  return now.threads > 1      ? "one of them started a thread when it was loaded"
+         : was_asked_to_end() ? "SIGTERM came while they were loaded"
+         : has_children()     ? "one of them started a process when it was loaded"
          : now.descriptors != before.descriptors
              ? "one of them opened or closed a file when it was loaded"
          : now.shared_memory != before.shared_memory
@@ -166,7 +175,7 @@ void tell(const std::string& text) {
 }  // namespace
 
 void stand_by() {
-  prctl(PR_SET_NAME, "elsie-template");
+  prctl(PR_SET_NAME, kName);
   // SIGTERM stays blocked, here and in copies until they can handle it.
   process::report_crashes(base::kPluginFailed);
   const pid_t pool = getppid();
@@ -188,11 +197,13 @@ void stand_by() {
   tell({kReady});
   for (;;) {
     const std::array<int, 3> request = next_request();
+    prctl(PR_SET_NAME, kNameOfRuns);  // of the copy: it never has another
     const pid_t copy = copy_beside(thread_number);
     if (copy == 0) {
       take_place(request, pool, output);
       do_run(std::move(loaded));
     }
+    prctl(PR_SET_NAME, kName);
     for (const int copied : request) {
       close(copied);
     }

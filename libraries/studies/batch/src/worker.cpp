@@ -179,7 +179,6 @@ Job job_on_input() {
 }
 
 void do_run(std::optional<plugin::Host> loaded) {
-  prctl(PR_SET_NAME, "elsie-run");  // as ps(1) shows it
   let_requests_come();
   LastWordsWriter last_words;
   fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
@@ -192,6 +191,7 @@ void do_run(std::optional<plugin::Host> loaded) {
 }
 
 void work() {
+  prctl(PR_SET_NAME, kNameOfRuns);
   process::report_crashes(kPluginFailed);
   do_run(std::nullopt);
 }

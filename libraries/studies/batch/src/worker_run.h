@@ -8,6 +8,9 @@
 
 namespace elsie::batch {
 
+/// The name of a process that does a run, as ps(1) shows it.
+inline constexpr const char* kNameOfRuns = "elsie-run";
+
 /// The job on standard input. Ends the process if there is none.
 Job job_on_input();
 
