@@ -90,8 +90,6 @@ TEST_CASE("A run that fails in a copy of a process leaves the same results as in
                      "exiting",
                      "throwing",
                      "calling_nowhere",
-                     "crashes_when_made",
-                     "crashes_when_destroyed",
                      "thrifty",
                      "leaving",
                      "leaving_in_c",
