@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -30,7 +31,7 @@ const std::vector<std::string> kNoWorker{"/bin/false"};
 using Records = std::map<std::int64_t, std::string>;
 
 Records records_of(const std::vector<batch::Job>& jobs, batch::PoolOptions options,
-                   const batch::WorkerPool::Tick& tick = {}) {
+                   const std::function<void()>& after_run = {}) {
   batch::WorkerPool pool(std::move(options));
   Records records;
   auto next = jobs.begin();
@@ -38,8 +39,10 @@ Records records_of(const std::vector<batch::Job>& jobs, batch::PoolOptions optio
                  [&](std::int64_t run, batch::RunRecord record) {
                    record.wall_s = 0.0;
                    records[run] = to_json(record);
-                 },
-                 tick));
+                   if (after_run) {
+                     after_run();
+                   }
+                 }));
   return records;
 }
 
