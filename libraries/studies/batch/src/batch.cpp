@@ -25,7 +25,12 @@ Job job_of(const Plan& plan, const PlannedRun& run) {
   job.run = run.id;
   job.repetition = run.repetition;
   const auto layout = cell.layouts.find(run.seed);
-  job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
+  if (layout == cell.layouts.end()) {
+    job.world_text = cell.world_text;
+    job.cell = run.cell;
+  } else {
+    job.world_text = layout->second.world_text;
+  }
   job.world_file = cell.world_file;
   for (const PlannedCell::Data& data : cell.data) {
     job.files[data.name] = plan.files[data.file].path;

@@ -36,6 +36,14 @@ struct Watchers {
   traces::AccountRecorder accounts;
 };
 
+std::vector<plugin::SearchDirectory> libraries_of(const Job& job) {
+  std::vector<plugin::SearchDirectory> libraries;
+  for (const std::string& library : job.libraries) {
+    libraries.push_back({library, "the batch"});
+  }
+  return libraries;
+}
+
 world::World world_of(const Job& job, const plugin::Host& host) {
   world::ReadOptions options;
   options.files = job.files;
@@ -108,22 +116,25 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
 
 }  // namespace
 
-plugin::Host load_libraries(const Job& job) {
-  std::vector<plugin::SearchDirectory> libraries;
-  for (const std::string& library : job.libraries) {
-    libraries.push_back({library, "the batch"});
+Preparation::Preparation(const Job& job) : host(libraries_of(job)) {}
+
+void Preparation::make(const Job& job) {
+  if (!run) {
+    run.emplace(world_of(job, host), host,
+                simulation::Options{.begin_later = true,
+                                    .files = job.files,
+                                    .threads = job.threads,
+                                    .cameras = render::world_cameras});
   }
-  return plugin::Host(std::move(libraries));
 }
 
-RunRecord perform(const Job& job, std::optional<plugin::Host> loaded) {
+RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
   RunRecord record;
   try {
-    const plugin::Host host = loaded ? *std::move(loaded) : load_libraries(job);
-    simulation::Simulation run(
-        world_of(job, host), host,
-        {.seed = job.seed, .files = job.files, .cameras = render::world_cameras});
-    run_to_end(run, job, record);
+    const auto own = prepared ? std::move(prepared) : std::make_unique<Preparation>(job);
+    own->make(job);
+    own->run->reset(job.seed);
+    run_to_end(*own->run, job, record);
   } catch (const simulation::PluginFault& fault) {
     record.state = RunState::fault;
     record.message = fault.what();

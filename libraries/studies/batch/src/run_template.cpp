@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include <poll.h>
@@ -17,39 +16,46 @@ namespace {
 /// The longest time for a copy: far more than it takes on a machine that is busy.
 constexpr int kCopyTime = 10'000;  // ms
 
-/// Sends a message with descriptors. Returns whether it was sent.
-bool send_descriptors(int to, std::array<int, 3> sent) {
-  char nothing = 0;
-  iovec text{&nothing, 1};
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(sent))> control{};
-  msghdr message{};
-  message.msg_iov = &text;
-  message.msg_iovlen = 1;
-  message.msg_control = control.data();
-  message.msg_controllen = control.size();
-  cmsghdr* const header = CMSG_FIRSTHDR(&message);
-  header->cmsg_level = SOL_SOCKET;
-  header->cmsg_type = SCM_RIGHTS;
-  header->cmsg_len = CMSG_LEN(sizeof(sent));
-  std::memcpy(CMSG_DATA(header), sent.data(), sizeof(sent));
-  return sendmsg(to, &message, MSG_NOSIGNAL | MSG_DONTWAIT) == 1;
+/// The two ends of the connection with a template.
+struct SocketPair {
+  SocketPair() {
+    std::array<int, 2> ends;
+    if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+      cannot_start("socketpair");
+    }
+    own = Descriptor(ends[0]);
+    other = Descriptor(ends[1]);
+  }
+  Descriptor own;
+  Descriptor other;
+};
+
+/// What libraries and plugins print while they are loaded and made; each copy prints it again.
+Descriptor file_for_output() {
+  Descriptor file(memfd_create("output", MFD_CLOEXEC));
+  if (!file) {
+    cannot_start("memfd_create");
+  }
+  return file;
 }
 
 }  // namespace
 
 RunTemplate::RunTemplate(const std::vector<std::string>& command, const Job& example) {
-  std::array<int, 2> ends;
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    cannot_start("socketpair");
+  SocketPair line;
+  process_ = start_process(command, file_of(example), file_for_output(), line.other);
+  socket_ = std::move(line.own);
+}
+
+RunTemplate::RunTemplate(RunTemplate& loaded, const Job& example) : has_read_world_(true) {
+  SocketPair line;
+  const Descriptor output = file_for_output();
+  const Descriptor job = file_of(example);
+  process_ = loaded.copy({.is_template = true}, {output.get(), line.other.get(), job.get()});
+  socket_ = std::move(line.own);
+  if (process_ < 0) {
+    state_ = State::gone;
   }
-  socket_ = Descriptor(ends[0]);
-  const Descriptor other(ends[1]);
-  // What libraries print while they are loaded; the copies print it again.
-  const Descriptor output(memfd_create("output", MFD_CLOEXEC));
-  if (!output) {
-    cannot_start("memfd_create");
-  }
-  process_ = start_process(command, file_of(example), output, other);
 }
 
 void RunTemplate::end() {
@@ -73,28 +79,44 @@ void RunTemplate::hear() {
   } else if (size > 1 && text[0] == kRefused) {
     refuse({text.data() + 1, static_cast<std::size_t>(size) - 1});
   } else {
-    refuse("the process that loaded them ended");
+    refuse("the process that was to be copied ended");
   }
 }
 
 void RunTemplate::refuse(std::string why) {
+  if (state_ != State::loading) {
+    return;
+  }
   state_ = State::refused;
   refusal_ = std::move(why);
   end();
 }
 
-pid_t RunTemplate::copy(const Descriptor& job, const Descriptor& output, const Descriptor& answer) {
+pid_t RunTemplate::copy(const Job& job, const Descriptor& output, const Descriptor& answer) {
+  if (has_read_world_) {
+    return copy({.run = job.run, .seed = job.seed}, {output.get(), answer.get()});
+  }
+  const Descriptor file = file_of(job);
+  return copy(CopyRequest{}, {output.get(), answer.get(), file.get()});
+}
+
+pid_t RunTemplate::copy(const CopyRequest& request, const std::vector<int>& descriptors) {
   if (state_ != State::ready) {
     return -1;
   }
   pid_t copy = -1;
-  pollfd answered{socket_.get(), POLLIN, 0};
-  if (send_descriptors(socket_.get(), {job.get(), output.get(), answer.get()})) {
-    int count = 0;
-    do {
-      count = poll(&answered, 1, kCopyTime);
-    } while (count < 0 && errno == EINTR);
-    if (count == 1 && recv(socket_.get(), &copy, sizeof(copy), MSG_DONTWAIT) == sizeof(copy)) {
+  const auto receive = [&] {
+    return recv(socket_.get(), &copy, sizeof(copy), MSG_DONTWAIT) == sizeof(copy) && copy > 0;
+  };
+  if (send_request(socket_.get(), request, descriptors)) {
+    pollfd answered{socket_.get(), POLLIN, 0};
+    while (poll(&answered, 1, kCopyTime) < 0 && errno == EINTR) {
+    }
+    if (receive()) {
+      return copy;
+    }
+    shutdown(socket_.get(), SHUT_RDWR);  // a copy cannot answer any more; one has perhaps done so
+    if (receive()) {
       return copy;
     }
   }

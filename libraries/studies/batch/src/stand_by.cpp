@@ -7,9 +7,10 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -55,6 +56,12 @@ struct Ties {
   }
 };
 
+void close_all(const std::vector<int>& descriptors) {
+  for (const int each : descriptors) {
+    close(each);
+  }
+}
+
 /// SIGTERM is blocked, in contrast to a worker that loads libraries.
 bool was_asked_to_end() {
   sigset_t waiting;
@@ -66,16 +73,17 @@ bool has_children() {
   return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
 }
 
-/// Why copies of this process would not be like programs of their own, or "".
-std::string obstacle(const Ties& before) {
+/// Why copies of this process would not be like programs of their own, or "". `when`: what was
+/// done with the libraries.
+std::string obstacle(const Ties& before, const std::string& when) {
   const Ties now;
-  return now.threads > 1      ? "one of them started a thread when it was loaded"
-         : was_asked_to_end() ? "SIGTERM came while they were loaded"
-         : has_children()     ? "one of them started a process when it was loaded"
+  return now.threads > 1                    ? "one of them started a thread when it was " + when
+         : was_asked_to_end()               ? "SIGTERM came while they were " + when
+         : has_children()                   ? "one of them started a process when it was " + when
          : now.descriptors != before.descriptors
-             ? "one of them opened or closed a file when it was loaded"
+             ? "one of them opened or closed a file when it was " + when
          : now.shared_memory != before.shared_memory
-             ? "one of them shared memory when it was loaded"
+             ? "one of them shared memory when it was " + when
              : "";
 }
 
@@ -112,44 +120,37 @@ std::string printed() {
   }
 }
 
-/// The descriptors of a request. Ends the process when the pool has closed the socket.
-std::array<int, 3> next_request() {
-  std::array<int, 3> received{};
-  char nothing = 0;
-  iovec text{&nothing, 1};
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(received))> control{};
-  msghdr message{};
-  message.msg_iov = &text;
-  message.msg_iovlen = 1;
-  message.msg_control = control.data();
-  message.msg_controllen = control.size();
-  ssize_t size = 0;
-  do {
-    size = recvmsg(kResultDescriptor, &message, MSG_CMSG_CLOEXEC);
-  } while (size < 0 && errno == EINTR);
-  const cmsghdr* const header = size == 1 ? CMSG_FIRSTHDR(&message) : nullptr;
-  if (!header || header->cmsg_len != CMSG_LEN(sizeof(received))) {
-    process::end_with(base::kSuccess);
-  }
-  std::memcpy(received.data(), CMSG_DATA(header), sizeof(received));
-  return received;
+void tell(const std::string& text) {
+  ::send(kResultDescriptor, text.data(), text.size(), MSG_NOSIGNAL);
+}
+
+[[noreturn]] void refuse_copies(const std::string& why) {
+  tell(kRefused + why);
+  process::end_with(base::kOtherFailure);
+}
+
+/// Whether the pool waits for this process, of which it now knows.
+bool is_awaited() {
+  const pid_t own = getpid();
+  return ::send(kResultDescriptor, &own, sizeof(own), MSG_NOSIGNAL) == sizeof(own);
 }
 
 /// In the copy: takes the place of a program that the pool has started.
-void take_place(const std::array<int, 3>& request, pid_t pool, const std::string& printed) {
+void take_place(const ReceivedRequest& received, pid_t pool, const std::string& printed) {
+  prctl(PR_SET_NAME, received.request.is_template ? kName : kNameOfRuns);
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != pool) {
-    process::end_with(base::kOtherFailure);  // the pool has ended already
+  if (getppid() != pool || !is_awaited()) {
+    process::end_with(base::kOtherFailure);  // the pool has ended, or does without this process
   }
-  const auto [job, output, answer] = request;
-  dup2(job, STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  dup2(output, STDERR_FILENO);
-  dup2(answer, kResultDescriptor);
-  for (const int copied : request) {
-    close(copied);
+  const std::vector<int>& given = received.descriptors;
+  dup2(given[0], STDOUT_FILENO);
+  dup2(given[0], STDERR_FILENO);
+  dup2(given[1], kResultDescriptor);
+  if (given.size() > 2) {
+    dup2(given[2], STDIN_FILENO);
   }
+  close_all(given);
   std::cerr << printed << std::flush;
   process::report_crashes_of_copy();
 }
@@ -163,52 +164,94 @@ void rehearse() {
   to_json(perform(job_from(to_json(job))));
 }
 
-void tell(const std::string& text) {
-  ::send(kResultDescriptor, text.data(), text.size(), MSG_NOSIGNAL);
-}
+/// A process that is copied.
+class Original {
+ public:
+  explicit Original(pid_t pool) : pool_(pool), thread_number_(place_of_thread_number()) {
+    if (!thread_number_) {
+      refuse_copies("this system does not say what a copy of a process needs");
+    }
+  }
 
-[[noreturn]] void refuse_copies(const std::string& why) {
-  tell(kRefused + why);
-  process::end_with(base::kOtherFailure);
-}
+  void load(const Job& example) {
+    const Ties before;
+    prepared_ = std::make_unique<Preparation>(example);
+    become_ready(before, "loaded");
+  }
+
+  /// Returns only in a copy that is a template itself.
+  void serve() {
+    for (;;) {
+      const ReceivedRequest received = next_request(kResultDescriptor);
+      if (received.descriptors.empty()) {
+        process::end_with(base::kSuccess);
+      }
+      const pid_t copy = copy_beside(thread_number_);
+      if (copy == 0) {
+        take_place(received, pool_, printed_);
+        if (received.request.is_template) {
+          return;
+        }
+        if (received.descriptors.size() > 2) {
+          job_ = job_on_input();
+        } else {
+          job_.run = received.request.run;
+          job_.seed = received.request.seed;
+        }
+        do_run(job_, std::move(prepared_));
+      }
+      close_all(received.descriptors);
+      if (copy < 0) {
+        tell("no copy");
+      }
+    }
+  }
+
+  /// Reads the world of an example, and makes its objects.
+  void read_world() {
+    const Ties before;
+    job_ = job_on_input();
+    try {
+      prepared_->make(job_);
+    } catch (...) {
+      refuse_copies("this failed");  // the run reports how
+    }
+    become_ready(before, "made");
+  }
+
+ private:
+  void become_ready(const Ties& before, const std::string& when) {
+    std::cout.flush();
+    std::fflush(nullptr);
+    if (const std::string why = obstacle(before, when); !why.empty()) {
+      refuse_copies(why);
+    }
+    printed_ = printed();
+    tell({kReady});
+  }
+
+  pid_t pool_;
+  int* thread_number_;
+  std::unique_ptr<Preparation> prepared_;
+  Job job_;
+  std::string printed_;
+};
 
 }  // namespace
 
 void stand_by() {
   prctl(PR_SET_NAME, kName);
-  // SIGTERM stays blocked, here and in copies until they can handle it.
   process::report_crashes(base::kPluginFailed);
-  const pid_t pool = getppid();
-  int* const thread_number = place_of_thread_number();
-  if (!thread_number) {
-    refuse_copies("this system does not say what a copy of a process needs");
-  }
+  handle_requests_to_end();  // SIGTERM stays blocked, here and in copies until they begin a run
+  Original original(getppid());
   const Job example = job_on_input();
   deciding_libraries();  // loads the engines
   rehearse();
-  const Ties before;
-  std::optional<plugin::Host> loaded(load_libraries(example));
-  std::cout.flush();
-  std::fflush(nullptr);
-  if (const std::string why = obstacle(before); !why.empty()) {
-    refuse_copies(why);
-  }
-  const std::string output = printed();
-  tell({kReady});
-  for (;;) {
-    const std::array<int, 3> request = next_request();
-    prctl(PR_SET_NAME, kNameOfRuns);  // of the copy: it never has another
-    const pid_t copy = copy_beside(thread_number);
-    if (copy == 0) {
-      take_place(request, pool, output);
-      do_run(std::move(loaded));
-    }
-    prctl(PR_SET_NAME, kName);
-    for (const int copied : request) {
-      close(copied);
-    }
-    ::send(kResultDescriptor, &copy, sizeof(copy), MSG_NOSIGNAL);
-  }
+  original.load(example);
+  original.serve();
+  original.read_world();
+  original.serve();
+  process::end_with(base::kOtherFailure);  // a copy with a world makes no templates
 }
 
 }  // namespace elsie::batch

@@ -122,11 +122,6 @@ void asked_to_end(int, siginfo_t* request, void*) {
 }
 
 void let_requests_come() {
-  struct sigaction action {};
-  action.sa_sigaction = asked_to_end;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGTERM, &action, nullptr);
   sigset_t waiting;  // blocked since the worker started
   sigemptyset(&waiting);
   sigaddset(&waiting, SIGTERM);
@@ -178,12 +173,19 @@ Job job_on_input() {
   }
 }
 
-void do_run(std::optional<plugin::Host> loaded) {
+void handle_requests_to_end() {
+  struct sigaction action {};
+  action.sa_sigaction = asked_to_end;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void do_run(const Job& job, std::unique_ptr<Preparation> prepared) {
   let_requests_come();
   LastWordsWriter last_words;
   fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
-  const Job job = job_on_input();
-  const RunRecord record = perform(job, std::move(loaded));
+  const RunRecord record = perform(job, std::move(prepared));
   send(to_json(record));
   end(record.state == RunState::done    ? kDone
       : record.state == RunState::fault ? kPluginFailed
@@ -193,7 +195,8 @@ void do_run(std::optional<plugin::Host> loaded) {
 void work() {
   prctl(PR_SET_NAME, kNameOfRuns);
   process::report_crashes(kPluginFailed);
-  do_run(std::nullopt);
+  handle_requests_to_end();
+  do_run(job_on_input());
 }
 
 }  // namespace elsie::batch

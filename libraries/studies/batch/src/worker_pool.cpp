@@ -9,50 +9,19 @@
 
 #include <poll.h>
 
-#include "elsie/base/words.h"
-
-#include "run_template.h"
+#include "run_templates.h"
 #include "worker_process.h"
 
 namespace elsie::batch {
 
 namespace {
 constexpr auto kTick = std::chrono::seconds(1);
-/// Each has its own copy of some megabytes.
-constexpr std::size_t kMostTemplates = 64;
 }  // namespace
 
-WorkerPool::WorkerPool(PoolOptions options) : options_(std::move(options)) {}
+WorkerPool::WorkerPool(PoolOptions options)
+    : options_(std::move(options)), templates_(std::make_unique<RunTemplates>(options_)) {}
 
 WorkerPool::~WorkerPool() = default;
-
-RunTemplate* WorkerPool::original_for(const Job& job) {
-  if (options_.template_command.empty()) {
-    return nullptr;
-  }
-  const auto place = templates_.try_emplace({job.libraries, job.repetition}).first;
-  if (place->second && place->second->is_gone()) {
-    place->second.reset();
-  }
-  if (!place->second) {
-    if (templates_.size() > kMostTemplates) {
-      templates_.erase(place);
-      return nullptr;
-    }
-    place->second = std::make_unique<RunTemplate>(options_.template_command, job);
-  }
-  return place->second.get();
-}
-
-void WorkerPool::note_refusals() {
-  for (const auto& [what, original] : templates_) {
-    const std::string why = original->take_refusal();
-    if (!why.empty() && options_.note) {
-      options_.note("each run that needs these libraries starts a program of its own, because " +
-                    why + ": " + base::joined(what.first, ", "));
-    }
-  }
-}
 
 bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
   bool more = true;
@@ -65,8 +34,8 @@ bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
   try {
     for (;;) {
       while (more && workers_.size() < options_.workers) {
-        if (const std::optional<Job> job = next()) {
-          workers_.emplace_back(options_, *job, original_for(*job));
+        if (std::optional<Job> job = next()) {
+          workers_.emplace_back(options_, *std::move(job), *templates_);
         } else {
           more = false;
         }
@@ -123,7 +92,6 @@ bool WorkerPool::wait(std::vector<std::pair<std::int64_t, RunRecord>>& results) 
     }
     ++worker;
   }
-  note_refusals();
   return polled.front().revents == 0;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -51,8 +52,8 @@ bool drain(const Descriptor& from, const Take& take) {
 
 }  // namespace
 
-WorkerPool::Worker::Worker(const PoolOptions& options, const Job& job, RunTemplate* original)
-    : options_(options), run_(job.run), job_(file_of(job)), original_(original) {
+WorkerPool::Worker::Worker(const PoolOptions& options, Job job, RunTemplates& originals)
+    : options_(options), job_(std::move(job)), originals_(originals) {
   set_due(options_.wall_limit_s);
   proceed();
 }
@@ -63,17 +64,19 @@ void WorkerPool::Worker::set_due(double in_s) {
 }
 
 void WorkerPool::Worker::proceed() {
-  if (!is_waiting() || (original_ && original_->is_loading())) {
+  original_ = originals_.original_for(job_);
+  if (original_ && original_->is_loading()) {
     return;
   }
   Pipe output;
   Pipe answer;
   set_due(options_.wall_limit_s);
-  process_ = original_ ? original_->copy(job_, output.to, answer.to) : -1;
-  if (process_ < 0) {
-    process_ = start_process(options_.command, job_, output.to, answer.to);
+  if (const auto original = std::exchange(original_, nullptr)) {
+    process_ = original->copy(job_, output.to, answer.to);
   }
-  job_.reset();
+  if (process_ < 0) {
+    process_ = start_process(options_.command, file_of(job_), output.to, answer.to);
+  }
   // By number, because the header of glibc 2.36 does not work in C++.
   process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   if (!process_end_) {
@@ -133,7 +136,6 @@ void WorkerPool::Worker::read_answer() {
 
 void WorkerPool::Worker::read(const pollfd* polled) {
   if (is_waiting()) {
-    original_->hear();
     proceed();
     return;
   }
@@ -157,7 +159,7 @@ void WorkerPool::Worker::read(const pollfd* polled) {
 
 void WorkerPool::Worker::overdue(Clock::time_point now) {
   if (is_waiting()) {
-    original_->refuse("they were not loaded within the wall limit of a run");
+    original_->refuse("this took longer than the wall limit of a run");
     proceed();
     return;
   }

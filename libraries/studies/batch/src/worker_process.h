@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "elsie/batch/worker_pool.h"
 
 #include "descriptor.h"
-#include "run_template.h"
+#include "run_templates.h"
 
 namespace elsie::batch {
 
@@ -20,15 +21,15 @@ class WorkerPool::Worker {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts the process: a copy of `original`, once that has loaded its libraries; or the program
-  /// of a worker, if there is none or it makes no copies. Throws std::runtime_error.
-  Worker(const PoolOptions& options, const Job& job, RunTemplate* original);
+  /// Starts the process: a copy of a template, once that is ready, or the program of a worker. The
+  /// options and templates must outlive it. Throws std::runtime_error.
+  Worker(const PoolOptions& options, Job job, RunTemplates& originals);
   /// Kills the process if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  std::int64_t run() const { return run_; }
+  std::int64_t run() const { return job_.run; }
   /// The time at which to call overdue().
   Clock::time_point due() const { return due_; }
   /// The number of entries for poll(2).
@@ -44,7 +45,7 @@ class WorkerPool::Worker {
   RunRecord record();
 
  private:
-  bool is_waiting() const { return static_cast<bool>(job_); }
+  bool is_waiting() const { return static_cast<bool>(original_); }
   void set_due(double in_s);
   /// Starts the process as soon as it does not have to wait.
   void proceed();
@@ -54,9 +55,9 @@ class WorkerPool::Worker {
   void read_answer();
 
   const PoolOptions& options_;
-  std::int64_t run_;
-  Descriptor job_;  // until the process has started
-  RunTemplate* original_;
+  const Job job_;
+  RunTemplates& originals_;
+  std::shared_ptr<RunTemplate> original_;  // that the worker waits for
   Clock::time_point begun_;
   Clock::time_point due_;
   pid_t process_ = -1;

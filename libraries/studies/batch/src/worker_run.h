@@ -1,10 +1,10 @@
 // What a worker does, whether it is a program of its own or a copy of one.
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "elsie/batch/job.h"
-#include "elsie/plugin/host.h"
+#include "elsie/batch/perform.h"
 
 namespace elsie::batch {
 
@@ -14,8 +14,11 @@ inline constexpr const char* kNameOfRuns = "elsie-run";
 /// The job on standard input. Ends the process if there is none.
 Job job_on_input();
 
-/// As work(), with the libraries of the job if they are loaded already. Crashes of the process must
-/// be reported.
-[[noreturn]] void do_run(std::optional<plugin::Host> loaded);
+/// From now on the process knows what to do when the pool asks it to end, by SIGTERM.
+void handle_requests_to_end();
+
+/// As work(), for this job, of which something may be prepared; see perform(). Crashes and requests
+/// to end must be handled.
+[[noreturn]] void do_run(const Job& job, std::unique_ptr<Preparation> prepared = nullptr);
 
 }  // namespace elsie::batch

@@ -1,9 +1,9 @@
 // Worker processes: each does one run and ends.
 //
-// Starting a program and loading libraries takes longer than a short run. Therefore workers are
-// copies (as by fork(2)) of a process that has loaded the libraries of their run and nothing else;
-// see run_template.h. Runs whose libraries cannot be loaded in this way, for example because one
-// starts a thread while it is loaded, have a worker that is a program of its own.
+// Starting a program, loading libraries and reading a world takes longer than a short run.
+// Therefore workers are copies (as by fork(2)) of a process that has done so; see run_template.h.
+// Runs whose libraries cannot be loaded in this way, for example because one starts a thread while
+// it is loaded, have a worker that is a program of its own.
 //
 // A worker gets its job on standard input, and answers with a line of JSON on its own pipe
 // (kResultDescriptor). The last kilobytes of its output are kept for the record of a failed run. If
@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <functional>
 #include <list>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,7 +25,7 @@
 
 namespace elsie::batch {
 
-class RunTemplate;
+class RunTemplates;
 
 /// The descriptor to which a worker writes its answer.
 inline constexpr int kResultDescriptor = 3;
@@ -71,15 +70,10 @@ class WorkerPool {
  private:
   class Worker;
 
-  /// The process to copy for this job, or null.
-  RunTemplate* original_for(const Job& job);
-  void note_refusals();
   bool wait(std::vector<std::pair<std::int64_t, RunRecord>>& results);
 
   PoolOptions options_;
-  /// By libraries, and by the repetition of the run: copies of one process have the same addresses
-  /// and the same state of libraries after loading, which repetitions must not have in common.
-  std::map<std::pair<std::vector<std::string>, int>, std::unique_ptr<RunTemplate>> templates_;
+  std::unique_ptr<RunTemplates> templates_;
   std::list<Worker> workers_;
 };
 
