@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <utility>
 
 #include <poll.h>
@@ -43,7 +44,11 @@ Descriptor file_for_output() {
 
 RunTemplate::RunTemplate(const std::vector<std::string>& command, const Job& example) {
   SocketPair line;
-  process_ = start_process(command, file_of(example), file_for_output(), line.other);
+  // All addresses are looked up once, not in each copy; see kBindNow.
+  const bool is_set = std::getenv(kBindNow) != nullptr;
+  const std::string variable = std::string(kBindNow) + '=' + kBoundForCopies;
+  process_ = start_process(command, file_of(example), file_for_output(), line.other,
+                           is_set ? nullptr : variable.c_str());
   socket_ = std::move(line.own);
 }
 

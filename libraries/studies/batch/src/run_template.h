@@ -30,6 +30,10 @@ namespace elsie::batch {
 inline constexpr char kReady = '+';
 inline constexpr char kRefused = '-';
 
+/// A variable of the environment for the system's loader. A template has it while it starts.
+inline constexpr const char* kBindNow = "LD_BIND_NOW";
+inline constexpr const char* kBoundForCopies = "copies";
+
 class RunTemplate {
  public:
   /// Starts a program that loads the libraries of the example. Throws std::runtime_error.

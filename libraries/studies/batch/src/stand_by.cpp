@@ -2,6 +2,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -241,6 +242,9 @@ class Original {
 
 void stand_by() {
   prctl(PR_SET_NAME, kName);
+  if (const char* const set = std::getenv(kBindNow); set && set == std::string(kBoundForCopies)) {
+    unsetenv(kBindNow);  // plugins and their children must not find it
+  }
   process::report_crashes(base::kPluginFailed);
   handle_requests_to_end();  // SIGTERM stays blocked, here and in copies until they begin a run
   Original original(getppid());

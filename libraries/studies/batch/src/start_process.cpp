@@ -19,8 +19,8 @@ namespace {
 
 /// Runs in the child between vfork and exec, where only these calls are allowed. All signals are
 /// blocked, and the memory is the parent's.
-[[noreturn]] void become_worker(char* const* command, int job, int output, int answer,
-                                pid_t parent) {
+[[noreturn]] void become_worker(char* const* command, char* const* environment, int job,
+                                int output, int answer, pid_t parent) {
   setpgid(0,
           0);  // its own group: killed with its children, and not reached by the terminal's Ctrl-C
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -41,7 +41,7 @@ namespace {
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   dup2(answer, kResultDescriptor);
-  execv(command[0], command);
+  execve(command[0], command, environment);
   _exit(127);
 }
 
@@ -86,12 +86,18 @@ Descriptor file_of(const Job& job) {
 }
 
 pid_t start_process(const std::vector<std::string>& command, const Descriptor& input,
-                    const Descriptor& output, const Descriptor& answer) {
+                    const Descriptor& output, const Descriptor& answer, const char* variable) {
   std::vector<char*> words;
   for (const std::string& word : command) {
     words.push_back(const_cast<char*>(word.c_str()));
   }
   words.push_back(nullptr);
+  std::vector<char*> variables;
+  for (char** each = environ; *each; ++each) {
+    variables.push_back(*each);
+  }
+  variables.push_back(const_cast<char*>(variable));
+  variables.push_back(nullptr);
   // Copies above the numbers that the child assigns.
   const Descriptor high_input(fcntl(input.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
   const Descriptor high_output(fcntl(output.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
@@ -106,7 +112,7 @@ pid_t start_process(const std::vector<std::string>& command, const Descriptor& i
     // fork() copies the page tables of this process, which costs a twentieth of a short run.
     child = vfork();
     if (child == 0) {
-      become_worker(words.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
+      become_worker(words.data(), variables.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
     }
   }
   if (child < 0) {

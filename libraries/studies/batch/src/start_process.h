@@ -19,10 +19,11 @@ namespace elsie::batch {
 Descriptor file_of(const Job& job);
 
 /// Starts a program with SIGTERM blocked. Its standard input is `input`, its two outputs `output`,
-/// and `answer` its descriptor kResultDescriptor. It ends with this process. Throws as
-/// cannot_start().
+/// and `answer` its descriptor kResultDescriptor. `variable`: "NAME=value", added to its
+/// environment. It ends with this process. Throws as cannot_start().
 pid_t start_process(const std::vector<std::string>& command, const Descriptor& input,
-                    const Descriptor& output, const Descriptor& answer);
+                    const Descriptor& output, const Descriptor& answer,
+                    const char* variable = nullptr);
 
 /// Kills a child, if it still runs, and its process group. Returns its status as waitpid(2) does.
 int end_process_group(pid_t process);
