@@ -1,4 +1,5 @@
 // elsie batch: does all runs of an experiment and writes a database.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -162,7 +163,9 @@ int run(BatchOptions options) {
           batch::carry_out(database,
                            {.worker = {"/proc/self/exe", kWorkerCommand},
                             .worker_template = worker_template,
-                            .workers = options.workers.value_or(processors()),
+                            .workers = options.workers.value_or(std::max<std::size_t>(
+                                processors() / options.threads, 1)),
+                            .threads = options.threads,
                             .stop_descriptor = signals.descriptor(),
                             .note = [](const std::string& text) { spdlog::info(text); }},
                            [&](const batch::Progress& progress) {
@@ -200,8 +203,9 @@ void add_batch_command(CLI::App& program, Job& job) {
   command
       ->add_option("--workers", options->workers,
                    "Runs at the same time, each in a process of its own; default: one for each "
-                   "processor")
+                   "processor, or for each --threads processors")
       ->check(CLI::Range(1, 1024));
+  add_threads_option(*command, options->threads);
   command
       ->add_option("--database", options->database,
                    "Database of results; default: the experiment's file name with .sqlite, in the "

@@ -16,6 +16,8 @@ namespace {
 
 // With many cells, an estimate takes milliseconds.
 constexpr auto kBetweenEstimates = std::chrono::milliseconds(500);
+/// Runs of one cell; with fewer, it is no use to keep a process that has read their world.
+constexpr std::int64_t kFewestToShare = 3;
 
 }  // namespace
 
@@ -104,6 +106,10 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     Clock::time_point since;
   };
   std::map<std::int64_t, AtWork> at_work;  // by run
+  std::map<std::pair<std::size_t, int>, std::int64_t> alike;  // runs by cell and repetition
+  for (const PlannedRun& run : pending) {
+    ++alike[{run.cell, run.repetition}];
+  }
   auto at = pending.begin();
   const auto next = [&]() -> std::optional<Job> {
     if (at == pending.end()) {
@@ -112,7 +118,13 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     require_unchanged(at->cell);
     database.require_in_place();
     at_work[at->id] = {at->cell, Clock::now()};
-    return job_of(plan, *at++);
+    Job job = job_of(plan, *at);
+    job.threads = options.threads;
+    if (alike.at({at->cell, at->repetition}) < kFewestToShare) {
+      job.cell.reset();
+    }
+    ++at;
+    return job;
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
     const AtWork was = at_work.at(run);

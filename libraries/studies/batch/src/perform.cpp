@@ -118,21 +118,22 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
 
 Preparation::Preparation(const Job& job) : host(libraries_of(job)) {}
 
-void Preparation::make(const Job& job) {
+void Preparation::make(const Job& job, const simulation::MakeCameraRenderer& cameras) {
   if (!run) {
     run.emplace(world_of(job, host), host,
                 simulation::Options{.begin_later = true,
                                     .files = job.files,
                                     .threads = job.threads,
-                                    .cameras = render::world_cameras});
+                                    .cameras = cameras});
   }
 }
 
 RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
   RunRecord record;
+  current_step = 0;
   try {
     const auto own = prepared ? std::move(prepared) : std::make_unique<Preparation>(job);
-    own->make(job);
+    own->make(job, render::world_cameras);
     own->run->reset(job.seed);
     run_to_end(*own->run, job, record);
   } catch (const simulation::PluginFault& fault) {

@@ -14,8 +14,8 @@
 namespace elsie::batch {
 namespace {
 
-/// The longest time for a copy: far more than it takes on a machine that is busy.
-constexpr int kCopyTime = 10'000;  // ms
+/// The longest time for a copy, far more than it takes on a busy machine: the template was stopped.
+constexpr int kCopyTime = 3'000;  // ms
 
 /// The two ends of the connection with a template.
 struct SocketPair {

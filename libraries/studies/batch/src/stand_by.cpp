@@ -165,6 +165,12 @@ void rehearse() {
   to_json(perform(job_from(to_json(job))));
 }
 
+/// Graphics belong to one process.
+struct Cameras {};
+std::unique_ptr<simulation::CameraRenderer> cameras_without_copies(const world::World&) {
+  throw Cameras();
+}
+
 /// A process that is copied.
 class Original {
  public:
@@ -213,7 +219,9 @@ class Original {
     const Ties before;
     job_ = job_on_input();
     try {
-      prepared_->make(job_);
+      prepared_->make(job_, cameras_without_copies);
+    } catch (const Cameras&) {
+      refuse_copies("it has cameras");
     } catch (...) {
       refuse_copies("this failed");  // the run reports how
     }

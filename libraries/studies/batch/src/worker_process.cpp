@@ -70,13 +70,13 @@ void WorkerPool::Worker::proceed() {
   }
   Pipe output;
   Pipe answer;
-  set_due(options_.wall_limit_s);
   if (const auto original = std::exchange(original_, nullptr)) {
     process_ = original->copy(job_, output.to, answer.to);
   }
   if (process_ < 0) {
     process_ = start_process(options_.command, file_of(job_), output.to, answer.to);
   }
+  set_due(options_.wall_limit_s);  // a copy that was not made may have taken time
   // By number, because the header of glibc 2.36 does not work in C++.
   process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   if (!process_end_) {

@@ -28,7 +28,7 @@ struct Preparation {
   /// Loads the libraries of the job. Never throws because of a file; see plugin::Host.
   explicit Preparation(const Job& job);
   /// Reads the world and makes its objects, if that has not been done. Throws as they do.
-  void make(const Job& job);
+  void make(const Job& job, const simulation::MakeCameraRenderer& cameras);
 
   plugin::Host host;
   std::optional<simulation::Simulation> run{};
