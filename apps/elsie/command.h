@@ -20,6 +20,8 @@ using base::kSuccess;
 
 /// The hidden subcommand of workers, which `elsie batch` starts.
 inline constexpr const char* kWorkerCommand = "batch-worker";
+/// The hidden subcommand of the processes that are copied for workers.
+inline constexpr const char* kTemplateCommand = "batch-template";
 
 /// The work of the chosen subcommand; returns the exit code.
 using Job = std::function<int()>;

@@ -17,6 +17,8 @@ struct CommandModule {
   void (*add_commands)(CLI::App& program, Job& job);
   /// Does the work of a process that `elsie batch` has started, and ends it.
   void (*work)();
+  /// Does the work of one that is copied for runs, and ends it.
+  void (*stand_by)();
   /// Throws BadInput for files that cannot be written.
   std::unique_ptr<RunViews> (*make_views)(const ViewOptions& options);
   /// Throws render::RenderError where no pictures can be taken.

@@ -115,6 +115,9 @@ int work(int argc, char** argv) {
   if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
     command_module().work();
   }
+  if (argc == 2 && std::string_view(argv[1]) == kTemplateCommand) {
+    command_module().stand_by();
+  }
   set_program_path(argv[0]);
   keep_output(argc, argv);
   process::report_crashes(kPluginFailed);

@@ -53,6 +53,11 @@ class Laboratory : public Workplace {
     write("faulty.xml", experiment(worlds, "", seeds, limits));
   }
 
+  /// A function of the shell: the processes that do the runs of the batch with this number.
+  static inline const std::string kWorkersOf =
+      "workers_of() { for p in $(cat /proc/$1/task/$1/children); do\n"
+      "  if [ \"$(cat /proc/$p/comm 2>/dev/null)\" = elsie-run ]; then echo $p; fi; done; }\n";
+
   ProgramRun batch(const std::string& arguments) const {
     return elsie("batch " + arguments + " --plugin-path " + plugins());
   }

@@ -16,11 +16,13 @@ using elsie::test::world_with;
 namespace fs = std::filesystem;
 
 TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported in full") {
+  const std::string way = GENERATE(as<std::string>(), "", " --fresh-processes");
+  CAPTURE(way);
   const Laboratory here;
   here.write_faulty({"segfaulting", "aborting", "overflowing", "looping", "not_a_number",
                      "throwing", "exiting", "thrifty"},
                     "<limits time=\"2\" wall_time=\"4\"/>");
-  const auto run = here.batch("faulty.xml --workers 2");
+  const auto run = here.batch("faulty.xml --workers 2" + way);
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.out, Contains("elsie replay faulty.sqlite 1"));
@@ -81,18 +83,74 @@ TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported
   }
 }
 
+TEST_CASE("A run that fails in a copy of a process leaves the same results as in its own program") {
+  const Laboratory here;
+  here.write_faulty({"segfaulting",
+                     "overflowing",
+                     "exiting",
+                     "throwing",
+                     "calling_nowhere",
+                     "thrifty",
+                     "leaving",
+                     "leaving_in_c",
+                     "leaving_quickly",
+                     "leaving_by_system_call",
+                     "leaving_at_the_end",
+                     "leaving_elsewhere",
+                     "becoming_another",
+                     "killing",
+                     "forking",
+                     "forking_and_crashing",
+                     "handling_its_crash",
+                     "forgetting_handlers",
+                     "writing_to_a_broken_pipe",
+                     "printing",
+                     "blocking",
+                     "rounding"},
+                    "<limits time=\"2\" wall_time=\"10\"/>", 2);
+  for (const std::string database : {"copies", "programs"}) {
+    const auto run = here.batch("faulty.xml --workers 2 --database " + database + ".sqlite" +
+                                (database == "programs" ? " --fresh-processes" : ""));
+    CAPTURE(run.out, run.err);
+    CHECK(run.exit_code == 3);
+    CHECK(here.query(database + ".sqlite", "SELECT count(*) FROM runs WHERE state = 'pending'") ==
+          "0\n");
+  }
+  CHECK(here.table("copies.sqlite") == here.table("programs.sqlite"));
+  const auto logs = [&](const std::string& database) {
+    return here.query(database, "SELECT count(*) FROM runs WHERE log LIKE '%the stack%'");
+  };
+  CHECK(logs("copies.sqlite") == logs("programs.sqlite"));
+}
+
+TEST_CASE("A run whose end is a matter of chance does not affect others, in a copy either") {
+  const std::string way = GENERATE(as<std::string>(), "", " --fresh-processes");
+  CAPTURE(way);
+  const Laboratory here;
+  // What is overwritten depends on where it is; and a thread may crash before the run ends or not.
+  here.write_faulty({"smashing_heap", "crashing_beside", "thrifty"},
+                    "<limits time=\"2\" wall_time=\"10\"/>", 3);
+  CHECK(here.batch("faulty.xml --workers 2" + way).exit_code == 3);
+  CHECK(here.query("faulty.sqlite",
+                   "SELECT world, count(*) FROM runs JOIN cells ON cells.id = cell_id WHERE state "
+                   "= CASE world WHEN 'smashing_heap' THEN 'crash' WHEN 'thrifty' THEN 'done' ELSE "
+                   "state END AND state <> 'pending' GROUP BY world ORDER BY world") ==
+        "crashing_beside|3\nsmashing_heap|3\nthrifty|3\n");
+}
+
 TEST_CASE("A worker that is killed from outside costs its run only") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 3);
-  const auto run = here.sh(
-      "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
-      Laboratory::plugins() +
-      " & batch=$!\n"
-      "while ! worker=$(cat /proc/$batch/task/$batch/children) || [ -z \"$worker\" ]; do sleep "
-      "0.02; done\n"
-      "kill -9 $worker\n"
-      "wait $batch && code=$? || code=$?\n"
-      "exit $code");
+  const auto run =
+      here.sh(Laboratory::kWorkersOf +
+              "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
+              Laboratory::plugins() +
+              " & batch=$!\n"
+              "while ! worker=$(workers_of $batch) || [ -z \"$worker\" ]; do sleep "
+              "0.02; done\n"
+              "kill -9 $worker\n"
+              "wait $batch && code=$? || code=$?\n"
+              "exit $code");
   CHECK(run.exit_code == 3);
   CHECK(here.query("faulty.sqlite", "SELECT state, signal FROM runs ORDER BY id") ==
         "crash|SIGKILL\ndone|null\ndone|null\n");
@@ -103,15 +161,16 @@ TEST_CASE("A worker leaves a request to end to its batch: a run has no result be
   // A cluster sends SIGTERM to all processes of a task, in any order.
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
-  const auto run = here.sh(
-      "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
-      Laboratory::plugins() +
-      " & batch=$!\n"
-      "while ! worker=$(cat /proc/$batch/task/$batch/children) || [ -z \"$worker\" ]; do sleep "
-      "0.002; done\n"
-      "kill -TERM $worker; sleep 0.5; kill -TERM $worker; sleep 0.2; kill -TERM $batch\n"
-      "wait $batch && code=$? || code=$?\n"
-      "exit $code");
+  const auto run =
+      here.sh(Laboratory::kWorkersOf +
+              "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
+              Laboratory::plugins() +
+              " & batch=$!\n"
+              "while ! worker=$(workers_of $batch) || [ -z \"$worker\" ]; do sleep "
+              "0.002; done\n"
+              "kill -TERM $worker; sleep 0.5; kill -TERM $worker; sleep 0.2; kill -TERM $batch\n"
+              "wait $batch && code=$? || code=$?\n"
+              "exit $code");
   CHECK(run.exit_code == 4);
   CHECK(here.query("faulty.sqlite",
                    "SELECT count(*) FROM runs WHERE state NOT IN ('pending', 'done')") == "0\n");
@@ -169,11 +228,12 @@ TEST_CASE("The workers of a batch that is killed end with it") {
   const Laboratory here;
   here.write_faulty({"looping"}, "", 2);
   const auto run =
-      here.sh("elsie batch faulty.xml --workers 2 --quiet --plugin-path " + Laboratory::plugins() +
+      here.sh(Laboratory::kWorkersOf + "elsie batch faulty.xml --workers 2 --quiet --plugin-path " +
+              Laboratory::plugins() +
               " & batch=$!\n"
               "until program=$(cat /proc/$batch/task/$batch/children) && [ -n \"$program\" ]; do "
               "sleep 0.02; done; program=${program% }\n"
-              "while [ $(wc -w < /proc/$program/task/$program/children) -lt 2 ]; do sleep 0.02; "
+              "while [ $(workers_of $program | wc -w) -lt 2 ]; do sleep 0.02; "
               "done\n"
               "workers=\"$program $(cat /proc/$program/task/$program/children)\"\n"
               "kill -9 $batch; wait $batch || true\n"
@@ -242,14 +302,15 @@ TEST_CASE("A signal that comes twice at once is one request to stop") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
   // timeout(1) and schedulers send it to the process and to its group.
-  const auto run = here.sh(
-      "elsie --one-process batch faulty.xml --workers 1 --plugin-path " + Laboratory::plugins() +
-      " & batch=$!\n"
-      "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
-      "kill -TERM $batch; sleep 0.005; kill -TERM $batch 2>/dev/null || true\n"
-      "sleep 0.002; kill -INT $batch 2>/dev/null || true\n"
-      "wait $batch && code=$? || code=$?\n"
-      "exit $code");
+  const auto run = here.sh(Laboratory::kWorkersOf +
+                           "elsie --one-process batch faulty.xml --workers 1 --plugin-path " +
+                           Laboratory::plugins() +
+                           " & batch=$!\n"
+                           "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
+                           "kill -TERM $batch; sleep 0.005; kill -TERM $batch 2>/dev/null || true\n"
+                           "sleep 0.002; kill -INT $batch 2>/dev/null || true\n"
+                           "wait $batch && code=$? || code=$?\n"
+                           "exit $code");
   CHECK(run.exit_code == 4);
   CHECK_THAT(run.err, Contains("interrupted; 4 of 4 runs are still to be done"));
   CHECK_FALSE(fs::exists(here.file("faulty.sqlite-lock")));
@@ -260,10 +321,11 @@ TEST_CASE("Two batches do not write one database") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run =
-      here.sh("elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
+      here.sh(Laboratory::kWorkersOf +
+              "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
               Laboratory::plugins() +
               " & batch=$!\n"
-              "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+              "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
               "elsie --one-process batch faulty.xml --resume --plugin-path " +
               Laboratory::plugins() +
               " && code=$? || code=$?\n"
@@ -299,10 +361,11 @@ TEST_CASE("A batch notices files that change, even during its last run") {
                                                             Laboratory::kTwoDawdledSteps));
   const std::string content = here.read(model);
   const auto run =
-      here.sh("elsie --one-process batch small_experiment.xml --workers 1 --plugin-path " +
+      here.sh(Laboratory::kWorkersOf +
+              "elsie --one-process batch small_experiment.xml --workers 1 --plugin-path " +
               Laboratory::plugins() +
               " & batch=$!\n"
-              "while [ $(wc -w < /proc/$batch/task/$batch/children) = 0 ]; do sleep 0.02; done\n"
+              "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
               "echo >> " +
               model +
               "\n"

@@ -1,10 +1,13 @@
 // elsie batch: does all runs of an experiment and writes a database.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
@@ -151,15 +154,24 @@ int run(BatchOptions options) {
   } else {
     const bool bar = !options.quiet && !options.json && isatty(STDERR_FILENO);
     report.begin(bar);
+    std::vector<std::string> worker_template;
+    if (!options.fresh_processes) {
+      worker_template = {"/proc/self/exe", kTemplateCommand};
+    }
     try {
-      const bool complete = batch::carry_out(database,
-                                             {.worker = {"/proc/self/exe", kWorkerCommand},
-                                              .workers = options.workers.value_or(processors()),
-                                              .stop_descriptor = signals.descriptor()},
-                                             [&](const batch::Progress& progress) {
-                                               report.progress(progress);
-                                               progress_file.write(progress);
-                                             });
+      const bool complete =
+          batch::carry_out(database,
+                           {.worker = {"/proc/self/exe", kWorkerCommand},
+                            .worker_template = worker_template,
+                            .workers = options.workers.value_or(std::max<std::size_t>(
+                                processors() / options.threads, 1)),
+                            .threads = options.threads,
+                            .stop_descriptor = signals.descriptor(),
+                            .note = [](const std::string& text) { spdlog::info(text); }},
+                           [&](const batch::Progress& progress) {
+                             report.progress(progress);
+                             progress_file.write(progress);
+                           });
       report.end(!complete);
     } catch (...) {
       report.end(true);
@@ -191,8 +203,9 @@ void add_batch_command(CLI::App& program, Job& job) {
   command
       ->add_option("--workers", options->workers,
                    "Runs at the same time, each in a process of its own; default: one for each "
-                   "processor")
+                   "processor, or for each --threads processors")
       ->check(CLI::Range(1, 1024));
+  add_threads_option(*command, options->threads);
   command
       ->add_option("--database", options->database,
                    "Database of results; default: the experiment's file name with .sqlite, in the "
@@ -233,6 +246,8 @@ void add_batch_command(CLI::App& program, Job& job) {
       ->allow_extra_args(false);
   command->add_flag("--detach", options->detach,
                     "With --cluster: submit without waiting; --resume follows it later");
+  // Not listed for users: workers are programs, not copies of one. For tests and benchmarks.
+  command->add_flag("--fresh-processes", options->fresh_processes)->group("");
   options->plugins.add_to(*command);
   command->add_flag("--json", options->json,
                     "Print a summary as one JSON object, and nothing else");

@@ -17,6 +17,7 @@ struct BatchOptions {
   PluginOptions plugins;
   std::string experiment;
   std::optional<std::size_t> workers;
+  std::size_t threads = 1;
   std::optional<std::string> database;
   bool resume = false;
   bool again = false;
@@ -27,6 +28,7 @@ struct BatchOptions {
   std::optional<std::size_t> shards;
   std::vector<std::string> sbatch;
   bool detach = false;
+  bool fresh_processes = false;
   bool json = false;
   bool quiet = false;
 };

@@ -84,6 +84,9 @@ std::vector<std::string> task_command(const BatchOptions& options) {
     command.insert(command.end(), {"--plugin", absolute(file)});
   }
   command.insert(command.end(), {"--workers", std::to_string(options.workers.value_or(1))});
+  if (options.threads > 1) {
+    command.insert(command.end(), {"--threads", std::to_string(options.threads)});
+  }
   return command;
 }
 
@@ -120,7 +123,7 @@ class ClusterBatch {
     folder_.set_job(cluster::submit({.name = folder_.name(),
                                      .script = folder_.script(),
                                      .tasks = to_do,
-                                     .processors = options_.workers.value_or(1),
+                                     .processors = options_.workers.value_or(1) * options_.threads,
                                      .log = folder_.log("%a"),
                                      .options = options_.sbatch}));
     say("job array " + folder_.job() + ": " + std::to_string(to_do.size()) + " of " +

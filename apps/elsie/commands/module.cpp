@@ -40,7 +40,7 @@ void add_commands(CLI::App& program, Job& job) {
 extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
 elsie_command_module() {
   using namespace elsie;
-  static const program::CommandModule module{program::add_commands, batch::work,
+  static const program::CommandModule module{program::add_commands, batch::work, batch::stand_by,
                                              program::make_views, render::world_cameras};
   return &module;
 }

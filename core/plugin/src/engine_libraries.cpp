@@ -1,7 +1,10 @@
 #include "elsie/plugin/engine_libraries.h"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <system_error>
+#include <utility>
 
 #include <dlfcn.h>
 
@@ -15,7 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder() { return fs::weakly_canonical(file_of_this_library()).parent_path() / "elsie"; }
+fs::path folder() {
+  static const fs::path found =
+      fs::weakly_canonical(file_of_this_library()).parent_path() / "elsie";
+  return found;
+}
 fs::path engines() { return folder() / "engines"; }
 
 /// A sentence if this program cannot load the file as a library.
@@ -49,6 +56,12 @@ void* engine_symbol(const std::string& name, const char* symbol) {
 }
 
 void* part_symbol(const std::string& what, const fs::path& file, const char* symbol) {
+  // The system's loader compares the file with every library that is loaded.
+  static std::mutex guard;
+  static std::map<std::pair<fs::path, std::string>, void*> known;
+  const std::lock_guard lock(guard);
+  void*& place = known[{file, symbol}];
+  if (place) return place;
   const auto refuse = [&](const std::string& why) {
     throw PluginError("the library of " + what + ", " + file.string() + ", " + why +
                           "; reinstall Elsie, or build it again",
@@ -66,7 +79,7 @@ void* part_symbol(const std::string& what, const fs::path& file, const char* sym
     dlclose(library);
     refuse(std::string("does not export '") + symbol + "'");
   }
-  return found;
+  return place = found;
 }
 
 }  // namespace elsie::plugin

@@ -12,9 +12,12 @@ const void* place_in_this_library() noexcept {
 }
 
 fs::path file_of_this_library() {
-  Dl_info info{};
-  const bool known = dladdr(place_in_this_library(), &info) != 0 && info.dli_fname;
-  return known ? fs::path(info.dli_fname) : fs::path();
+  static const fs::path file = [] {  // dladdr() reads all symbols of the library
+    Dl_info info{};
+    const bool known = dladdr(place_in_this_library(), &info) != 0 && info.dli_fname;
+    return known ? fs::path(info.dli_fname) : fs::path();
+  }();
+  return file;
 }
 
 }  // namespace elsie::plugin

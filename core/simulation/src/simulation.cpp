@@ -13,7 +13,7 @@
 namespace elsie::simulation {
 Simulation::Simulation(world::World world, const plugin::Host& host, const Options& options)
     : impl_(std::make_unique<Impl>(std::move(world), host, options)) {
-  impl_->reset(options.seed);
+  if (!options.begin_later) impl_->reset(options.seed);
 }
 
 Simulation::Simulation(Simulation&&) noexcept = default;

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <elsie/api/behavior.h>
@@ -28,6 +30,25 @@ namespace {
     std::this_thread::sleep_for(std::chrono::milliseconds(1200));
   }
   return wish && raise(SIGTERM) == 0;
+}();
+
+/// What a test selects is left behind when the library is loaded.
+[[maybe_unused]] const bool left_behind = [] {
+  const char* const wish = std::getenv("FAULTY_LEAVES_BEHIND");
+  const std::string_view what = wish ? wish : "";
+  if (what == "thread") {
+    std::thread([] { pause(); }).detach();
+  } else if (what == "process" && fork() == 0) {
+    pause();
+  } else if (what == "file") {
+    return dup(STDERR_FILENO) > 0;
+  } else if (what == "memory") {
+    return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0) !=
+           MAP_FAILED;
+  } else if (what == "text") {
+    std::printf("loaded\n");
+  }
+  return true;
 }();
 
 /// The compiler cannot see into this function, so that the faults below stay.

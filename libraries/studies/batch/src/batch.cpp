@@ -16,6 +16,8 @@ namespace {
 
 // With many cells, an estimate takes milliseconds.
 constexpr auto kBetweenEstimates = std::chrono::milliseconds(500);
+/// Runs of one cell; with fewer, it is no use to keep a process that has read their world.
+constexpr std::int64_t kFewestToShare = 3;
 
 }  // namespace
 
@@ -23,8 +25,14 @@ Job job_of(const Plan& plan, const PlannedRun& run) {
   const PlannedCell& cell = plan.cells[run.cell];
   Job job;
   job.run = run.id;
+  job.repetition = run.repetition;
   const auto layout = cell.layouts.find(run.seed);
-  job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
+  if (layout == cell.layouts.end()) {
+    job.world_text = cell.world_text;
+    job.cell = run.cell;
+  } else {
+    job.world_text = layout->second.world_text;
+  }
   job.world_file = cell.world_file;
   for (const PlannedCell::Data& data : cell.data) {
     job.files[data.name] = plan.files[data.file].path;
@@ -79,9 +87,11 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
   FileCheck files(plan);
   const auto start = Clock::now();
   WorkerPool pool({.command = options.worker,
+                   .template_command = options.worker_template,
                    .workers = options.workers,
                    .wall_limit_s = plan.wall_limit_s,
-                   .stop_descriptor = options.stop_descriptor});
+                   .stop_descriptor = options.stop_descriptor,
+                   .note = options.note});
   const auto require_unchanged = [&](std::size_t cell) {
     if (const auto changed = files.changed(cell)) {
       throw FileChanged(
@@ -96,6 +106,10 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     Clock::time_point since;
   };
   std::map<std::int64_t, AtWork> at_work;  // by run
+  std::map<std::pair<std::size_t, int>, std::int64_t> alike;  // runs by cell and repetition
+  for (const PlannedRun& run : pending) {
+    ++alike[{run.cell, run.repetition}];
+  }
   auto at = pending.begin();
   const auto next = [&]() -> std::optional<Job> {
     if (at == pending.end()) {
@@ -104,7 +118,13 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     require_unchanged(at->cell);
     database.require_in_place();
     at_work[at->id] = {at->cell, Clock::now()};
-    return job_of(plan, *at++);
+    Job job = job_of(plan, *at);
+    job.threads = options.threads;
+    if (alike.at({at->cell, at->repetition}) < kFewestToShare) {
+      job.cell.reset();
+    }
+    ++at;
+    return job;
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
     const AtWork was = at_work.at(run);

@@ -89,7 +89,8 @@ std::string to_json(const Job& job) {
                  {"files", job.files},
                  {"libraries", job.libraries},
                  {"seed", job.seed},
-                 {"trajectory_period_s", job.trajectory_period_s}});
+                 {"trajectory_period_s", job.trajectory_period_s},
+                 {"threads", job.threads}});
 }
 
 Job job_from(std::string_view json) {
@@ -103,6 +104,7 @@ Job job_from(std::string_view json) {
     object.at("libraries").get_to(job.libraries);
     object.at("seed").get_to(job.seed);
     object.at("trajectory_period_s").get_to(job.trajectory_period_s);
+    object.at("threads").get_to(job.threads);
     return job;
   } catch (const Json::exception& error) {
     throw std::runtime_error(std::string("the job is not complete: ") + error.what());

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "elsie/plugin/host.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/account_recorder.h"
@@ -37,12 +36,12 @@ struct Watchers {
   traces::AccountRecorder accounts;
 };
 
-plugin::Host host_of(const Job& job) {
+std::vector<plugin::SearchDirectory> libraries_of(const Job& job) {
   std::vector<plugin::SearchDirectory> libraries;
   for (const std::string& library : job.libraries) {
     libraries.push_back({library, "the batch"});
   }
-  return plugin::Host(std::move(libraries));
+  return libraries;
 }
 
 world::World world_of(const Job& job, const plugin::Host& host) {
@@ -117,14 +116,26 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
 
 }  // namespace
 
-RunRecord perform(const Job& job) {
+Preparation::Preparation(const Job& job) : host(libraries_of(job)) {}
+
+void Preparation::make(const Job& job, const simulation::MakeCameraRenderer& cameras) {
+  if (!run) {
+    run.emplace(world_of(job, host), host,
+                simulation::Options{.begin_later = true,
+                                    .files = job.files,
+                                    .threads = job.threads,
+                                    .cameras = cameras});
+  }
+}
+
+RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
   RunRecord record;
+  current_step = 0;
   try {
-    const plugin::Host host = host_of(job);
-    simulation::Simulation run(
-        world_of(job, host), host,
-        {.seed = job.seed, .files = job.files, .cameras = render::world_cameras});
-    run_to_end(run, job, record);
+    const auto own = prepared ? std::move(prepared) : std::make_unique<Preparation>(job);
+    own->make(job, render::world_cameras);
+    own->run->reset(job.seed);
+    run_to_end(*own->run, job, record);
   } catch (const simulation::PluginFault& fault) {
     record.state = RunState::fault;
     record.message = fault.what();

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include "elsie/batch/perform.h"
@@ -19,6 +20,8 @@
 #include "elsie/plugin/call.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
+
+#include "worker_run.h"
 
 namespace elsie::batch {
 namespace {
@@ -118,30 +121,11 @@ void asked_to_end(int, siginfo_t* request, void*) {
                        "the run did not end before its wall limit", kPluginFailed);
 }
 
-void handle_signals() {
-  process::report_crashes(kPluginFailed);
-  struct sigaction action {};
-  action.sa_sigaction = asked_to_end;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGTERM, &action, nullptr);
+void let_requests_come() {
   sigset_t waiting;  // blocked since the worker started
   sigemptyset(&waiting);
   sigaddset(&waiting, SIGTERM);
   sigprocmask(SIG_UNBLOCK, &waiting, nullptr);
-}
-
-std::string standard_input() {
-  std::string text;
-  std::array<char, 65'536> buffer;
-  for (;;) {
-    const ssize_t size = read(STDIN_FILENO, buffer.data(), buffer.size());
-    if (size > 0) {
-      text.append(buffer.data(), static_cast<std::size_t>(size));
-    } else if (size == 0 || errno != EINTR) {
-      return text;
-    }
-  }
 }
 
 [[noreturn]] void end(int exit_code) {
@@ -164,25 +148,55 @@ void send(std::string answer) {
   }
 }
 
+std::string standard_input() {
+  std::string text;
+  std::array<char, 65'536> buffer;
+  for (;;) {
+    const ssize_t size = read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (size > 0) {
+      text.append(buffer.data(), static_cast<std::size_t>(size));
+    } else if (size == 0 || errno != EINTR) {
+      return text;
+    }
+  }
+}
+
 }  // namespace
 
-void work() {
-  handle_signals();
-  LastWordsWriter last_words;
-  fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
-  Job job;
+Job job_on_input() {
   try {
-    job = job_from(standard_input());
+    return job_from(standard_input());
   } catch (const std::exception& error) {
     std::cerr << "elsie: " << error.what()
               << "; this command is for `elsie batch`, which starts its workers by it\n";
     end(kNoJob);
   }
-  const RunRecord record = perform(job);
+}
+
+void handle_requests_to_end() {
+  struct sigaction action {};
+  action.sa_sigaction = asked_to_end;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void do_run(const Job& job, std::unique_ptr<Preparation> prepared) {
+  let_requests_come();
+  LastWordsWriter last_words;
+  fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
+  const RunRecord record = perform(job, std::move(prepared));
   send(to_json(record));
   end(record.state == RunState::done    ? kDone
       : record.state == RunState::fault ? kPluginFailed
                                         : kOtherFailure);
+}
+
+void work() {
+  prctl(PR_SET_NAME, kNameOfRuns);
+  process::report_crashes(kPluginFailed);
+  handle_requests_to_end();
+  do_run(job_on_input());
 }
 
 }  // namespace elsie::batch

@@ -9,15 +9,17 @@
 
 #include <poll.h>
 
+#include "run_templates.h"
 #include "worker_process.h"
 
 namespace elsie::batch {
 
 namespace {
 constexpr auto kTick = std::chrono::seconds(1);
-}
+}  // namespace
 
-WorkerPool::WorkerPool(PoolOptions options) : options_(std::move(options)) {}
+WorkerPool::WorkerPool(PoolOptions options)
+    : options_(std::move(options)), templates_(std::make_unique<RunTemplates>(options_)) {}
 
 WorkerPool::~WorkerPool() = default;
 
@@ -25,44 +27,43 @@ bool WorkerPool::run(const Next& next, const Ended& ended, const Tick& tick) {
   bool more = true;
   std::vector<std::pair<std::int64_t, RunRecord>> results;
   const auto hand_over = [&] {
-    for (auto& [number, record] : results) {
+    for (auto& [number, record] : std::exchange(results, {})) {
       ended(number, std::move(record));
     }
-    results.clear();
   };
-  for (;;) {
-    try {
+  try {
+    for (;;) {
       while (more && workers_.size() < options_.workers) {
-        if (const std::optional<Job> job = next()) {
-          workers_.emplace_back(options_, *job);
+        if (std::optional<Job> job = next()) {
+          workers_.emplace_back(options_, *std::move(job), *templates_);
         } else {
           more = false;
         }
       }
-    } catch (...) {
-      try {
-        hand_over();
-      } catch (...) {
-        // The results cannot be stored; the first error is reported.
+      hand_over();  // only now, so that the workers run meanwhile
+      if (tick) {
+        tick();
       }
-      throw;
+      if (workers_.empty()) {
+        return true;
+      }
+      if (!wait(results)) {
+        workers_.clear();
+        hand_over();
+        return false;
+      }
     }
-    hand_over();  // only now, so that the workers run meanwhile
-    if (tick) {
-      tick();
-    }
-    if (workers_.empty()) {
-      return true;
-    }
-    if (!wait(results)) {
-      workers_.clear();
+  } catch (...) {
+    try {
       hand_over();
-      return false;
+    } catch (...) {
+      // The results cannot be stored; the first error is reported.
     }
+    throw;
   }
 }
 
-/// Waits for the next event. Returns false when the pool was stopped.
+/// Waits for the next event. Returns false when the pool was stopped. Throws std::runtime_error.
 bool WorkerPool::wait(std::vector<std::pair<std::int64_t, RunRecord>>& results) {
   using Clock = std::chrono::steady_clock;
   std::vector<pollfd> polled{{options_.stop_descriptor, POLLIN, 0}};

@@ -4,12 +4,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <stdexcept>
-#include <system_error>
+#include <utility>
 
 #include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,20 +15,16 @@
 
 #include "last_words.h"
 #include "post_mortem.h"
+#include "start_process.h"
 
 namespace elsie::batch {
 namespace {
-
-[[noreturn]] void fail(const char* what) {
-  throw std::runtime_error(std::string("no worker can be started: ") + what + ": " +
-                           std::generic_category().message(errno));
-}
 
 struct Pipe {
   Pipe() {
     std::array<int, 2> ends;
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-      fail("pipe");
+      cannot_start("pipe");
     }
     from = Descriptor(ends[0]);
     to = Descriptor(ends[1]);
@@ -40,24 +33,6 @@ struct Pipe {
   Descriptor from;
   Descriptor to;
 };
-
-/// The job as a file in memory, positioned at its start.
-Descriptor file_of(const Job& job) {
-  Descriptor file(memfd_create("job", MFD_CLOEXEC));
-  if (!file) {
-    fail("memfd_create");
-  }
-  const std::string text = to_json(job);
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = write(file.get(), text.data() + done, text.size() - done);
-    if (written < 0 && errno != EINTR) {
-      fail("write");
-    }
-    done += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
-  }
-  lseek(file.get(), 0, SEEK_SET);
-  return file;
-}
 
 /// Reads everything that is in a pipe now. Returns false at its end.
 template <class Take>
@@ -75,98 +50,40 @@ bool drain(const Descriptor& from, const Take& take) {
   }
 }
 
-/// Runs in the child between vfork and exec, where only these calls are allowed. All signals are
-/// blocked, and the memory is the parent's.
-[[noreturn]] void become_worker(char* const* command, int job, int output, int answer,
-                                pid_t parent) {
-  setpgid(0,
-          0);  // its own group: killed with its children, and not reached by the terminal's Ctrl-C
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) {
-    _exit(127);  // the parent has ended already
-  }
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
-    std::signal(number, SIG_DFL);
-  }
-  // Not earlier, because the parent's handlers must not run here. SIGTERM waits for the worker's
-  // handler.
-  sigset_t blocked;
-  sigemptyset(&blocked);
-  sigaddset(&blocked, SIGTERM);
-  sigprocmask(SIG_SETMASK, &blocked, nullptr);
-  // The sources never overlap the targets: 0 to 2 are in use, and 3 is kept free.
-  dup2(job, STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  dup2(output, STDERR_FILENO);
-  dup2(answer, kResultDescriptor);
-  execv(command[0], command);
-  _exit(127);
-}
-
-/// Blocks all signals in this thread during its lifetime.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_;
-};
-
 }  // namespace
 
-WorkerPool::Worker::Worker(const PoolOptions& options, const Job& job)
-    : run_(job.run), wall_limit_s_(options.wall_limit_s), grace_s_(options.grace_s) {
-  start(options, job);
+WorkerPool::Worker::Worker(const PoolOptions& options, Job job, RunTemplates& originals)
+    : options_(options), job_(std::move(job)), originals_(originals) {
+  set_due(options_.wall_limit_s);
+  proceed();
 }
 
-void WorkerPool::Worker::start(const PoolOptions& options, const Job& job) {
-  const Descriptor input = file_of(job);
+void WorkerPool::Worker::set_due(double in_s) {
+  begun_ = Clock::now();
+  due_ = begun_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(in_s));
+}
+
+void WorkerPool::Worker::proceed() {
+  original_ = originals_.original_for(job_);
+  if (original_ && original_->is_loading()) {
+    return;
+  }
   Pipe output;
   Pipe answer;
-  std::vector<char*> command;
-  for (const std::string& word : options.command) {
-    command.push_back(const_cast<char*>(word.c_str()));
+  if (const auto original = std::exchange(original_, nullptr)) {
+    process_ = original->copy(job_, output.to, answer.to);
   }
-  command.push_back(nullptr);
-  // Copies above the numbers that the child assigns.
-  const Descriptor high_input(fcntl(input.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
-  const Descriptor high_output(fcntl(output.to.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
-  const Descriptor high_answer(fcntl(answer.to.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
-  if (!high_input || !high_output || !high_answer) {
-    fail("fcntl");
+  if (process_ < 0) {
+    process_ = start_process(options_.command, file_of(job_), output.to, answer.to);
   }
-  begun_ = Clock::now();
-  due_ = begun_ +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wall_limit_s_));
-  const pid_t parent = getpid();
-  pid_t child = -1;
-  {
-    const SignalsBlocked blocked;
-    // fork() copies the page tables of this process, which costs a twentieth of a short run.
-    child = vfork();
-    if (child == 0) {
-      become_worker(command.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
-    }
-  }
-  if (child < 0) {
-    fail("vfork");
-  }
-  process_ = child;
-  setpgid(child, child);  // in the child too; the first call counts
+  set_due(options_.wall_limit_s);  // a copy that was not made may have taken time
   // By number, because the header of glibc 2.36 does not work in C++.
-  process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+  process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   if (!process_end_) {
     const int error = errno;
     reap();
     errno = error;
-    fail("pidfd_open");
+    cannot_start("pidfd_open");
   }
   fcntl(process_end_.get(), F_SETFD, FD_CLOEXEC);
   output_ = std::move(output.from);
@@ -179,18 +96,15 @@ WorkerPool::Worker::~Worker() {
   }
 }
 
-/// Kills the process, if it still runs, and its children.
 void WorkerPool::Worker::reap() {
-  kill(-process_, SIGKILL);
-  kill(process_, SIGKILL);  // it may not have its own group yet
-  while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
-  }
+  status_ = end_process_group(process_);
   process_ = -1;
 }
 
 void WorkerPool::Worker::list(std::vector<pollfd>& polled) const {
-  for (const Descriptor* one : {&process_end_, &output_, &answer_}) {
-    polled.push_back({one->get(), POLLIN, 0});
+  const int first = is_waiting() ? original_->socket() : process_end_.get();
+  for (const int one : {first, output_.get(), answer_.get()}) {
+    polled.push_back({one, POLLIN, 0});
   }
 }
 
@@ -221,6 +135,10 @@ void WorkerPool::Worker::read_answer() {
 }
 
 void WorkerPool::Worker::read(const pollfd* polled) {
+  if (is_waiting()) {
+    proceed();
+    return;
+  }
   if (polled[0].revents != 0) {
     // The process has ended, but its number is still reserved: no other group is killed. Children
     // that it left behind must not keep the pipes open.
@@ -240,6 +158,11 @@ void WorkerPool::Worker::read(const pollfd* polled) {
 }
 
 void WorkerPool::Worker::overdue(Clock::time_point now) {
+  if (is_waiting()) {
+    original_->refuse("this took longer than the wall limit of a run");
+    proceed();
+    return;
+  }
   if (hangs_) {
     kill(-process_, SIGKILL);
     due_ = Clock::time_point::max();
@@ -247,7 +170,8 @@ void WorkerPool::Worker::overdue(Clock::time_point now) {
   }
   hangs_ = true;
   kill(process_, SIGTERM);
-  due_ = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(grace_s_));
+  due_ = now + std::chrono::duration_cast<Clock::duration>(
+                   std::chrono::duration<double>(options_.grace_s));
 }
 
 RunRecord WorkerPool::Worker::record() {
@@ -280,7 +204,7 @@ RunRecord WorkerPool::Worker::record() {
                           .said_nothing = answered_.empty() || crashed_beside,
                           .said_too_much = too_long_,
                           .overdue = hangs_,
-                          .wall_limit_s = wall_limit_s_});
+                          .wall_limit_s = options_.wall_limit_s});
     record.wall_s = wall_s_;
   }
   if (WIFEXITED(status_)) {

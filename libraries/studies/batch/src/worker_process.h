@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "elsie/batch/worker_pool.h"
 
 #include "descriptor.h"
+#include "run_templates.h"
 
 namespace elsie::batch {
 
@@ -19,36 +21,43 @@ class WorkerPool::Worker {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts the process. Throws std::runtime_error.
-  Worker(const PoolOptions& options, const Job& job);
+  /// Starts the process: a copy of a template, once that is ready, or the program of a worker. The
+  /// options and templates must outlive it. Throws std::runtime_error.
+  Worker(const PoolOptions& options, Job job, RunTemplates& originals);
   /// Kills the process if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  std::int64_t run() const { return run_; }
+  std::int64_t run() const { return job_.run; }
   /// The time at which to call overdue().
   Clock::time_point due() const { return due_; }
   /// The number of entries for poll(2).
   static constexpr std::size_t kPolled = 3;
   void list(std::vector<pollfd>& polled) const;
-  /// Reads what the pipes hold.
+  /// Reads what the pipes hold, and starts a process that waits for its original. Throws
+  /// std::runtime_error if it cannot be started.
   void read(const pollfd* polled);
-  /// Called when the wall limit or the grace period is over.
+  /// Called when the wall limit or the grace period is over. Throws as read().
   void overdue(Clock::time_point now);
   bool has_ended() const { return ended_; }
   /// The record of a worker that has ended.
   RunRecord record();
 
  private:
-  void start(const PoolOptions& options, const Job& job);
+  bool is_waiting() const { return static_cast<bool>(original_); }
+  void set_due(double in_s);
+  /// Starts the process as soon as it does not have to wait.
+  void proceed();
+  /// Kills the process, if it still runs, and its children.
   void reap();
   void read_output();
   void read_answer();
 
-  std::int64_t run_;
-  double wall_limit_s_;
-  double grace_s_;
+  const PoolOptions& options_;
+  const Job job_;
+  RunTemplates& originals_;
+  std::shared_ptr<RunTemplate> original_;  // that the worker waits for
   Clock::time_point begun_;
   Clock::time_point due_;
   pid_t process_ = -1;

@@ -316,6 +316,8 @@ void report_crashes(int exit_status) {
   }
 }
 
+void report_crashes_of_copy() { own_process = getpid(); }
+
 void report_exit(const char* function, int exit_code, const void* caller) noexcept {
   if (getpid() != own_process) {
     for (;;) {

@@ -48,6 +48,8 @@ struct Budget {
 
 struct Options {
   std::uint64_t seed = 1;
+  /// Makes all objects only. reset() must follow; with it, the run is as ever.
+  bool begin_later = false;
   /// Measure how long each behaviour takes, for the trace. Changes nothing else.
   bool measure_time = false;
   /// Folders for data files that a change names, if they are not in the folder of the world's file.

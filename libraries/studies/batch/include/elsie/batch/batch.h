@@ -16,8 +16,12 @@ namespace elsie::batch {
 
 struct BatchOptions {
   std::vector<std::string> worker{};  // the worker's program and its arguments
+  /// See PoolOptions::template_command.
+  std::vector<std::string> worker_template{};
   std::size_t workers = 1;
+  std::size_t threads = 1;   // of each run; see simulation::Options::threads
   int stop_descriptor = -1;  // the batch stops cleanly when this becomes readable
+  std::function<void(const std::string&)> note{};  // see PoolOptions::note
 };
 
 /// The progress of the batch.

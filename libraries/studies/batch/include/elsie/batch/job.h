@@ -1,6 +1,7 @@
 // The job that a worker process gets, and the record that it returns.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -22,6 +23,12 @@ struct Job {
   std::vector<std::string> libraries;        // libraries of the world's plugins
   std::uint64_t seed = 1;
   double trajectory_period_s = 0.5;
+  std::size_t threads = 1;  // as simulation::Options::threads
+  // Not told to the worker: the run does not depend on them.
+  int repetition = 1;
+  /// Runs of one cell, of one plan, differ in number, seed and repetition only. None: the run has a
+  /// world of its own.
+  std::optional<std::size_t> cell{};
 };
 
 using results::RunState;

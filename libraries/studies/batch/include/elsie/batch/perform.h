@@ -1,7 +1,14 @@
 // Does one run in this process.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
 #include "elsie/batch/job.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
 
 namespace elsie::batch {
 
@@ -16,9 +23,21 @@ inline constexpr std::size_t kMostEpisodes = 60;
 /// The largest number of events kept, the first ones; a note gives the number of the others.
 inline constexpr std::size_t kMostEvents = 10'000;
 
-/// Runs the world of a job from start to end. Never throws: errors are in the record. A plugin may
-/// still end the process; see work().
-RunRecord perform(const Job& job);
+/// What a run has before it begins.
+struct Preparation {
+  /// Loads the libraries of the job. Never throws because of a file; see plugin::Host.
+  explicit Preparation(const Job& job);
+  /// Reads the world and makes its objects, if that has not been done. Throws as they do.
+  void make(const Job& job, const simulation::MakeCameraRenderer& cameras);
+
+  plugin::Host host;
+  std::optional<simulation::Simulation> run{};
+};
+
+/// Runs the world of a job from start to end; `prepared`: what was done of it before, if anything,
+/// for a job that differs in number and seed at most. Never throws: errors are in the record. A
+/// plugin may still end the process; see work().
+RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared = nullptr);
 
 /// The current step of perform(), counted from 0; for signal handlers.
 std::uint64_t step_at_work() noexcept;

@@ -1,4 +1,4 @@
-// The worker's side of WorkerPool: a process that does one run.
+// The worker's side of WorkerPool: a process that does one run, and one that is copied for runs.
 #pragma once
 
 namespace elsie::batch {
@@ -8,5 +8,10 @@ namespace elsie::batch {
 /// process must do nothing else. If a plugin ends the process, or SIGTERM arrives because the run
 /// takes too long, the worker still reports which plugin was running.
 [[noreturn]] void work();
+
+/// Reads a job from standard input, loads its libraries, and makes a copy of this process for each
+/// run that the pool asks for on kResultDescriptor; see run_template.h. A copy does the same as
+/// work(). Ends when the pool ends. The process must do nothing else, and have one thread.
+[[noreturn]] void stand_by();
 
 }  // namespace elsie::batch

@@ -1,5 +1,10 @@
 // Worker processes: each does one run and ends.
 //
+// Starting a program, loading libraries and reading a world takes longer than a short run.
+// Therefore workers are copies (as by fork(2)) of a process that has done so; see run_template.h.
+// Runs whose libraries cannot be loaded in this way, for example because one starts a thread while
+// it is loaded, have a worker that is a program of its own.
+//
 // A worker gets its job on standard input, and answers with a line of JSON on its own pipe
 // (kResultDescriptor). The last kilobytes of its output are kept for the record of a failed run. If
 // a worker crashes, hangs, exits or is killed, only its own run fails. Workers end with the process
@@ -10,13 +15,17 @@
 #include <cstdint>
 #include <functional>
 #include <list>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elsie/batch/job.h"
 
 namespace elsie::batch {
+
+class RunTemplates;
 
 /// The descriptor to which a worker writes its answer.
 inline constexpr int kResultDescriptor = 3;
@@ -27,12 +36,16 @@ struct PoolOptions {
   /// The worker's program and its arguments. It starts with SIGTERM blocked, until it can
   /// distinguish the pool's SIGTERM from one of another process.
   std::vector<std::string> command{};
+  /// The same for the process of which workers are copies; empty: each is a program of its own.
+  std::vector<std::string> template_command{};
   std::size_t workers = 1;
   double wall_limit_s = 600.0;  // of one run
   /// After the wall limit a worker gets SIGTERM, and after this time SIGKILL.
   double grace_s = 2.0;
   /// When this descriptor becomes readable, workers are killed and run() returns. -1: none.
   int stop_descriptor = -1;
+  /// Gets a sentence when the workers of some runs cannot be copies. None: nobody wants to know.
+  std::function<void(const std::string&)> note{};
 };
 
 class WorkerPool {
@@ -60,6 +73,7 @@ class WorkerPool {
   bool wait(std::vector<std::pair<std::int64_t, RunRecord>>& results);
 
   PoolOptions options_;
+  std::unique_ptr<RunTemplates> templates_;
   std::list<Worker> workers_;
 };
 

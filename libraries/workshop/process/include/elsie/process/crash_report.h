@@ -32,6 +32,10 @@ namespace elsie::process {
 /// called once, early, by a program, never by a library.
 void report_crashes(int exit_status);
 
+/// Makes a copy of the process, in which it must be called first, report its crashes like the
+/// original. To be called by a program that has copied itself on purpose.
+void report_crashes_of_copy();
+
 /// For programs that define the C library's functions that end a process (_exit(), _Exit(),
 /// quick_exit()) themselves, so that a plugin which calls one is named. Reports the call of
 /// `function` ("_exit()") like a crash, and ends the process with the exit status of crashes.

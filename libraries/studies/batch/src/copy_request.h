@@ -1,0 +1,28 @@
+// What the pool asks of a process that is copied; see run_template.h.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace elsie::batch {
+
+struct CopyRequest {
+  bool is_template = false;  // the copy is copied itself
+  // For a run of the template's own job:
+  std::int64_t run = 0;
+  std::uint64_t seed = 0;
+};
+
+/// A request and its descriptors: the output, the answer, and the job, if it is another one.
+struct ReceivedRequest {
+  CopyRequest request;
+  std::vector<int> descriptors;
+};
+
+/// Returns whether it was sent.
+bool send_request(int to, const CopyRequest& request, const std::vector<int>& descriptors);
+
+/// Waits for the next request. No descriptors: there will be none.
+ReceivedRequest next_request(int from);
+
+}  // namespace elsie::batch
