@@ -1,0 +1,124 @@
+// The planar engine.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+
+#include "body_models.h"
+#include "bounds.h"
+#include "encounters.h"
+#include "mover.h"
+#include "planar_robot.h"
+#include "planar_scene.h"
+#include "refusals.h"
+
+namespace elsie::physics {
+
+class PlanarEngine final : public Engine {
+ public:
+  PlanarEngine(const world::Arena& arena, const world::Physics& physics);
+
+  std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
+  std::size_t add_box(const world::Box& box) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot) override;
+  std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
+                           const Pose& pose) override;
+  std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) override;
+  void go_on_from(const Engine& other) override;
+  void remove_box(std::size_t box) override;
+  void place_robot(std::size_t robot, const Pose& pose, double z) override;
+  std::optional<std::string> fault_of_height(double z) const override {
+    return physics::fault_of_height(z, "the robot");
+  }
+  void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
+  std::span<const JointSetting> joints(std::size_t robot) const override {
+    return robots_.at(robot).joints();
+  }
+  void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void work_with(base::Crew& crew) override { crew_ = &crew; }
+  void step() override;
+
+  RobotState robot(std::size_t robot) const override;
+  std::size_t segments(std::size_t robot) const override {
+    return robots_.at(robot).vehicles() - 1;
+  }
+  SegmentState segment(std::size_t robot, std::size_t segment) const override;
+  Frame box(std::size_t box) const override;
+  bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
+  std::span<const Touch> touches() const override { return encounters_.touches(); }
+  std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
+                                 std::size_t except) const override {
+    return scene_.cast_ray(origin, direction, max_range, except);
+  }
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
+    scene_.cast_rays(within, rays, except);
+  }
+  bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
+    return scene_.anything_in(pyramid, except);
+  }
+  std::uint64_t hash_state(std::uint64_t hash) const override;
+  GiveUps give_ups() const override { return {}; }
+
+ private:
+  struct BoxBody {
+    world::BoxKind kind = world::BoxKind::fixed;
+    bool present = true;
+    std::uint32_t thing = 0;
+    double bottom = 0.0;
+    bool stays_within = false;  // within the arena's walls
+    // For a moving box: its place at the end of the next step.
+    bool driven = false;
+    Vector2 target;
+  };
+  struct RobotBody {
+    std::uint32_t first_thing = 0;
+    bool stays_within = false;
+  };
+
+  std::uint32_t add_thing(const Body& body, std::size_t vehicle,
+                          std::shared_ptr<const std::vector<Solid>> solids,
+                          std::shared_ptr<const Look> look, bool sensed, const Pose& pose,
+                          std::optional<Mover> mover);
+  std::uint32_t add_upright(const Body& body, const world::Fixture& fixture, double bottom,
+                            const Pose& pose, bool sensed, std::optional<Mover> mover);
+  Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
+  void enter_robot(std::size_t robot);
+  void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
+  void start_moving_boxes();
+  double begin_movers();
+  void settle();
+  void settle_robot(std::size_t robot, double limit, PlanarScene::Moves& moves);
+  void settle_boxes(double limit, PlanarScene::Moves& moves);
+  void judge(const Mover& mover, double limit, bool stays_within, const Body& body,
+             std::optional<std::size_t> segment = std::nullopt) const;
+
+  world::Physics physics_;
+  double time_ = 0.0;
+  std::uint64_t next_number_ = 0;
+  PlanarScene scene_;
+  std::vector<Thing> things_;
+  std::vector<Mover> movers_;
+  std::vector<Encounters::Moving> moving_;
+  BodyModels models_;
+  std::vector<PlanarRobot> robots_;
+  std::vector<RobotBody> robot_bodies_;
+  std::vector<BoxBody> boxes_;
+  std::vector<std::uint32_t> mobile_boxes_;
+  Encounters encounters_;
+  Bounds bounds_;
+  std::vector<std::uint32_t> jointed_;  // robots with steering or segments
+  std::vector<Hinge*> hinges_;          // of all robots, in each step
+  base::Crew alone_;
+  base::Crew* crew_ = &alone_;
+  // Of each thread:
+  std::vector<PlanarScene::Moves> moves_ = std::vector<PlanarScene::Moves>(1);
+  std::vector<double> fastest_;  // m2/s2
+};
+
+}  // namespace elsie::physics
