@@ -138,9 +138,9 @@ TEST_CASE("Runs with worlds of their own share a process that has loaded their l
     job.cell.reset();
   }
   std::size_t most = 0;
-  CHECK(records_of(jobs, {.command = kNoWorker, .template_command = kTemplate, .workers = 3},
-                   [&] { most = std::max(most, templates().size()); }) ==
-        records_of(jobs, {.command = kWorker}));
+  CHECK(records_of(jobs, {.command = kNoWorker, .template_command = kTemplate, .workers = 3}, [&] {
+          most = std::max(most, templates().size());
+        }) == records_of(jobs, {.command = kWorker}));
   CHECK(most == 1);
 }
 
@@ -202,16 +202,15 @@ TEST_CASE("A plugin that fails while its objects are made does so in its run, as
     CAPTURE(plugin);
     const std::vector<batch::Job> jobs{job_with_faulty(plugin)};
     std::string noted;
-    const double limit_s = plugin.starts_with("loops") ? 2.0 : 60.0;
-    const Records records = records_of(jobs, {.command = kNoWorker,
-                                              .template_command = kTemplate,
-                                              .wall_limit_s = limit_s,
-                                              .grace_s = 5.0,
-                                              .note = [&](const std::string& text) {
-                                                noted += text;
-                                              }});
+    const double limit_s = plugin.starts_with("loops") ? 3.0 : 60.0;
+    const Records records =
+        records_of(jobs, {.command = kNoWorker,
+                          .template_command = kTemplate,
+                          .wall_limit_s = limit_s,
+                          .grace_s = 60.0,
+                          .note = [&](const std::string& text) { noted += text; }});
     const Records expected =
-        records_of(jobs, {.command = kWorker, .wall_limit_s = limit_s, .grace_s = 5.0});
+        records_of(jobs, {.command = kWorker, .wall_limit_s = limit_s, .grace_s = 60.0});
     CHECK(without_log(records).at(7) == without_log(expected).at(7));
     CHECK_THAT(noted, Contains("reads it and makes its plugins anew, because " + reason));
   }

@@ -159,19 +159,19 @@ int run(BatchOptions options) {
       worker_template = {"/proc/self/exe", kTemplateCommand};
     }
     try {
-      const bool complete =
-          batch::carry_out(database,
-                           {.worker = {"/proc/self/exe", kWorkerCommand},
-                            .worker_template = worker_template,
-                            .workers = options.workers.value_or(std::max<std::size_t>(
-                                processors() / options.threads, 1)),
-                            .threads = options.threads,
-                            .stop_descriptor = signals.descriptor(),
-                            .note = [](const std::string& text) { spdlog::info(text); }},
-                           [&](const batch::Progress& progress) {
-                             report.progress(progress);
-                             progress_file.write(progress);
-                           });
+      const bool complete = batch::carry_out(
+          database,
+          {.worker = {"/proc/self/exe", kWorkerCommand},
+           .worker_template = worker_template,
+           .workers =
+               options.workers.value_or(std::max<std::size_t>(processors() / options.threads, 1)),
+           .threads = options.threads,
+           .stop_descriptor = signals.descriptor(),
+           .note = [](const std::string& text) { spdlog::info(text); }},
+          [&](const batch::Progress& progress) {
+            report.progress(progress);
+            progress_file.write(progress);
+          });
       report.end(!complete);
     } catch (...) {
       report.end(true);

@@ -105,7 +105,7 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     std::size_t cell;
     Clock::time_point since;
   };
-  std::map<std::int64_t, AtWork> at_work;  // by run
+  std::map<std::int64_t, AtWork> at_work;                     // by run
   std::map<std::pair<std::size_t, int>, std::int64_t> alike;  // runs by cell and repetition
   for (const PlannedRun& run : pending) {
     ++alike[{run.cell, run.repetition}];

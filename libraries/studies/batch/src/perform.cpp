@@ -120,11 +120,10 @@ Preparation::Preparation(const Job& job) : host(libraries_of(job)) {}
 
 void Preparation::make(const Job& job, const simulation::MakeCameraRenderer& cameras) {
   if (!run) {
-    run.emplace(world_of(job, host), host,
-                simulation::Options{.begin_later = true,
-                                    .files = job.files,
-                                    .threads = job.threads,
-                                    .cameras = cameras});
+    run.emplace(
+        world_of(job, host), host,
+        simulation::Options{
+            .begin_later = true, .files = job.files, .threads = job.threads, .cameras = cameras});
   }
 }
 

@@ -78,9 +78,9 @@ bool has_children() {
 /// done with the libraries.
 std::string obstacle(const Ties& before, const std::string& when) {
   const Ties now;
-  return now.threads > 1                    ? "one of them started a thread when it was " + when
-         : was_asked_to_end()               ? "SIGTERM came while they were " + when
-         : has_children()                   ? "one of them started a process when it was " + when
+  return now.threads > 1      ? "one of them started a thread when it was " + when
+         : was_asked_to_end() ? "SIGTERM came while they were " + when
+         : has_children()     ? "one of them started a process when it was " + when
          : now.descriptors != before.descriptors
              ? "one of them opened or closed a file when it was " + when
          : now.shared_memory != before.shared_memory

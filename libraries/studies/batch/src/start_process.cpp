@@ -19,8 +19,8 @@ namespace {
 
 /// Runs in the child between vfork and exec, where only these calls are allowed. All signals are
 /// blocked, and the memory is the parent's.
-[[noreturn]] void become_worker(char* const* command, char* const* environment, int job,
-                                int output, int answer, pid_t parent) {
+[[noreturn]] void become_worker(char* const* command, char* const* environment, int job, int output,
+                                int answer, pid_t parent) {
   setpgid(0,
           0);  // its own group: killed with its children, and not reached by the terminal's Ctrl-C
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -112,7 +112,8 @@ pid_t start_process(const std::vector<std::string>& command, const Descriptor& i
     // fork() copies the page tables of this process, which costs a twentieth of a short run.
     child = vfork();
     if (child == 0) {
-      become_worker(words.data(), variables.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
+      become_worker(words.data(), variables.data(), high_input.get(), high_output.get(),
+                    high_answer.get(), parent);
     }
   }
   if (child < 0) {
