@@ -198,21 +198,19 @@ void Encounters::order(std::span<Hinge* const> hinges) {
     return std::tie(at_a.x, at_a.y, a) < std::tie(at_b.x, at_b.y, b);
   });
   for (std::uint32_t i = 0; i < involved_.size(); ++i) ranks_[involved_[i]] = i;
-  const auto island = [this](const Contact& contact) {
-    return root(movers_[contact.a].gives_way() ? contact.a : contact.b);
-  };
-  const auto rank_b = [this](const Contact& contact) {
-    return contact.b == kNone ? kNone : ranks_[contact.b];
-  };
-  std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& x, const Contact& y) {
-    const auto place = [&](const Contact& contact) {
-      // Boxes that nothing stops have the last word.
-      return std::tuple(island(contact), solver_.is_driven(contact), ranks_[contact.a],
-                        rank_b(contact), contact.at.x, contact.at.y, contact.key.feature,
-                        contact.key.b);
-    };
-    return place(x) < place(y);
-  });
+  in_order_.clear();
+  for (const Contact& contact : contacts_) {
+    const bool is_of_a = movers_[contact.a].gives_way();
+    in_order_.push_back({root(is_of_a ? contact.a : contact.b),
+                         solver_.is_driven(contact),  // boxes that nothing stops have the last word
+                         ranks_[contact.a], contact.b == kNone ? kNone : ranks_[contact.b],
+                         contact.at.x, contact.at.y, contact.key.feature, contact.key.b,
+                         in_order_.size()});
+  }
+  std::sort(in_order_.begin(), in_order_.end());
+  sorted_.clear();
+  for (const ContactPlace& place : in_order_) sorted_.push_back(contacts_[std::get<8>(place)]);
+  std::swap(contacts_, sorted_);
   std::sort(involved_.begin(), involved_.end(), [this](std::uint32_t a, std::uint32_t b) {
     return std::pair(root(a), ranks_[a]) < std::pair(root(b), ranks_[b]);
   });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "elsie/base/crew.h"
@@ -104,6 +105,11 @@ class Encounters {
   std::vector<Found> found_;    // by each thread
   // Kept to reuse their memory.
   std::vector<Island> islands_;
+  /// Island, whether a box that nothing stops takes part, ranks, place, feature, number, and index.
+  using ContactPlace = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t, double, double,
+                                  std::uint64_t, std::uint64_t, std::size_t>;
+  std::vector<ContactPlace> in_order_;
+  std::vector<Contact> sorted_;
   std::vector<std::uint32_t> parents_;   // of movers; kFixed: not involved
   std::vector<std::uint32_t> ranks_;     // of movers
   std::vector<std::uint32_t> involved_;  // movers
