@@ -1,6 +1,9 @@
 #include "box_body.h"
 
 #include <cmath>
+#include <cstdint>
+
+#include "body_states.h"
 
 namespace elsie::physics {
 
@@ -66,6 +69,29 @@ void BoxBody::meet_floor(OdeContacts& contacts) const {
   } else {
     contacts.box_on_floor(body, shape);
   }
+}
+
+void BoxBody::read_shape() {
+  const dReal* r = dBodyGetRotation(body);
+  shape.center = to_vector(dBodyGetPosition(body));
+  shape.axes = {{{r[0], r[4], r[8]}, {r[1], r[5], r[9]}, {r[2], r[6], r[10]}}};
+}
+
+double BoxBody::most_speed() const {
+  const Vector3 v = to_vector(dBodyGetLinearVel(body));
+  const Vector3 w = to_vector(dBodyGetAngularVel(body));
+  const Vector3& half = shape.half;
+  return std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
+}
+
+void BoxBody::add_to(base::Fnv1a& hash) const {
+  hash.add(std::uint64_t{present});
+  if (!present) return;
+  if (body) return add_body(hash, body);
+  add_numbers(hash, dGeomGetPosition(geom.get()), 3);
+  dQuaternion facing;
+  dGeomGetQuaternion(geom.get(), facing);
+  add_numbers(hash, facing, 4);
 }
 
 }  // namespace elsie::physics

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "elsie/base/fnv1a.h"
 #include "elsie/world/description.h"
 #include "elsie/world/parts.h"
 
@@ -23,7 +24,17 @@ struct BoxBody {
     return kind == world::BoxKind::dynamic || kind == world::BoxKind::moving;
   }
   Solid solid() const { return {body, geom.get(), form, shape, outline}; }
+  /// Its origin is in the middle of its lower side.
+  Frame frame() const {
+    const auto& [forward, left, up] = shape.axes;
+    return {shape.center - shape.half.z * up, forward, left, up};
+  }
   void meet_floor(OdeContacts& contacts) const;
+  /// Takes the place of a body that ODE has moved.
+  void read_shape();
+  /// The highest speed of any of its points, m/s.
+  double most_speed() const;
+  void add_to(base::Fnv1a& hash) const;
 
   world::BoxKind kind;
   bool present = true;

@@ -208,11 +208,7 @@ std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const wo
     made.shape = same.shape;
     made.stays_within =
         made.kind == world::BoxKind::dynamic && bounds_.within_walls(made.shape.center);
-    const Vector3 v = to_vector(dBodyGetLinearVel(made.body));
-    const Vector3 w = to_vector(dBodyGetAngularVel(made.body));
-    const Vector3& half = made.shape.half;
-    const double speed = std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
-    bodies_.scene.place_box(made.id, made.shape, physics_.step * speed + kSlack);
+    bodies_.scene.place_box(made.id, made.shape, physics_.step * made.most_speed() + kSlack);
     bounds_.add_height(made.shape.center.z + made.shape.half.z);
   }
   return index;
@@ -309,11 +305,7 @@ void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector
   dBodySetLinearVel(driven.body, velocity.x, velocity.y, 0.0);
 }
 
-Frame OdeEngine::box(std::size_t box) const {
-  const BoxBody& asked = bodies_.boxes.at(box);
-  const auto& [forward, left, up] = asked.shape.axes;
-  return {asked.shape.center - asked.shape.half.z * up, forward, left, up};
-}
+Frame OdeEngine::box(std::size_t box) const { return bodies_.boxes.at(box).frame(); }
 
 void OdeEngine::step() {
   prepare_ode();
@@ -446,21 +438,19 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
     bodies_.scene.place_box(box.id, box.shape, bodies_.scene.reach(box.id));
     return;
   }
-  const dReal* r = dBodyGetRotation(box.body);
-  box.shape.center = to_vector(dBodyGetPosition(box.body));
-  box.shape.axes = {{{r[0], r[4], r[8]}, {r[1], r[5], r[9]}, {r[2], r[6], r[10]}}};
-  const Vector3 v = to_vector(dBodyGetLinearVel(box.body));
-  const Vector3 w = to_vector(dBodyGetAngularVel(box.body));
-  const Vector3& half = box.shape.half;
-  const double speed = std::sqrt(dot(v, v)) + (half.x + half.y + half.z) * std::sqrt(dot(w, w));
-  const Vector3& c = box.shape.center;
-  if (!std::isfinite(c.x + c.y + c.z + r[0] + r[5] + r[10] + speed)) {
+  box.read_shape();
+  const Vector3& center = box.shape.center;
+  const auto& [forward, left, up] = box.shape.axes;
+  const double speed = box.most_speed();
+  if (!std::isfinite(center.x + center.y + center.z + forward.x + left.y + up.z + speed)) {
     Failure failure;
     failure.kind = Failure::Kind::not_finite;
     failure.body = Body{BodyKind::box, index};
     fail(failure);
   }
-  if (const auto failure = judge(c, v, box.stays_within, {BodyKind::box, index})) fail(*failure);
+  if (const auto failure = judge(center, to_vector(dBodyGetLinearVel(box.body)), box.stays_within,
+                                 {BodyKind::box, index}))
+    fail(*failure);
   bodies_.scene.place_box(box.id, box.shape, physics_.step * speed + kSlack);
 }
 
@@ -485,23 +475,11 @@ std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
   for (const OdeRobot& robot : bodies_.robots) {
     robot.for_each_body([&](dBodyID body) { add_body(all, body); });
   }
-  for (const BoxBody& box : bodies_.boxes) {
-    all.add(std::uint64_t{box.present});
-    if (!box.present) continue;
-    if (box.body) {
-      add_body(all, box.body);
-    } else {
-      add_numbers(all, dGeomGetPosition(box.geom.get()), 3);
-      dQuaternion facing;
-      dGeomGetQuaternion(box.geom.get(), facing);
-      add_numbers(all, facing, 4);
-    }
-  }
+  for (const BoxBody& box : bodies_.boxes) box.add_to(all);
   return all.value();
 }
 
 }  // namespace
-
 }  // namespace elsie::physics
 
 extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_make_engine(
