@@ -63,8 +63,8 @@ void add_threads_option(CLI::App& command, std::size_t& threads) {
   constexpr std::size_t kMost = 256;
   command
       .add_option("--threads", threads,
-                  "Threads in which robots sense and decide; physics has one. The run is the same "
-                  "with any number")
+                  "Threads in which robots sense, decide and move. The run is the same with any "
+                  "number")
       ->check(CLI::Range(std::size_t{1}, kMost))
       ->type_name("N")
       ->capture_default_str();

@@ -319,8 +319,9 @@ class Checker {
         "not share what they change, or it declares elsie::one_thread()";
     Answers ones(first.size()), others(second->size());
     std::latch begun(2);
+    base::Crew crew(2);
     try {
-      base::Crew(2).divide(2, 1, [&](const base::Crew::Share& share) {
+      crew.divide(2, 1, [&](const base::Crew::Share& share) {
         begun.arrive_and_wait();  // neither thread does both
         run_quietly(share.first == 0 ? one : *other, share.first == 0 ? ones : others);
       });

@@ -20,8 +20,6 @@ constexpr double kMargin = 0.2;  // m
 // Around a robot with longer rays, each ray is followed through the grid.
 constexpr double kFarthest = 6.0;  // m
 
-constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
-
 OrientedBox box_around(const Cylinder& wheel) {
   return {wheel.center,
           {{{wheel.axis.y, -wheel.axis.x, 0.0}, wheel.axis, {0.0, 0.0, 1.0}}},
@@ -171,7 +169,6 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
       around_.resize(body.index + 1);
     }
   }
-  for (Around& each : around_) each.radius = -1.0;
   return id;
 }
 
@@ -345,13 +342,16 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
   Around& known = around_[robot];
   const double dx = middle.x - known.middle.x, dy = middle.y - known.middle.y;
   const double left = known.radius - radius - (odometer_ - known.odometer);
-  if (left >= 0.0 && dx * dx + dy * dy <= left * left) return &known;
+  if (left >= 0.0 && dx * dx + dy * dy <= left * left && known.bodies == entries_.size()) {
+    return &known;
+  }
   if (!(radius <= kFarthest)) return nullptr;
   known.near.clear();
   known.middle = middle;
   known.wanted = std::max(known.wanted, radius);
   known.radius = known.wanted + kMargin;
   known.odometer = odometer_;
+  known.bodies = entries_.size();
   const base::Grid::Block block = grid_.block(middle.x - known.radius, middle.y - known.radius,
                                               middle.x + known.radius, middle.y + known.radius);
   for (int y = block.y0; y <= block.y1; ++y) {

@@ -23,6 +23,8 @@
 
 namespace elsie::physics {
 
+inline constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
+
 /// A body as range sensors see it, in its own upright frame.
 struct Look {
   Shape::Kind kind = Shape::Kind::box;
@@ -95,10 +97,11 @@ class PlanarScene {
   struct Around {
     std::vector<Id> near;  // all that came within the radius, but not the robot itself
     Vector2 middle;
-    double radius = -1.0;   // m
-    double odometer = 0.0;  // m, when it was made
-    double wanted = 0.0;    // m, the largest radius that was asked for
-    bool pulls = false;     // the robot has segments, which may meet each other
+    double radius = -1.0;    // m
+    double odometer = 0.0;   // m, when it was made
+    double wanted = 0.0;     // m, the largest radius that was asked for
+    std::size_t bodies = 0;  // that there were when it was made
+    bool pulls = false;      // the robot has segments, which may meet each other
   };
 
   base::Grid::Block block_of(const Entry& entry) const;
@@ -116,7 +119,8 @@ class PlanarScene {
     if (dx * dx + dy * dy > far * far) return false;
     if (entry.moves || entry.outside != Outside::box) return true;
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
-    return std::abs(at.x) <= entry.half.x + distance && std::abs(at.y) <= entry.half.y + distance;
+    return std::abs(at.x) <= entry.half.x + distance + kHair &&
+           std::abs(at.y) <= entry.half.y + distance + kHair;
   }
   double distance_to(Id id, const Ray& ray, double range) const;
   double distance_past_circle(const Entry& entry, Id id, const Vector3& origin,

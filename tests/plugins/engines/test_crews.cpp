@@ -16,7 +16,8 @@ using world::BoxKind;
 
 namespace {
 
-/// Robots, boxes that they push and a train, close enough to meet; the hash after each step.
+/// Robots, boxes that they push, a train and a box that moves through them, close enough to meet; one
+/// box is removed on the way. The hash after each step.
 std::vector<std::uint64_t> history(const std::string& engine, std::size_t threads, int steps) {
   base::Crew crew(threads);
   PhysicsContext context(with(engine), {.length = 4.0, .width = 4.0});
@@ -29,13 +30,17 @@ std::vector<std::uint64_t> history(const std::string& engine, std::size_t thread
     context.box(BoxKind::dynamic, 0.225 + 0.9 * (i % 4 - 2), 0.225 + 0.9 * (i / 4 - 2),
                 {0.1, 0.15, 0.1}, 30.0 * i);
   }
+  context.train(0.0, -1.93, 0.0, {world::Segment(), world::Segment()});
+  const std::size_t moving = context.box(BoxKind::moving, -1.6, 0.225, {0.1, 0.1, 0.1});
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < steps; ++i) {
     if (i % 20 == 0) {
-      for (std::size_t robot = 0; robot < 81; ++robot) {
+      for (std::size_t robot = 0; robot < 82; ++robot) {
         context.drive(robot, {random.uniform(-5, 25), random.uniform(-5, 25)});
       }
     }
+    if (i == steps / 2) context.engine->remove_box(5);
+    context.engine->drive_box(moving, {-1.6 + 0.02 * (i + 1), 0.225}, {2.0, 0.0});
     context.engine->step();
     hashes.push_back(context.engine->hash_state());
   }

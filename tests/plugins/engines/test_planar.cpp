@@ -156,6 +156,17 @@ TEST_CASE("Many rays at once find what single rays find") {
   }
 }
 
+TEST_CASE("A surface exactly at the range is met by many rays as by one") {
+  PhysicsContext context(planar());
+  context.robot(-3.0, 0.0);
+  context.box(BoxKind::fixed, 2.435, 0.0, {0.27, 0.2, 0.3});
+  const Frame ahead{{0.0, 0.0, 0.1}}, aside = Frame::turned({0.0, 0.0, 0.1}, 1.57, 0.0);
+  std::vector<RayQuery> rays{{&ahead, 2.3}, {&aside, 2.3}};
+  context.engine->cast_rays({}, rays, 0);
+  CHECK(context.engine->cast_ray(ahead.origin, ahead.forward, 2.3, 0)->distance ==
+        rays[0].distance_m);
+}
+
 TEST_CASE("Many rays at once find what single rays find, wherever the bodies have gone") {
   PhysicsContext context(planar());
   for (int i = 0; i < 12; ++i) {

@@ -1,12 +1,12 @@
 // Calls of all robots, in one thread or in several.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "elsie/base/crew.h"
@@ -23,32 +23,21 @@ class RobotLoop {
   base::Crew& crew() { return crew_; }
 
   /// Calls work(robot, thread) for each index of `robots`. The work for a robot may change only
-  /// that robot. If it throws, throws the exception of the first such robot; robots before it are
-  /// done, others may be.
+  /// that robot. If it throws, all others are done nevertheless, so that their states do not depend
+  /// on the number of threads; then throws the exception of the first.
   template <class Work>
   void each(std::span<const std::shared_ptr<Robot>> robots, const Work& work) {
     failed_at_ = kNone;
-    if (crew_.threads() == 1) {
-      for (std::size_t i = 0; i < robots.size(); ++i) {
-        attempt(i, 0, work);
-      }
-      return;
-    }
-    std::exception_ptr failure;
     const auto shared = [&](const base::Crew::Share& share) {
       for (std::size_t i = share.first; i < share.end; ++i) {
-        if (robots[i]->may_share_threads()) attempt(i, share.thread, work);
+        if (crew_.threads() == 1 || robots[i]->may_share_threads()) attempt(i, share.thread, work);
       }
     };
-    try {
-      crew_.divide(robots.size(), kLeast, shared);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    for (std::size_t i = 0; i < std::min(robots.size(), failed_at_); ++i) {
+    crew_.divide(robots.size(), kLeast, shared);
+    for (std::size_t i = 0; crew_.threads() > 1 && i < robots.size(); ++i) {
       if (!robots[i]->may_share_threads()) attempt(i, 0, work);
     }
-    if (failure) std::rethrow_exception(failure);
+    if (failed_at_ != kNone) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
   /// The robot whose exception each() threw last; kNone: there was none.
@@ -65,13 +54,15 @@ class RobotLoop {
       work(robot, thread);
     } catch (...) {
       const std::scoped_lock lock(failing_);
-      failed_at_ = std::min(failed_at_, robot);
-      throw;
+      if (robot > failed_at_) return;
+      failed_at_ = robot;
+      failure_ = std::current_exception();
     }
   }
 
   base::Crew crew_;
   std::mutex failing_;
+  std::exception_ptr failure_;
   std::size_t failed_at_ = kNone;
 };
 

@@ -111,7 +111,9 @@ pid_t RunTemplate::copy(const CopyRequest& request, const std::vector<int>& desc
   }
   pid_t copy = -1;
   const auto receive = [&] {
-    return recv(socket_.get(), &copy, sizeof(copy), MSG_DONTWAIT) == sizeof(copy) && copy > 0;
+    // Other lengths: a sentence, because there is no copy.
+    return recv(socket_.get(), &copy, sizeof(copy), MSG_DONTWAIT | MSG_TRUNC) == sizeof(copy) &&
+           copy > 0;
   };
   if (send_request(socket_.get(), request, descriptors)) {
     pollfd answered{socket_.get(), POLLIN, 0};

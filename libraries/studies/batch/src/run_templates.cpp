@@ -1,12 +1,26 @@
 #include "run_templates.h"
 
+#include <fstream>
+#include <string>
+#include <utility>
+
 #include "elsie/base/words.h"
 
 namespace elsie::batch {
 namespace {
 
-/// Of each kind. Each has its own copy of some megabytes.
-constexpr std::size_t kMostTemplates = 64;
+constexpr std::size_t kMostTemplates = 64;  // of each kind
+
+/// Whether half of the machine's memory is available: a world of many robots takes much of it.
+bool has_memory_to_spare() {
+  std::ifstream facts("/proc/meminfo");
+  double total = 0.0, available = 0.0, number = 0.0;
+  for (std::string name, line; facts >> name >> number; std::getline(facts, line)) {
+    if (name == "MemTotal:") total = number;
+    if (name == "MemAvailable:") available = number;
+  }
+  return available >= 0.5 * total;
+}
 
 }  // namespace
 
@@ -45,8 +59,12 @@ RunTemplates::Original RunTemplates::original_for(const Job& job) {
   if (!job.cell || job.threads > 1) {  // threads are not copied
     return loaded;
   }
-  const Original with_world = kept(by_cell_, {*job.cell, job.repetition},
-                                   [&] { return std::make_shared<RunTemplate>(*loaded, job); });
+  const std::pair cell(*job.cell, job.repetition);
+  if (!by_cell_.contains(cell) && !has_memory_to_spare()) {
+    return loaded;
+  }
+  const Original with_world =
+      kept(by_cell_, cell, [&] { return std::make_shared<RunTemplate>(*loaded, job); });
   if (!with_world) {
     return loaded;
   }

@@ -12,7 +12,7 @@
 /// version is not above its own. Before 1.0, any change that breaks a plugin raises the minor
 /// version and older plugins are refused too.
 #define ELSIE_API_MAJOR 0
-#define ELSIE_API_MINOR 9
+#define ELSIE_API_MINOR 10
 
 #define ELSIE_ABI_TEXT_(x) #x
 #define ELSIE_ABI_TEXT(x) ELSIE_ABI_TEXT_(x)
@@ -37,6 +37,8 @@
 
 #if defined(__SANITIZE_ADDRESS__)
 #define ELSIE_ABI_SANITIZER ";sanitizer=address"
+#elif defined(__SANITIZE_THREAD__)
+#define ELSIE_ABI_SANITIZER ";sanitizer=thread"
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define ELSIE_ABI_SANITIZER ";sanitizer=address"
