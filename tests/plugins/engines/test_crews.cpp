@@ -16,8 +16,8 @@ using world::BoxKind;
 
 namespace {
 
-/// Robots, boxes that they push, a train and a box that moves through them, close enough to meet; one
-/// box is removed on the way. The hash after each step.
+/// Robots, boxes that they push, a train and a box that moves through them, close enough to meet;
+/// one box is removed on the way. The hash after each step.
 std::vector<std::uint64_t> history(const std::string& engine, std::size_t threads, int steps) {
   base::Crew crew(threads);
   PhysicsContext context(with(engine), {.length = 4.0, .width = 4.0});
