@@ -182,7 +182,8 @@ TEST_CASE("The manual page and the shells' completion know every subcommand and 
                                "COMP_WORDS=(elsie describe wan); _elsie; echo "
                                "${COMPREPLY[@]}\n");
   const auto completed = here.sh("bash elsie.bash");
-  CHECK(completed.out == "--record --record-rate --record-times --record-images\nwander\n");
+  CHECK(completed.out ==
+        "--record --record-rate --record-times --record-images --record-robots\nwander\n");
   const auto wrong = here.elsie("completion fish");
   CHECK(wrong.exit_code == 2);
   CHECK_THAT(wrong.err, Contains("fish"));
