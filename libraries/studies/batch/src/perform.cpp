@@ -123,7 +123,7 @@ void Preparation::make(const Job& job, const simulation::MakeCameraRenderer& cam
     run.emplace(
         world_of(job, host), host,
         simulation::Options{
-            .begin_later = true, .files = job.files, .threads = job.threads, .cameras = cameras});
+            .files = job.files, .threads = job.threads, .cameras = cameras, .begin_later = true});
   }
 }
 

@@ -48,8 +48,6 @@ struct Budget {
 
 struct Options {
   std::uint64_t seed = 1;
-  /// Makes all objects only. reset() must follow; with it, the run is as ever.
-  bool begin_later = false;
   /// Measure how long each behaviour takes, for the trace. Changes nothing else.
   bool measure_time = false;
   /// Folders for data files that a change names, if they are not in the folder of the world's file.
@@ -57,7 +55,7 @@ struct Options {
   /// Paths of data files by their names, as in world::ReadOptions. They are used before any search.
   std::map<std::string, std::string> files{};
   Budget budget{};
-  /// Threads in which robots sense and decide, at least 1. The run is the same with any number,
+  /// Threads in which robots sense, decide and move, at least 1. The run is the same with any number,
   /// bit for bit. A budget needs 1: other threads would count in it.
   std::size_t threads = 1;
   /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. It does
@@ -65,6 +63,8 @@ struct Options {
   std::optional<double> time_limit_s{};
   /// Makes the camera renderer, for example render::world_cameras. A world with cameras needs it.
   MakeCameraRenderer cameras{};
+  /// Makes all objects only. reset() must follow; with it, the run is as ever.
+  bool begin_later = false;
 };
 
 /// A view of one sensor of a robot.
