@@ -12,8 +12,9 @@ namespace elsie::physics {
 /// Throws std::invalid_argument with the sentence if the condition does not hold.
 void require(bool holds, const std::string& sentence);
 inline void require(bool holds, const char* sentence) {  // in each step: makes no string
-  if (!holds) [[unlikely]]
+  if (!holds) [[unlikely]] {
     throw std::invalid_argument(sentence);
+  }
 }
 
 // These throw std::invalid_argument with a sentence about the first impossible thing.

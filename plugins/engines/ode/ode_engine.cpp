@@ -449,8 +449,9 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
     fail(failure);
   }
   if (const auto failure = judge(center, to_vector(dBodyGetLinearVel(box.body)), box.stays_within,
-                                 {BodyKind::box, index}))
+                                 {BodyKind::box, index})) {
     fail(*failure);
+  }
   bodies_.scene.place_box(box.id, box.shape, physics_.step * speed + kSlack);
 }
 

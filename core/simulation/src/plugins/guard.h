@@ -57,8 +57,9 @@ class Guard {
   template <class Object, class Action>
   auto step(Object& object, Action action) {
     plugin::Call call(facts(*object.use));
-    if (!has_budget()) [[likely]]
+    if (!has_budget()) [[likely]] {
       return caught(*object.use, call, action);
+    }
     const std::int64_t before = begin(call);
     auto result = caught(*object.use, call, action);
     end(*object.use, object.heap, call, before);
