@@ -55,8 +55,8 @@ struct Options {
   /// Paths of data files by their names, as in world::ReadOptions. They are used before any search.
   std::map<std::string, std::string> files{};
   Budget budget{};
-  /// Threads in which robots sense, decide and move, at least 1. The run is the same with any number,
-  /// bit for bit. A budget needs 1: other threads would count in it.
+  /// Threads in which robots sense, decide and move, at least 1. The run is the same with any
+  /// number, bit for bit. A budget needs 1: other threads would count in it.
   std::size_t threads = 1;
   /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. It does
   /// not change the world: an <endure> goal may last longer.
