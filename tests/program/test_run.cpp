@@ -80,6 +80,19 @@ TEST_CASE("--set changes any attribute by its path") {
   CHECK(json::parse(run.out).at("simulated_s") == Approx(0.5));
 }
 
+TEST_CASE("Several threads change nothing in a run; 0 are refused") {
+  Workplace here;
+  const auto hash = [&](const std::string& options) {
+    const auto run = here.elsie("run worlds/ten_robots.xml --duration 2 --json " + options);
+    return json::parse(run.out).at("state_hash").get<std::string>();
+  };
+  CHECK(hash("--threads 3") == hash(""));
+  const auto none = here.elsie("run worlds/ten_robots.xml --threads 0 --record none.csv");
+  CHECK(none.exit_code == 2);
+  CHECK(none.err.find("--threads: '0' is not a whole number from 1 to 256") != std::string::npos);
+  CHECK(!std::filesystem::exists(here.file("none.csv")));
+}
+
 TEST_CASE("Before the run, while a network trains, an interrupt ends the program with a word") {
   Workplace here;
   for (const std::string command : {"run", "check"}) {
