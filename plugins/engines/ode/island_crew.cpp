@@ -1,8 +1,10 @@
 #include "island_crew.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <mutex>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "ode_handles.h"
@@ -43,10 +45,31 @@ struct IslandCrew::Locks {
   std::vector<bool> are_needed;
 };
 
+/// The blocks of memory that ODE works with in steps. It loses those of an island whose step ends
+/// with an exception.
+struct IslandCrew::Blocks {
+  std::mutex guard;
+  std::unordered_map<void*, const IslandCrew*> owners;
+
+  static Blocks& all() {
+    static auto* const blocks = new Blocks;  // worlds may live until the very end of the process
+    return *blocks;
+  }
+};
+
 constinit thread_local IslandCrew::Chain* IslandCrew::present_ = nullptr;
 
 IslandCrew::IslandCrew(base::Crew& crew) : crew_(&crew), chains_(crew.threads()) {}
-IslandCrew::~IslandCrew() = default;
+
+IslandCrew::~IslandCrew() {
+  Blocks& blocks = Blocks::all();
+  const std::lock_guard lock(blocks.guard);
+  std::erase_if(blocks.owners, [this](const auto& block) {
+    if (block.second != this) return false;
+    std::free(block.first);
+    return true;
+  });
+}
 
 void IslandCrew::work_with(base::Crew& crew) {
   crew_ = &crew;
@@ -56,6 +79,28 @@ void IslandCrew::work_with(base::Crew& crew) {
 void IslandCrew::serve(dWorldID world) {
   dWorldSetStepThreadingImplementation(world, &functions(),
                                        reinterpret_cast<dThreadingImplementationID>(this));
+  dWorldStepMemoryFunctionsInfo memory{};
+  memory.struct_size = sizeof(memory);
+  memory.alloc_block = allocate;
+  memory.shrink_block = [](void* block, dsizeint, dsizeint) { return block; };
+  memory.free_block = [](void* block, dsizeint) { release(block); };
+  if (!dWorldSetStepMemoryManager(world, &memory)) throw std::bad_alloc();
+}
+
+void* IslandCrew::allocate(std::size_t size) {
+  void* const block = std::malloc(size);
+  if (!block) return nullptr;
+  Blocks& blocks = Blocks::all();
+  const std::lock_guard lock(blocks.guard);
+  blocks.owners.emplace(block, present_ ? present_->crew : nullptr);
+  return block;
+}
+
+void IslandCrew::release(void* block) {
+  Blocks& blocks = Blocks::all();
+  const std::lock_guard lock(blocks.guard);
+  blocks.owners.erase(block);
+  std::free(block);
 }
 
 void IslandCrew::expect(std::size_t islands) {

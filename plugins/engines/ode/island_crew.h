@@ -26,7 +26,7 @@ class IslandCrew {
 
   /// Takes another crew.
   void work_with(base::Crew& crew);
-  /// Schedules the steps of this world, which must be destroyed first.
+  /// Schedules the steps of this world, which must be destroyed first, and keeps their memory.
   void serve(dWorldID world);
   /// Before a step of a world with so many islands, roughly. Few islands get few threads.
   void expect(std::size_t islands);
@@ -40,11 +40,14 @@ class IslandCrew {
   struct Call;
   struct Chain;
   struct Locks;
+  struct Blocks;
 
   static IslandCrew& of(dThreadingImplementationID id) {
     return *reinterpret_cast<IslandCrew*>(id);
   }
   static const dThreadingFunctionsInfo& functions();
+  static void* allocate(std::size_t size);
+  static void release(void* block);
   void post(int* fault, dCallReleaseeID* posted, std::size_t waits_for, Call* dependent,
             dThreadedCallFunction* function, void* context, std::size_t index);
   void change_waiting(Call& call, std::ptrdiff_t by);
