@@ -21,7 +21,8 @@ struct Solid {
   dGeomID geom = nullptr;
   SolidKind kind = SolidKind::box;
   OrientedBox shape;
-  Corners outline{};  // of a prism, in its frame
+  Corners outline{};    // of a prism, in its frame
+  bool glides = false;  // a caster, which has no friction
 };
 
 /// A chassis on wheels, perhaps with casters below it.
