@@ -261,6 +261,9 @@ void crashed(int signal, siginfo_t* info, void* context) {
 }
 
 void ended(int signal, siginfo_t* info, void*) {
+  if (getpid() != own_process) {
+    end_by(signal);
+  }
   const bool by_itself = info->si_pid == getpid();
   if (!by_itself && signal == SIGQUIT && is_plugin_at_work() && may_report()) {
     write_report("was at work when the program was told to quit (SIGQUIT)", {});
