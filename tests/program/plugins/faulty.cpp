@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include <dlfcn.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -32,12 +33,18 @@ namespace {
   return wish && raise(SIGTERM) == 0;
 }();
 
+void pause_here() { pause(); }
+
 /// What a test selects is left behind when the library is loaded.
 [[maybe_unused]] const bool left_behind = [] {
   const char* const wish = std::getenv("FAULTY_LEAVES_BEHIND");
   const std::string_view what = wish ? wish : "";
   if (what == "thread") {
-    std::thread([] { pause(); }).detach();
+    Dl_info own{};  // the thread needs the code of this library to the end of the process
+    const bool stays = dladdr(reinterpret_cast<void*>(&pause_here), &own) != 0 &&
+                       dlopen(own.dli_fname, RTLD_NOW | RTLD_NODELETE);
+    std::thread(pause_here).detach();
+    return stays;
   } else if (what == "process" && fork() == 0) {
     pause();
   } else if (what == "file") {
