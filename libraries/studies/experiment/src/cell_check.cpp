@@ -191,7 +191,9 @@ class CellCheck {
       reading.found = &running.files;
       world::changed_worlds(world, host_, reading);
     }
-    // This asks the plugins whether they fit their robots.
+    // This asks the plugins whether they fit their robots. Beginning runs would take long where
+    // networks are trained.
+    running.begin_later = cell.index > 0 && grid_[cell.index - 1].world == cell.world;
     const simulation::Simulation simulation(world, host_, running);
     Found found{
         simulation::measure_names(world, host_), world::write_world(world), {}, world.drawn};
