@@ -33,8 +33,10 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
 
 void Encounters::find(std::span<const Moving> moving, double margin, base::Crew& crew) {
   found_.resize(crew.threads());
+  scene_.begin_search();
   crew.divide(moving.size(), kLeastThings, [&](const base::Crew::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) {
+      if (scene_.is_clear(moving[i].thing, margin)) continue;
       look_around(moving[i], margin, found_[share.thread]);
     }
   });
@@ -99,6 +101,7 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
   for (std::size_t i = 0; i < solids_a.size(); ++i) {
     const Solid& of_a = solids_a[i];
     const Vector2 middle_a = middle(of_a, at_a, ahead_a);
+    const Direction whole_a = ahead_a.turned(of_a.ahead);
     bool is_placed = false;
     PlacedOutline placed_a;
     for (std::size_t k = 0; k < solids_b.size(); ++k) {
@@ -110,13 +113,16 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
       const double dx = middle_a.x - middle_b.x, dy = middle_a.y - middle_b.y;
       const double far = of_a.outline.reach + of_b.outline.reach + margin;
       if (dx * dx + dy * dy > far * far) continue;
+      const Direction whole_b = ahead_b.turned(of_b.ahead);
+      if (!physics::may_meet(of_a.outline, whole_a, of_b.outline, whole_b, {dx, dy}, margin)) {
+        continue;
+      }
       if (!is_placed) {
-        placed_a = placed(of_a.outline, middle_a, ahead_a.turned(of_a.ahead), found.space_a);
+        placed_a = placed(of_a.outline, middle_a, whole_a, found.space_a);
         is_placed = true;
       }
-      const Meeting met = physics::meet(
-          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), found.space_b),
-          margin);
+      const Meeting met =
+          physics::meet(placed_a, placed(of_b.outline, middle_b, whole_b, found.space_b), margin);
       for (std::size_t n = 0; n < met.count; ++n) {
         Contact& contact = found.contacts.emplace_back();
         contact.key = {a.number, b.number,
@@ -176,7 +182,6 @@ void Encounters::involve(std::uint32_t mover) {
   if (parents_[mover] != kNone) return;
   parents_[mover] = mover;
   involved_.push_back(mover);
-  movers_[mover].enter(physics_.step);
 }
 
 void Encounters::order(std::span<Hinge* const> hinges) {
@@ -197,7 +202,11 @@ void Encounters::order(std::span<Hinge* const> hinges) {
     const Vector2 &at_a = movers_[a].place(), &at_b = movers_[b].place();
     return std::tie(at_a.x, at_a.y, a) < std::tie(at_b.x, at_b.y, b);
   });
-  for (std::uint32_t i = 0; i < involved_.size(); ++i) ranks_[involved_[i]] = i;
+  impacts_.resize(involved_.size());
+  for (std::uint32_t i = 0; i < involved_.size(); ++i) {
+    ranks_[involved_[i]] = i;
+    movers_[involved_[i]].enter(physics_.step, impacts_[i]);
+  }
   in_order_.clear();
   for (const Contact& contact : contacts_) {
     const bool is_of_a = movers_[contact.a].gives_way();

@@ -36,7 +36,7 @@ struct Thing {
 class Encounters {
  public:
   Encounters(const world::Physics& physics, std::vector<Thing>& things, std::vector<Mover>& movers,
-             const PlanarScene& scene)
+             PlanarScene& scene)
       : physics_(physics),
         things_(things),
         movers_(movers),
@@ -97,7 +97,7 @@ class Encounters {
   const world::Physics& physics_;
   std::vector<Thing>& things_;
   std::vector<Mover>& movers_;
-  const PlanarScene& scene_;
+  PlanarScene& scene_;
   ContactSolver solver_;
   std::vector<Contact> contacts_;
   std::vector<Touch> touches_;
@@ -113,6 +113,7 @@ class Encounters {
   std::vector<std::uint32_t> parents_;   // of movers; kFixed: not involved
   std::vector<std::uint32_t> ranks_;     // of movers
   std::vector<std::uint32_t> involved_;  // movers
+  std::vector<Impact> impacts_;          // of the involved movers, by their ranks
   std::vector<Hinge*> hinges_;
 };
 

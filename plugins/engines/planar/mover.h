@@ -1,6 +1,7 @@
 // A rigid body that moves in the plane.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "elsie/api/geometry.h"
@@ -10,6 +11,15 @@
 
 namespace elsie::physics {
 
+/// What a body that meets others is about to do in a step, in the world.
+struct Impact {
+  Twist moving;        // its velocity
+  Twist impulse;       // the sum of all impulses
+  Direction middle;    // of the body, in the middle of the arc
+  Symmetric response;  // the change of velocity that an impulse makes
+  Vector2 shifted;     // m, the sum of all shifts
+};
+
 /// A vehicle, a box that can be pushed, or a box that moves along its own path.
 ///
 /// During a step its velocity, seen from the body, does not change: it moves along an arc, and the
@@ -18,11 +28,10 @@ namespace elsie::physics {
 class Mover {
  public:
   /// A vehicle.
-  Mover(const Inertia& inertia, Undercarriage wheels)
-      : inertia_(inertia), wheels_(std::move(wheels)), gives_way_(true) {}
+  explicit Mover(Undercarriage wheels) : wheels_(std::move(wheels)), gives_way_(true) {}
   /// Something that slides.
   Mover(const Inertia& inertia, const FloorFriction& friction)
-      : inertia_(inertia), friction_(friction), gives_way_(true) {}
+      : sled_(std::make_shared<Sled>(Sled{inertia, friction})), gives_way_(true) {}
   /// A box that nothing stops.
   Mover() = default;
 
@@ -41,12 +50,12 @@ class Mover {
 
   /// The velocity if it meets nothing.
   void begin(double step);
-  /// Prepares for impulses.
-  void enter(double step);
+  /// Prepares for impulses. The impact must last until advance() or release().
+  void enter(double step, Impact& impact);
   /// An impulse in the world, and the change of the velocity that it makes at once.
   void add(const Twist& impulse, const Twist& change) {
-    impulse_ = impulse_ + impulse;
-    moving_ = moving_ + change;
+    impact_->impulse = impact_->impulse + impulse;
+    impact_->moving = impact_->moving + change;
   }
   /// The result of stand().
   struct Stand {
@@ -57,7 +66,9 @@ class Mover {
   Stand stand();
   void advance(double step);
 
-  const Inertia& inertia() const { return inertia_; }
+  const Inertia& inertia() const {
+    return wheels_ ? wheels_->inertia() : sled_ ? sled_->inertia : kNoInertia;
+  }
   bool gives_way() const { return gives_way_; }
   Undercarriage* wheels() { return wheels_ ? &*wheels_ : nullptr; }
   const Undercarriage* wheels() const { return wheels_ ? &*wheels_ : nullptr; }
@@ -69,50 +80,55 @@ class Mover {
   /// Of its origin, in its own frame.
   Twist velocity_of_origin() const {
     const Twist& v = velocity_;
-    return {v.x + v.turn * inertia_.center.y, v.y - v.turn * inertia_.center.x, v.turn};
+    const Vector2& center = inertia().center;
+    return {v.x + v.turn * center.y, v.y - v.turn * center.x, v.turn};
   }
   Vector2 center() const;
 
   // In a step, after enter(), in the world:
-  const Twist& moving() const { return moving_; }
+  const Twist& moving() const { return impact_->moving; }
   /// Its direction in the middle of the arc.
-  const Direction& middle() const { return middle_; }
+  const Direction& middle() const { return impact_->middle; }
   /// The change of velocity that an impulse makes. In a step it only grows: if it were smaller than
   /// what the undercarriage lets through, impulses would overshoot for ever.
-  const Symmetric& response() const { return response_; }
+  const Symmetric& response() const { return impact_->response; }
+  /// The sum of all shifts since enter().
+  const Vector2& shifted() const { return impact_->shifted; }
 
-  /// Goes on as if it had met nothing.
-  void release() { entered_ = false; }
+  /// Goes on as if it had met nothing. A box that nothing stops does so anyway, and others may
+  /// still meet it.
+  void release() {
+    if (gives_way_) impact_ = nullptr;
+  }
 
   /// Moves it without a velocity.
   void shift(const Vector2& by) {
     place_ = {place_.x + by.x, place_.y + by.y};
-    shifted_ = {shifted_.x + by.x, shifted_.y + by.y};
+    if (impact_) impact_->shifted = {impact_->shifted.x + by.x, impact_->shifted.y + by.y};
   }
-  /// The sum of all shifts since enter().
-  const Vector2& shifted() const { return shifted_; }
   void turn_to(double heading_rad);
 
  private:
+  /// What slides has in common with others of its kind.
+  struct Sled {
+    Inertia inertia;
+    FloorFriction friction;
+  };
+  static const Inertia kNoInertia;
+
   Twist ground(const Twist& free);
   Symmetric answer() const;
 
   Vector2 place_;  // of its origin
   Direction ahead_;
-  double heading_rad_ = 0.0;
   Twist velocity_;
-  Inertia inertia_;
+  double heading_rad_ = 0.0;
+  Twist free_;                // the velocity of the next step if nothing acts on it
+  Impact* impact_ = nullptr;  // of this step
   std::optional<Undercarriage> wheels_;
-  FloorFriction friction_;
+  std::shared_ptr<const Sled> sled_;
   bool gives_way_ = false;
-
-  bool entered_ = false;
-  Vector2 shifted_;
-  Twist free_;
-  Direction middle_;  // in the middle of the arc
-  Twist moving_;
-  Twist impulse_;
-  Symmetric response_;
+  bool is_free_known_ = false;
 };
 
 }  // namespace elsie::physics

@@ -101,7 +101,7 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
     add_thing({BodyKind::robot, index}, vehicle, model->solids[vehicle], model->looks[vehicle],
               true, pose, model->movers[vehicle]);
   }
-  robots_.emplace_back(model, first, movers_);
+  robots_.emplace_back(model, first);
   robots_.back().put(pose, movers_);
   if (robots_.back().has_joints()) jointed_.push_back(static_cast<std::uint32_t>(index));
   enter_robot(index);
@@ -214,16 +214,6 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   refuse_if(physics::fault_of_height(z, "a robot"));
   robots_.at(robot).put(pose, movers_);
   enter_robot(robot);
-}
-
-void PlanarEngine::place_in_scene(std::size_t robot, PlanarScene::Moves& moves) {
-  const PlanarRobot& made = robots_[robot];
-  const std::uint32_t first = robot_bodies_[robot].first_thing;
-  made.point_shapes();
-  for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
-    const Mover& mover = movers_[made.first() + i];
-    scene_.move(first + i, mover.place(), mover.ahead(), moves);
-  }
 }
 
 }  // namespace elsie::physics

@@ -95,8 +95,9 @@ class PlanarEngine final : public Engine {
   void settle();
   void settle_robot(std::size_t robot, double limit, PlanarScene::Moves& moves);
   void settle_boxes(double limit, PlanarScene::Moves& moves);
-  void judge(const Mover& mover, double limit, bool stays_within, const Body& body,
-             std::optional<std::size_t> segment = std::nullopt) const;
+  bool is_well(const Mover& mover, double limit, bool stays_within) const;
+  [[noreturn]] void fail(const Mover& mover, bool stays_within, const Body& body,
+                         std::optional<std::size_t> segment) const;
 
   world::Physics physics_;
   double time_ = 0.0;

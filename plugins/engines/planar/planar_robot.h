@@ -18,11 +18,11 @@ namespace elsie::physics {
 class PlanarRobot {
  public:
   /// `first`: its first mover; all of them are there.
-  PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first, std::span<const Mover> movers);
+  PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first);
 
   const BodyPlan& plan() const { return model_->plan; }
   std::uint32_t first() const { return first_; }
-  std::size_t vehicles() const { return hinges_.size() + 1; }
+  std::uint32_t vehicles() const { return vehicles_; }
   std::vector<Hinge>& hinges() { return hinges_; }
   const std::vector<Hinge>& hinges() const { return hinges_; }
 
@@ -32,7 +32,8 @@ class PlanarRobot {
   /// Takes the state of a robot with the same plan.
   void take(const PlanarRobot& other);
 
-  void set_joints(std::span<const JointSetting> settings, std::span<Mover> movers);
+  /// Returns the speed of the fastest rim with these settings, m/s.
+  double set_joints(std::span<const JointSetting> settings, std::span<Mover> movers);
   std::span<const JointSetting> joints() const { return joints_; }
 
   /// Turns the steering.
@@ -41,19 +42,12 @@ class PlanarRobot {
   void settle(std::span<Mover> movers);
 
   /// Turns the shapes of steered wheels as the wheels are.
-  void point_shapes() const;
-  /// The speed of the fastest rim with these settings, m/s.
-  double rim_speed(std::span<const JointSetting> settings) const;
-  double lever() const { return lever_; }
+  void point_shapes() const {
+    for (const Steering& each : steerings_) point_shape(each);
+  }
+  double lever() const { return model_->lever; }
 
  private:
-  /// What a setting is for.
-  struct Link {
-    std::uint32_t vehicle = 0;
-    std::uint32_t motor = kNoMotor;  // of the vehicle's undercarriage
-    double radius = 0.0;             // m; 0: a hitch
-  };
-  static constexpr std::uint32_t kNoMotor = 0xffffffff;
   /// A wheel that is steered.
   struct Steering {
     std::uint32_t joint = 0;
@@ -65,10 +59,12 @@ class PlanarRobot {
   };
 
   void steer(const Steering& steering, double step, std::span<Mover> movers);
+  void point_shape(const Steering& steering) const;
+  void straighten(Hinge& hinge, std::span<Mover> movers) const;
+  std::span<const BodyModel::Link> links() const { return model_->links; }
 
   std::uint32_t first_;
-  double lever_ = 1.0;
-  std::vector<Link> links_;
+  std::uint32_t vehicles_;
   std::vector<JointSetting> joints_;  // measured
   std::vector<Steering> steerings_;
   std::vector<Hinge> hinges_;

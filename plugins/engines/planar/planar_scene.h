@@ -1,6 +1,7 @@
 // The places of all bodies in a grid: what sensors see, and which bodies are near each other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -67,6 +68,12 @@ class PlanarScene {
   /// around this one; perhaps more than once.
   template <class Call>
   void for_each_near(Id id, double margin, Call call) const;
+  /// True if for_each_near() would find nothing, as far as an earlier search can tell.
+  bool is_clear(Id id, double margin) const { return odometer_ + 0.5 * margin < clear_until_[id]; }
+  /// Must be called before is_clear() and for_each_near() when bodies have been added.
+  void begin_search() {
+    if (clear_until_.size() != entries_.size()) clear_until_.assign(entries_.size(), 0.0);
+  }
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
@@ -77,16 +84,21 @@ class PlanarScene {
  private:
   /// How much of a look the frequent rays need.
   enum class Outside : std::uint8_t { box, disc, other };
-  struct Entry : LevelRays::Target {  // without its wheels
-    double bottom = 0.0, top = 0.0;   // of all of it
-    double wheels_top = -1.0;         // m; negative: no wheels
-    Body body;
+  /// In two lines of the processor's cache.
+  struct alignas(64) Entry : LevelRays::Target {  // without its wheels
+    double wheels_top = -1.0;                     // m; negative: no wheels
+    std::uint32_t index = 0;                      // of the body
+    BodyKind kind = BodyKind::wall;
     Outside outside = Outside::box;
-    bool sensed = false;
-    bool placed = false;
-    bool moves = false;
-    base::Grid::Block block;
-    Vector2 least, most;  // the places that have this block
+    bool sensed : 1 = false;
+    bool placed : 1 = false;
+    bool moves : 1 = false;
+    Vector2 least, most;  // the places that have its block of the grid
+
+    Body body() const { return {kind, index}; }
+    // Of all of it:
+    double bottom() const { return wheels_top < 0.0 ? low - kHair : -kHair; }
+    double top() const { return std::max(high, wheels_top) + kHair; }
   };
   struct Best {
     RayHit hit;
@@ -97,17 +109,16 @@ class PlanarScene {
   struct Around {
     std::vector<Id> near;  // all that came within the radius, but not the robot itself
     Vector2 middle;
-    double radius = -1.0;    // m
-    double odometer = 0.0;   // m, when it was made
-    double wanted = 0.0;     // m, the largest radius that was asked for
-    std::size_t bodies = 0;  // that there were when it was made
-    bool pulls = false;      // the robot has segments, which may meet each other
+    double until = -1.0;       // m, the radius and the odometer when it was made
+    double wanted = 0.0;       // m, the largest radius that was asked for
+    std::uint32_t bodies = 0;  // that there were when it was made
+    bool pulls = false;        // the robot has segments, which may meet each other
   };
 
   base::Grid::Block block_of(const Entry& entry) const;
   void place(Id id);
   static bool is_of(const Entry& entry, std::size_t robot) {
-    return entry.body.kind == BodyKind::robot && entry.body.index == robot;
+    return entry.kind == BodyKind::robot && entry.index == robot;
   }
   static bool is_seen(const Entry& entry, std::size_t except) {
     return entry.sensed && !is_of(entry, except);
@@ -122,6 +133,15 @@ class PlanarScene {
     return std::abs(at.x) <= entry.half.x + distance + kHair &&
            std::abs(at.y) <= entry.half.y + distance + kHair;
   }
+  /// How far the body is from a point, or less.
+  static double distance_to(const Entry& entry, double x, double y) {
+    const double dx = x - entry.place.x, dy = y - entry.place.y;
+    if (entry.moves || entry.outside != Outside::box) {
+      return std::sqrt(dx * dx + dy * dy) - entry.reach;
+    }
+    const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
+    return std::max(std::abs(at.x) - entry.half.x, std::abs(at.y) - entry.half.y);
+  }
   double distance_to(Id id, const Ray& ray, double range) const;
   double distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
                               const Vector3& direction, double range) const;
@@ -131,7 +151,10 @@ class PlanarScene {
 
   base::Grid grid_;
   std::vector<Entry> entries_;
+  std::vector<base::Grid::Block> blocks_;  // of the entries
   std::vector<std::shared_ptr<const Look>> looks_;
+  /// The reading of the odometer up to which nothing can touch a body's circle.
+  mutable std::vector<double> clear_until_;
   mutable std::vector<Around> around_;  // of robots; each belongs to the thread that asks for it
   double odometer_ = 0.0;               // m: the sum of the farthest moves of all rounds
 };
@@ -140,12 +163,23 @@ template <class Call>
 void PlanarScene::for_each_near(Id id, double margin, Call call) const {
   const Entry& self = entries_[id];
   const double x0 = self.place.x, y0 = self.place.y, reach = self.reach + margin;
-  const bool is_alone = self.body.kind == BodyKind::robot && !around_[self.body.index].pulls;
-  if (const Around* near = is_alone ? around(self.body.index, self.place, reach) : nullptr) {
+  const bool is_alone = self.kind == BodyKind::robot && !around_[self.index].pulls;
+  if (const Around* near = is_alone ? around(self.index, self.place, reach) : nullptr) {
+    // Nothing nearer than this is missing in the list.
+    double distance =
+        near->until - odometer_ - std::hypot(x0 - near->middle.x, y0 - near->middle.y);
     for (const Id other : near->near) {
       const Entry& entry = entries_[other];
-      if (entry.placed && comes_within(entry, x0, y0, reach)) call(other);
+      if (!entry.placed) continue;
+      if (comes_within(entry, x0, y0, reach)) {
+        distance = 0.0;
+        call(other);
+      } else if (distance > reach) {
+        distance = std::min(distance, distance_to(entry, x0, y0));
+      }
     }
+    // Both may move.
+    clear_until_[id] = odometer_ + 0.5 * (distance - self.reach) - kHair;
     return;
   }
   const base::Grid::Block block = grid_.block(x0 - reach, y0 - reach, x0 + reach, y0 + reach);

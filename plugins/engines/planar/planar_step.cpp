@@ -34,8 +34,7 @@ void PlanarEngine::set_joints(std::size_t robot, std::span<const JointSetting> s
   }
   require(std::isfinite(sum),
           "The rates and angles that a robot's joints are to hold must be finite.");
-  set.set_joints(settings, movers_);
-  bounds_.add_robot_speed(set.lever() * set.rim_speed(settings));
+  bounds_.add_robot_speed(set.lever() * set.set_joints(settings, movers_));
 }
 
 void PlanarEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
@@ -128,6 +127,36 @@ void PlanarEngine::step() {
   settle();
 }
 
+inline bool PlanarEngine::is_well(const Mover& mover, double limit, bool stays_within) const {
+  const Vector2& at = mover.place();
+  const Twist& v = mover.velocity();
+  return v.x * v.x + v.y * v.y <= limit * limit && std::isfinite(at.x + at.y + v.turn) &&
+         (!stays_within || bounds_.within_walls({at.x, at.y, 0.0}));
+}
+
+void PlanarEngine::place_in_scene(std::size_t robot, PlanarScene::Moves& moves) {
+  const PlanarRobot& made = robots_[robot];
+  std::uint32_t thing = robot_bodies_[robot].first_thing;
+  made.point_shapes();
+  for (const Mover& mover : std::span(movers_).subspan(made.first(), made.vehicles())) {
+    scene_.move(thing++, mover.place(), mover.ahead(), moves);
+  }
+}
+
+void PlanarEngine::settle_robot(std::size_t i, double limit, PlanarScene::Moves& moves) {
+  PlanarRobot& robot = robots_[i];
+  const auto own = std::span(movers_).subspan(robot.first(), robot.vehicles());
+  for (Mover& mover : own) mover.advance(physics_.step);
+  robot.settle(movers_);
+  place_in_scene(i, moves);
+  const bool stays_within = robot_bodies_[i].stays_within;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    if (is_well(own[k], limit, stays_within)) continue;
+    fail(own[k], stays_within, {BodyKind::robot, i},
+         k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+  }
+}
+
 /// Moves all bodies.
 void PlanarEngine::settle() {
   const double limit = bounds_.most_speed();
@@ -146,19 +175,6 @@ void PlanarEngine::settle() {
   scene_.settle(moves_);
 }
 
-void PlanarEngine::settle_robot(std::size_t i, double limit, PlanarScene::Moves& moves) {
-  PlanarRobot& robot = robots_[i];
-  for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-    movers_[robot.first() + k].advance(physics_.step);
-  }
-  robot.settle(movers_);
-  place_in_scene(i, moves);
-  for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-    judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within, {BodyKind::robot, i},
-          k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
-  }
-}
-
 void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
   for (const std::uint32_t index : mobile_boxes_) {
     BoxBody& box = boxes_[index];
@@ -170,20 +186,18 @@ void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
         mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
       }
     } else {
-      judge(mover, limit, box.stays_within, {BodyKind::box, index});
+      if (!is_well(mover, limit, box.stays_within)) {
+        fail(mover, box.stays_within, {BodyKind::box, index}, std::nullopt);
+      }
     }
     scene_.move(box.thing, mover.place(), mover.ahead(), moves);
   }
 }
 
-void PlanarEngine::judge(const Mover& mover, double limit, bool stays_within, const Body& body,
-                         std::optional<std::size_t> segment) const {
+void PlanarEngine::fail(const Mover& mover, bool stays_within, const Body& body,
+                        std::optional<std::size_t> segment) const {
   const Vector2& at = mover.place();
   const Twist& v = mover.velocity();
-  const bool is_well = v.x * v.x + v.y * v.y <= limit * limit &&
-                       std::isfinite(at.x + at.y + v.turn) &&
-                       (!stays_within || bounds_.within_walls({at.x, at.y, 0.0}));
-  if (is_well) return;
   Failure failure;
   if (auto found = bounds_.check({at.x, at.y, 0.0}, {v.x, v.y, 0.0}, stays_within)) {
     failure = *found;

@@ -32,6 +32,7 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
   made.step = physics.step;
   made.slip = std::max(physics.wheel_slip, kLeastSlip);
   made.stiffness = 1.0 / made.slip;
+  made.firmness = made.step * made.stiffness;
   made.friction = kTyreGrip * physics.friction;
   std::size_t wheels = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -48,6 +49,8 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
         grip.rim = radius * std::cos(angle);
         grip.torque = wheel->torque;
         grip.per_torque = made.step / std::max(0.5 * part.mass * radius * radius, kLeastInertia);
+        grip.per_force = grip.per_torque * grip.rim;
+        grip.most = grip.per_torque * grip.torque;
       }
       grip.stiffness = 1.0 / (made.slip + grip.rim * grip.rim * grip.per_torque);
       made.mounts.push_back({{at.x - inertia.center.x, at.y - inertia.center.y}, angle, wheels});
@@ -122,14 +125,14 @@ void Undercarriage::take(const Undercarriage& other) {
   is_known_ = false;
 }
 
-Undercarriage::Law Undercarriage::law(const Grip& grip, const Turning& now) const {
+inline Undercarriage::Law Undercarriage::law(const Grip& grip, const Turning& now) const {
   if (now.hold == Hold::rolls) return {model_->stiffness, grip.rim * now.wanted};
   // The motor gives its most, and the wheel turns as tyre and motor make it.
   const double torque = now.hold == Hold::motor_up ? grip.torque : -grip.torque;
   return {grip.stiffness, grip.rim * (now.rate + grip.per_torque * torque)};
 }
 
-double Undercarriage::force(const Grip& grip, const Turning& now, double moving) const {
+inline double Undercarriage::force(const Grip& grip, const Turning& now, double moving) const {
   if (now.hold == Hold::slides_up) return grip.limit;
   if (now.hold == Hold::slides_down) return -grip.limit;
   const Law known = law(grip, now);
@@ -137,15 +140,14 @@ double Undercarriage::force(const Grip& grip, const Turning& now, double moving)
 }
 
 /// The rate of a wheel after a step in which its tyre pulls with this force.
-double Undercarriage::turning(const Grip& grip, const Turning& now, double pull) {
-  const double rolling = now.rate - grip.per_torque * grip.rim * pull;
-  const double most = grip.per_torque * grip.torque;
-  return std::clamp(now.wanted, rolling - most, rolling + most);
+inline double Undercarriage::turning(const Grip& grip, const Turning& now, double pull) {
+  const double rolling = now.rate - grip.per_force * pull;
+  return std::clamp(now.wanted, rolling - grip.most, rolling + grip.most);
 }
 
 /// The state of the grip at this velocity.
-Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
-                                           const Twist& velocity) const {
+inline Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
+                                                  const Twist& velocity) const {
   const double moving = dot(grip.along, velocity), pull = force(grip, now, moving);
   if (now.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
@@ -195,31 +197,19 @@ void Undercarriage::respond() {
   response_ = inertia.inverse();
 }
 
-Twist Undercarriage::solve(const Twist& free) {
-  const Inertia& inertia = model_->inertia;
-  const Twist momentum{inertia.mass * free.x, inertia.mass * free.y,
-                       inertia.about_center * free.turn};
-  if (loose_ == 0) {
-    if (!is_known_) respond();
-    const Twist velocity = rolling(momentum);
-    if (all_roll(velocity)) return velocity;
-  }
-  return search(momentum);
-}
-
 /// The velocity if nothing is at a limit.
-Twist Undercarriage::rolling(Twist momentum) const {
+inline Twist Undercarriage::rolling(Twist momentum) const {
   const Model& model = *model_;
   for (std::size_t i = 0; i < turnings_.size(); ++i) {
     const Grip& grip = model.grips[i];
     if (!grip.is_driven()) continue;
-    const double push = model.step * model.stiffness * (grip.rim * turnings_[i].wanted);
+    const double push = model.firmness * (grip.rim * turnings_[i].wanted);
     momentum = momentum + push * grip.along;
   }
   return model.rolling * momentum;
 }
 
-bool Undercarriage::all_roll(const Twist& velocity) const {
+inline bool Undercarriage::all_roll(const Twist& velocity) const {
   const Model& model = *model_;
   for (std::size_t i = 0; i < turnings_.size(); ++i) {
     const Grip& grip = model.grips[i];
@@ -230,12 +220,22 @@ bool Undercarriage::all_roll(const Twist& velocity) const {
     }
     const auto& [rate, wanted, hold] = turnings_[i];
     const double pull = model.stiffness * (grip.rim * wanted - moving);
-    const double gained = wanted - rate + grip.per_torque * grip.rim * pull;
-    if (std::abs(pull) > grip.limit || std::abs(gained) > grip.per_torque * grip.torque) {
-      return false;
-    }
+    const double gained = wanted - rate + grip.per_force * pull;
+    if (std::abs(pull) > grip.limit || std::abs(gained) > grip.most) return false;
   }
   return true;
+}
+
+Twist Undercarriage::solve(const Twist& free) {
+  const Inertia& inertia = model_->inertia;
+  const Twist momentum{inertia.mass * free.x, inertia.mass * free.y,
+                       inertia.about_center * free.turn};
+  if (loose_ == 0) {
+    if (!is_known_) respond();
+    const Twist velocity = rolling(momentum);
+    if (all_roll(velocity)) return velocity;
+  }
+  return search(momentum);
 }
 
 /// The velocity, and the limits that fit to it.

@@ -60,6 +60,7 @@ class Undercarriage {
   Twist solve(const Twist& free);
   /// The velocity that an impulse adds while the grips stay as solve() found them.
   const Symmetric& response() const { return response_; }
+  const Inertia& inertia() const { return model_->inertia; }
   /// How often the response has changed.
   std::uint32_t changes() const { return changes_; }
   /// Takes the rates of the wheels after a step that ends with this velocity.
@@ -77,6 +78,8 @@ class Undercarriage {
     double stiffness = 0.0;   // N s/m, while the motor gives its most
     double torque = 0.0;      // N m, maximum
     double per_torque = 0.0;  // rad/s per N m in a step
+    double per_force = 0.0;   // rad/s per N at the rim in a step
+    double most = 0.0;        // rad/s, that the motor adds in a step
 
     bool is_driven() const { return rim != 0.0; }
   };
@@ -94,6 +97,7 @@ class Undercarriage {
     double step = 0.0;
     double slip = 0.0;
     double stiffness = 0.0;  // N s/m, of a tyre
+    double firmness = 0.0;   // kg, the stiffness times the step
     double friction = 0.0;
     Symmetric rolling;  // the response if nothing is at a limit
 
@@ -115,13 +119,15 @@ class Undercarriage {
   void own_model() {
     if (model_.use_count() > 1) model_ = std::make_shared<Model>(*model_);
   }
-  Law law(const Grip& grip, const Turning& now) const;
-  static double turning(const Grip& grip, const Turning& now, double pull);
-  double force(const Grip& grip, const Turning& now, double moving) const;
-  Hold fitting(const Grip& grip, const Turning& now, const Twist& velocity) const;
+  // Short, and called for each grip in every step.
+  [[gnu::always_inline]] Law law(const Grip& grip, const Turning& now) const;
+  [[gnu::always_inline]] static double turning(const Grip& grip, const Turning& now, double pull);
+  [[gnu::always_inline]] double force(const Grip& grip, const Turning& now, double moving) const;
+  [[gnu::always_inline]] Hold fitting(const Grip& grip, const Turning& now,
+                                      const Twist& velocity) const;
+  [[gnu::always_inline]] Twist rolling(Twist momentum) const;
+  [[gnu::always_inline]] bool all_roll(const Twist& velocity) const;
   void respond();
-  Twist rolling(Twist momentum) const;
-  bool all_roll(const Twist& velocity) const;
   Twist search(const Twist& momentum);
 
   std::shared_ptr<Model> model_;
