@@ -60,7 +60,7 @@ BodyModel::BodyModel(const BodyPlan& of, const world::Physics& physics)
       link.vehicle = static_cast<std::uint32_t>(vehicle);
       link.is_hitch = std::holds_alternative<HitchJoint>(part.joint);
       if (std::holds_alternative<WheelJoint>(part.joint)) {
-        const std::size_t motor = movers.back().wheels()->motor_of(wheels++);
+        const std::size_t motor = movers.back().wheels().motor_of(wheels++);
         if (motor != Undercarriage::kNoMotor) link.motor = static_cast<std::uint32_t>(motor);
         link.radius = part.shape.radius();
       }

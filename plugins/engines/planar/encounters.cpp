@@ -42,7 +42,9 @@ void Encounters::find(std::span<const Moving> moving, double margin, base::Crew&
   });
   contacts_.clear();
   touches_.clear();
-  for (Found& each : found_) {
+  std::swap(contacts_, found_.front().contacts);
+  std::swap(touches_, found_.front().touches);
+  for (Found& each : std::span(found_).subspan(1)) {
     contacts_.insert(contacts_.end(), each.contacts.begin(), each.contacts.end());
     touches_.insert(touches_.end(), each.touches.begin(), each.touches.end());
     each.contacts.clear();
@@ -84,14 +86,17 @@ void Encounters::look_around(const Moving& moving, double margin, Found& found) 
 void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
                       Found& found) const {
   const Thing &a = things_[first], &b = things_[second];
-  const auto place_of = [this](const Thing& thing) {
-    return thing.mover == kNone ? thing.place : movers_[thing.mover].place();
+  // Boxes that move along their own path are a little away from where the scene has them.
+  const auto place_of = [this](std::uint32_t id) {
+    const std::uint32_t mover = things_[id].mover;
+    return mover == kNone ? scene_.place_of(id) : movers_[mover].place();
   };
-  const auto ahead_of = [this](const Thing& thing) {
-    return thing.mover == kNone ? thing.ahead : movers_[thing.mover].ahead();
+  const auto ahead_of = [this](std::uint32_t id) {
+    const std::uint32_t mover = things_[id].mover;
+    return mover == kNone ? scene_.ahead_of(id) : movers_[mover].ahead();
   };
-  const Vector2 at_a = place_of(a), at_b = place_of(b);
-  const Direction ahead_a = ahead_of(a), ahead_b = ahead_of(b);
+  const Vector2 at_a = place_of(first), at_b = place_of(second);
+  const Direction ahead_a = ahead_of(first), ahead_b = ahead_of(second);
   const auto middle = [](const Solid& solid, const Vector2& at, const Direction& ahead) {
     const Vector2 turned = ahead.turn(solid.place);
     return Vector2{at.x + turned.x, at.y + turned.y};

@@ -22,12 +22,10 @@ namespace elsie::physics {
 /// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
 struct Thing {
   Body body;
-  std::size_t vehicle = 0;   // of a robot
   std::uint64_t number = 0;  // the same in an engine that takes it over
   std::uint32_t mover = Contact::kFixed;
+  std::uint32_t vehicle = 0;  // of a robot
   std::shared_ptr<const std::vector<Solid>> solids;
-  Vector2 place;  // of a fixed body
-  Direction ahead;
 };
 
 /// Finds pairs of bodies that meet or may meet in this step, divides them into islands, and solves

@@ -13,7 +13,6 @@ namespace {
 using Lanes = LevelRays::Lanes;
 using Flags = LevelRays::Flags;
 using Group = LevelRays::Group;
-using Target = LevelRays::Target;
 using Extent = LevelRays::Extent;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -24,7 +23,7 @@ ELSIE_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return b < a ? b : a
 ELSIE_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 ELSIE_INLINE Lanes size_of(const Lanes& a) { return a < 0.0 ? -a : a; }
 
-ELSIE_INLINE Flags meets_circle(const Group& rays, const Target& target) {
+ELSIE_INLINE Flags meets_circle(const Group& rays, const SceneBody& target) {
   const Lanes x = target.place.x - rays.x, y = target.place.y - rays.y;
   const Lanes across = x * rays.along_y - y * rays.along_x;
   const Lanes to_middle = x * rays.along_x + y * rays.along_y;
@@ -44,12 +43,12 @@ ELSIE_INLINE void clip(const Lanes& from, const Lanes& along, double half, Lanes
 }
 
 /// All of them, because which rays may meet a box is hard to predict, and costs half of this.
-ELSIE_INLINE void meet_boxes(std::span<Group> groups, std::span<const Target* const> boxes) {
+ELSIE_INLINE void meet_boxes(std::span<Group> groups, std::span<const SceneBody* const> boxes) {
   for (Group& group : groups) {
     const Group rays = group;
     Lanes nearest = rays.nearest;
     Flags found = rays.found;
-    for (const Target* const box : boxes) {
+    for (const SceneBody* const box : boxes) {
       const Lanes x = rays.x - box->place.x, y = rays.y - box->place.y;
       const auto [c, s] = box->ahead;
       Lanes enter{}, leave = nearest;
@@ -146,14 +145,14 @@ ELSIE_INLINE void answer(std::span<const Group> groups, std::span<RayQuery> rays
 }
 
 struct Instructions {
-  void (*meet_boxes)(std::span<Group> groups, std::span<const Target* const> boxes);
+  void (*meet_boxes)(std::span<Group> groups, std::span<const SceneBody* const> boxes);
   bool (*turn_all)(const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups,
                    Extent& extent);
   void (*answer)(std::span<const Group> groups, std::span<RayQuery> rays);
 };
 
 constexpr Instructions kPlain{
-    [](std::span<Group> groups, std::span<const Target* const> boxes) {
+    [](std::span<Group> groups, std::span<const SceneBody* const> boxes) {
       meet_boxes(groups, boxes);
     },
     [](const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups,
@@ -162,7 +161,7 @@ constexpr Instructions kPlain{
 
 #if defined(__x86_64__)
 __attribute__((target("avx2"))) void meet_boxes_avx2(std::span<Group> groups,
-                                                     std::span<const Target* const> boxes) {
+                                                     std::span<const SceneBody* const> boxes) {
   meet_boxes(groups, boxes);
 }
 __attribute__((target("avx2"))) bool turn_all_avx2(const Frame& within,
@@ -191,11 +190,11 @@ bool LevelRays::set(const Frame& within, std::span<const RayQuery> rays) {
   return kFast.turn_all(within, rays, std::span(groups_).first(used_), extent_);
 }
 
-void LevelRays::meet_boxes(std::span<const Target* const> boxes) {
+void LevelRays::meet_boxes(std::span<const SceneBody* const> boxes) {
   kFast.meet_boxes(std::span(groups_).first(used_), boxes);
 }
 
-std::uint32_t LevelRays::meeting_circle(const Target& target) const {
+std::uint32_t LevelRays::meeting_circle(const SceneBody& target) const {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     const Flags meets = meets_circle(groups_[i], target);

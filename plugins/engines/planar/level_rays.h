@@ -9,6 +9,7 @@
 #include "elsie/api/sensor.h"
 
 #include "plane.h"
+#include "scene_body.h"
 
 namespace elsie::physics {
 
@@ -29,16 +30,8 @@ class LevelRays {
   /// The height of the lowest ray, m.
   double lowest() const { return extent_.lowest; }
 
-  /// An upright box, or the circle around something else.
-  struct Target {
-    Vector2 place;
-    Direction ahead;
-    Vector2 half;
-    double low = 0.0, high = 0.0;  // m
-    double reach = 0.0;            // m, the radius of the circle around it
-  };
   /// The rays that meet the circle: the first in bit 0.
-  std::uint32_t meeting_circle(const Target& target) const;
+  std::uint32_t meeting_circle(const SceneBody& target) const;
 
   Vector3 origin(std::size_t ray) const {
     const Group& group = groups_[ray / kLanes];
@@ -55,7 +48,7 @@ class LevelRays {
   }
   /// Shortens the rays that meet one of the boxes, which are at most kMostBoxes.
   static constexpr std::size_t kMostBoxes = 16;
-  void meet_boxes(std::span<const Target* const> boxes);
+  void meet_boxes(std::span<const SceneBody* const> boxes);
   /// Sets the distances of the rays.
   void answer(std::span<RayQuery> rays) const;
 

@@ -20,26 +20,25 @@ void Mover::turn_to(double heading_rad) {
 }
 
 void Mover::stop() {
-  velocity_ = {};
-  is_free_known_ = false;
-  if (wheels_) wheels_->roll({});
+  velocity_ = free_ = {};
+  if (wheels_) wheels_.roll({});
 }
 
-void Mover::push(const Twist& velocity, const Vector2& point) {
+void Mover::push(const Twist& velocity, const Vector2& point, double step) {
   const Vector2 from{center().x - point.x, center().y - point.y};
   velocity_ = ahead_.turn_back(Twist{velocity.x - velocity.turn * from.y,
                                      velocity.y + velocity.turn * from.x, velocity.turn});
-  is_free_known_ = false;
-  if (wheels_) wheels_->roll(velocity_);
+  carry(step);
+  if (wheels_) wheels_.roll(velocity_);
 }
 
-void Mover::take(const Mover& other) {
+void Mover::take(const Mover& other, double step) {
   place_ = other.place_;
   ahead_ = other.ahead_;
   heading_rad_ = other.heading_rad_;
   velocity_ = other.velocity_;
-  is_free_known_ = false;
-  if (wheels_) wheels_->take(*other.wheels_);
+  carry(step);
+  if (wheels_) wheels_.take(other.wheels_);
 }
 
 Vector2 Mover::center() const {
@@ -48,18 +47,19 @@ Vector2 Mover::center() const {
 }
 
 Twist Mover::ground(const Twist& free) {
-  return wheels_ ? wheels_->solve(free) : sled_->friction.solve(free);
+  return wheels_ ? wheels_.solve(free) : sled_->friction.solve(free);
 }
 
-void Mover::begin(double step) {
+/// In the next step, the body turns below its momentum.
+void Mover::carry(double step) {
+  free_ = velocity_.turn == 0.0
+              ? velocity_
+              : HalfTurn(0.5 * step * velocity_.turn).whole().turn_back(velocity_);
+}
+
+void Mover::begin() {
   impact_ = nullptr;
-  if (!gives_way_) return;
-  if (!is_free_known_) {
-    free_ = velocity_.turn == 0.0
-                ? velocity_
-                : HalfTurn(0.5 * step * velocity_.turn).whole().turn_back(velocity_);
-  }
-  velocity_ = ground(free_);
+  if (gives_way()) velocity_ = ground(free_);
 }
 
 void Mover::enter(double step, Impact& impact) {
@@ -72,8 +72,8 @@ void Mover::enter(double step, Impact& impact) {
 }
 
 Symmetric Mover::answer() const {
-  if (wheels_) return wheels_->response().turned(impact_->middle);
-  if (!gives_way_) return {};
+  if (wheels_) return wheels_.response().turned(impact_->middle);
+  if (!gives_way()) return {};
   Symmetric free;
   free.xx = free.yy = 1.0 / sled_->inertia.mass;
   free.tt = 1.0 / sled_->inertia.about_center;
@@ -81,14 +81,14 @@ Symmetric Mover::answer() const {
 }
 
 Mover::Stand Mover::stand() {
-  if (!gives_way_) return {};
+  if (!gives_way()) return {};
   Impact& now = *impact_;
   const Twist before = now.moving;
-  const std::uint32_t known = wheels_ ? wheels_->changes() : 0;
+  const std::uint32_t known = wheels_ ? wheels_.changes() : 0;
   const Direction& middle = now.middle;
   now.moving = middle.turn(ground(inertia().after(free_, middle.turn_back(now.impulse))));
   Stand stood{std::max(std::abs(now.moving.x - before.x), std::abs(now.moving.y - before.y))};
-  if (wheels_ && known != wheels_->changes()) {
+  if (wheels_ && known != wheels_.changes()) {
     const Symmetric next = answer();
     const Symmetric& last = now.response;
     stood.is_looser = next.xx + next.yy + next.tt > last.xx + last.yy + last.tt;
@@ -99,9 +99,8 @@ Mover::Stand Mover::stand() {
 
 void Mover::advance(double step) {
   const Impact* const impact = std::exchange(impact_, nullptr);
-  if (impact && gives_way_) velocity_ = impact->middle.turn_back(impact->moving);
-  if (wheels_) wheels_->settle(velocity_);
-  is_free_known_ = true;
+  if (impact && gives_way()) velocity_ = impact->middle.turn_back(impact->moving);
+  if (wheels_) wheels_.settle(velocity_);
   free_ = velocity_;
   if (velocity_ == Twist{}) return;
   const HalfTurn turn(0.5 * step * velocity_.turn);
@@ -112,8 +111,7 @@ void Mover::advance(double step) {
   const Vector2 &c = inertia().center, was = ahead_.turn(c), is = next.turn(c);
   place_ = {place_.x + moved.x + was.x - is.x, place_.y + moved.y + was.y - is.y};
   ahead_ = next;
-  // In the next step, the body turns below its momentum.
-  if (velocity_.turn != 0.0) free_ = whole.turn_back(velocity_);
+  if (velocity_.turn != 0.0) free_ = whole.turn_back(velocity_);  // as carry()
   heading_rad_ += step * velocity_.turn;
   if (std::abs(heading_rad_) > std::numbers::pi) heading_rad_ = wrap_angle(heading_rad_);
 }

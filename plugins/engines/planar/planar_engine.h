@@ -89,6 +89,7 @@ class PlanarEngine final : public Engine {
                             const Pose& pose, bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
   void enter_robot(std::size_t robot);
+  void fit();
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
   double begin_movers();
@@ -104,6 +105,7 @@ class PlanarEngine final : public Engine {
   std::uint64_t next_number_ = 0;
   PlanarScene scene_;
   std::vector<Thing> things_;
+  std::size_t fitted_ = 0;  // things that there were in fit()
   std::vector<Mover> movers_;
   std::vector<Encounters::Moving> moving_;
   BodyModels models_;

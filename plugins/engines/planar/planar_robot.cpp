@@ -22,29 +22,38 @@ PlanarRobot::PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first)
       vehicles_(static_cast<std::uint32_t>(model->movers.size())),
       joints_(model->links.size()),
       model_(std::move(model)) {
+  Jointed jointed;
   std::uint32_t wheels = 0, settings = 0;
   std::size_t vehicle = 0;
   for (const Part& part : plan().parts) {
     if (part.vehicle != vehicle) wheels = 0;
     vehicle = part.vehicle;
     if (const auto* hitch = std::get_if<HitchJoint>(&part.joint)) {
-      Hinge& hinge = hinges_.emplace_back();
+      Hinge& hinge = jointed.hinges.emplace_back();
       hinge.behind = first + static_cast<std::uint32_t>(vehicle);
       hinge.front = hinge.behind - 1;
       hinge.joint = *hitch;
     } else if (const auto* joint = std::get_if<WheelJoint>(&part.joint)) {
       const std::uint32_t wheel = wheels++;
       if (joint->steered) {
-        steerings_.push_back({settings,
-                              wheel,
-                              joint->max_steer_rad,
-                              joint->steer_rate_rad_s,
-                              std::atan2(part.frame.forward.y, part.frame.forward.x),
-                              {}});
+        jointed.steerings.push_back({settings,
+                                     wheel,
+                                     joint->max_steer_rad,
+                                     joint->steer_rate_rad_s,
+                                     std::atan2(part.frame.forward.y, part.frame.forward.x),
+                                     {}});
       }
     }
     if (can_be_set(part.joint)) ++settings;
   }
+  if (!jointed.steerings.empty() || !jointed.hinges.empty()) {
+    jointed_ = std::make_unique<Jointed>(std::move(jointed));
+  }
+}
+
+const Hinge& PlanarRobot::hinge(std::size_t segment) const {
+  static const std::vector<Hinge> none;
+  return (jointed_ ? jointed_->hinges : none).at(segment);
 }
 
 void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
@@ -55,24 +64,27 @@ void PlanarRobot::put(const Pose& pose, std::span<Mover> movers) {
     mover.put(point_of(pose, {at.x, at.y}), pose.heading_rad);
     mover.stop();
   }
-  for (Hinge& hinge : hinges_) {
+  for (Hinge& hinge : hinges()) {
     hinge.yaw_rad = hinge.twist = 0.0;
     hinge.pull = {};
   }
   std::fill(joints_.begin(), joints_.end(), JointSetting());
-  for (const Steering& each : steerings_) {
-    movers[first_ + links()[each.joint].vehicle].wheels()->point(each.wheel, each.rest_rad);
+  if (!jointed_) return;
+  for (const Steering& each : jointed_->steerings) {
+    movers[first_ + links()[each.joint].vehicle].wheels().point(each.wheel, each.rest_rad);
   }
 }
 
 void PlanarRobot::take(const PlanarRobot& other) {
   joints_ = other.joints_;
-  steerings_ = other.steerings_;
-  for (std::size_t i = 0; i < hinges_.size(); ++i) {
-    const auto [front, behind] = std::pair(hinges_[i].front, hinges_[i].behind);
-    hinges_[i] = other.hinges_[i];
-    hinges_[i].front = front;
-    hinges_[i].behind = behind;
+  if (!jointed_) return;
+  jointed_->steerings = other.jointed_->steerings;
+  for (std::size_t i = 0; i < jointed_->hinges.size(); ++i) {
+    Hinge& hinge = jointed_->hinges[i];
+    const auto [front, behind] = std::pair(hinge.front, hinge.behind);
+    hinge = other.jointed_->hinges[i];
+    hinge.front = front;
+    hinge.behind = behind;
   }
 }
 
@@ -81,21 +93,24 @@ double PlanarRobot::set_joints(std::span<const JointSetting> settings, std::span
   const JointSetting* setting = settings.data();
   for (const BodyModel::Link& link : links()) {
     if (link.is_hitch) {
-      Hinge& hinge = hinges_[link.vehicle - 1];
+      Hinge& hinge = jointed_->hinges[link.vehicle - 1];
       const double most = hinge.joint.max_yaw_rad;
       hinge.wanted_yaw_rad = std::clamp(setting->angle_rad, -most, most);
     } else if (link.motor != BodyModel::kNoMotor) {
-      movers[first_ + link.vehicle].wheels()->set_rate(link.motor, setting->rate_rad_s);
+      movers[first_ + link.vehicle].wheels().set_rate(link.motor, setting->rate_rad_s);
     }
     rim = std::max(rim, link.radius * std::abs(setting->rate_rad_s));
     ++setting;
   }
-  for (Steering& each : steerings_) each.wanted = settings[each.joint];
+  if (jointed_) {
+    for (Steering& each : jointed_->steerings) each.wanted = settings[each.joint];
+  }
   return rim;
 }
 
 void PlanarRobot::begin(double step, std::span<Mover> movers) {
-  for (const Steering& each : steerings_) steer(each, step, movers);
+  if (!jointed_) return;
+  for (const Steering& each : jointed_->steerings) steer(each, step, movers);
 }
 
 void PlanarRobot::steer(const Steering& steering, double step, std::span<Mover> movers) {
@@ -113,13 +128,15 @@ void PlanarRobot::steer(const Steering& steering, double step, std::span<Mover> 
   now.turn_rad_s = (angle - now.angle_rad) / step;
   if (angle == now.angle_rad) return;
   now.angle_rad = all_round ? wrap_angle(angle) : angle;
-  movers[first_ + links()[steering.joint].vehicle].wheels()->point(
+  movers[first_ + links()[steering.joint].vehicle].wheels().point(
       steering.wheel, steering.rest_rad + now.angle_rad);
 }
 
-void PlanarRobot::point_shape(const Steering& steering) const {
-  model_->point(links()[steering.joint].vehicle, steering.wheel,
-                steering.rest_rad + joints_[steering.joint].angle_rad);
+void PlanarRobot::point_wheels() const {
+  for (const Steering& each : jointed_->steerings) {
+    model_->point(links()[each.joint].vehicle, each.wheel,
+                  each.rest_rad + joints_[each.joint].angle_rad);
+  }
 }
 
 /// Puts a pulled vehicle back to its joint.
@@ -138,13 +155,13 @@ void PlanarRobot::straighten(Hinge& hinge, std::span<Mover> movers) const {
 }
 
 void PlanarRobot::settle(std::span<Mover> movers) {
-  for (Hinge& hinge : hinges_) straighten(hinge, movers);
+  for (Hinge& hinge : hinges()) straighten(hinge, movers);
   JointSetting* joint = joints_.data();
   for (const BodyModel::Link& link : links()) {
     if (link.is_hitch) {
-      joint->angle_rad = hinges_[link.vehicle - 1].yaw_rad;
+      joint->angle_rad = jointed_->hinges[link.vehicle - 1].yaw_rad;
     } else if (link.motor != BodyModel::kNoMotor) {
-      joint->rate_rad_s = movers[first_ + link.vehicle].wheels()->rate(link.motor);
+      joint->rate_rad_s = movers[first_ + link.vehicle].wheels().rate(link.motor);
     }
     ++joint;
   }

@@ -15,7 +15,7 @@
 namespace elsie::physics {
 
 /// A vehicle and the vehicles that it pulls, which are consecutive movers of the engine.
-class PlanarRobot {
+class alignas(64) PlanarRobot {
  public:
   /// `first`: its first mover; all of them are there.
   PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first);
@@ -23,10 +23,11 @@ class PlanarRobot {
   const BodyPlan& plan() const { return model_->plan; }
   std::uint32_t first() const { return first_; }
   std::uint32_t vehicles() const { return vehicles_; }
-  std::vector<Hinge>& hinges() { return hinges_; }
-  const std::vector<Hinge>& hinges() const { return hinges_; }
+  std::span<Hinge> hinges() { return jointed_ ? std::span(jointed_->hinges) : std::span<Hinge>(); }
+  const Hinge& hinge(std::size_t segment) const;
 
-  bool has_joints() const { return !steerings_.empty() || !hinges_.empty(); }
+  /// Whether it has steering or segments.
+  bool has_joints() const { return jointed_ != nullptr; }
   /// Puts all vehicles in line at a pose, at rest.
   void put(const Pose& pose, std::span<Mover> movers);
   /// Takes the state of a robot with the same plan.
@@ -43,7 +44,7 @@ class PlanarRobot {
 
   /// Turns the shapes of steered wheels as the wheels are.
   void point_shapes() const {
-    for (const Steering& each : steerings_) point_shape(each);
+    if (jointed_) point_wheels();
   }
   double lever() const { return model_->lever; }
 
@@ -58,17 +59,21 @@ class PlanarRobot {
     JointSetting wanted;
   };
 
+  struct Jointed {
+    std::vector<Steering> steerings;
+    std::vector<Hinge> hinges;
+  };
+
   void steer(const Steering& steering, double step, std::span<Mover> movers);
-  void point_shape(const Steering& steering) const;
+  void point_wheels() const;
   void straighten(Hinge& hinge, std::span<Mover> movers) const;
   std::span<const BodyModel::Link> links() const { return model_->links; }
 
   std::uint32_t first_;
   std::uint32_t vehicles_;
   std::vector<JointSetting> joints_;  // measured
-  std::vector<Steering> steerings_;
-  std::vector<Hinge> hinges_;
   std::shared_ptr<BodyModel> model_;
+  std::unique_ptr<Jointed> jointed_;  // most robots have none
 };
 
 }  // namespace elsie::physics

@@ -20,11 +20,10 @@
 #include "level_rays.h"
 #include "plane.h"
 #include "ray_tests.h"
+#include "scene_body.h"
 #include "shapes.h"
 
 namespace elsie::physics {
-
-inline constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
 
 /// A body as range sensors see it, in its own upright frame.
 struct Look {
@@ -63,6 +62,12 @@ class PlanarScene {
   /// Ends a round.
   void settle(std::span<Moves> moves);
   void remove(Id id);
+  /// Gives back the memory that was kept for more bodies.
+  void fit();
+
+  // Since the last round:
+  const Vector2& place_of(Id id) const { return entries_[id].place; }
+  const Direction& ahead_of(Id id) const { return entries_[id].ahead; }
 
   /// Calls `call` with every other body that may be no further than `margin` away from the circle
   /// around this one; perhaps more than once.
@@ -82,24 +87,6 @@ class PlanarScene {
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:
-  /// How much of a look the frequent rays need.
-  enum class Outside : std::uint8_t { box, disc, other };
-  /// In two lines of the processor's cache.
-  struct alignas(64) Entry : LevelRays::Target {  // without its wheels
-    double wheels_top = -1.0;                     // m; negative: no wheels
-    std::uint32_t index = 0;                      // of the body
-    BodyKind kind = BodyKind::wall;
-    Outside outside = Outside::box;
-    bool sensed : 1 = false;
-    bool placed : 1 = false;
-    bool moves : 1 = false;
-    Vector2 least, most;  // the places that have its block of the grid
-
-    Body body() const { return {kind, index}; }
-    // Of all of it:
-    double bottom() const { return wheels_top < 0.0 ? low - kHair : -kHair; }
-    double top() const { return std::max(high, wheels_top) + kHair; }
-  };
   struct Best {
     RayHit hit;
     bool found = false;
@@ -115,42 +102,42 @@ class PlanarScene {
     bool pulls = false;        // the robot has segments, which may meet each other
   };
 
-  base::Grid::Block block_of(const Entry& entry) const;
+  base::Grid::Block block_of(const SceneBody& entry) const;
   void place(Id id);
-  static bool is_of(const Entry& entry, std::size_t robot) {
+  static bool is_of(const SceneBody& entry, std::size_t robot) {
     return entry.kind == BodyKind::robot && entry.index == robot;
   }
-  static bool is_seen(const Entry& entry, std::size_t except) {
+  static bool is_seen(const SceneBody& entry, std::size_t except) {
     return entry.sensed && !is_of(entry, except);
   }
   /// Whether the body comes within this distance of a point; perhaps also if it nearly does.
-  static bool comes_within(const Entry& entry, double x, double y, double distance) {
+  static bool comes_within(const SceneBody& entry, double x, double y, double distance) {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
     const double far = entry.reach + distance;
     if (dx * dx + dy * dy > far * far) return false;
-    if (entry.moves || entry.outside != Outside::box) return true;
+    if (entry.moves || entry.outside != SceneBody::Outside::box) return true;
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
     return std::abs(at.x) <= entry.half.x + distance + kHair &&
            std::abs(at.y) <= entry.half.y + distance + kHair;
   }
   /// How far the body is from a point, or less.
-  static double distance_to(const Entry& entry, double x, double y) {
+  static double distance_to(const SceneBody& entry, double x, double y) {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
-    if (entry.moves || entry.outside != Outside::box) {
+    if (entry.moves || entry.outside != SceneBody::Outside::box) {
       return std::sqrt(dx * dx + dy * dy) - entry.reach;
     }
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
     return std::max(std::abs(at.x) - entry.half.x, std::abs(at.y) - entry.half.y);
   }
   double distance_to(Id id, const Ray& ray, double range) const;
-  double distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
+  double distance_past_circle(const SceneBody& entry, Id id, const Vector3& origin,
                               const Vector3& direction, double range) const;
   const Around* around(std::size_t robot, const Vector2& middle, double radius) const;
   bool cast_together(std::span<RayQuery> rays, LevelRays& level, std::size_t except) const;
   void walk(const Ray& ray, std::size_t except, Best& best) const;
 
   base::Grid grid_;
-  std::vector<Entry> entries_;
+  std::vector<SceneBody> entries_;
   std::vector<base::Grid::Block> blocks_;  // of the entries
   std::vector<std::shared_ptr<const Look>> looks_;
   /// The reading of the odometer up to which nothing can touch a body's circle.
@@ -161,7 +148,7 @@ class PlanarScene {
 
 template <class Call>
 void PlanarScene::for_each_near(Id id, double margin, Call call) const {
-  const Entry& self = entries_[id];
+  const SceneBody& self = entries_[id];
   const double x0 = self.place.x, y0 = self.place.y, reach = self.reach + margin;
   const bool is_alone = self.kind == BodyKind::robot && !around_[self.index].pulls;
   if (const Around* near = is_alone ? around(self.index, self.place, reach) : nullptr) {
@@ -169,7 +156,7 @@ void PlanarScene::for_each_near(Id id, double margin, Call call) const {
     double distance =
         near->until - odometer_ - std::hypot(x0 - near->middle.x, y0 - near->middle.y);
     for (const Id other : near->near) {
-      const Entry& entry = entries_[other];
+      const SceneBody& entry = entries_[other];
       if (!entry.placed) continue;
       if (comes_within(entry, x0, y0, reach)) {
         distance = 0.0;

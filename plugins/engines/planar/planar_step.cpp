@@ -62,7 +62,7 @@ RobotState PlanarEngine::robot(std::size_t robot) const {
 
 SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const {
   const PlanarRobot& asked = robots_.at(robot);
-  const Hinge& hinge = asked.hinges().at(segment);
+  const Hinge& hinge = asked.hinge(segment);
   const Mover& mover = movers_[hinge.behind];
   const Vector2& at = mover.place();
   return {frame_at(at, 0.0, mover.ahead()), {at.x, at.y, mover.heading_rad()}, hinge.yaw_rad, 0.0};
@@ -71,7 +71,8 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
 Frame PlanarEngine::box(std::size_t box) const {
   const BoxBody& asked = boxes_.at(box);
   const Thing& thing = things_[asked.thing];
-  if (thing.mover == Contact::kFixed) return frame_at(thing.place, asked.bottom, thing.ahead);
+  if (thing.mover == Contact::kFixed)
+    return frame_at(scene_.place_of(asked.thing), asked.bottom, scene_.ahead_of(asked.thing));
   const Mover& mover = movers_[thing.mover];
   return frame_at(mover.place(), asked.bottom, mover.ahead());
 }
@@ -100,7 +101,7 @@ double PlanarEngine::begin_movers() {
     double& fastest = fastest_[share.thread];
     for (std::size_t i = share.first; i < share.end; ++i) {
       Mover& mover = movers_[moving_[i].mover];
-      mover.begin(physics_.step);
+      mover.begin();
       const Twist& v = mover.velocity();
       const double square = v.x * v.x + v.y * v.y;
       const double edge = moving_[i].reach * std::abs(v.turn);
@@ -113,6 +114,7 @@ double PlanarEngine::begin_movers() {
 }
 
 void PlanarEngine::step() {
+  if (fitted_ != things_.size()) fit();
   moves_.resize(crew_->threads());
   fastest_.resize(crew_->threads());
   start_moving_boxes();
@@ -212,18 +214,19 @@ void PlanarEngine::fail(const Mover& mover, bool stays_within, const Body& body,
 
 std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   base::Fnv1a all(hash);
-  const auto add = [&](const Thing& thing) {
+  const auto add = [&](std::uint32_t id) {
+    const Thing& thing = things_[id];
     const bool moves = thing.mover != Contact::kFixed;
-    const Vector2& at = moves ? movers_[thing.mover].place() : thing.place;
-    const Direction& ahead = moves ? movers_[thing.mover].ahead() : thing.ahead;
+    const Vector2& at = moves ? movers_[thing.mover].place() : scene_.place_of(id);
+    const Direction& ahead = moves ? movers_[thing.mover].ahead() : scene_.ahead_of(id);
     for (const double number : {at.x, at.y, ahead.c, ahead.s}) all.add(number);
     if (!moves) return;
     const Twist& v = movers_[thing.mover].velocity();
     for (const double number : {v.x, v.y, v.turn}) all.add(number);
   };
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    for (std::size_t k = 0; k < robots_[i].vehicles(); ++k) {
-      add(things_[robot_bodies_[i].first_thing + k]);
+    for (std::uint32_t k = 0; k < robots_[i].vehicles(); ++k) {
+      add(robot_bodies_[i].first_thing + k);
     }
     for (const JointSetting& joint : robots_[i].joints()) {
       all.add(joint.rate_rad_s);
@@ -232,7 +235,7 @@ std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   }
   for (const BoxBody& box : boxes_) {
     all.add(std::uint64_t{box.present});
-    if (box.present) add(things_[box.thing]);
+    if (box.present) add(box.thing);
   }
   return all.value();
 }

@@ -65,11 +65,22 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
     ++wheels;
   }
   made.find_rolling();
-  turnings_.resize(made.grips.size());
+  made.count = made.grips.size();
+  turnings_ = std::make_unique<Turning[]>(made.count);
+}
+
+Undercarriage::Undercarriage(const Undercarriage& other)
+    : model_(other.model_),
+      turnings_(model_ ? std::make_unique<Turning[]>(model_->count) : nullptr),
+      changes_(other.changes_),
+      is_loose_(other.is_loose_),
+      is_known_(other.is_known_),
+      response_(other.response_) {
+  if (model_) std::copy_n(other.turnings_.get(), model_->count, turnings_.get());
 }
 
 std::size_t Undercarriage::motor_of(std::size_t wheel) const {
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     if (model_->mounts[i].wheel == wheel && model_->grips[i].is_driven()) return i;
   }
   return kNoMotor;
@@ -91,7 +102,7 @@ void Undercarriage::Model::find_rolling() {
 
 void Undercarriage::point(std::size_t wheel, double heading_rad) {
   own_model();
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     if (model_->mounts[i].wheel == wheel) model_->aim(i, heading_rad);
   }
   model_->find_rolling();
@@ -99,29 +110,29 @@ void Undercarriage::point(std::size_t wheel, double heading_rad) {
 }
 
 void Undercarriage::roll(const Twist& velocity) {
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model_->grips[i];
     if (grip.is_driven()) turnings_[i].rate = dot(grip.along, velocity) / grip.rim;
     turnings_[i].hold = Hold::rolls;
   }
-  loose_ = 0;
+  is_loose_ = false;
   is_known_ = false;
 }
 
 void Undercarriage::take(const Undercarriage& other) {
   bool is_aimed = true;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     is_aimed = is_aimed && model_->grips[i].along == other.model_->grips[i].along;
   }
   if (!is_aimed) {
     own_model();
-    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    for (std::size_t i = 0; i < model_->count; ++i) {
       model_->grips[i].along = other.model_->grips[i].along;
     }
     model_->find_rolling();
   }
-  turnings_ = other.turnings_;
-  loose_ = other.loose_;
+  std::copy_n(other.turnings_.get(), model_->count, turnings_.get());
+  is_loose_ = other.is_loose_;
   is_known_ = false;
 }
 
@@ -181,14 +192,15 @@ void Undercarriage::respond() {
   is_known_ = true;
   ++changes_;
   response_ = model_->rolling;
-  if (std::all_of(turnings_.begin(), turnings_.end(),
+  const auto all = turnings();
+  if (std::all_of(all.begin(), all.end(),
                   [](const Turning& now) { return now.hold == Hold::rolls; })) {
     return;
   }
   Symmetric inertia;
   inertia.xx = inertia.yy = model_->inertia.mass;
   inertia.tt = model_->inertia.about_center;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model_->grips[i];
     if (turnings_[i].hold < Hold::slides_up) {
       inertia.add(model_->step * law(grip, turnings_[i]).stiffness, grip.along);
@@ -200,7 +212,7 @@ void Undercarriage::respond() {
 /// The velocity if nothing is at a limit.
 inline Twist Undercarriage::rolling(Twist momentum) const {
   const Model& model = *model_;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model.grips[i];
     if (!grip.is_driven()) continue;
     const double push = model.firmness * (grip.rim * turnings_[i].wanted);
@@ -211,7 +223,7 @@ inline Twist Undercarriage::rolling(Twist momentum) const {
 
 inline bool Undercarriage::all_roll(const Twist& velocity) const {
   const Model& model = *model_;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model.grips[i];
     const double moving = dot(grip.along, velocity);
     if (!grip.is_driven()) {
@@ -230,7 +242,7 @@ Twist Undercarriage::solve(const Twist& free) {
   const Inertia& inertia = model_->inertia;
   const Twist momentum{inertia.mass * free.x, inertia.mass * free.y,
                        inertia.about_center * free.turn};
-  if (loose_ == 0) {
+  if (!is_loose_) {
     if (!is_known_) respond();
     const Twist velocity = rolling(momentum);
     if (all_roll(velocity)) return velocity;
@@ -244,7 +256,7 @@ Twist Undercarriage::search(const Twist& momentum) {
   for (int search = 1; search <= kMostSearches; ++search) {
     if (!is_known_) respond();
     Twist pushed = momentum;
-    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    for (std::size_t i = 0; i < model_->count; ++i) {
       const Grip& grip = model_->grips[i];
       const Hold hold = turnings_[i].hold;
       double push = 0.0;
@@ -260,7 +272,7 @@ Twist Undercarriage::search(const Twist& momentum) {
     velocity = response_ * pushed;
     if (search == kMostSearches) break;
     bool fits = true;
-    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    for (std::size_t i = 0; i < model_->count; ++i) {
       Turning& now = turnings_[i];
       Hold next = fitting(model_->grips[i], now, velocity);
       if (search > kSearches && next < now.hold) next = now.hold;
@@ -270,17 +282,18 @@ Twist Undercarriage::search(const Twist& momentum) {
     }
     if (fits) break;
   }
-  loose_ = static_cast<int>(std::count_if(turnings_.begin(), turnings_.end(),
-                                          [](const auto& now) { return now.hold != Hold::rolls; }));
+  const auto all = turnings();
+  is_loose_ = std::any_of(all.begin(), all.end(),
+                          [](const Turning& now) { return now.hold != Hold::rolls; });
   return velocity;
 }
 
 void Undercarriage::settle(const Twist& velocity) {
-  if (loose_ == 0) {
-    for (Turning& now : turnings_) now.rate = now.wanted;
+  if (!is_loose_) {
+    for (Turning& now : turnings()) now.rate = now.wanted;
     return;
   }
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model_->grips[i];
     Turning& now = turnings_[i];
     if (!grip.is_driven()) continue;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "elsie/api/body.h"
@@ -40,9 +41,17 @@ struct Inertia {
 /// changes them until they fit; usually nothing changes.
 class Undercarriage {
  public:
+  Undercarriage() = default;  // without wheels
   /// `loads`: the weight on each part, N. The chassis comes first.
   Undercarriage(std::span<const Part> parts, const std::vector<double>& loads,
                 const Inertia& inertia, const world::Physics& physics);
+  Undercarriage(const Undercarriage& other);
+  Undercarriage(Undercarriage&&) = default;
+  ~Undercarriage() = default;
+  Undercarriage& operator=(Undercarriage&&) = default;
+
+  /// Whether there are wheels. Without, nothing else can be called.
+  explicit operator bool() const { return model_ != nullptr; }
 
   /// Sets the direction of a wheel, rad counter-clockwise from ahead.
   void point(std::size_t wheel, double heading_rad);
@@ -92,6 +101,7 @@ class Undercarriage {
   /// What undercarriages of equal vehicles share until one is steered.
   struct Model {
     std::vector<Grip> grips;
+    std::size_t count = 0;      // of the grips
     std::vector<Mount> mounts;  // of the grips
     Inertia inertia;
     double step = 0.0;
@@ -116,6 +126,7 @@ class Undercarriage {
     double speed = 0.0;
   };
 
+  std::span<Turning> turnings() { return {turnings_.get(), model_->count}; }
   void own_model() {
     if (model_.use_count() > 1) model_ = std::make_shared<Model>(*model_);
   }
@@ -131,11 +142,11 @@ class Undercarriage {
   Twist search(const Twist& momentum);
 
   std::shared_ptr<Model> model_;
-  std::vector<Turning> turnings_;  // of the grips
-  Symmetric response_;
+  std::unique_ptr<Turning[]> turnings_;  // of the grips
   std::uint32_t changes_ = 0;
-  int loose_ = 0;          // grips that are at a limit, or whose motor is
+  bool is_loose_ = false;  // a grip is at a limit, or its motor is
   bool is_known_ = false;  // the response
+  Symmetric response_;
 };
 
 /// The friction of a body that slides on the floor, for translation and turning together: the
