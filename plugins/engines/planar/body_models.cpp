@@ -6,6 +6,8 @@
 
 #include "elsie/world/parts.h"
 
+#include "bounds.h"
+
 namespace elsie::physics {
 namespace {
 
@@ -45,12 +47,25 @@ bool is_steered(const Part& part) {
 
 }  // namespace
 
-BodyModel::BodyModel(const BodyPlan& of, const world::Physics& physics) : plan(of) {
+BodyModel::BodyModel(const BodyPlan& of, const world::Physics& physics)
+    : plan(of), lever(physics::lever_of(plan)) {
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
     const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
     solids.push_back(std::make_shared<std::vector<Solid>>(solids_of(parts)));
     looks.push_back(std::make_shared<Look>(Look::of(parts)));
     movers.push_back(mover_of(parts, physics));
+    std::size_t wheels = 0;
+    for (const Part& part : parts) {
+      Link link;
+      link.vehicle = static_cast<std::uint32_t>(vehicle);
+      link.is_hitch = std::holds_alternative<HitchJoint>(part.joint);
+      if (std::holds_alternative<WheelJoint>(part.joint)) {
+        const std::size_t motor = movers.back().wheels().motor_of(wheels++);
+        if (motor != Undercarriage::kNoMotor) link.motor = static_cast<std::uint32_t>(motor);
+        link.radius = part.shape.radius();
+      }
+      if (can_be_set(part.joint)) links.push_back(link);
+    }
   }
 }
 

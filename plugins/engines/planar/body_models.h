@@ -1,6 +1,7 @@
 // What robots with equal bodies share.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -12,7 +13,18 @@
 namespace elsie::physics {
 
 struct BodyModel {
+  /// What a setting of a joint is for.
+  struct Link {
+    std::uint32_t vehicle = 0;
+    std::uint32_t motor = kNoMotor;  // of the vehicle's undercarriage
+    double radius = 0.0;             // m, of a wheel
+    bool is_hitch = false;
+  };
+  static constexpr std::uint32_t kNoMotor = 0xffffffff;
+
   BodyPlan plan;
+  double lever = 1.0;
+  std::vector<Link> links;  // of the joints that can be set
   // Of each vehicle:
   std::vector<std::shared_ptr<std::vector<Solid>>> solids;
   std::vector<std::shared_ptr<Look>> looks;

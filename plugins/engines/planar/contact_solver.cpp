@@ -39,7 +39,7 @@ Contact::Row ContactSolver::row(const Contact& contact, const Vector2& direction
   return row;
 }
 
-double ContactSolver::speed(const Contact& contact, const Contact::Row& row) const {
+inline double ContactSolver::speed(const Contact& contact, const Contact::Row& row) const {
   double speed = dot(row.a, movers_[contact.a].moving());
   if (contact.b != Contact::kFixed) speed += dot(row.b, movers_[contact.b].moving());
   return speed;
@@ -67,7 +67,7 @@ void ContactSolver::prepare(Contact& contact) const {
   contact.along = row(contact, {-contact.normal.y, contact.normal.x});
 }
 
-void ContactSolver::apply(const Contact& contact, const Contact::Row& row, double impulse) {
+inline void ContactSolver::apply(const Contact& contact, const Contact::Row& row, double impulse) {
   // A box that nothing stops takes no impulse, and other islands meet it, too.
   Mover& a = movers_[contact.a];
   if (a.gives_way()) a.add(impulse * row.a, impulse * row.change_a);

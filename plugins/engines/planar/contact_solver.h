@@ -95,8 +95,10 @@ class ContactSolver {
   double relax(Contact& contact);
   double relax(Hinge& hinge);
   Contact::Row row(const Contact& contact, const Vector2& direction) const;
-  void apply(const Contact& contact, const Contact::Row& row, double impulse);
-  double speed(const Contact& contact, const Contact::Row& row) const;
+  // Short, and called in each sweep.
+  [[gnu::always_inline]] void apply(const Contact& contact, const Contact::Row& row,
+                                    double impulse);
+  [[gnu::always_inline]] double speed(const Contact& contact, const Contact::Row& row) const;
 
   const world::Physics& physics_;
   std::vector<Mover>& movers_;

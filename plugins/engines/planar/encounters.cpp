@@ -33,14 +33,18 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
 
 void Encounters::find(std::span<const Moving> moving, double margin, base::Crew& crew) {
   found_.resize(crew.threads());
+  scene_.begin_search();
   crew.divide(moving.size(), kLeastThings, [&](const base::Crew::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) {
+      if (scene_.is_clear(moving[i].thing, margin)) continue;
       look_around(moving[i], margin, found_[share.thread]);
     }
   });
   contacts_.clear();
   touches_.clear();
-  for (Found& each : found_) {
+  std::swap(contacts_, found_.front().contacts);
+  std::swap(touches_, found_.front().touches);
+  for (Found& each : std::span(found_).subspan(1)) {
     contacts_.insert(contacts_.end(), each.contacts.begin(), each.contacts.end());
     touches_.insert(touches_.end(), each.touches.begin(), each.touches.end());
     each.contacts.clear();
@@ -82,14 +86,17 @@ void Encounters::look_around(const Moving& moving, double margin, Found& found) 
 void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
                       Found& found) const {
   const Thing &a = things_[first], &b = things_[second];
-  const auto place_of = [this](const Thing& thing) {
-    return thing.mover == kNone ? thing.place : movers_[thing.mover].place();
+  // Boxes that move along their own path are a little away from where the scene has them.
+  const auto place_of = [this](std::uint32_t id) {
+    const std::uint32_t mover = things_[id].mover;
+    return mover == kNone ? scene_.place_of(id) : movers_[mover].place();
   };
-  const auto ahead_of = [this](const Thing& thing) {
-    return thing.mover == kNone ? thing.ahead : movers_[thing.mover].ahead();
+  const auto ahead_of = [this](std::uint32_t id) {
+    const std::uint32_t mover = things_[id].mover;
+    return mover == kNone ? scene_.ahead_of(id) : movers_[mover].ahead();
   };
-  const Vector2 at_a = place_of(a), at_b = place_of(b);
-  const Direction ahead_a = ahead_of(a), ahead_b = ahead_of(b);
+  const Vector2 at_a = place_of(first), at_b = place_of(second);
+  const Direction ahead_a = ahead_of(first), ahead_b = ahead_of(second);
   const auto middle = [](const Solid& solid, const Vector2& at, const Direction& ahead) {
     const Vector2 turned = ahead.turn(solid.place);
     return Vector2{at.x + turned.x, at.y + turned.y};
@@ -99,6 +106,7 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
   for (std::size_t i = 0; i < solids_a.size(); ++i) {
     const Solid& of_a = solids_a[i];
     const Vector2 middle_a = middle(of_a, at_a, ahead_a);
+    const Direction whole_a = ahead_a.turned(of_a.ahead);
     bool is_placed = false;
     PlacedOutline placed_a;
     for (std::size_t k = 0; k < solids_b.size(); ++k) {
@@ -110,13 +118,16 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
       const double dx = middle_a.x - middle_b.x, dy = middle_a.y - middle_b.y;
       const double far = of_a.outline.reach + of_b.outline.reach + margin;
       if (dx * dx + dy * dy > far * far) continue;
+      const Direction whole_b = ahead_b.turned(of_b.ahead);
+      if (!physics::may_meet(of_a.outline, whole_a, of_b.outline, whole_b, {dx, dy}, margin)) {
+        continue;
+      }
       if (!is_placed) {
-        placed_a = placed(of_a.outline, middle_a, ahead_a.turned(of_a.ahead), found.space_a);
+        placed_a = placed(of_a.outline, middle_a, whole_a, found.space_a);
         is_placed = true;
       }
-      const Meeting met = physics::meet(
-          placed_a, placed(of_b.outline, middle_b, ahead_b.turned(of_b.ahead), found.space_b),
-          margin);
+      const Meeting met =
+          physics::meet(placed_a, placed(of_b.outline, middle_b, whole_b, found.space_b), margin);
       for (std::size_t n = 0; n < met.count; ++n) {
         Contact& contact = found.contacts.emplace_back();
         contact.key = {a.number, b.number,
@@ -176,7 +187,6 @@ void Encounters::involve(std::uint32_t mover) {
   if (parents_[mover] != kNone) return;
   parents_[mover] = mover;
   involved_.push_back(mover);
-  movers_[mover].enter(physics_.step);
 }
 
 void Encounters::order(std::span<Hinge* const> hinges) {
@@ -197,7 +207,11 @@ void Encounters::order(std::span<Hinge* const> hinges) {
     const Vector2 &at_a = movers_[a].place(), &at_b = movers_[b].place();
     return std::tie(at_a.x, at_a.y, a) < std::tie(at_b.x, at_b.y, b);
   });
-  for (std::uint32_t i = 0; i < involved_.size(); ++i) ranks_[involved_[i]] = i;
+  impacts_.resize(involved_.size());
+  for (std::uint32_t i = 0; i < involved_.size(); ++i) {
+    ranks_[involved_[i]] = i;
+    movers_[involved_[i]].enter(physics_.step, impacts_[i]);
+  }
   in_order_.clear();
   for (const Contact& contact : contacts_) {
     const bool is_of_a = movers_[contact.a].gives_way();

@@ -22,12 +22,10 @@ namespace elsie::physics {
 /// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
 struct Thing {
   Body body;
-  std::size_t vehicle = 0;   // of a robot
   std::uint64_t number = 0;  // the same in an engine that takes it over
   std::uint32_t mover = Contact::kFixed;
+  std::uint32_t vehicle = 0;  // of a robot
   std::shared_ptr<const std::vector<Solid>> solids;
-  Vector2 place;  // of a fixed body
-  Direction ahead;
 };
 
 /// Finds pairs of bodies that meet or may meet in this step, divides them into islands, and solves
@@ -36,7 +34,7 @@ struct Thing {
 class Encounters {
  public:
   Encounters(const world::Physics& physics, std::vector<Thing>& things, std::vector<Mover>& movers,
-             const PlanarScene& scene)
+             PlanarScene& scene)
       : physics_(physics),
         things_(things),
         movers_(movers),
@@ -97,7 +95,7 @@ class Encounters {
   const world::Physics& physics_;
   std::vector<Thing>& things_;
   std::vector<Mover>& movers_;
-  const PlanarScene& scene_;
+  PlanarScene& scene_;
   ContactSolver solver_;
   std::vector<Contact> contacts_;
   std::vector<Touch> touches_;
@@ -113,6 +111,7 @@ class Encounters {
   std::vector<std::uint32_t> parents_;   // of movers; kFixed: not involved
   std::vector<std::uint32_t> ranks_;     // of movers
   std::vector<std::uint32_t> involved_;  // movers
+  std::vector<Impact> impacts_;          // of the involved movers, by their ranks
   std::vector<Hinge*> hinges_;
 };
 

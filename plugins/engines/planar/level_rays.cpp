@@ -1,6 +1,7 @@
 #include "level_rays.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 // Vectors are passed between inline functions only, so that it does not matter how.
@@ -12,21 +13,17 @@ namespace {
 using Lanes = LevelRays::Lanes;
 using Flags = LevelRays::Flags;
 using Group = LevelRays::Group;
-using Target = LevelRays::Target;
+using Extent = LevelRays::Extent;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 #define ELSIE_INLINE [[gnu::always_inline]] inline
 
-ELSIE_INLINE Lanes all(double value) { return Lanes{} + value; }
 ELSIE_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return b < a ? b : a; }
 ELSIE_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 ELSIE_INLINE Lanes size_of(const Lanes& a) { return a < 0.0 ? -a : a; }
-ELSIE_INLINE bool any(const Flags& flags) {
-  return (flags[0] | flags[1] | flags[2] | flags[3]) != 0;
-}
 
-ELSIE_INLINE Flags meets_circle(const Group& rays, const Target& target) {
+ELSIE_INLINE Flags meets_circle(const Group& rays, const SceneBody& target) {
   const Lanes x = target.place.x - rays.x, y = target.place.y - rays.y;
   const Lanes across = x * rays.along_y - y * rays.along_x;
   const Lanes to_middle = x * rays.along_x + y * rays.along_y;
@@ -37,93 +34,148 @@ ELSIE_INLINE Flags meets_circle(const Group& rays, const Target& target) {
 /// Where rays are within `half` of 0, in one direction (slab method, Kay and Kajiya 1986).
 ELSIE_INLINE void clip(const Lanes& from, const Lanes& along, double half, Lanes& enter,
                        Lanes& leave) {
-  const Lanes inverse = 1.0 / along;
+  // A ray that runs along the sides is always between them, or never: a and b are infinite. On a
+  // side, one of them is no number; the order of operands drops it. No zero is negative here.
+  const Lanes inverse = 1.0 / (along + 0.0);
   const Lanes a = (-half - from) * inverse, b = (half - from) * inverse;
-  // A ray that runs along the sides is always between them, or never.
-  const Flags is_between = size_of(from) <= half;
-  const Lanes ever = is_between ? all(-kInfinity) : all(kInfinity);
-  enter = greater(enter, along == 0.0 ? ever : lesser(a, b));
-  leave = lesser(leave, along == 0.0 ? -ever : greater(a, b));
+  enter = greater(enter, lesser(a, b));
+  leave = lesser(leave, greater(b, a));
 }
 
-ELSIE_INLINE void meet(Group& rays, const Target& box) {
-  const Lanes x = rays.x - box.place.x, y = rays.y - box.place.y;
-  const auto [c, s] = box.ahead;
-  Lanes enter{}, leave = rays.nearest;
-  clip(c * x + s * y, c * rays.along_x + s * rays.along_y, box.half.x, enter, leave);
-  clip(c * y - s * x, c * rays.along_y - s * rays.along_x, box.half.y, enter, leave);
-  const Flags is_met = (enter <= leave) & (rays.z >= box.low) & (rays.z <= box.high);
-  rays.nearest = is_met ? enter : rays.nearest;
-  rays.found |= is_met;
-}
-
-ELSIE_INLINE void meet_all(std::span<Group> groups, const Target& box) {
-  for (Group& rays : groups) {
-    if (any(meets_circle(rays, box))) meet(rays, box);
+/// All of them, because which rays may meet a box is hard to predict, and costs half of this.
+ELSIE_INLINE void meet_boxes(std::span<Group> groups, std::span<const SceneBody* const> boxes) {
+  for (Group& group : groups) {
+    const Group rays = group;
+    Lanes nearest = rays.nearest;
+    Flags found = rays.found;
+    for (const SceneBody* const box : boxes) {
+      const Lanes x = rays.x - box->place.x, y = rays.y - box->place.y;
+      const auto [c, s] = box->ahead;
+      Lanes enter{}, leave = nearest;
+      clip(c * x + s * y, c * rays.along_x + s * rays.along_y, box->half.x, enter, leave);
+      clip(c * y - s * x, c * rays.along_y - s * rays.along_x, box->half.y, enter, leave);
+      const Flags is_met = (enter <= leave) & (rays.z >= box->low) & (rays.z <= box->high);
+      nearest = is_met ? enter : nearest;
+      found |= is_met;
+    }
+    group.nearest = nearest;
+    group.found = found;
   }
 }
 
-/// The rays of one group, turned from the frame `within` to the world. Returns what is not level in
-/// them; not finite if a ray is not.
-ELSIE_INLINE double turn(const Frame& within, const RayQuery* rays, std::size_t count,
-                         Group& group) {
-  Lanes x{}, y{}, z{}, ahead{}, aside{}, up{};  // in the frame `within`
-  for (std::size_t lane = 0; lane < LevelRays::kLanes; ++lane) {
-    const auto& [from, range, distance] = rays[lane < count ? lane : 0];
-    x[lane] = from->origin.x;
-    y[lane] = from->origin.y;
-    z[lane] = from->origin.z;
-    ahead[lane] = from->forward.x;
-    aside[lane] = from->forward.y;
-    up[lane] = from->forward.z;
-    group.nearest[lane] = range;
+/// Four of a frame's numbers.
+ELSIE_INLINE Lanes four(const Frame* frame, std::size_t first) {
+  static_assert(sizeof(Frame) == 12 * sizeof(double));
+  Lanes lanes;
+  std::memcpy(&lanes, reinterpret_cast<const char*>(frame) + first * sizeof(double), sizeof lanes);
+  return lanes;
+}
+
+/// The rows of a matrix, one in each lane.
+struct Rows {
+  Lanes x, y, z, w;
+
+  ELSIE_INLINE Rows(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    const Lanes even_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Lanes odd_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Lanes even_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Lanes odd_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    x = __builtin_shufflevector(even_ab, even_cd, 0, 1, 4, 5);
+    y = __builtin_shufflevector(odd_ab, odd_cd, 0, 1, 4, 5);
+    z = __builtin_shufflevector(even_ab, even_cd, 2, 3, 6, 7);
+    w = __builtin_shufflevector(odd_ab, odd_cd, 2, 3, 6, 7);
   }
+};
+
+/// The rays of one group, turned from the level frame `within` to the world. Returns what is not
+/// level in them; not finite if a ray is not.
+ELSIE_INLINE Lanes turn(const Frame& within, const RayQuery& a, const RayQuery& b,
+                        const RayQuery& c, const RayQuery& d, Group& group) {
+  // x, y, z and ahead; aside, up, and two that do not matter.
+  const Rows first(four(a.from, 0), four(b.from, 0), four(c.from, 0), four(d.from, 0));
+  const Rows second(four(a.from, 4), four(b.from, 4), four(c.from, 4), four(d.from, 4));
+  const Lanes &x = first.x, &y = first.y, &ahead = first.w, &aside = second.x, &up = second.y;
   const auto& [at, f, l, u] = within;
-  group.x = at.x + (x * f.x + y * l.x + z * u.x);
-  group.y = at.y + (x * f.y + y * l.y + z * u.y);
-  group.z = at.z + (x * f.z + y * l.z + z * u.z);
-  group.along_x = ahead * f.x + aside * l.x + up * u.x;
-  group.along_y = ahead * f.y + aside * l.y + up * u.y;
+  group.x = at.x + (x * f.x + y * l.x);
+  group.y = at.y + (x * f.y + y * l.y);
+  group.z = at.z + first.z;
+  group.along_x = ahead * f.x + aside * l.x;
+  group.along_y = ahead * f.y + aside * l.y;
   group.flat = group.along_x * group.along_x + group.along_y * group.along_y;
+  group.nearest = Lanes{a.max_range_m, b.max_range_m, c.max_range_m, d.max_range_m};
   group.found = Flags{};
-  const Lanes slant = size_of(ahead * f.z + aside * l.z + up * u.z);
-  const Lanes finite = 0.0 * (group.x + group.y + group.z + group.flat);
-  const Lanes both = slant + finite;
-  return both[0] + both[1] + both[2] + both[3];
+  return size_of(up) + 0.0 * (group.x + group.y + group.z + group.flat);
 }
 
-ELSIE_INLINE double turn_all(const Frame& within, std::span<const RayQuery> rays,
-                             std::span<Group> groups) {
-  double sum = 0.0;
+/// Returns whether all rays are level and finite.
+ELSIE_INLINE bool turn_all(const Frame& within, std::span<const RayQuery> rays,
+                           std::span<Group> groups, Extent& extent) {
+  Lanes off{}, reach{}, lowest = Lanes{} + kInfinity;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const std::size_t first = i * LevelRays::kLanes;
-    sum += turn(within, &rays[first], rays.size() - first, groups[i]);
+    Group& group = groups[i];
+    const auto some = rays.subspan(i * LevelRays::kLanes);
+    // Lanes without a ray repeat the first one.
+    const auto ray = [&](std::size_t lane) -> const RayQuery& {
+      return some[lane < some.size() ? lane : 0];
+    };
+    off += turn(within, some[0], ray(1), ray(2), ray(3), group);
+    if (i == 0) extent.middle = {group.x[0], group.y[0]};
+    const Lanes away = size_of(group.x - extent.middle.x) + size_of(group.y - extent.middle.y);
+    reach = greater(reach, away + group.nearest);
+    lowest = lesser(lowest, group.z);
   }
-  return sum;
+  extent.reach = std::max(std::max(reach[0], reach[1]), std::max(reach[2], reach[3]));
+  extent.lowest = std::min(std::min(lowest[0], lowest[1]), std::min(lowest[2], lowest[3]));
+  return off[0] + off[1] + off[2] + off[3] == 0.0;
+}
+
+ELSIE_INLINE void answer(std::span<const Group> groups, std::span<RayQuery> rays) {
+  for (const Group& group : groups) {
+    const Lanes distance = group.found ? group.nearest : Lanes{} + RayQuery::kNothing;
+    if (rays.size() < LevelRays::kLanes) {
+      for (std::size_t lane = 0; lane < rays.size(); ++lane) rays[lane].distance_m = distance[lane];
+      return;
+    }
+    rays[0].distance_m = distance[0];
+    rays[1].distance_m = distance[1];
+    rays[2].distance_m = distance[2];
+    rays[3].distance_m = distance[3];
+    rays = rays.subspan(LevelRays::kLanes);
+  }
 }
 
 struct Instructions {
-  void (*meet_all)(std::span<Group> groups, const Target& box);
-  double (*turn_all)(const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups);
+  void (*meet_boxes)(std::span<Group> groups, std::span<const SceneBody* const> boxes);
+  bool (*turn_all)(const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups,
+                   Extent& extent);
+  void (*answer)(std::span<const Group> groups, std::span<RayQuery> rays);
 };
 
 constexpr Instructions kPlain{
-    [](std::span<Group> groups, const Target& box) { meet_all(groups, box); },
-    [](const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups) {
-      return turn_all(within, rays, groups);
-    }};
+    [](std::span<Group> groups, std::span<const SceneBody* const> boxes) {
+      meet_boxes(groups, boxes);
+    },
+    [](const Frame& within, std::span<const RayQuery> rays, std::span<Group> groups,
+       Extent& extent) { return turn_all(within, rays, groups, extent); },
+    [](std::span<const Group> groups, std::span<RayQuery> rays) { answer(groups, rays); }};
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void meet_all_avx2(std::span<Group> groups, const Target& box) {
-  meet_all(groups, box);
+__attribute__((target("avx2"))) void meet_boxes_avx2(std::span<Group> groups,
+                                                     std::span<const SceneBody* const> boxes) {
+  meet_boxes(groups, boxes);
 }
-__attribute__((target("avx2"))) double turn_all_avx2(const Frame& within,
-                                                     std::span<const RayQuery> rays,
-                                                     std::span<Group> groups) {
-  return turn_all(within, rays, groups);
+__attribute__((target("avx2"))) bool turn_all_avx2(const Frame& within,
+                                                   std::span<const RayQuery> rays,
+                                                   std::span<Group> groups, Extent& extent) {
+  return turn_all(within, rays, groups, extent);
 }
-const Instructions kFast =
-    __builtin_cpu_supports("avx2") ? Instructions{meet_all_avx2, turn_all_avx2} : kPlain;
+__attribute__((target("avx2"))) void answer_avx2(std::span<const Group> groups,
+                                                 std::span<RayQuery> rays) {
+  answer(groups, rays);
+}
+const Instructions kFast = __builtin_cpu_supports("avx2")
+                               ? Instructions{meet_boxes_avx2, turn_all_avx2, answer_avx2}
+                               : kPlain;
 #else
 constexpr Instructions kFast = kPlain;
 #endif
@@ -131,26 +183,18 @@ constexpr Instructions kFast = kPlain;
 }  // namespace
 
 bool LevelRays::set(const Frame& within, std::span<const RayQuery> rays) {
-  used_ = (rays.size() + kLanes - 1) / kLanes;
-  if (kFast.turn_all(within, rays, std::span(groups_).first(used_)) != 0.0) return false;
-  middle_ = {groups_[0].x[0], groups_[0].y[0]};
-  reach_ = 0.0;
-  lowest_ = kInfinity;
-  for (const Group& group : std::span(groups_).first(used_)) {
-    const Lanes far = size_of(group.x - middle_.x) + size_of(group.y - middle_.y) + group.nearest;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      reach_ = std::max(reach_, far[lane]);
-      lowest_ = std::min(lowest_, group.z[lane]);
-    }
+  if (within.up != Vector3{0.0, 0.0, 1.0} || within.forward.z != 0.0 || within.left.z != 0.0) {
+    return false;
   }
-  return true;
+  used_ = (rays.size() + kLanes - 1) / kLanes;
+  return kFast.turn_all(within, rays, std::span(groups_).first(used_), extent_);
 }
 
-void LevelRays::meet_box(const Target& box) {
-  kFast.meet_all(std::span(groups_).first(used_), box);
+void LevelRays::meet_boxes(std::span<const SceneBody* const> boxes) {
+  kFast.meet_boxes(std::span(groups_).first(used_), boxes);
 }
 
-std::uint32_t LevelRays::meeting_circle(const Target& target) const {
+std::uint32_t LevelRays::meeting_circle(const SceneBody& target) const {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < used_; ++i) {
     const Flags meets = meets_circle(groups_[i], target);
@@ -162,11 +206,7 @@ std::uint32_t LevelRays::meeting_circle(const Target& target) const {
 }
 
 void LevelRays::answer(std::span<RayQuery> rays) const {
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    const Group& group = groups_[k / kLanes];
-    const std::size_t lane = k % kLanes;
-    rays[k].distance_m = group.found[lane] != 0 ? group.nearest[lane] : RayQuery::kNothing;
-  }
+  kFast.answer(std::span(groups_).first(used_), rays);
 }
 
 }  // namespace elsie::physics

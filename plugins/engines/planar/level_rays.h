@@ -9,6 +9,7 @@
 #include "elsie/api/sensor.h"
 
 #include "plane.h"
+#include "scene_body.h"
 
 namespace elsie::physics {
 
@@ -18,29 +19,19 @@ class LevelRays {
  public:
   static constexpr std::size_t kMost = 16;
 
-  /// At most kMost rays, as in Engine::cast_rays(). Returns whether all are level and finite; else
-  /// the object is of no use.
+  /// At most kMost rays, as in Engine::cast_rays(). Returns whether `within` and all rays are level
+  /// and finite; else the object is of no use.
   bool set(const Frame& within, std::span<const RayQuery> rays);
 
   /// The origin of the first ray.
-  const Vector2& middle() const { return middle_; }
+  const Vector2& middle() const { return extent_.middle; }
   /// No ray goes further away from there, m.
-  double reach() const { return reach_; }
+  double reach() const { return extent_.reach; }
   /// The height of the lowest ray, m.
-  double lowest() const { return lowest_; }
+  double lowest() const { return extent_.lowest; }
 
-  /// An upright box, or the circle around something else.
-  struct Target {
-    Vector2 place;
-    Direction ahead;
-    Vector2 half;
-    double low = 0.0, high = 0.0;  // m
-    double reach = 0.0;            // m, the radius of the circle around it
-  };
-  /// Shortens the rays that meet the box.
-  void meet_box(const Target& box);
   /// The rays that meet the circle: the first in bit 0.
-  std::uint32_t meeting_circle(const Target& target) const;
+  std::uint32_t meeting_circle(const SceneBody& target) const;
 
   Vector3 origin(std::size_t ray) const {
     const Group& group = groups_[ray / kLanes];
@@ -55,7 +46,10 @@ class LevelRays {
     groups_[ray / kLanes].nearest[ray % kLanes] = distance;
     groups_[ray / kLanes].found[ray % kLanes] = -1;
   }
-  /// Sets the distances of the rays that met something.
+  /// Shortens the rays that meet one of the boxes, which are at most kMostBoxes.
+  static constexpr std::size_t kMostBoxes = 16;
+  void meet_boxes(std::span<const SceneBody* const> boxes);
+  /// Sets the distances of the rays.
   void answer(std::span<RayQuery> rays) const;
 
   static constexpr std::size_t kLanes = 4;
@@ -68,13 +62,17 @@ class LevelRays {
     Lanes nearest;  // m
     Flags found;    // -1 if it met something
   };
+  /// What is known of all rays.
+  struct Extent {
+    Vector2 middle;
+    double reach = 0.0;
+    double lowest = 0.0;
+  };
 
  private:
   std::array<Group, kMost / kLanes> groups_;
   std::size_t used_ = 0;  // groups
-  Vector2 middle_;
-  double reach_ = 0.0;
-  double lowest_ = 0.0;
+  Extent extent_;
 };
 
 }  // namespace elsie::physics

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace elsie::physics {
+
+const Inertia Mover::kNoInertia;
 
 void Mover::put(const Vector2& place, double heading_rad) {
   place_ = place;
@@ -17,88 +20,98 @@ void Mover::turn_to(double heading_rad) {
 }
 
 void Mover::stop() {
-  velocity_ = {};
-  if (wheels_) wheels_->roll({});
+  velocity_ = free_ = {};
+  if (wheels_) wheels_.roll({});
 }
 
-void Mover::push(const Twist& velocity, const Vector2& point) {
+void Mover::push(const Twist& velocity, const Vector2& point, double step) {
   const Vector2 from{center().x - point.x, center().y - point.y};
   velocity_ = ahead_.turn_back(Twist{velocity.x - velocity.turn * from.y,
                                      velocity.y + velocity.turn * from.x, velocity.turn});
-  if (wheels_) wheels_->roll(velocity_);
+  carry(step);
+  if (wheels_) wheels_.roll(velocity_);
 }
 
-void Mover::take(const Mover& other) {
+void Mover::take(const Mover& other, double step) {
   place_ = other.place_;
   ahead_ = other.ahead_;
   heading_rad_ = other.heading_rad_;
   velocity_ = other.velocity_;
-  if (wheels_) wheels_->take(*other.wheels_);
+  carry(step);
+  if (wheels_) wheels_.take(other.wheels_);
 }
 
 Vector2 Mover::center() const {
-  const Vector2 from = ahead_.turn(inertia_.center);
+  const Vector2 from = ahead_.turn(inertia().center);
   return {place_.x + from.x, place_.y + from.y};
 }
 
 Twist Mover::ground(const Twist& free) {
-  return wheels_ ? wheels_->solve(free) : friction_.solve(free);
+  return wheels_ ? wheels_.solve(free) : sled_->friction.solve(free);
 }
 
-void Mover::begin(double step) {
-  entered_ = false;
-  if (!gives_way_) return;
-  // The body turns below its momentum.
+/// In the next step, the body turns below its momentum.
+void Mover::carry(double step) {
   free_ = velocity_.turn == 0.0
               ? velocity_
               : HalfTurn(0.5 * step * velocity_.turn).whole().turn_back(velocity_);
-  velocity_ = ground(free_);
 }
 
-void Mover::enter(double step) {
-  entered_ = true;
-  middle_ = ahead_.turned(HalfTurn(0.5 * step * velocity_.turn).half());
-  moving_ = middle_.turn(velocity_);
-  impulse_ = {};
-  shifted_ = {};
-  response_ = answer();
+void Mover::begin() {
+  impact_ = nullptr;
+  if (gives_way()) velocity_ = ground(free_);
+}
+
+void Mover::enter(double step, Impact& impact) {
+  impact_ = &impact;
+  impact.middle = ahead_.turned(HalfTurn(0.5 * step * velocity_.turn).half());
+  impact.moving = impact.middle.turn(velocity_);
+  impact.impulse = {};
+  impact.shifted = {};
+  impact.response = answer();
 }
 
 Symmetric Mover::answer() const {
-  if (wheels_) return wheels_->response().turned(middle_);
-  if (!gives_way_) return {};
+  if (wheels_) return wheels_.response().turned(impact_->middle);
+  if (!gives_way()) return {};
   Symmetric free;
-  free.xx = free.yy = 1.0 / inertia_.mass;
-  free.tt = 1.0 / inertia_.about_center;
+  free.xx = free.yy = 1.0 / sled_->inertia.mass;
+  free.tt = 1.0 / sled_->inertia.about_center;
   return free;
 }
 
 Mover::Stand Mover::stand() {
-  if (!gives_way_) return {};
-  const Twist before = moving_;
-  const std::uint32_t known = wheels_ ? wheels_->changes() : 0;
-  moving_ = middle_.turn(ground(inertia_.after(free_, middle_.turn_back(impulse_))));
-  Stand stood{std::max(std::abs(moving_.x - before.x), std::abs(moving_.y - before.y))};
-  if (wheels_ && known != wheels_->changes()) {
+  if (!gives_way()) return {};
+  Impact& now = *impact_;
+  const Twist before = now.moving;
+  const std::uint32_t known = wheels_ ? wheels_.changes() : 0;
+  const Direction& middle = now.middle;
+  now.moving = middle.turn(ground(inertia().after(free_, middle.turn_back(now.impulse))));
+  Stand stood{std::max(std::abs(now.moving.x - before.x), std::abs(now.moving.y - before.y))};
+  if (wheels_ && known != wheels_.changes()) {
     const Symmetric next = answer();
-    stood.is_looser = next.xx + next.yy + next.tt > response_.xx + response_.yy + response_.tt;
-    if (stood.is_looser) response_ = next;
+    const Symmetric& last = now.response;
+    stood.is_looser = next.xx + next.yy + next.tt > last.xx + last.yy + last.tt;
+    if (stood.is_looser) now.response = next;
   }
   return stood;
 }
 
 void Mover::advance(double step) {
-  if (entered_ && gives_way_) velocity_ = middle_.turn_back(moving_);
-  if (wheels_) wheels_->settle(velocity_);
+  const Impact* const impact = std::exchange(impact_, nullptr);
+  if (impact && gives_way()) velocity_ = impact->middle.turn_back(impact->moving);
+  if (wheels_) wheels_.settle(velocity_);
+  free_ = velocity_;
   if (velocity_ == Twist{}) return;
   const HalfTurn turn(0.5 * step * velocity_.turn);
-  if (!entered_) middle_ = ahead_.turned(turn.half());
+  const Direction middle = impact ? impact->middle : ahead_.turned(turn.half());
   const double way = step * turn.sinc;
-  const Vector2 moved = middle_.turn(Vector2{way * velocity_.x, way * velocity_.y});
-  const Direction next = ahead_.turned(turn.whole()).normal();
-  const Vector2 &c = inertia_.center, was = ahead_.turn(c), is = next.turn(c);
+  const Vector2 moved = middle.turn(Vector2{way * velocity_.x, way * velocity_.y});
+  const Direction whole = turn.whole(), next = ahead_.turned(whole).normal();
+  const Vector2 &c = inertia().center, was = ahead_.turn(c), is = next.turn(c);
   place_ = {place_.x + moved.x + was.x - is.x, place_.y + moved.y + was.y - is.y};
   ahead_ = next;
+  if (velocity_.turn != 0.0) free_ = whole.turn_back(velocity_);  // as carry()
   heading_rad_ += step * velocity_.turn;
   if (std::abs(heading_rad_) > std::numbers::pi) heading_rad_ = wrap_angle(heading_rad_);
 }

@@ -1,7 +1,8 @@
 // A rigid body that moves in the plane.
 #pragma once
 
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include "elsie/api/geometry.h"
 
@@ -10,43 +11,52 @@
 
 namespace elsie::physics {
 
+/// What a body that meets others is about to do in a step, in the world.
+struct Impact {
+  Twist moving;        // its velocity
+  Twist impulse;       // the sum of all impulses
+  Direction middle;    // of the body, in the middle of the arc
+  Symmetric response;  // the change of velocity that an impulse makes
+  Vector2 shifted;     // m, the sum of all shifts
+};
+
 /// A vehicle, a box that can be pushed, or a box that moves along its own path.
 ///
 /// During a step its velocity, seen from the body, does not change: it moves along an arc, and the
 /// arc is exact. Between steps the momentum keeps its direction in the world, so that an
 /// undercarriage must turn it. Forces act in the middle of the arc.
-class Mover {
+class alignas(64) Mover {
  public:
   /// A vehicle.
-  Mover(const Inertia& inertia, Undercarriage wheels)
-      : inertia_(inertia), wheels_(std::move(wheels)), gives_way_(true) {}
+  explicit Mover(Undercarriage wheels) : wheels_(std::move(wheels)) {}
   /// Something that slides.
   Mover(const Inertia& inertia, const FloorFriction& friction)
-      : inertia_(inertia), friction_(friction), gives_way_(true) {}
+      : sled_(std::make_shared<Sled>(Sled{inertia, friction})) {}
   /// A box that nothing stops.
   Mover() = default;
 
   void put(const Vector2& place, double heading_rad);
   void stop();
-  /// Moves as a rigid body with this velocity (in the world) of a point in the world.
-  void push(const Twist& velocity, const Vector2& point);
+  /// Moves as a rigid body with this velocity (in the world) of a point in the world. `step`: of
+  /// the steps that follow.
+  void push(const Twist& velocity, const Vector2& point, double step);
   /// Only for a box that nothing stops: the velocity in the world.
   void drive(const Vector2& velocity) {
     velocity_ = ahead_.turn_back(Twist{velocity.x, velocity.y});
   }
-  void take(const Mover& other);
+  void take(const Mover& other, double step);
 
   // One step: begin(), then, if it meets something, enter() and any number of impulses and calls of
   // stand(), then advance().
 
   /// The velocity if it meets nothing.
-  void begin(double step);
-  /// Prepares for impulses.
-  void enter(double step);
+  void begin();
+  /// Prepares for impulses. The impact must last until advance() or release().
+  void enter(double step, Impact& impact);
   /// An impulse in the world, and the change of the velocity that it makes at once.
   void add(const Twist& impulse, const Twist& change) {
-    impulse_ = impulse_ + impulse;
-    moving_ = moving_ + change;
+    impact_->impulse = impact_->impulse + impulse;
+    impact_->moving = impact_->moving + change;
   }
   /// The result of stand().
   struct Stand {
@@ -57,10 +67,12 @@ class Mover {
   Stand stand();
   void advance(double step);
 
-  const Inertia& inertia() const { return inertia_; }
-  bool gives_way() const { return gives_way_; }
-  Undercarriage* wheels() { return wheels_ ? &*wheels_ : nullptr; }
-  const Undercarriage* wheels() const { return wheels_ ? &*wheels_ : nullptr; }
+  const Inertia& inertia() const {
+    return wheels_ ? wheels_.inertia() : sled_ ? sled_->inertia : kNoInertia;
+  }
+  bool gives_way() const { return wheels_ || sled_; }
+  Undercarriage& wheels() { return wheels_; }
+  const Undercarriage& wheels() const { return wheels_; }
   const Vector2& place() const { return place_; }
   const Direction& ahead() const { return ahead_; }
   double heading_rad() const { return heading_rad_; }
@@ -69,50 +81,55 @@ class Mover {
   /// Of its origin, in its own frame.
   Twist velocity_of_origin() const {
     const Twist& v = velocity_;
-    return {v.x + v.turn * inertia_.center.y, v.y - v.turn * inertia_.center.x, v.turn};
+    const Vector2& center = inertia().center;
+    return {v.x + v.turn * center.y, v.y - v.turn * center.x, v.turn};
   }
   Vector2 center() const;
 
   // In a step, after enter(), in the world:
-  const Twist& moving() const { return moving_; }
+  const Twist& moving() const { return impact_->moving; }
   /// Its direction in the middle of the arc.
-  const Direction& middle() const { return middle_; }
+  const Direction& middle() const { return impact_->middle; }
   /// The change of velocity that an impulse makes. In a step it only grows: if it were smaller than
   /// what the undercarriage lets through, impulses would overshoot for ever.
-  const Symmetric& response() const { return response_; }
+  const Symmetric& response() const { return impact_->response; }
+  /// The sum of all shifts since enter().
+  const Vector2& shifted() const { return impact_->shifted; }
 
-  /// Goes on as if it had met nothing.
-  void release() { entered_ = false; }
+  /// Goes on as if it had met nothing. A box that nothing stops does so anyway, and others may
+  /// still meet it.
+  void release() {
+    if (gives_way()) impact_ = nullptr;
+  }
 
   /// Moves it without a velocity.
   void shift(const Vector2& by) {
     place_ = {place_.x + by.x, place_.y + by.y};
-    shifted_ = {shifted_.x + by.x, shifted_.y + by.y};
+    if (impact_) impact_->shifted = {impact_->shifted.x + by.x, impact_->shifted.y + by.y};
   }
-  /// The sum of all shifts since enter().
-  const Vector2& shifted() const { return shifted_; }
   void turn_to(double heading_rad);
 
  private:
+  /// What slides has in common with others of its kind.
+  struct Sled {
+    Inertia inertia;
+    FloorFriction friction;
+  };
+  static const Inertia kNoInertia;
+
   Twist ground(const Twist& free);
   Symmetric answer() const;
+  void carry(double step);
 
+  // In the order of use: one step touches few lines of the processor's cache.
   Vector2 place_;  // of its origin
   Direction ahead_;
-  double heading_rad_ = 0.0;
   Twist velocity_;
-  Inertia inertia_;
-  std::optional<Undercarriage> wheels_;
-  FloorFriction friction_;
-  bool gives_way_ = false;
-
-  bool entered_ = false;
-  Vector2 shifted_;
-  Twist free_;
-  Direction middle_;  // in the middle of the arc
-  Twist moving_;
-  Twist impulse_;
-  Symmetric response_;
+  double heading_rad_ = 0.0;
+  Twist free_;                // the velocity of the next step if nothing acts on it
+  Impact* impact_ = nullptr;  // of this step
+  Undercarriage wheels_;      // if it has some
+  std::shared_ptr<const Sled> sled_;
 };
 
 }  // namespace elsie::physics

@@ -16,14 +16,18 @@ Vector2 along(const Vector2& a, double s, const Vector2& v) {
 }
 double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
 
+// The quick test lets through what is so little too far away.
+constexpr double kRounding = 1e-9;  // m
+
 struct Axis {
   double separation = -std::numeric_limits<double>::infinity();
   std::size_t edge = 0;
   Vector2 normal;
 };
 
-/// The edge of `a` beyond which `b` is the furthest.
-Axis best_axis(const PlacedOutline& a, std::span<const Vector2> b) {
+/// The edge of `a` beyond which `b` is the furthest, or the first beyond which it is further than
+/// `reach`.
+Axis best_axis(const PlacedOutline& a, std::span<const Vector2> b, double reach) {
   Axis best;
   for (std::size_t i = 0; i < a.corners.size(); ++i) {
     const Vector2& normal = a.normals[i];
@@ -31,6 +35,7 @@ Axis best_axis(const PlacedOutline& a, std::span<const Vector2> b) {
     for (const Vector2& corner : b) nearest = std::min(nearest, dot(normal, corner));
     nearest -= dot(normal, a.corners[i]);
     if (nearest > best.separation) best = {nearest, i, normal};
+    if (nearest > reach) break;
   }
   return best;
 }
@@ -64,8 +69,9 @@ double part_nearest(const Vector2& from, const Vector2& to, const Vector2& place
 Meeting meet_disc(const PlacedOutline& polygon, const Vector2& point, double radius,
                   double margin) {
   const auto& corners = polygon.corners;
-  const Axis axis = best_axis(polygon, {&point, 1});
-  if (axis.separation > margin + polygon.radius + radius) return {};
+  const double reach = margin + polygon.radius + radius;
+  const Axis axis = best_axis(polygon, {&point, 1}, reach);
+  if (axis.separation > reach) return {};
   const Vector2& from = corners[axis.edge];
   const Vector2& to = corners[(axis.edge + 1) % corners.size()];
   const double part = part_nearest(from, to, point);
@@ -157,11 +163,13 @@ Meeting clip(const PlacedOutline& a, const Axis& axis, const PlacedOutline& b, d
 }  // namespace
 
 Outline Outline::polygon(std::vector<Vector2> corners, double radius, double bottom, double top) {
-  Outline made{std::move(corners), {}, radius, bottom, top};
+  Outline made{std::move(corners), {}, radius, bottom, top, 0.0, {}};
   const std::size_t count = made.corners.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Vector2& corner = made.corners[i];
     made.reach = std::max(made.reach, std::hypot(corner.x, corner.y) + radius);
+    made.half.x = std::max(made.half.x, std::abs(corner.x) + radius);
+    made.half.y = std::max(made.half.y, std::abs(corner.y) + radius);
     if (count == 1) break;
     const Vector2 edge = minus(made.corners[(i + 1) % count], corner);
     const double length = std::sqrt(dot(edge, edge));
@@ -195,6 +203,18 @@ Outline Outline::of(const Shape& shape, double height) {
   return polygon({end, {-end.x, -end.y}}, shape.radius(), bottom, top);
 }
 
+bool may_meet(const Outline& a, const Direction& ahead_a, const Outline& b,
+              const Direction& ahead_b, const Vector2& away, double margin) {
+  const double c = std::abs(ahead_a.c * ahead_b.c + ahead_a.s * ahead_b.s);
+  const double s = std::abs(ahead_a.c * ahead_b.s - ahead_a.s * ahead_b.c);
+  const double wide = margin + kRounding;
+  const Vector2 of_a = ahead_a.turn_back(away), of_b = ahead_b.turn_back(away);
+  return std::abs(of_a.x) <= a.half.x + c * b.half.x + s * b.half.y + wide &&
+         std::abs(of_a.y) <= a.half.y + s * b.half.x + c * b.half.y + wide &&
+         std::abs(of_b.x) <= b.half.x + c * a.half.x + s * a.half.y + wide &&
+         std::abs(of_b.y) <= b.half.y + s * a.half.x + c * a.half.y + wide;
+}
+
 PlacedOutline placed(const Outline& outline, const Vector2& middle, const Direction& ahead,
                      std::vector<Vector2>& space) {
   space.clear();
@@ -216,9 +236,9 @@ Meeting meet(const PlacedOutline& a, const PlacedOutline& b, double margin) {
     return met;
   }
   const double reach = margin + a.radius + b.radius;
-  const Axis of_a = best_axis(a, b.corners);
+  const Axis of_a = best_axis(a, b.corners, reach);
   if (of_a.separation > reach) return {};
-  const Axis of_b = best_axis(b, a.corners);
+  const Axis of_b = best_axis(b, a.corners, reach);
   if (of_b.separation > reach) return {};
   if (of_b.separation > of_a.separation + kPreference) return clip(b, of_b, a, margin, true);
   Meeting met = clip(a, of_a, b, margin, false);

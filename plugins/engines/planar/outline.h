@@ -21,6 +21,7 @@ struct Outline {
   double radius = 0.0;             // m
   double bottom = 0.0, top = 0.0;  // m, above the floor
   double reach = 0.0;              // m, the largest distance of any of its points from its middle
+  Vector2 half;                    // m, the same in either direction of its frame
 
   static Outline polygon(std::vector<Vector2> corners, double radius, double bottom, double top);
   static Outline rectangle(double half_length, double half_width, double bottom, double top);
@@ -38,6 +39,11 @@ struct PlacedOutline {
   std::span<const Vector2> corners, normals;  // in the world
   double radius = 0.0;
 };
+
+/// False if two outlines are certainly further apart than `margin`: by the rectangles around them.
+/// `away`: from the middle of `b` to that of `a`.
+bool may_meet(const Outline& a, const Direction& ahead_a, const Outline& b,
+              const Direction& ahead_b, const Vector2& away, double margin);
 
 /// The corners of an outline in the world; `space` keeps them.
 PlacedOutline placed(const Outline& outline, const Vector2& middle, const Direction& ahead,

@@ -61,16 +61,15 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
                                       const Pose& pose, std::optional<Mover> mover) {
   Thing thing;
   thing.body = body;
-  thing.vehicle = vehicle;
+  thing.vehicle = static_cast<std::uint32_t>(vehicle);
   thing.number = next_number_++;
   thing.solids = std::move(solids);
-  thing.place = {pose.x, pose.y};
-  thing.ahead = Direction::of(pose.heading_rad);
+  const Vector2 place{pose.x, pose.y};
   const double reach = look->reach;
-  const std::uint32_t id =
-      scene_.add(body, sensed, mover.has_value(), std::move(look), thing.place, thing.ahead);
+  const std::uint32_t id = scene_.add(body, sensed, mover.has_value(), std::move(look), place,
+                                      Direction::of(pose.heading_rad));
   if (mover) {
-    mover->put(thing.place, pose.heading_rad);
+    mover->put(place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
     movers_.push_back(std::move(*mover));
     moving_.push_back({id, thing.mover, reach});
@@ -101,7 +100,7 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
     add_thing({BodyKind::robot, index}, vehicle, model->solids[vehicle], model->looks[vehicle],
               true, pose, model->movers[vehicle]);
   }
-  robots_.emplace_back(model, first, movers_);
+  robots_.emplace_back(model, first);
   robots_.back().put(pose, movers_);
   if (robots_.back().has_joints()) jointed_.push_back(static_cast<std::uint32_t>(index));
   enter_robot(index);
@@ -122,7 +121,7 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
   PlanarRobot& made = robots_[index];
   made.take(same);
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
-    movers_[made.first() + i].take(before.movers_[same.first() + i]);
+    movers_[made.first() + i].take(before.movers_[same.first() + i], physics_.step);
     things_[robot_bodies_[index].first_thing + i].number =
         before.things_[before.robot_bodies_[robot].first_thing + i].number;
   }
@@ -138,7 +137,7 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, c
   const PlanarRobot& made = robots_[index];
   const Twist velocity = same.ahead().turn(same.velocity_of_origin());
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
-    movers_[made.first() + i].push(velocity, same.place());
+    movers_[made.first() + i].push(velocity, same.place(), physics_.step);
   }
   robots_[index].settle(movers_);
   return index;
@@ -183,7 +182,7 @@ std::size_t PlanarEngine::add_box_of(const Engine& other, std::size_t box,
     remove_box(index);
   } else if (thing.mover != Contact::kFixed) {
     Mover& mover = movers_[thing.mover];
-    mover.take(before.movers_[known.mover]);
+    mover.take(before.movers_[known.mover], physics_.step);
     scene_.move(boxes_[index].thing, mover.place(), mover.ahead(), moves_.front());
     scene_.settle(moves_);
     boxes_[index].stays_within = boxes_[index].kind == world::BoxKind::dynamic &&
@@ -216,14 +215,16 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   enter_robot(robot);
 }
 
-void PlanarEngine::place_in_scene(std::size_t robot, PlanarScene::Moves& moves) {
-  const PlanarRobot& made = robots_[robot];
-  const std::uint32_t first = robot_bodies_[robot].first_thing;
-  made.point_shapes();
-  for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
-    const Mover& mover = movers_[made.first() + i];
-    scene_.move(first + i, mover.place(), mover.ahead(), moves);
-  }
+/// Gives back the memory that was kept for more bodies.
+void PlanarEngine::fit() {
+  fitted_ = things_.size();
+  things_.shrink_to_fit();
+  movers_.shrink_to_fit();
+  moving_.shrink_to_fit();
+  robots_.shrink_to_fit();
+  robot_bodies_.shrink_to_fit();
+  boxes_.shrink_to_fit();
+  scene_.fit();
 }
 
 }  // namespace elsie::physics

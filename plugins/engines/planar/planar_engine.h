@@ -89,20 +89,23 @@ class PlanarEngine final : public Engine {
                             const Pose& pose, bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
   void enter_robot(std::size_t robot);
+  void fit();
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
   double begin_movers();
   void settle();
   void settle_robot(std::size_t robot, double limit, PlanarScene::Moves& moves);
   void settle_boxes(double limit, PlanarScene::Moves& moves);
-  void judge(const Mover& mover, double limit, bool stays_within, const Body& body,
-             std::optional<std::size_t> segment = std::nullopt) const;
+  bool is_well(const Mover& mover, double limit, bool stays_within) const;
+  [[noreturn]] void fail(const Mover& mover, bool stays_within, const Body& body,
+                         std::optional<std::size_t> segment) const;
 
   world::Physics physics_;
   double time_ = 0.0;
   std::uint64_t next_number_ = 0;
   PlanarScene scene_;
   std::vector<Thing> things_;
+  std::size_t fitted_ = 0;  // things that there were in fit()
   std::vector<Mover> movers_;
   std::vector<Encounters::Moving> moving_;
   BodyModels models_;

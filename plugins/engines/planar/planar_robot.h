@@ -15,24 +15,26 @@
 namespace elsie::physics {
 
 /// A vehicle and the vehicles that it pulls, which are consecutive movers of the engine.
-class PlanarRobot {
+class alignas(64) PlanarRobot {
  public:
   /// `first`: its first mover; all of them are there.
-  PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first, std::span<const Mover> movers);
+  PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first);
 
   const BodyPlan& plan() const { return model_->plan; }
   std::uint32_t first() const { return first_; }
-  std::size_t vehicles() const { return hinges_.size() + 1; }
-  std::vector<Hinge>& hinges() { return hinges_; }
-  const std::vector<Hinge>& hinges() const { return hinges_; }
+  std::uint32_t vehicles() const { return vehicles_; }
+  std::span<Hinge> hinges() { return jointed_ ? std::span(jointed_->hinges) : std::span<Hinge>(); }
+  const Hinge& hinge(std::size_t segment) const;
 
-  bool has_joints() const { return !steerings_.empty() || !hinges_.empty(); }
+  /// Whether it has steering or segments.
+  bool has_joints() const { return jointed_ != nullptr; }
   /// Puts all vehicles in line at a pose, at rest.
   void put(const Pose& pose, std::span<Mover> movers);
   /// Takes the state of a robot with the same plan.
   void take(const PlanarRobot& other);
 
-  void set_joints(std::span<const JointSetting> settings, std::span<Mover> movers);
+  /// Returns the speed of the fastest rim with these settings, m/s.
+  double set_joints(std::span<const JointSetting> settings, std::span<Mover> movers);
   std::span<const JointSetting> joints() const { return joints_; }
 
   /// Turns the steering.
@@ -41,19 +43,12 @@ class PlanarRobot {
   void settle(std::span<Mover> movers);
 
   /// Turns the shapes of steered wheels as the wheels are.
-  void point_shapes() const;
-  /// The speed of the fastest rim with these settings, m/s.
-  double rim_speed(std::span<const JointSetting> settings) const;
-  double lever() const { return lever_; }
+  void point_shapes() const {
+    if (jointed_) point_wheels();
+  }
+  double lever() const { return model_->lever; }
 
  private:
-  /// What a setting is for.
-  struct Link {
-    std::uint32_t vehicle = 0;
-    std::uint32_t motor = kNoMotor;  // of the vehicle's undercarriage
-    double radius = 0.0;             // m; 0: a hitch
-  };
-  static constexpr std::uint32_t kNoMotor = 0xffffffff;
   /// A wheel that is steered.
   struct Steering {
     std::uint32_t joint = 0;
@@ -64,15 +59,21 @@ class PlanarRobot {
     JointSetting wanted;
   };
 
+  struct Jointed {
+    std::vector<Steering> steerings;
+    std::vector<Hinge> hinges;
+  };
+
   void steer(const Steering& steering, double step, std::span<Mover> movers);
+  void point_wheels() const;
+  void straighten(Hinge& hinge, std::span<Mover> movers) const;
+  std::span<const BodyModel::Link> links() const { return model_->links; }
 
   std::uint32_t first_;
-  double lever_ = 1.0;
-  std::vector<Link> links_;
+  std::uint32_t vehicles_;
   std::vector<JointSetting> joints_;  // measured
-  std::vector<Steering> steerings_;
-  std::vector<Hinge> hinges_;
   std::shared_ptr<BodyModel> model_;
+  std::unique_ptr<Jointed> jointed_;  // most robots have none
 };
 
 }  // namespace elsie::physics

@@ -142,23 +142,25 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
                                  std::shared_ptr<const Look> shared, const Vector2& place,
                                  const Direction& ahead) {
   const Look& look = *shared;
-  Entry& entry = entries_.emplace_back();
+  SceneBody& entry = entries_.emplace_back();
   const OrientedBox& box = look.box;
-  entry.body = body;
+  entry.kind = body.kind;
+  entry.index = static_cast<std::uint32_t>(body.index);
   entry.sensed = sensed;
   entry.moves = moves;
   entry.reach = look.reach + kHair;
   entry.half = {box.half.x, box.half.y};
   entry.low = box.center.z - box.half.z;
   entry.high = box.center.z + box.half.z;
-  entry.bottom = look.wheels.empty() ? entry.low - kHair : -kHair;
-  entry.top = std::max(entry.high, look.wheels_top) + kHair;
   if (!look.wheels.empty()) entry.wheels_top = look.wheels_top;
   const bool is_disc = look.kind == Shape::Kind::cylinder && look.round.axis.z == 1.0;
   const bool is_box = look.kind == Shape::Kind::box && look.corners.empty();
-  entry.outside = is_box ? Outside::box : is_disc ? Outside::disc : Outside::other;
+  entry.outside = is_box    ? SceneBody::Outside::box
+                  : is_disc ? SceneBody::Outside::disc
+                            : SceneBody::Outside::other;
   entry.place = place;
   entry.ahead = ahead;
+  blocks_.emplace_back();
   looks_.push_back(std::move(shared));
   const auto id = static_cast<Id>(entries_.size() - 1);
   this->place(id);
@@ -172,9 +174,9 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
   return id;
 }
 
-base::Grid::Block PlanarScene::block_of(const Entry& entry) const {
+base::Grid::Block PlanarScene::block_of(const SceneBody& entry) const {
   double x = entry.reach, y = x;
-  if (!entry.moves && entry.outside == Outside::box) {
+  if (!entry.moves && entry.outside == SceneBody::Outside::box) {
     const Vector2& half = entry.half;
     const double c = std::abs(entry.ahead.c), s = std::abs(entry.ahead.s);
     x = c * half.x + s * half.y + kHair;
@@ -185,12 +187,12 @@ base::Grid::Block PlanarScene::block_of(const Entry& entry) const {
 
 /// Enters a body in the grid.
 void PlanarScene::place(Id id) {
-  Entry& entry = entries_[id];
+  SceneBody& entry = entries_[id];
   const base::Grid::Block block = block_of(entry);
-  if (!entry.placed || block != entry.block) {
-    if (entry.placed) grid_.erase(id, entry.block);
+  if (!entry.placed || block != blocks_[id]) {
+    if (entry.placed) grid_.erase(id, blocks_[id]);
     grid_.insert(id, block);
-    entry.block = block;
+    blocks_[id] = block;
     entry.placed = true;
   }
   // Cells at the border reach to infinity.
@@ -208,7 +210,7 @@ void PlanarScene::place(Id id) {
 }
 
 void PlanarScene::move(Id id, const Vector2& place, const Direction& ahead, Moves& moves) {
-  Entry& entry = entries_[id];
+  SceneBody& entry = entries_[id];
   const double dx = place.x - entry.place.x, dy = place.y - entry.place.y;
   moves.farthest = std::max(moves.farthest, dx * dx + dy * dy);
   entry.place = place;
@@ -230,14 +232,21 @@ void PlanarScene::settle(std::span<Moves> moves) {
 }
 
 void PlanarScene::remove(Id id) {
-  Entry& entry = entries_[id];
-  if (entry.placed) grid_.erase(id, entry.block);
+  SceneBody& entry = entries_[id];
+  if (entry.placed) grid_.erase(id, blocks_[id]);
   entry.placed = false;
+}
+
+void PlanarScene::fit() {
+  entries_.shrink_to_fit();
+  blocks_.shrink_to_fit();
+  looks_.shrink_to_fit();
+  around_.shrink_to_fit();
 }
 
 /// The distance at which a ray meets a body, or kMiss if that is further than the range.
 double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
-  const Entry& entry = entries_[id];
+  const SceneBody& entry = entries_[id];
   const Vector3 &origin = ray.origin, &direction = ray.direction;
   const Vector2 away{origin.x - entry.place.x, origin.y - entry.place.y};
   // Past its circle or behind it?
@@ -249,14 +258,14 @@ double PlanarScene::distance_to(Id id, const Ray& ray, double range) const {
   return distance_past_circle(entry, id, origin, direction, range);
 }
 
-double PlanarScene::distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
+double PlanarScene::distance_past_circle(const SceneBody& entry, Id id, const Vector3& origin,
                                          const Vector3& direction, double range) const {
   const Vector2 away{origin.x - entry.place.x, origin.y - entry.place.y};
-  if (direction.z <= 0.0 && origin.z < entry.bottom) return kMiss;
-  if (direction.z >= 0.0 && origin.z > entry.top) return kMiss;
+  if (direction.z <= 0.0 && origin.z < entry.bottom()) return kMiss;
+  if (direction.z >= 0.0 && origin.z > entry.top()) return kMiss;
 
   const bool above_wheels = direction.z >= 0.0 && origin.z > entry.wheels_top;
-  if (above_wheels && entry.outside == Outside::box) {
+  if (above_wheels && entry.outside == SceneBody::Outside::box) {
     const Vector2 from = entry.ahead.turn_back(away);
     const Vector2 along = entry.ahead.turn_back(Vector2{direction.x, direction.y});
     double enter = 0.0, leave = range;
@@ -269,7 +278,7 @@ double PlanarScene::distance_past_circle(const Entry& entry, Id id, const Vector
     clip(origin.z - middle, direction.z, 0.5 * (entry.high - entry.low), enter, leave);
     return enter <= leave ? enter : kMiss;
   }
-  if (above_wheels && entry.outside == Outside::disc && direction.z == 0.0) {
+  if (above_wheels && entry.outside == SceneBody::Outside::disc && direction.z == 0.0) {
     if (origin.z < entry.low || origin.z > entry.high) return kMiss;
     const double radius = entry.half.x;
     const double across = away.x * direction.y - away.y * direction.x;
@@ -303,13 +312,13 @@ void PlanarScene::walk(const Ray& ray, std::size_t except, Best& best) const {
   double at_column_end = leave_column(), at_row_end = leave_row();
   while (true) {
     for (const Id id : grid_.cell(x, y)) {
-      const Entry& entry = entries_[id];
+      const SceneBody& entry = entries_[id];
       if (!is_seen(entry, except)) continue;
       const double distance = distance_to(id, ray, best.hit.distance);
       if (distance == kMiss || distance > best.hit.distance) continue;
       if (distance < best.hit.distance || !best.found || best.hit.floor ||
-          entry.body < best.hit.body) {
-        best = {{distance, entry.body, false}, true};
+          entry.body() < best.hit.body) {
+        best = {{distance, entry.body(), false}, true};
       }
     }
     if (best.hit.distance <= std::min(at_column_end, at_row_end)) break;
@@ -341,7 +350,7 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
   if (robot >= around_.size()) return nullptr;
   Around& known = around_[robot];
   const double dx = middle.x - known.middle.x, dy = middle.y - known.middle.y;
-  const double left = known.radius - radius - (odometer_ - known.odometer);
+  const double left = known.until - odometer_ - radius;
   if (left >= 0.0 && dx * dx + dy * dy <= left * left && known.bodies == entries_.size()) {
     return &known;
   }
@@ -349,18 +358,18 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
   known.near.clear();
   known.middle = middle;
   known.wanted = std::max(known.wanted, radius);
-  known.radius = known.wanted + kMargin;
-  known.odometer = odometer_;
-  known.bodies = entries_.size();
-  const base::Grid::Block block = grid_.block(middle.x - known.radius, middle.y - known.radius,
-                                              middle.x + known.radius, middle.y + known.radius);
+  const double far = known.wanted + kMargin;
+  known.until = far + odometer_;
+  known.bodies = static_cast<std::uint32_t>(entries_.size());
+  const base::Grid::Block block =
+      grid_.block(middle.x - far, middle.y - far, middle.x + far, middle.y + far);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {
-        const Entry& entry = entries_[id];
+        const SceneBody& entry = entries_[id];
         // Once: in the first of its cells.
-        if (x == std::max(entry.block.x0, block.x0) && y == std::max(entry.block.y0, block.y0) &&
-            !is_of(entry, robot) && comes_within(entry, middle.x, middle.y, known.radius)) {
+        if (x == std::max(blocks_[id].x0, block.x0) && y == std::max(blocks_[id].y0, block.y0) &&
+            !is_of(entry, robot) && comes_within(entry, middle.x, middle.y, far)) {
           known.near.push_back(id);
         }
       }
@@ -389,13 +398,19 @@ bool PlanarScene::cast_together(std::span<RayQuery> rays, LevelRays& level,
   const Vector2& middle = level.middle();
   const Around* const near = around(except, middle, level.reach());
   if (!near) return false;
+  std::array<const SceneBody*, LevelRays::kMostBoxes> boxes;
+  std::size_t count = 0;
+  const double reach = level.reach(), lowest = level.lowest();
   for (const Id id : near->near) {
-    const Entry& entry = entries_[id];
-    if (!entry.sensed || !entry.placed || !comes_within(entry, middle.x, middle.y, level.reach())) {
-      continue;
-    }
-    if (entry.outside == Outside::box && level.lowest() > entry.wheels_top) {
-      level.meet_box(entry);
+    const SceneBody& entry = entries_[id];
+    if (!entry.sensed || !entry.placed || !comes_within(entry, middle.x, middle.y, reach)) continue;
+    const bool is_box = entry.outside == SceneBody::Outside::box && lowest > entry.wheels_top;
+    if (is_box) {
+      boxes[count] = &entry;
+      ++count;
+      if (count < boxes.size()) continue;
+      level.meet_boxes(boxes);
+      count = 0;
       continue;
     }
     for (std::uint32_t rest = level.meeting_circle(entry); rest != 0; rest &= rest - 1) {
@@ -407,6 +422,7 @@ bool PlanarScene::cast_together(std::span<RayQuery> rays, LevelRays& level,
       if (distance <= nearest) level.shorten(k, distance);
     }
   }
+  if (count > 0) level.meet_boxes(std::span(boxes).first(count));
   level.answer(rays);
   return true;
 }
@@ -419,9 +435,9 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {
-        const Entry& entry = entries_[id];
+        const SceneBody& entry = entries_[id];
         const double reach = entry.reach;
-        if (!is_seen(entry, except) || lower.z > entry.top || upper.z < entry.bottom ||
+        if (!is_seen(entry, except) || lower.z > entry.top() || upper.z < entry.bottom() ||
             lower.x > entry.place.x + reach || upper.x < entry.place.x - reach ||
             lower.y > entry.place.y + reach || upper.y < entry.place.y - reach) {
           continue;

@@ -1,6 +1,7 @@
 // The places of all bodies in a grid: what sensors see, and which bodies are near each other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,11 +20,10 @@
 #include "level_rays.h"
 #include "plane.h"
 #include "ray_tests.h"
+#include "scene_body.h"
 #include "shapes.h"
 
 namespace elsie::physics {
-
-inline constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
 
 /// A body as range sensors see it, in its own upright frame.
 struct Look {
@@ -62,11 +62,23 @@ class PlanarScene {
   /// Ends a round.
   void settle(std::span<Moves> moves);
   void remove(Id id);
+  /// Gives back the memory that was kept for more bodies.
+  void fit();
+
+  // Since the last round:
+  const Vector2& place_of(Id id) const { return entries_[id].place; }
+  const Direction& ahead_of(Id id) const { return entries_[id].ahead; }
 
   /// Calls `call` with every other body that may be no further than `margin` away from the circle
   /// around this one; perhaps more than once.
   template <class Call>
   void for_each_near(Id id, double margin, Call call) const;
+  /// True if for_each_near() would find nothing, as far as an earlier search can tell.
+  bool is_clear(Id id, double margin) const { return odometer_ + 0.5 * margin < clear_until_[id]; }
+  /// Must be called before is_clear() and for_each_near() when bodies have been added.
+  void begin_search() {
+    if (clear_until_.size() != entries_.size()) clear_until_.assign(entries_.size(), 0.0);
+  }
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
@@ -75,19 +87,6 @@ class PlanarScene {
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:
-  /// How much of a look the frequent rays need.
-  enum class Outside : std::uint8_t { box, disc, other };
-  struct Entry : LevelRays::Target {  // without its wheels
-    double bottom = 0.0, top = 0.0;   // of all of it
-    double wheels_top = -1.0;         // m; negative: no wheels
-    Body body;
-    Outside outside = Outside::box;
-    bool sensed = false;
-    bool placed = false;
-    bool moves = false;
-    base::Grid::Block block;
-    Vector2 least, most;  // the places that have this block
-  };
   struct Best {
     RayHit hit;
     bool found = false;
@@ -97,55 +96,77 @@ class PlanarScene {
   struct Around {
     std::vector<Id> near;  // all that came within the radius, but not the robot itself
     Vector2 middle;
-    double radius = -1.0;    // m
-    double odometer = 0.0;   // m, when it was made
-    double wanted = 0.0;     // m, the largest radius that was asked for
-    std::size_t bodies = 0;  // that there were when it was made
-    bool pulls = false;      // the robot has segments, which may meet each other
+    double until = -1.0;       // m, the radius and the odometer when it was made
+    double wanted = 0.0;       // m, the largest radius that was asked for
+    std::uint32_t bodies = 0;  // that there were when it was made
+    bool pulls = false;        // the robot has segments, which may meet each other
   };
 
-  base::Grid::Block block_of(const Entry& entry) const;
+  base::Grid::Block block_of(const SceneBody& entry) const;
   void place(Id id);
-  static bool is_of(const Entry& entry, std::size_t robot) {
-    return entry.body.kind == BodyKind::robot && entry.body.index == robot;
+  static bool is_of(const SceneBody& entry, std::size_t robot) {
+    return entry.kind == BodyKind::robot && entry.index == robot;
   }
-  static bool is_seen(const Entry& entry, std::size_t except) {
+  static bool is_seen(const SceneBody& entry, std::size_t except) {
     return entry.sensed && !is_of(entry, except);
   }
   /// Whether the body comes within this distance of a point; perhaps also if it nearly does.
-  static bool comes_within(const Entry& entry, double x, double y, double distance) {
+  static bool comes_within(const SceneBody& entry, double x, double y, double distance) {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
     const double far = entry.reach + distance;
     if (dx * dx + dy * dy > far * far) return false;
-    if (entry.moves || entry.outside != Outside::box) return true;
+    if (entry.moves || entry.outside != SceneBody::Outside::box) return true;
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
     return std::abs(at.x) <= entry.half.x + distance + kHair &&
            std::abs(at.y) <= entry.half.y + distance + kHair;
   }
+  /// How far the body is from a point, or less.
+  static double distance_to(const SceneBody& entry, double x, double y) {
+    const double dx = x - entry.place.x, dy = y - entry.place.y;
+    if (entry.moves || entry.outside != SceneBody::Outside::box) {
+      return std::sqrt(dx * dx + dy * dy) - entry.reach;
+    }
+    const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
+    return std::max(std::abs(at.x) - entry.half.x, std::abs(at.y) - entry.half.y);
+  }
   double distance_to(Id id, const Ray& ray, double range) const;
-  double distance_past_circle(const Entry& entry, Id id, const Vector3& origin,
+  double distance_past_circle(const SceneBody& entry, Id id, const Vector3& origin,
                               const Vector3& direction, double range) const;
   const Around* around(std::size_t robot, const Vector2& middle, double radius) const;
   bool cast_together(std::span<RayQuery> rays, LevelRays& level, std::size_t except) const;
   void walk(const Ray& ray, std::size_t except, Best& best) const;
 
   base::Grid grid_;
-  std::vector<Entry> entries_;
+  std::vector<SceneBody> entries_;
+  std::vector<base::Grid::Block> blocks_;  // of the entries
   std::vector<std::shared_ptr<const Look>> looks_;
+  /// The reading of the odometer up to which nothing can touch a body's circle.
+  mutable std::vector<double> clear_until_;
   mutable std::vector<Around> around_;  // of robots; each belongs to the thread that asks for it
   double odometer_ = 0.0;               // m: the sum of the farthest moves of all rounds
 };
 
 template <class Call>
 void PlanarScene::for_each_near(Id id, double margin, Call call) const {
-  const Entry& self = entries_[id];
+  const SceneBody& self = entries_[id];
   const double x0 = self.place.x, y0 = self.place.y, reach = self.reach + margin;
-  const bool is_alone = self.body.kind == BodyKind::robot && !around_[self.body.index].pulls;
-  if (const Around* near = is_alone ? around(self.body.index, self.place, reach) : nullptr) {
+  const bool is_alone = self.kind == BodyKind::robot && !around_[self.index].pulls;
+  if (const Around* near = is_alone ? around(self.index, self.place, reach) : nullptr) {
+    // Nothing nearer than this is missing in the list.
+    double distance =
+        near->until - odometer_ - std::hypot(x0 - near->middle.x, y0 - near->middle.y);
     for (const Id other : near->near) {
-      const Entry& entry = entries_[other];
-      if (entry.placed && comes_within(entry, x0, y0, reach)) call(other);
+      const SceneBody& entry = entries_[other];
+      if (!entry.placed) continue;
+      if (comes_within(entry, x0, y0, reach)) {
+        distance = 0.0;
+        call(other);
+      } else if (distance > reach) {
+        distance = std::min(distance, distance_to(entry, x0, y0));
+      }
     }
+    // Both may move.
+    clear_until_[id] = odometer_ + 0.5 * (distance - self.reach) - kHair;
     return;
   }
   const base::Grid::Block block = grid_.block(x0 - reach, y0 - reach, x0 + reach, y0 + reach);

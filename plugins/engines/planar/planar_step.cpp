@@ -34,8 +34,7 @@ void PlanarEngine::set_joints(std::size_t robot, std::span<const JointSetting> s
   }
   require(std::isfinite(sum),
           "The rates and angles that a robot's joints are to hold must be finite.");
-  set.set_joints(settings, movers_);
-  bounds_.add_robot_speed(set.lever() * set.rim_speed(settings));
+  bounds_.add_robot_speed(set.lever() * set.set_joints(settings, movers_));
 }
 
 void PlanarEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
@@ -63,7 +62,7 @@ RobotState PlanarEngine::robot(std::size_t robot) const {
 
 SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const {
   const PlanarRobot& asked = robots_.at(robot);
-  const Hinge& hinge = asked.hinges().at(segment);
+  const Hinge& hinge = asked.hinge(segment);
   const Mover& mover = movers_[hinge.behind];
   const Vector2& at = mover.place();
   return {frame_at(at, 0.0, mover.ahead()), {at.x, at.y, mover.heading_rad()}, hinge.yaw_rad, 0.0};
@@ -72,7 +71,8 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
 Frame PlanarEngine::box(std::size_t box) const {
   const BoxBody& asked = boxes_.at(box);
   const Thing& thing = things_[asked.thing];
-  if (thing.mover == Contact::kFixed) return frame_at(thing.place, asked.bottom, thing.ahead);
+  if (thing.mover == Contact::kFixed)
+    return frame_at(scene_.place_of(asked.thing), asked.bottom, scene_.ahead_of(asked.thing));
   const Mover& mover = movers_[thing.mover];
   return frame_at(mover.place(), asked.bottom, mover.ahead());
 }
@@ -101,7 +101,7 @@ double PlanarEngine::begin_movers() {
     double& fastest = fastest_[share.thread];
     for (std::size_t i = share.first; i < share.end; ++i) {
       Mover& mover = movers_[moving_[i].mover];
-      mover.begin(physics_.step);
+      mover.begin();
       const Twist& v = mover.velocity();
       const double square = v.x * v.x + v.y * v.y;
       const double edge = moving_[i].reach * std::abs(v.turn);
@@ -114,6 +114,7 @@ double PlanarEngine::begin_movers() {
 }
 
 void PlanarEngine::step() {
+  if (fitted_ != things_.size()) fit();
   moves_.resize(crew_->threads());
   fastest_.resize(crew_->threads());
   start_moving_boxes();
@@ -126,6 +127,36 @@ void PlanarEngine::step() {
   encounters_.solve(hinges_, *crew_);
   time_ += physics_.step;
   settle();
+}
+
+inline bool PlanarEngine::is_well(const Mover& mover, double limit, bool stays_within) const {
+  const Vector2& at = mover.place();
+  const Twist& v = mover.velocity();
+  return v.x * v.x + v.y * v.y <= limit * limit && std::isfinite(at.x + at.y + v.turn) &&
+         (!stays_within || bounds_.within_walls({at.x, at.y, 0.0}));
+}
+
+void PlanarEngine::place_in_scene(std::size_t robot, PlanarScene::Moves& moves) {
+  const PlanarRobot& made = robots_[robot];
+  std::uint32_t thing = robot_bodies_[robot].first_thing;
+  made.point_shapes();
+  for (const Mover& mover : std::span(movers_).subspan(made.first(), made.vehicles())) {
+    scene_.move(thing++, mover.place(), mover.ahead(), moves);
+  }
+}
+
+void PlanarEngine::settle_robot(std::size_t i, double limit, PlanarScene::Moves& moves) {
+  PlanarRobot& robot = robots_[i];
+  const auto own = std::span(movers_).subspan(robot.first(), robot.vehicles());
+  for (Mover& mover : own) mover.advance(physics_.step);
+  robot.settle(movers_);
+  place_in_scene(i, moves);
+  const bool stays_within = robot_bodies_[i].stays_within;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    if (is_well(own[k], limit, stays_within)) continue;
+    fail(own[k], stays_within, {BodyKind::robot, i},
+         k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
+  }
 }
 
 /// Moves all bodies.
@@ -146,19 +177,6 @@ void PlanarEngine::settle() {
   scene_.settle(moves_);
 }
 
-void PlanarEngine::settle_robot(std::size_t i, double limit, PlanarScene::Moves& moves) {
-  PlanarRobot& robot = robots_[i];
-  for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-    movers_[robot.first() + k].advance(physics_.step);
-  }
-  robot.settle(movers_);
-  place_in_scene(i, moves);
-  for (std::uint32_t k = 0; k < robot.vehicles(); ++k) {
-    judge(movers_[robot.first() + k], limit, robot_bodies_[i].stays_within, {BodyKind::robot, i},
-          k > 0 ? std::optional<std::size_t>(k - 1) : std::nullopt);
-  }
-}
-
 void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
   for (const std::uint32_t index : mobile_boxes_) {
     BoxBody& box = boxes_[index];
@@ -170,20 +188,18 @@ void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
         mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
       }
     } else {
-      judge(mover, limit, box.stays_within, {BodyKind::box, index});
+      if (!is_well(mover, limit, box.stays_within)) {
+        fail(mover, box.stays_within, {BodyKind::box, index}, std::nullopt);
+      }
     }
     scene_.move(box.thing, mover.place(), mover.ahead(), moves);
   }
 }
 
-void PlanarEngine::judge(const Mover& mover, double limit, bool stays_within, const Body& body,
-                         std::optional<std::size_t> segment) const {
+void PlanarEngine::fail(const Mover& mover, bool stays_within, const Body& body,
+                        std::optional<std::size_t> segment) const {
   const Vector2& at = mover.place();
   const Twist& v = mover.velocity();
-  const bool is_well = v.x * v.x + v.y * v.y <= limit * limit &&
-                       std::isfinite(at.x + at.y + v.turn) &&
-                       (!stays_within || bounds_.within_walls({at.x, at.y, 0.0}));
-  if (is_well) return;
   Failure failure;
   if (auto found = bounds_.check({at.x, at.y, 0.0}, {v.x, v.y, 0.0}, stays_within)) {
     failure = *found;
@@ -198,18 +214,19 @@ void PlanarEngine::judge(const Mover& mover, double limit, bool stays_within, co
 
 std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   base::Fnv1a all(hash);
-  const auto add = [&](const Thing& thing) {
+  const auto add = [&](std::uint32_t id) {
+    const Thing& thing = things_[id];
     const bool moves = thing.mover != Contact::kFixed;
-    const Vector2& at = moves ? movers_[thing.mover].place() : thing.place;
-    const Direction& ahead = moves ? movers_[thing.mover].ahead() : thing.ahead;
+    const Vector2& at = moves ? movers_[thing.mover].place() : scene_.place_of(id);
+    const Direction& ahead = moves ? movers_[thing.mover].ahead() : scene_.ahead_of(id);
     for (const double number : {at.x, at.y, ahead.c, ahead.s}) all.add(number);
     if (!moves) return;
     const Twist& v = movers_[thing.mover].velocity();
     for (const double number : {v.x, v.y, v.turn}) all.add(number);
   };
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    for (std::size_t k = 0; k < robots_[i].vehicles(); ++k) {
-      add(things_[robot_bodies_[i].first_thing + k]);
+    for (std::uint32_t k = 0; k < robots_[i].vehicles(); ++k) {
+      add(robot_bodies_[i].first_thing + k);
     }
     for (const JointSetting& joint : robots_[i].joints()) {
       all.add(joint.rate_rad_s);
@@ -218,7 +235,7 @@ std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   }
   for (const BoxBody& box : boxes_) {
     all.add(std::uint64_t{box.present});
-    if (box.present) add(things_[box.thing]);
+    if (box.present) add(box.thing);
   }
   return all.value();
 }

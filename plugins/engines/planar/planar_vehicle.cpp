@@ -149,8 +149,8 @@ Mover mover_of(std::span<const Part> vehicle, const world::Physics& physics) {
     return {inertia,
             is_ball ? FloorFriction() : FloorFriction(inertia, lever_of(outline), physics)};
   }
-  return {inertia,
-          Undercarriage(vehicle, loads_of(vehicle, inertia, physics.gravity), inertia, physics)};
+  return Mover(
+      Undercarriage(vehicle, loads_of(vehicle, inertia, physics.gravity), inertia, physics));
 }
 
 }  // namespace elsie::physics

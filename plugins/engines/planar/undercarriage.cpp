@@ -32,6 +32,7 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
   made.step = physics.step;
   made.slip = std::max(physics.wheel_slip, kLeastSlip);
   made.stiffness = 1.0 / made.slip;
+  made.firmness = made.step * made.stiffness;
   made.friction = kTyreGrip * physics.friction;
   std::size_t wheels = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -48,6 +49,8 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
         grip.rim = radius * std::cos(angle);
         grip.torque = wheel->torque;
         grip.per_torque = made.step / std::max(0.5 * part.mass * radius * radius, kLeastInertia);
+        grip.per_force = grip.per_torque * grip.rim;
+        grip.most = grip.per_torque * grip.torque;
       }
       grip.stiffness = 1.0 / (made.slip + grip.rim * grip.rim * grip.per_torque);
       made.mounts.push_back({{at.x - inertia.center.x, at.y - inertia.center.y}, angle, wheels});
@@ -62,11 +65,22 @@ Undercarriage::Undercarriage(std::span<const Part> parts, const std::vector<doub
     ++wheels;
   }
   made.find_rolling();
-  turnings_.resize(made.grips.size());
+  made.count = made.grips.size();
+  turnings_ = std::make_unique<Turning[]>(made.count);
+}
+
+Undercarriage::Undercarriage(const Undercarriage& other)
+    : model_(other.model_),
+      turnings_(model_ ? std::make_unique<Turning[]>(model_->count) : nullptr),
+      changes_(other.changes_),
+      is_loose_(other.is_loose_),
+      is_known_(other.is_known_),
+      response_(other.response_) {
+  if (model_) std::copy_n(other.turnings_.get(), model_->count, turnings_.get());
 }
 
 std::size_t Undercarriage::motor_of(std::size_t wheel) const {
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     if (model_->mounts[i].wheel == wheel && model_->grips[i].is_driven()) return i;
   }
   return kNoMotor;
@@ -88,7 +102,7 @@ void Undercarriage::Model::find_rolling() {
 
 void Undercarriage::point(std::size_t wheel, double heading_rad) {
   own_model();
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     if (model_->mounts[i].wheel == wheel) model_->aim(i, heading_rad);
   }
   model_->find_rolling();
@@ -96,40 +110,40 @@ void Undercarriage::point(std::size_t wheel, double heading_rad) {
 }
 
 void Undercarriage::roll(const Twist& velocity) {
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model_->grips[i];
     if (grip.is_driven()) turnings_[i].rate = dot(grip.along, velocity) / grip.rim;
     turnings_[i].hold = Hold::rolls;
   }
-  loose_ = 0;
+  is_loose_ = false;
   is_known_ = false;
 }
 
 void Undercarriage::take(const Undercarriage& other) {
   bool is_aimed = true;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     is_aimed = is_aimed && model_->grips[i].along == other.model_->grips[i].along;
   }
   if (!is_aimed) {
     own_model();
-    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    for (std::size_t i = 0; i < model_->count; ++i) {
       model_->grips[i].along = other.model_->grips[i].along;
     }
     model_->find_rolling();
   }
-  turnings_ = other.turnings_;
-  loose_ = other.loose_;
+  std::copy_n(other.turnings_.get(), model_->count, turnings_.get());
+  is_loose_ = other.is_loose_;
   is_known_ = false;
 }
 
-Undercarriage::Law Undercarriage::law(const Grip& grip, const Turning& now) const {
+inline Undercarriage::Law Undercarriage::law(const Grip& grip, const Turning& now) const {
   if (now.hold == Hold::rolls) return {model_->stiffness, grip.rim * now.wanted};
   // The motor gives its most, and the wheel turns as tyre and motor make it.
   const double torque = now.hold == Hold::motor_up ? grip.torque : -grip.torque;
   return {grip.stiffness, grip.rim * (now.rate + grip.per_torque * torque)};
 }
 
-double Undercarriage::force(const Grip& grip, const Turning& now, double moving) const {
+inline double Undercarriage::force(const Grip& grip, const Turning& now, double moving) const {
   if (now.hold == Hold::slides_up) return grip.limit;
   if (now.hold == Hold::slides_down) return -grip.limit;
   const Law known = law(grip, now);
@@ -137,15 +151,14 @@ double Undercarriage::force(const Grip& grip, const Turning& now, double moving)
 }
 
 /// The rate of a wheel after a step in which its tyre pulls with this force.
-double Undercarriage::turning(const Grip& grip, const Turning& now, double pull) {
-  const double rolling = now.rate - grip.per_torque * grip.rim * pull;
-  const double most = grip.per_torque * grip.torque;
-  return std::clamp(now.wanted, rolling - most, rolling + most);
+inline double Undercarriage::turning(const Grip& grip, const Turning& now, double pull) {
+  const double rolling = now.rate - grip.per_force * pull;
+  return std::clamp(now.wanted, rolling - grip.most, rolling + grip.most);
 }
 
 /// The state of the grip at this velocity.
-Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
-                                           const Twist& velocity) const {
+inline Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turning& now,
+                                                  const Twist& velocity) const {
   const double moving = dot(grip.along, velocity), pull = force(grip, now, moving);
   if (now.hold >= Hold::slides_up) {
     // The rim is still faster than the floor below it, in the direction of the force.
@@ -179,14 +192,15 @@ void Undercarriage::respond() {
   is_known_ = true;
   ++changes_;
   response_ = model_->rolling;
-  if (std::all_of(turnings_.begin(), turnings_.end(),
+  const auto all = turnings();
+  if (std::all_of(all.begin(), all.end(),
                   [](const Turning& now) { return now.hold == Hold::rolls; })) {
     return;
   }
   Symmetric inertia;
   inertia.xx = inertia.yy = model_->inertia.mass;
   inertia.tt = model_->inertia.about_center;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model_->grips[i];
     if (turnings_[i].hold < Hold::slides_up) {
       inertia.add(model_->step * law(grip, turnings_[i]).stiffness, grip.along);
@@ -195,33 +209,21 @@ void Undercarriage::respond() {
   response_ = inertia.inverse();
 }
 
-Twist Undercarriage::solve(const Twist& free) {
-  const Inertia& inertia = model_->inertia;
-  const Twist momentum{inertia.mass * free.x, inertia.mass * free.y,
-                       inertia.about_center * free.turn};
-  if (loose_ == 0) {
-    if (!is_known_) respond();
-    const Twist velocity = rolling(momentum);
-    if (all_roll(velocity)) return velocity;
-  }
-  return search(momentum);
-}
-
 /// The velocity if nothing is at a limit.
-Twist Undercarriage::rolling(Twist momentum) const {
+inline Twist Undercarriage::rolling(Twist momentum) const {
   const Model& model = *model_;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model.grips[i];
     if (!grip.is_driven()) continue;
-    const double push = model.step * model.stiffness * (grip.rim * turnings_[i].wanted);
+    const double push = model.firmness * (grip.rim * turnings_[i].wanted);
     momentum = momentum + push * grip.along;
   }
   return model.rolling * momentum;
 }
 
-bool Undercarriage::all_roll(const Twist& velocity) const {
+inline bool Undercarriage::all_roll(const Twist& velocity) const {
   const Model& model = *model_;
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model.grips[i];
     const double moving = dot(grip.along, velocity);
     if (!grip.is_driven()) {
@@ -230,12 +232,22 @@ bool Undercarriage::all_roll(const Twist& velocity) const {
     }
     const auto& [rate, wanted, hold] = turnings_[i];
     const double pull = model.stiffness * (grip.rim * wanted - moving);
-    const double gained = wanted - rate + grip.per_torque * grip.rim * pull;
-    if (std::abs(pull) > grip.limit || std::abs(gained) > grip.per_torque * grip.torque) {
-      return false;
-    }
+    const double gained = wanted - rate + grip.per_force * pull;
+    if (std::abs(pull) > grip.limit || std::abs(gained) > grip.most) return false;
   }
   return true;
+}
+
+Twist Undercarriage::solve(const Twist& free) {
+  const Inertia& inertia = model_->inertia;
+  const Twist momentum{inertia.mass * free.x, inertia.mass * free.y,
+                       inertia.about_center * free.turn};
+  if (!is_loose_) {
+    if (!is_known_) respond();
+    const Twist velocity = rolling(momentum);
+    if (all_roll(velocity)) return velocity;
+  }
+  return search(momentum);
 }
 
 /// The velocity, and the limits that fit to it.
@@ -244,7 +256,7 @@ Twist Undercarriage::search(const Twist& momentum) {
   for (int search = 1; search <= kMostSearches; ++search) {
     if (!is_known_) respond();
     Twist pushed = momentum;
-    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    for (std::size_t i = 0; i < model_->count; ++i) {
       const Grip& grip = model_->grips[i];
       const Hold hold = turnings_[i].hold;
       double push = 0.0;
@@ -260,7 +272,7 @@ Twist Undercarriage::search(const Twist& momentum) {
     velocity = response_ * pushed;
     if (search == kMostSearches) break;
     bool fits = true;
-    for (std::size_t i = 0; i < turnings_.size(); ++i) {
+    for (std::size_t i = 0; i < model_->count; ++i) {
       Turning& now = turnings_[i];
       Hold next = fitting(model_->grips[i], now, velocity);
       if (search > kSearches && next < now.hold) next = now.hold;
@@ -270,17 +282,18 @@ Twist Undercarriage::search(const Twist& momentum) {
     }
     if (fits) break;
   }
-  loose_ = static_cast<int>(std::count_if(turnings_.begin(), turnings_.end(),
-                                          [](const auto& now) { return now.hold != Hold::rolls; }));
+  const auto all = turnings();
+  is_loose_ = std::any_of(all.begin(), all.end(),
+                          [](const Turning& now) { return now.hold != Hold::rolls; });
   return velocity;
 }
 
 void Undercarriage::settle(const Twist& velocity) {
-  if (loose_ == 0) {
-    for (Turning& now : turnings_) now.rate = now.wanted;
+  if (!is_loose_) {
+    for (Turning& now : turnings()) now.rate = now.wanted;
     return;
   }
-  for (std::size_t i = 0; i < turnings_.size(); ++i) {
+  for (std::size_t i = 0; i < model_->count; ++i) {
     const Grip& grip = model_->grips[i];
     Turning& now = turnings_[i];
     if (!grip.is_driven()) continue;

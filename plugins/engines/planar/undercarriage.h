@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "elsie/api/body.h"
@@ -40,9 +41,17 @@ struct Inertia {
 /// changes them until they fit; usually nothing changes.
 class Undercarriage {
  public:
+  Undercarriage() = default;  // without wheels
   /// `loads`: the weight on each part, N. The chassis comes first.
   Undercarriage(std::span<const Part> parts, const std::vector<double>& loads,
                 const Inertia& inertia, const world::Physics& physics);
+  Undercarriage(const Undercarriage& other);
+  Undercarriage(Undercarriage&&) = default;
+  ~Undercarriage() = default;
+  Undercarriage& operator=(Undercarriage&&) = default;
+
+  /// Whether there are wheels. Without, nothing else can be called.
+  explicit operator bool() const { return model_ != nullptr; }
 
   /// Sets the direction of a wheel, rad counter-clockwise from ahead.
   void point(std::size_t wheel, double heading_rad);
@@ -60,6 +69,7 @@ class Undercarriage {
   Twist solve(const Twist& free);
   /// The velocity that an impulse adds while the grips stay as solve() found them.
   const Symmetric& response() const { return response_; }
+  const Inertia& inertia() const { return model_->inertia; }
   /// How often the response has changed.
   std::uint32_t changes() const { return changes_; }
   /// Takes the rates of the wheels after a step that ends with this velocity.
@@ -77,6 +87,8 @@ class Undercarriage {
     double stiffness = 0.0;   // N s/m, while the motor gives its most
     double torque = 0.0;      // N m, maximum
     double per_torque = 0.0;  // rad/s per N m in a step
+    double per_force = 0.0;   // rad/s per N at the rim in a step
+    double most = 0.0;        // rad/s, that the motor adds in a step
 
     bool is_driven() const { return rim != 0.0; }
   };
@@ -89,11 +101,13 @@ class Undercarriage {
   /// What undercarriages of equal vehicles share until one is steered.
   struct Model {
     std::vector<Grip> grips;
+    std::size_t count = 0;      // of the grips
     std::vector<Mount> mounts;  // of the grips
     Inertia inertia;
     double step = 0.0;
     double slip = 0.0;
     double stiffness = 0.0;  // N s/m, of a tyre
+    double firmness = 0.0;   // kg, the stiffness times the step
     double friction = 0.0;
     Symmetric rolling;  // the response if nothing is at a limit
 
@@ -112,24 +126,27 @@ class Undercarriage {
     double speed = 0.0;
   };
 
+  std::span<Turning> turnings() { return {turnings_.get(), model_->count}; }
   void own_model() {
     if (model_.use_count() > 1) model_ = std::make_shared<Model>(*model_);
   }
-  Law law(const Grip& grip, const Turning& now) const;
-  static double turning(const Grip& grip, const Turning& now, double pull);
-  double force(const Grip& grip, const Turning& now, double moving) const;
-  Hold fitting(const Grip& grip, const Turning& now, const Twist& velocity) const;
+  // Short, and called for each grip in every step.
+  [[gnu::always_inline]] Law law(const Grip& grip, const Turning& now) const;
+  [[gnu::always_inline]] static double turning(const Grip& grip, const Turning& now, double pull);
+  [[gnu::always_inline]] double force(const Grip& grip, const Turning& now, double moving) const;
+  [[gnu::always_inline]] Hold fitting(const Grip& grip, const Turning& now,
+                                      const Twist& velocity) const;
+  [[gnu::always_inline]] Twist rolling(Twist momentum) const;
+  [[gnu::always_inline]] bool all_roll(const Twist& velocity) const;
   void respond();
-  Twist rolling(Twist momentum) const;
-  bool all_roll(const Twist& velocity) const;
   Twist search(const Twist& momentum);
 
   std::shared_ptr<Model> model_;
-  std::vector<Turning> turnings_;  // of the grips
-  Symmetric response_;
+  std::unique_ptr<Turning[]> turnings_;  // of the grips
   std::uint32_t changes_ = 0;
-  int loose_ = 0;          // grips that are at a limit, or whose motor is
+  bool is_loose_ = false;  // a grip is at a limit, or its motor is
   bool is_known_ = false;  // the response
+  Symmetric response_;
 };
 
 /// The friction of a body that slides on the floor, for translation and turning together: the
