@@ -165,7 +165,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const world::Robot& next = world.robots[index];
   Undo& undo = becoming.undo();
   std::vector<base::Problem>& problems = becoming.problems();
-  const plugin::Call call({.robot = next.id.c_str()});
+  const plugin::Call call({.robot = &next.id});
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, &next);
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
   const bool same_sensors =

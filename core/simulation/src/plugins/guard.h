@@ -102,9 +102,9 @@ class Guard {
   };
 
   plugin::CallFacts facts(const world::PluginUse& use) const {
-    return {.plugin = use.plugin.c_str(),
-            .id = use.id.c_str(),
-            .robot = robot_.empty() ? nullptr : robot_.c_str(),
+    return {.plugin = &use.plugin,
+            .id = &use.id,
+            .robot = robot_.empty() ? nullptr : &robot_,
             .step = step_};
   }
 
@@ -154,8 +154,8 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
     problems.push_back({use.location.file, use.location.line,
                         "plugin '" + use.plugin + "': " + problem, plugin_failed});
   };
-  plugin::Call call({.plugin = use.plugin.c_str(),
-                     .id = use.id.c_str(),
+  plugin::Call call({.plugin = &use.plugin,
+                     .id = &use.id,
                      .file = use.location.file.c_str(),
                      .line = use.location.line,
                      .doing = "while it was prepared"});

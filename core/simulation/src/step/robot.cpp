@@ -33,7 +33,7 @@ Robot::Robot(const world::World& world, std::size_t index, Commons& commons,
              const plugin::Host& host, const Options& options)
     : description_(&world.robots[index]), guard_(description_->id, options.budget) {
   const world::Robot& description = *description_;
-  const plugin::Call call({.robot = description.id.c_str()});
+  const plugin::Call call({.robot = &description.id});
   std::vector<base::Problem> problems;
   for (const world::SensorUse& use : description.sensors) {
     sensors_.push_back(std::make_shared<SensorSlot>(use, host, *this));

@@ -68,13 +68,11 @@ void write_number(std::uint64_t number) {
   write_error({digits, count});
 }
 
-void write_quoted(const char* before, const char* text) {
-  if (text) {
-    write_error(before);
-    write_error("'");
-    write_error(text);
-    write_error("'");
-  }
+void write_quoted(const char* before, std::string_view text) {
+  write_error(before);
+  write_error("'");
+  write_error(text);
+  write_error("'");
 }
 
 /// Whether the thread is in a plugin's code, not only in code that is about to call it.
@@ -89,15 +87,17 @@ bool is_plugin_at_work() {
 
 void write_culprit(const CallFacts& facts) {
   if (facts.plugin) {
-    write_quoted("plugin ", facts.plugin);
-    if (facts.id && std::string_view(facts.id) != facts.plugin) {
-      write_quoted(" (id ", facts.id);
+    write_quoted("plugin ", *facts.plugin);
+    if (facts.id && *facts.id != *facts.plugin) {
+      write_quoted(" (id ", *facts.id);
       write_error(")");
     }
   } else {
     write_quoted("plugin library ", facts.library ? facts.library : "?");
   }
-  write_quoted(" of robot ", facts.robot);
+  if (facts.robot) {
+    write_quoted(" of robot ", *facts.robot);
+  }
 }
 
 void write_when(const CallFacts& facts) {
@@ -356,8 +356,7 @@ CallFacts facts_at_work() noexcept {
   for (const Call* call = Call::innermost(); call; call = call->outer()) {
     const CallFacts& facts = call->facts();
     // Names the library only if the plugin comes from it.
-    const bool other_plugin =
-        all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
+    const bool other_plugin = all.plugin && facts.plugin && *all.plugin != *facts.plugin;
     if (!other_plugin) {
       all.plugin = all.plugin ? all.plugin : facts.plugin;
       all.id = all.id ? all.id : facts.id;
