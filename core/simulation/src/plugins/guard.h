@@ -44,7 +44,7 @@ struct Heap {
 class Guard {
  public:
   /// `robot`: "" for measures.
-  Guard(std::string robot, const Budget& budget) : robot_(std::move(robot)), budget_(budget) {}
+  Guard(std::string robot, const Budget& budget) : budget_(budget), robot_(std::move(robot)) {}
 
   /// A call without a budget: before the run, or a rare one.
   template <class Action>
@@ -60,9 +60,10 @@ class Guard {
     if (!has_budget()) [[likely]] {
       return caught(*object.use, call, action);
     }
+    Heap& heap = object.own_extras().heap;  // made now, so that it does not count
     const std::int64_t before = begin(call);
     auto result = caught(*object.use, call, action);
-    end(*object.use, object.heap, call, before);
+    end(*object.use, heap, call, before);
     return result;
   }
 
@@ -138,10 +139,10 @@ class Guard {
   /// Faults the plugin if it went beyond its budget.
   void end(const world::PluginUse& use, Heap& heap, const plugin::Call& call, std::int64_t before);
 
-  std::string robot_;
   Budget budget_;
   std::uint64_t step_ = 0;
   std::unique_ptr<PluginFault> fault_;
+  std::string robot_;
   std::vector<ChangedArithmetic> arithmetic_;
 };
 

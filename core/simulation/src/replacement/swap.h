@@ -54,7 +54,7 @@ class Swap {
   }
 
   /// Equips and resets the robot's new objects, and gives them the memory of the old ones.
-  void hand_over(const Perception& example);
+  void hand_over(const Example& example);
 
   /// Keeps the exchanges and destroys the old objects. Returns the exchanges.
   Replacement settle();
