@@ -52,16 +52,16 @@ void say(std::uint64_t number) noexcept {
 void say_place(const CallFacts& at, std::uint64_t step) noexcept {
   if (at.plugin) {
     say("plugin '");
-    say(at.plugin);
+    say(*at.plugin);
     say("'");
-    if (at.id && std::strcmp(at.id, at.plugin) != 0) {
+    if (at.id && *at.id != *at.plugin) {
       say(" (id '");
-      say(at.id);
+      say(*at.id);
       say("')");
     }
     if (at.robot) {
       say(" of robot '");
-      say(at.robot);
+      say(*at.robot);
       say("'");
     }
   } else {
@@ -75,8 +75,8 @@ std::uint64_t step_of(const CallFacts& at, std::uint64_t otherwise) noexcept {
   return at.step != CallFacts::kNoStep ? at.step : otherwise;
 }
 
-bool is_same(const std::optional<std::string>& before, const char* now) noexcept {
-  return now ? before && *before == now : !before;
+bool is_same(const std::optional<std::string>& before, const std::string* now) noexcept {
+  return now ? before && *before == *now : !before;
 }
 
 /// "plugin 'x' of robot 'r1' in step 50".

@@ -390,7 +390,7 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
     throw PluginError(explain_missing(kind, name));
   }
   std::optional<std::string> problem;
-  Call call({.plugin = entry->declaration.name.c_str(),
+  Call call({.plugin = &entry->declaration.name,
              .library = entry->library ? entry->library->file().c_str() : nullptr,
              .doing = "while it was made"});
   call.start_clock();

@@ -19,8 +19,8 @@ void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   const PluginUse& use = *robot.drive;
   const Declaration* const declaration = host.find(PluginKind::drive, use.plugin);
   if (!declaration) return;  // reported already
-  plugin::Call call({.plugin = use.plugin.c_str(),
-                     .id = use.id.c_str(),
+  plugin::Call call({.plugin = &use.plugin,
+                     .id = &use.id,
                      .file = use.location.file.c_str(),
                      .line = use.location.line,
                      .doing = "while it was asked for the parts of a body"});

@@ -311,8 +311,8 @@ class ObjectReader {
 
   // Makes an object of the plugin once, so that it checks its parameters.
   void try_out(const Declaration& declaration, const Element& element, const PluginUse& use) {
-    plugin::Call call({.plugin = use.plugin.c_str(),
-                       .id = use.id.c_str(),
+    plugin::Call call({.plugin = &use.plugin,
+                       .id = &use.id,
                        .file = element.where.file.c_str(),
                        .line = element.where.line,
                        .doing = "while it was given its parameters"});

@@ -48,7 +48,7 @@ class Checker {
 
   std::vector<std::string> findings() && {
     // Crash reports name the plugin of this call.
-    const plugin::Call call({.plugin = declaration_.name.c_str(), .doing = "while it was checked"});
+    const plugin::Call call({.plugin = &declaration_.name, .doing = "while it was checked"});
     found_ = testing::check_declaration(declaration_);
     if (check_start() && make_inputs()) {
       for (int variant = 0; variant <= options_.variants; ++variant) {
@@ -340,7 +340,7 @@ class Checker {
 
   /// A run without findings. Throws what the plugin throws.
   void run_quietly(Trial& trial, Answers& answers) const {
-    plugin::Call all({.plugin = declaration_.name.c_str(), .doing = doing_.c_str()});
+    plugin::Call all({.plugin = &declaration_.name, .doing = doing_.c_str()});
     trial.reset(kRunSeed);
     for (std::size_t step = 0; step < answers.size(); ++step) {
       plugin::Call call({.step = step, .doing = doing_.c_str()});

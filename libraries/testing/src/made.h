@@ -14,7 +14,7 @@ namespace elsie::testing {
 template <class Kind, class Prepare>
 plugin::Object<Kind> make(const Plugins& plugins, const Declaration& declaration,
                           const Settings& settings, const Elements& elements, Prepare prepare) {
-  const plugin::Call call({.plugin = declaration.name.c_str(), .doing = "while it was made"});
+  const plugin::Call call({.plugin = &declaration.name, .doing = "while it was made"});
   auto object = plugins.host().create<Kind>(declaration.kind, declaration.name);
   prepare(*object);
   plugin::apply_parameters(declaration, *object, plugins.completed(declaration, settings),

@@ -28,7 +28,7 @@ bool differ_for_good(const std::vector<ParameterDeclaration>& declared,
 }
 
 void equip(PluginObject& each, const std::optional<Setup>& setup, Memory memory,
-           const Perception& example) {
+           const Example& example) {
   if (setup) {
     plugin::apply_parameters(*each.declaration, *each.held, setup->parameters, setup->elements);
   }
@@ -62,12 +62,15 @@ bool Becoming::keeps(PluginObject& object, const world::PluginUse& was,
 }
 
 void Becoming::describe(PluginObject& object, const world::PluginUse& next) {
-  undo_.keep(object.use, object.changed);
+  undo_.keep(object.use);
   object.use = &next;
-  object.changed.reset();
+  if (object.extras().changed) {
+    undo_.keep(object.own_extras().changed);
+    object.own_extras().changed.reset();
+  }
 }
 
-void Becoming::equip_again(PluginObject& object, const Perception& example) {
+void Becoming::equip_again(PluginObject& object, const Example& example) {
   const Tuned tuned = has_other(object) ? again_with_.at(&object) : Tuned();
   blaming(*object.use, problems_, [&] {
     if (tuned.now) {
@@ -106,13 +109,9 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   const std::string& robot = setting_.guard.robot();
   // Added before the slots of the members, so it is undone after them.
   const auto members = std::make_shared<std::vector<Member>>(copied_members());
-  undo.add([this, members, reasons = reasons_] {
-    take_members(std::move(*members));
-    reasons_ = reasons;
-  });
+  undo.add([this, members] { take_members(std::move(*members)); });
   undo.keep(slots_, description_, coordinator_);
   const auto slots = slots_;
-  const auto reasons = reasons_;
   slots_.clear();
   std::vector<std::size_t> places;  // index among the old slots; their number if new
   for (const world::BehaviorUse& use : next.behaviors) {
@@ -144,7 +143,6 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
       if (!same_members) {
         members_[i].trace.inhibited_by = -1;
       }
-      reasons_[i] = reasons[places[i]];
     }
   }
   if (was.coordinator && next.coordinator &&
@@ -165,7 +163,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const world::Robot& next = world.robots[index];
   Undo& undo = becoming.undo();
   std::vector<base::Problem>& problems = becoming.problems();
-  const plugin::Call call({.robot = next.id.c_str()});
+  const plugin::Call call({.robot = &next.id});
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, &next);
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
   const bool same_sensors =
@@ -174,13 +172,13 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   undo.add([this, again = becoming.begin_robot()] {
     guard_.forgive();
     group_readings();
-    list_members();
+    trace_.clear();
     for (const auto& equip : *again) {
       equip();
     }
   });
   undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
-  undo.keep(description_, body_frame_, drive_, drive_use_, drive_check_, joints_, wanted_joints_);
+  undo.keep(description_, body_frame_, drive_, drive_check_, joints_, joint_count_);
   description_ = &next;
   const bool had_charger = team_.charger.has_value();
   const std::vector<Colour> colours = resource_colours_;
@@ -189,8 +187,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
                           had_charger != team_.charger.has_value() || colours != resource_colours_;
   state_.energy = std::min(state_.energy, state_.capacity);
-  drive_use_.location = next.location;
-  become_sensors(was, commons, becoming);
+  become_sensors(was, becoming);
   controller_->become(was, next, "", becoming);
   if (!problems.empty()) return;
   if (same_drive) {
@@ -199,15 +196,18 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
     make_drive(becoming.host(), problems);
   }
   if (!problems.empty()) return;
-  list_members();
+  trace_.clear();
   group_readings();
   for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
     if (each.is_new) {
       blaming(*each.use, problems, [&] { each.equip(*each.held, example()); });
     } else if (each.kind != PluginKind::drive && (equips_all || becoming.has_other(each))) {
-      undo.keep(each.camera);
       becoming.equip_again(each, example());
-      each.camera = blaming(*each.use, problems, [&] { return each.camera_of(*each.held); });
+      const auto camera = blaming(*each.use, problems, [&] { return each.camera_of(*each.held); });
+      if (camera || each.extras().camera) {
+        undo.keep(each.own_extras().camera);
+        each.own_extras().camera = camera;
+      }
     }
   });
   if (!problems.empty()) return;
@@ -226,7 +226,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
                              (becoming.asks(next, "energy") || description_->energy != was.energy));
 }
 
-void Robot::become_sensors(const world::Robot& was, Commons& commons, Becoming& becoming) {
+void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
   becoming.undo().keep(sensors_);
   const auto slots = sensors_;
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, description_);
@@ -238,13 +238,14 @@ void Robot::become_sensors(const world::Robot& was, Commons& commons, Becoming& 
     if (is_known && same_body && world::same(was.sensors[place], use, world::Cost::object) &&
         becoming.keeps(*slots[place], was.sensors[place], use)) {
       SensorSlot& slot = *sensors_.emplace_back(slots[place]);
-      becoming.undo().keep(slot.energy_cost);
-      slot.energy_cost = use.energy_cost;
+      if (slot.extras().energy_cost) {
+        becoming.undo().keep(slot.own_extras().energy_cost);
+        slot.own_extras().energy_cost.reset();
+      }
       continue;
     }
-    SensorSlot& made =
-        *sensors_.emplace_back(std::make_shared<SensorSlot>(use, becoming.host(), *this));
-    make_sensor(made, use, commons, becoming.host(), becoming.problems());
+    SensorSlot& made = *sensors_.emplace_back(std::make_shared<SensorSlot>(use, becoming.host()));
+    make_sensor(made, use, becoming.host(), becoming.problems());
     if (is_known) {
       becoming.note_lost(description_->id, use.id);
     }

@@ -85,7 +85,7 @@ class Becoming {
   using Actions = std::vector<std::function<void()>>;
   std::shared_ptr<const Actions> begin_robot() { return again_ = std::make_shared<Actions>(); }
   /// Equips an object that stays and sets the parameters that differ; it keeps its memory.
-  void equip_again(PluginObject& object, const Perception& example);
+  void equip_again(PluginObject& object, const Example& example);
 
  private:
   const plugin::Host& host_;

@@ -154,7 +154,7 @@ void check_tuned(const Tuned& tuned, const Cameras& cameras) {
   } catch (...) {
     refuse(tuned.text, what_was_thrown());
   }
-  if (camera.has_value() != tuned.object->camera.has_value()) {
+  if (camera.has_value() != tuned.object->extras().camera.has_value()) {
     refuse(tuned.text, "the sensor would " + std::string(camera ? "gain" : "lose") +
                            " a camera; replace the whole element instead");
   }

@@ -44,7 +44,7 @@ struct Heap {
 class Guard {
  public:
   /// `robot`: "" for measures.
-  Guard(std::string robot, const Budget& budget) : robot_(std::move(robot)), budget_(budget) {}
+  Guard(std::string robot, const Budget& budget) : budget_(budget), robot_(std::move(robot)) {}
 
   /// A call without a budget: before the run, or a rare one.
   template <class Action>
@@ -60,9 +60,10 @@ class Guard {
     if (!has_budget()) [[likely]] {
       return caught(*object.use, call, action);
     }
+    Heap& heap = object.own_extras().heap;  // made now, so that it does not count
     const std::int64_t before = begin(call);
     auto result = caught(*object.use, call, action);
-    end(*object.use, object.heap, call, before);
+    end(*object.use, heap, call, before);
     return result;
   }
 
@@ -102,9 +103,9 @@ class Guard {
   };
 
   plugin::CallFacts facts(const world::PluginUse& use) const {
-    return {.plugin = use.plugin.c_str(),
-            .id = use.id.c_str(),
-            .robot = robot_.empty() ? nullptr : robot_.c_str(),
+    return {.plugin = &use.plugin,
+            .id = &use.id,
+            .robot = robot_.empty() ? nullptr : &robot_,
             .step = step_};
   }
 
@@ -138,10 +139,10 @@ class Guard {
   /// Faults the plugin if it went beyond its budget.
   void end(const world::PluginUse& use, Heap& heap, const plugin::Call& call, std::int64_t before);
 
-  std::string robot_;
   Budget budget_;
   std::uint64_t step_ = 0;
   std::unique_ptr<PluginFault> fault_;
+  std::string robot_;
   std::vector<ChangedArithmetic> arithmetic_;
 };
 
@@ -154,8 +155,8 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
     problems.push_back({use.location.file, use.location.line,
                         "plugin '" + use.plugin + "': " + problem, plugin_failed});
   };
-  plugin::Call call({.plugin = use.plugin.c_str(),
-                     .id = use.id.c_str(),
+  plugin::Call call({.plugin = &use.plugin,
+                     .id = &use.id,
                      .file = use.location.file.c_str(),
                      .line = use.location.line,
                      .doing = "while it was prepared"});

@@ -50,30 +50,35 @@ Setup PluginObject::completed(Setup setup, const Setup& now) const {
   return setup;
 }
 
-void PluginObject::set(Setup setup, const Perception& example) {
+void PluginObject::set(Setup setup, const Example& example) {
   // Stored first, because a plugin that refuses parameters may have set some of them.
-  changed = std::make_shared<const Setup>(completed(std::move(setup), this->setup()));
-  apply(*held, *changed, example);
-  if (camera) {
-    camera = camera_of(*held);
+  Extras& own = own_extras();
+  own.changed = std::make_shared<const Setup>(completed(std::move(setup), this->setup()));
+  apply(*held, *own.changed, example);
+  if (own.camera) {
+    own.camera = camera_of(*held);
   }
 }
 
-std::optional<Camera> PluginObject::try_out(const Setup& setup, const Perception& example) const {
+std::optional<Camera> PluginObject::try_out(const Setup& setup, const Example& example) const {
   const std::unique_ptr<Component> object = declaration->create();
   plugin::hold_nothing(*declaration, *object);
   apply(*object, setup, example);
   return camera_of(*object);
 }
 
-void PluginObject::apply(Component& object, const Setup& setup, const Perception& example) const {
+void PluginObject::apply(Component& object, const Setup& setup, const Example& example) const {
   plugin::apply_parameters(*declaration, object, setup.parameters, setup.elements);
   equip(object, example);
 }
 
 void PluginObject::reset(std::uint64_t seed, const std::string& path) {
   random = Random(seed, path);
-  heap = {};
+  if (extras_) {
+    extras_->picture.reset();
+    extras_->energy_cost.reset();
+    extras_->heap = {};
+  }
   forget();
   held->reset(random);
   is_new = false;

@@ -13,6 +13,7 @@
 #include "elsie/api/declaration.h"
 #include "elsie/api/image.h"
 #include "elsie/api/remember.h"
+#include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/description.h"
 
@@ -29,10 +30,16 @@ struct Setup {
 
 Setup as_described(const world::PluginUse& use);
 
+/// What an object is equipped with: views of its robot.
+struct Example {
+  Perception perception;
+  const std::vector<Colour>& resource_colours;  // see Surroundings
+};
+
 /// The memory of an object; empty if its class does not derive from Remembers.
 Memory memory_of(Component& object);
 
-/// One plugin object and the simulator's data about it.
+/// One plugin object and the simulator's data about it. A crowd has millions of them.
 class PluginObject {
  public:
   PluginObject(PluginKind of_kind, const world::PluginUse& described, const plugin::Host& host)
@@ -47,41 +54,55 @@ class PluginObject {
   plugin::Object<Component> made(const plugin::Host& host, const Setup& setup);
 
   /// Returns its present parameters.
-  Setup setup() const { return changed ? *changed : as_described(*use); }
+  Setup setup() const { return extras().changed ? *extras().changed : as_described(*use); }
   /// Returns `setup` plus the default of every parameter that only `now` sets.
   Setup completed(Setup setup, const Setup& now) const;
   /// Sets the parameters; the object keeps its memory. Passes on exceptions of the plugin; the
   /// caller must then restore the parameters.
-  void set(Setup setup, const Perception& example);
+  void set(Setup setup, const Example& example);
   /// Tries the parameters on another object of the plugin. Passes on its exceptions. Returns the
   /// camera that a sensor would then have.
-  std::optional<Camera> try_out(const Setup& setup, const Perception& example) const;
+  std::optional<Camera> try_out(const Setup& setup, const Example& example) const;
 
   /// Calls equipped() of this object or of another one of its plugin; see Behavior::equipped().
   /// Passes on exceptions of the plugin.
-  virtual void equip(Component& /*object*/, const Perception& /*example*/) const {}
+  virtual void equip(Component& /*object*/, const Example& /*example*/) const {}
   /// The camera of an object of this plugin, if it has one.
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
-  /// Resets the object, with the random stream of this path at its start.
+  /// Resets the object, with the random stream of this path at its start. Its parameters stay.
   void reset(std::uint64_t seed, const std::string& path);
   /// Clears the last answer of an object that was replaced.
   virtual void forget_answers(Undo& /*undo*/) {}
 
+  /// Data that few objects have.
+  struct Extras {
+    std::shared_ptr<const Setup> changed;  // its parameters, if they differ from the world's
+    std::optional<Camera> camera;          // of a sensor, if it has one
+    std::unique_ptr<Image> picture;        // of that camera; null: none was taken
+    std::unique_ptr<Pyramid> volume;       // of a sensor's last query; null: none
+    std::optional<double> energy_cost;     // of a sensor, if it differs from the world's
+    Heap heap;
+  };
+  const Extras& extras() const { return extras_ ? *extras_ : kNoExtras; }
+  /// The same, to change them.
+  Extras& own_extras() { return extras_ ? *extras_ : *(extras_ = std::make_unique<Extras>()); }
+
   const PluginKind kind;
+  bool is_new = true;  // until it is reset
   const world::PluginUse* use;
   const Declaration* declaration;  // null: there is no such plugin
   plugin::Object<Component> held;
   Random random;
-  std::shared_ptr<const Setup> changed;  // its parameters, if they differ from the world's
-  std::optional<Camera> camera;          // its camera, if it has one
-  Heap heap;
-  bool is_new = true;  // until it is reset
 
  private:
+  static inline const Extras kNoExtras{};
+
   virtual plugin::Object<Component> create(const plugin::Host& host) const = 0;
   virtual Coordination* inside_of_it() { return nullptr; }  // of a behaviour that holds others
   virtual void forget() {}
-  void apply(Component& object, const Setup& setup, const Perception& example) const;
+  void apply(Component& object, const Setup& setup, const Example& example) const;
+
+  std::unique_ptr<Extras> extras_;
 };
 
 /// A plugin object of a known class.

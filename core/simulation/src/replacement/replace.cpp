@@ -47,22 +47,25 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
 void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
   const std::string path = "sensor[" + slot.use->id + "]";
   const std::string kind = slot.object().kind().name;
-  const bool had_camera = slot.camera.has_value();
+  const bool had_camera = slot.extras().camera.has_value();
   if (!swap.exchange(slot, path)) return;
-  swap.undo().keep(slot.camera);
-  swap.run(slot, path, [&] { slot.camera = slot.object().camera(); });
+  std::optional<Camera> camera;
+  swap.run(slot, path, [&] { camera = slot.object().camera(); });
   if (kind != slot.object().kind().name) {
     swap.refuse(path, "it makes readings of the kind '" + std::string(slot.object().kind().name) +
                           "' now, and made some of the kind '" + kind +
                           "' before; replace its element by an edit, or start a new run");
   }
-  if (slot.camera.has_value() != had_camera) {
+  if (camera.has_value() != had_camera) {
     swap.refuse(path, "it would " + std::string(had_camera ? "lose" : "gain") +
                           " a camera; replace its element by an edit, or start a new run");
   }
-  if (const auto problem = slot.camera ? cameras.problem_of(*slot.camera) : std::nullopt) {
+  if (!camera) return;
+  if (const auto problem = cameras.problem_of(*camera)) {
     swap.refuse(path, *problem);
   }
+  swap.undo().keep(slot.own_extras().camera);
+  slot.own_extras().camera = camera;
 }
 
 void Robot::replace_drive(Swap& swap) {

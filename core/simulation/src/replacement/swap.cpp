@@ -86,8 +86,8 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
   exchanged_.push_back({&object, object.held.get()});
   replacement_.objects.push_back({robot_, path, object.use->plugin, false});
   run(object, path, [&] {
-    undo_.keep(object.declaration, object.heap);
-    object.heap = {};
+    undo_.keep(object.declaration, object.own_extras().heap);
+    object.own_extras().heap = {};
     object.declaration = fresh;
     fit(object, path);
     const auto old =
@@ -105,7 +105,7 @@ void Swap::fit(PluginObject& object, const std::string& path) {
   const world::Files files("", data_directories_);
   // The simulation owns the world; all others only read it.
   auto& use = const_cast<world::PluginUse&>(*object.use);
-  undo_.keep(use.parameters, use.elements, use.file_names, object.changed);
+  undo_.keep(use.parameters, use.elements, use.file_names);
   strip(declaration, use.parameters, use.elements, [&](const std::string& what) {
     replacement_.notes.push_back("robot '" + robot_ + "', " + path + ": " + what +
                                  " is no longer declared by " + declaration.name +
@@ -122,18 +122,19 @@ void Swap::fit(PluginObject& object, const std::string& path) {
     require(find_declared(declaration.elements, element.element)->parameters, element.parameters,
             " of <" + element.element + ">");
   }
-  if (object.changed) {
-    auto fitted = std::make_shared<Setup>(*object.changed);
+  if (object.extras().changed) {
+    undo_.keep(object.own_extras().changed);
+    auto fitted = std::make_shared<Setup>(*object.extras().changed);
     auto& [parameters, elements] = *fitted;
     strip(declaration, parameters, elements, [](const std::string&) {});
     for (const auto& [name, file] : default_files(declaration, parameters, files)) {
       parameters[name] = file;
     }
-    object.changed = std::move(fitted);
+    object.own_extras().changed = std::move(fitted);
   }
 }
 
-void Swap::hand_over(const Perception& example) {
+void Swap::hand_over(const Example& example) {
   const auto each = [&](auto action) {
     for (std::size_t i = first_; i < exchanged_.size(); ++i) {
       Replacement::Object& said = replacement_.objects[i];

@@ -42,9 +42,9 @@ class Swap {
   /// Runs code of an exchanged object; its exceptions become a ReplacementRefused.
   template <class Action>
   void run(const PluginObject& object, const std::string& path, Action action) const {
-    const plugin::Call call({.plugin = object.use->plugin.c_str(),
-                             .id = object.use->id.c_str(),
-                             .robot = robot_.c_str(),
+    const plugin::Call call({.plugin = &object.use->plugin,
+                             .id = &object.use->id,
+                             .robot = &robot_,
                              .doing = "while it replaced an older object"});
     try {
       action();
@@ -54,7 +54,7 @@ class Swap {
   }
 
   /// Equips and resets the robot's new objects, and gives them the memory of the old ones.
-  void hand_over(const Perception& example);
+  void hand_over(const Example& example);
 
   /// Keeps the exchanges and destroys the old objects. Returns the exchanges.
   Replacement settle();

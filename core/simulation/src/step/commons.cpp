@@ -30,13 +30,13 @@ const std::vector<Colour>& Commons::resource_colours(const std::string& team) {
   return colours;
 }
 
-std::shared_ptr<const SensorPlace> Commons::place(const Mounting& mounting) {
+const SensorPlace& Shared::place(const Mounting& mounting) {
   const auto& [at, azimuth, pitch] = mounting;
-  std::shared_ptr<const SensorPlace>& place = places_[{at.x, at.y, at.z, azimuth, pitch}];
+  const SensorPlace*& place = known_[{at.x, at.y, at.z, azimuth, pitch}];
   if (!place) {
-    place = std::make_shared<SensorPlace>(SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
+    place = &places_.emplace_back(SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
   }
-  return place;
+  return *place;
 }
 
 }  // namespace elsie::simulation

@@ -2,18 +2,41 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "elsie/api/drive.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/api/sensor.h"
 #include "elsie/world/description.h"
 
+#include "plugins/names.h"
+#include "plugins/plugin_object.h"
+
 namespace elsie::simulation {
+
+using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
+
+/// What robots share while they live: memory that all of them use is near the processor.
+class Shared {
+ public:
+  Names names;
+  /// The core's drives of robots with such wheels: radius and half axle, m.
+  std::map<std::pair<double, double>, std::shared_ptr<DriveSlot>> drives;
+
+  /// The place for a sensor there, one for all sensors. Valid as long as this.
+  const SensorPlace& place(const Mounting& mounting);
+
+ private:
+  std::map<std::array<double, 5>, const SensorPlace*> known_;
+  std::deque<SensorPlace> places_;
+};
 
 /// Of a world, which must outlive this.
 class Commons {
@@ -24,14 +47,14 @@ class Commons {
   int number_of(std::size_t robot) const { return numbers_[robot]; }
   /// The colours of the resources that a robot of this team may collect, each once, in file order.
   const std::vector<Colour>& resource_colours(const std::string& team);
-  /// Sensors at the same place share it: memory that all robots use is near the processor.
-  std::shared_ptr<const SensorPlace> place(const Mounting& mounting);
+  /// For all robots that are made now.
+  const std::shared_ptr<Shared>& shared() const { return shared_; }
 
  private:
   const world::World& world_;
   std::vector<int> numbers_;
+  std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
   std::map<std::string_view, std::vector<Colour>> colours_;  // of teams that were asked for
-  std::map<std::array<double, 5>, std::shared_ptr<const SensorPlace>> places_;
 };
 
 }  // namespace elsie::simulation

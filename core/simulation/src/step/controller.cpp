@@ -44,6 +44,7 @@ void require_degrees(std::span<const double> desirability, const world::PluginUs
 Controller::Controller(const world::Coordination& description, const plugin::Host& host,
                        const Setting& setting, std::vector<base::Problem>& problems)
     : description_(&description), setting_(setting) {
+  slots_.reserve(description.behaviors.size());
   for (const world::BehaviorUse& use : description.behaviors) {
     slots_.push_back(make_slot(use, host, problems));
   }
@@ -70,11 +71,11 @@ const world::Coordination& Controller::inside_of(const world::BehaviorUse& use) 
 void Controller::list_slots() {
   Member::Runner& runner = *this;
   std::vector<Member> members;
+  members.reserve(slots_.size());
   for (const world::BehaviorUse& use : description_->behaviors) {
     members.emplace_back(use.id, use.priority, runner);
   }
   take_members(std::move(members));
-  reasons_.assign(slots_.size(), "");
 }
 
 void Controller::make_coordinator(const plugin::Host& host, std::vector<base::Problem>& problems) {
@@ -295,7 +296,7 @@ void Controller::check_trace() {
            "; expected 0 or more, unless the user set a priority below 0");
     }
     const char* const reason = member.trace.reason ? member.trace.reason : "";
-    const char*& kept = reasons_[static_cast<std::size_t>(&member - members_.data())];
+    const char*& kept = slot_of(member).reason;
     if (std::strcmp(reason, kept) != 0) {
       kept = setting_.names.keep(reason);
     }

@@ -85,8 +85,8 @@ class Controller final : public Coordination, private Member::Runner {
  private:
   struct Slot final : ObjectOf<Behavior, PluginKind::behavior> {
     using ObjectOf::ObjectOf;
-    void equip(Component& object, const Perception& example) const override {
-      static_cast<Behavior&>(object).equipped(example);
+    void equip(Component& object, const Example& example) const override {
+      static_cast<Behavior&>(object).equipped(example.perception);
     }
     void forget_answers(Undo& undo) override {  // the old library holds the names of its events
       undo.keep(response);
@@ -96,14 +96,15 @@ class Controller final : public Coordination, private Member::Runner {
     void forget() override { response = {}; }
 
     std::unique_ptr<Controller> inside;  // of a behaviour that holds others
+    const char* reason = "";             // of its trace; a kept copy
     Response response;
   };
   struct Chief final : ObjectOf<Coordinator, PluginKind::coordinator> {
     Chief(const world::PluginUse& described, const plugin::Host& host,
           const Controller& its_controller)
         : ObjectOf(described, host), controller(its_controller) {}
-    void equip(Component& object, const Perception& example) const override {
-      static_cast<Coordinator&>(object).equipped(controller.members_, example);
+    void equip(Component& object, const Example& example) const override {
+      static_cast<Coordinator&>(object).equipped(controller.members_, example.perception);
     }
 
     const Controller& controller;
@@ -132,7 +133,6 @@ class Controller final : public Coordination, private Member::Runner {
   Setting setting_;
   std::vector<std::shared_ptr<Slot>> slots_;
   std::vector<Member> members_;
-  std::vector<const char*> reasons_;    // of each member's trace; kept copies
   std::shared_ptr<Chief> coordinator_;  // or none
   std::optional<Perception> now_;  // of the last decision: members may be asked again in a step
   Motion command_;                 // of the last decision

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ class Robot;
 
 class Neighbours {
  public:
-  explicit Neighbours(const world::Arena& arena) : grid_(arena.length, arena.width) {}
+  explicit Neighbours(const world::Arena& arena) : length_(arena.length), width_(arena.width) {}
 
   /// From now on these are the robots. They do not move before the next call.
   void begin(std::span<const std::shared_ptr<Robot>> robots) {
@@ -34,11 +35,12 @@ class Neighbours {
   void place_all() const;
   void place(std::size_t robot, const Vector2& at) const;
 
+  double length_, width_;  // of the arena, m
   std::span<const std::shared_ptr<Robot>> robots_;
   // Made when it is first needed, by one of the threads that need it.
   mutable std::mutex placing_;
   mutable std::atomic<bool> is_placed_ = false;
-  mutable base::Grid grid_;
+  mutable std::optional<base::Grid> grid_;
   mutable std::vector<base::Grid::Block> cells_;  // of each robot: one cell
   mutable std::vector<base::Grid::Id> all_;
 };

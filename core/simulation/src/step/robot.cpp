@@ -31,21 +31,23 @@ Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) 
 
 Robot::Robot(const world::World& world, std::size_t index, Commons& commons,
              const plugin::Host& host, const Options& options)
-    : description_(&world.robots[index]), guard_(description_->id, options.budget) {
+    : description_(&world.robots[index]),
+      guard_(description_->id, options.budget),
+      shared_(commons.shared()) {
   const world::Robot& description = *description_;
-  const plugin::Call call({.robot = description.id.c_str()});
+  const plugin::Call call({.robot = &description.id});
   std::vector<base::Problem> problems;
+  sensors_.reserve(description.sensors.size());
   for (const world::SensorUse& use : description.sensors) {
-    sensors_.push_back(std::make_shared<SensorSlot>(use, host, *this));
+    sensors_.push_back(std::make_shared<SensorSlot>(use, host));
   }
   // One after the other, so that they are near each other in memory.
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    make_sensor(*sensors_[i], description.sensors[i], commons, host, problems);
+    make_sensor(*sensors_[i], description.sensors[i], host, problems);
   }
-  controller_ = std::make_unique<Controller>(
-      description, host, Controller::Setting{guard_, *this, names_, options.measure_time},
-      problems);
-  list_members();
+  controller_.emplace(description, host,
+                      Controller::Setting{guard_, *this, shared_->names, options.measure_time},
+                      problems);
   make_drive(host, problems);
   throw_if_any(problems);
   group_readings();
@@ -68,18 +70,18 @@ void Robot::for_each(Order order, const Visit& visit) const {
   controller_->for_each(order, "", "", visit);
 }
 
-void Robot::list_members() {
-  trace_.clear();
-  controller_->list_members("", 0, -1, trace_);
+const world::PluginUse& Robot::drive_use() const {
+  static const world::PluginUse kDefault{"differential", "differential", {}, {}, {}, {}};
+  return description_->drive ? *description_->drive : kDefault;
 }
 
-void Robot::make_sensor(SensorSlot& slot, const world::SensorUse& use, Commons& commons,
-                        const plugin::Host& host, std::vector<base::Problem>& problems) const {
-  slot.energy_cost = use.energy_cost;
+void Robot::make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
+                        std::vector<base::Problem>& problems) const {
   slot.make(host, problems);
-  slot.place = commons.place(mounting_of(use, description_->body));
-  if (slot.held) {
-    slot.camera = blaming(use, problems, [&] { return slot.object().camera(); });
+  slot.place = &shared_->place(mounting_of(use, description_->body));
+  if (!slot.held) return;
+  if (const auto camera = blaming(use, problems, [&] { return slot.object().camera(); })) {
+    slot.own_extras().camera = camera;
   }
 }
 
@@ -98,20 +100,28 @@ void Robot::take_membership(const world::World& world, std::size_t index, Common
 }
 
 void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
-  drive_use_.plugin = drive_use_.id = "differential";
-  drive_use_.location = description_->location;
-  drive_ = std::make_shared<DriveSlot>(drive_use(), host);
-  drive_->make(host, problems);
+  const Chassis chassis = world::chassis_of(description_->body);
+  std::shared_ptr<DriveSlot> own;
+  std::shared_ptr<DriveSlot>& drive =
+      description_->drive ? own : shared_->drives[{chassis.wheel_radius, chassis.half_axle}];
+  if (!drive) {
+    drive = std::make_shared<DriveSlot>(drive_use(), host);
+    drive->make(host, problems);
+  }
+  drive_ = drive;
   if (!drive_->held) return;
-  blaming(drive_use(), problems, [&] {
-    const Chassis chassis = world::chassis_of(description_->body);
+  world::PluginUse blamed = drive_use();
+  if (!description_->drive) blamed.location = description_->location;
+  blaming(blamed, problems, [&] {
     BodyPlan plan = world::plan_of(chassis, drive_->object());
-    drive_check_ = world::DriveCheck(plan);
+    world::DriveCheck check(plan);
     state_.wheels = drive_->object().wheels(chassis);
     state_.channels = drive_->object().channels();
-    joints_.assign(drive_check_.joints(), {});
-    wanted_joints_ = joints_;
-    if (description_->drive) driven_ = std::move(plan);
+    joint_count_ = static_cast<std::uint32_t>(check.joints());
+    joints_.assign(2 * check.joints(), {});
+    if (!description_->drive) return;
+    drive_check_ = std::move(check);
+    driven_ = std::move(plan);
   });
 }
 
@@ -121,11 +131,12 @@ void Robot::command(const Motion& asked) {
 }
 
 void Robot::carry_out(const Motion& motion) {
+  const std::span<JointSetting> wanted = std::span(joints_).subspan(joint_count_);
   const auto command = [&] {
-    state_.commanded = drive_->object().command(motion, {joints_, state_.max_speed_m_s, period_s_},
-                                                wanted_joints_);
+    state_.commanded =
+        driver_->command(motion, {joints(), state_.max_speed_m_s, period_s_}, wanted);
   };
-  if (!description_->drive) {  // the core's own drive needs no guard
+  if (has_default_drive_) {  // the core's own drive needs no guard
     command();
     if (!state_.commanded.is_finite()) {
       guard_.fail(drive_use(), "command() gives numbers that are not finite");
@@ -134,8 +145,7 @@ void Robot::carry_out(const Motion& motion) {
   }
   const std::string problem = guard_.run(drive_use(), [&] {
     command();
-    return drive_check_.problem(drive_->object(), state_.commanded, state_.max_speed_m_s,
-                                wanted_joints_);
+    return drive_check_.problem(*driver_, state_.commanded, state_.max_speed_m_s, wanted);
   });
   if (!problem.empty()) guard_.fail(drive_use(), problem);
 }
@@ -145,9 +155,6 @@ void Robot::take_description() {
   state_.max_speed_m_s = description_->max_speed;
   state_.coverage_m = description_->coverage;
   state_.is_leader = description_->leader;
-  for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    sensors_[i]->energy_cost = description_->sensors[i].energy_cost;
-  }
   sensor_cost_.reset();
 }
 
@@ -179,9 +186,12 @@ void Robot::group_readings() {
 }
 
 void Robot::group_sensors() {
+  driver_ = &drive_->object();
+  has_default_drive_ = !description_->drive;
   entries_.clear();
+  entries_.reserve(sensors_.size());
   for (const auto& slot : sensors_) {
-    entries_.push_back({&slot->object(), slot->place.get(), &slot->random});
+    entries_.push_back({&slot->object(), slot->place, &slot->random});
   }
   together_.clear();
   sensor_cost_.reset();
@@ -189,7 +199,7 @@ void Robot::group_sensors() {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const SensorSlot& slot = *sensors_[i];
     if (i > 0 && slot.declaration == sensors_[i - 1]->declaration &&
-        slot.declaration->updates_all && !slot.camera) {
+        slot.declaration->updates_all && !slot.extras().camera) {
       ++together_.back().count;
     } else {
       together_.push_back({i, 1});
@@ -205,19 +215,15 @@ void Robot::reset(std::uint64_t seed) {
   guard_.begin_step(0);
   take_description();
   for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
-    if (each.changed) {
+    if (each.extras().changed) {
       guard_.run(*each.use, [&] { each.set(as_described(*each.use), example()); });
-      each.changed.reset();
+      each.own_extras().changed.reset();
     }
   });
   for_each(Order::inner_first, [&](PluginObject& each, const std::string& path, const auto&) {
     guard_.run(*each.use, [&] { each.reset(seed, "robot[" + description_->id + "]/" + path); });
   });
-  for (const auto& slot : sensors_) {
-    slot->picture.reset();
-  }
   std::fill(joints_.begin(), joints_.end(), JointSetting{});
-  wanted_joints_ = joints_;
   controller_->begin_run();
   state_.energy = description_->energy.value_or(description_->battery);
   state_.charging = false;
@@ -250,24 +256,19 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
       guard_.step(first, [&] { first.object().update_all(all); });
     }
     if (const Pyramid* const volume = carrier.take_volume(); !volume) {
-      first.volume.reset();
-    } else if (first.volume) {
-      *first.volume = *volume;
+      if (first.extras().volume) first.own_extras().volume.reset();
+    } else if (auto& known = first.own_extras().volume) {
+      *known = *volume;
     } else {
-      first.volume = std::make_unique<Pyramid>(*volume);
+      known = std::make_unique<Pyramid>(*volume);
     }
   }
 }
 
 void Robot::update(SensorSlot& slot, const Carrier& carrier, const Instant& now) {
   const auto& [mounting, frame] = *slot.place;
-  const SensorContext context{now.time_s,
-                              now.period_s,
-                              body_frame_.frame(frame),
-                              &mounting,
-                              &carrier,
-                              &slot.random,
-                              slot.camera ? slot.picture.get() : nullptr};
+  const SensorContext context{now.time_s, now.period_s, body_frame_.frame(frame),   &mounting,
+                              &carrier,   &slot.random, slot.extras().picture.get()};
   guard_.step(slot, [&] { slot.object().update(context); });
 }
 
@@ -275,7 +276,7 @@ void Robot::decide(const Instant& now) {
   guard_.begin_step(now.step);
   perceived_events_.clear();
   for (const events::AnyEvent& event : raised_) {
-    perceived_events_.push_back({names_.keep(events::name_of(event))});
+    perceived_events_.push_back({shared_->names.keep(events::name_of(event))});
   }
   raised_.clear();
   logged_ = 0;
@@ -309,8 +310,9 @@ void Robot::use_energy(double period_s) {
   if (!empty_) {
     if (!sensor_cost_) {
       sensor_cost_ = 0.0;
-      for (const auto& slot : sensors_) {
-        *sensor_cost_ += slot->energy_cost;
+      for (std::size_t i = 0; i < sensors_.size(); ++i) {
+        const double described = description_->sensors[i].energy_cost;
+        *sensor_cost_ += sensors_[i]->extras().energy_cost.value_or(described);
       }
     }
     const double before = state_.energy;
@@ -347,7 +349,7 @@ void Robot::set_energy(double units) {
 void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
   for (const auto& slot : sensors_) {
     if (slot->use == &sensor) {
-      slot->energy_cost = cost;
+      slot->own_extras().energy_cost = cost;
       sensor_cost_.reset();
     }
   }
@@ -372,10 +374,10 @@ void Robot::set_up(PluginObject& object, const Setup& setup) {
 }
 
 /// The last perception, for plugins that get new parameters.
-Perception Robot::example() {
+Example Robot::example() {
   team_.mates = mates_;
   perception_.events = perceived_events_;
-  return {perception_, unused_random_};
+  return {{perception_, unused_random_}, resource_colours_};
 }
 
 void Robot::charge(double period_s, double rate) {
@@ -402,16 +404,16 @@ void Robot::moved(const physics::RobotState& state, std::span<const JointSetting
 void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
   std::copy(joints.begin(), joints.end(), joints_.begin());
   Turret turret;
-  if (description_->drive) {
+  if (!has_default_drive_) {
     guard_.run(drive_use(), [&] {
-      turret = drive_->object().turret(joints_);
-      state_.odometry = drive_->object().odometry(joints_);
+      turret = driver_->turret(this->joints());
+      state_.odometry = driver_->odometry(this->joints());
     });
     if (!state_.odometry.is_finite() || !std::isfinite(turret.angle_rad + turret.turn_rad_s)) {
       guard_.fail(drive_use(), "odometry() or turret() gives numbers that are not finite");
     }
   } else {  // the core's own drive needs no guard
-    state_.odometry = drive_->object().odometry(joints_);
+    state_.odometry = driver_->odometry(this->joints());
   }
   body_frame_ = state.frame;
   state_.pose = state.pose;
@@ -439,13 +441,14 @@ void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
 
 SensorView Robot::sensor(std::size_t index) const {
   const SensorSlot& slot = *sensors_[index];
+  const PluginObject::Extras& extras = slot.extras();
   return {slot.use->id,
           slot.use->plugin,
           &slot.object(),
           &slot.place->mounting,
-          slot.camera ? &*slot.camera : nullptr,
-          slot.picture && !slot.picture->empty() ? slot.picture.get() : nullptr,
-          slot.volume.get()};
+          extras.camera ? &*extras.camera : nullptr,
+          extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr,
+          extras.volume.get()};
 }
 
 }  // namespace elsie::simulation

@@ -148,13 +148,19 @@ class Robot final : private Wishes {
   /// The same, as the drive can make it.
   const Motion& command() const { return state_.commanded; }
   /// The set points of the joints that can be set, for this command.
-  std::span<const JointSetting> wanted_joints() const { return wanted_joints_; }
-  std::span<const JointSetting> joints() const { return joints_; }
+  std::span<const JointSetting> wanted_joints() const {
+    return std::span(joints_).subspan(joint_count_);
+  }
+  std::span<const JointSetting> joints() const { return std::span(joints_).first(joint_count_); }
   /// The parts of its drive, for Robot::driven of the description; call it once. Empty for the
   /// default drive.
   BodyPlan take_driven() { return std::move(driven_); }
   std::span<const Member> members() const { return controller_->members(); }
-  std::span<const TracedMember> trace() const { return trace_; }
+  /// Listed when it is first asked for: few robots of a crowd are watched.
+  std::span<const TracedMember> trace() const {
+    if (trace_.empty()) controller_->list_members("", 0, -1, trace_);
+    return trace_;
+  }
   const Tally& tally() const { return tally_; }
   /// Returns whether all its plugins may be called while other threads call those of other robots.
   bool may_share_threads() const { return may_share_threads_; }
@@ -164,33 +170,27 @@ class Robot final : private Wishes {
     return body_frame_.frame(sensors_[index]->place->frame);
   }
   /// The camera of a sensor, if it has one.
-  const std::optional<Camera>& camera(std::size_t sensor) const { return sensors_[sensor]->camera; }
+  const std::optional<Camera>& camera(std::size_t i) const { return sensors_[i]->extras().camera; }
   /// The picture of that camera; fill it before sense().
   Image& picture(std::size_t sensor) {
-    auto& picture = sensors_[sensor]->picture;
+    auto& picture = sensors_[sensor]->own_extras().picture;
     if (!picture) picture = std::make_unique<Image>();
     return *picture;
   }
 
  private:
   struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
-    SensorSlot(const world::PluginUse& described, const plugin::Host& host, const Robot& its_robot)
-        : ObjectOf(described, host), robot(its_robot) {}
-    void equip(Component& object, const Perception&) const override {
-      static_cast<Sensor&>(object).equipped({&place->mounting, robot.resource_colours_});
+    using ObjectOf::ObjectOf;
+    void equip(Component& object, const Example& example) const override {
+      static_cast<Sensor&>(object).equipped({&place->mounting, example.resource_colours});
     }
     std::optional<Camera> camera_of(const Component& object) const override {
       return static_cast<const Sensor&>(object).camera();
     }
     void forget() override { object().forget(); }
 
-    const Robot& robot;
-    double energy_cost = 0.0;  // units per second
-    std::shared_ptr<const SensorPlace> place;
-    std::unique_ptr<Image> picture;   // null: none was taken
-    std::unique_ptr<Pyramid> volume;  // of its last query; null: none
+    const SensorPlace* place = nullptr;
   };
-  using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 
   void raise(const Event& event) override {
     raised_.emplace_back(events::Raised{std::string(event.name)});
@@ -201,31 +201,37 @@ class Robot final : private Wishes {
   void replace_drive(Swap& swap);
   /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.
   void check_needs() const;
-  void make_sensor(SensorSlot& slot, const world::SensorUse& use, Commons& commons,
-                   const plugin::Host& host, std::vector<base::Problem>& problems) const;
+  void make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
+                   std::vector<base::Problem>& problems) const;
   void take_membership(const world::World& world, std::size_t index, Commons& commons);
-  void become_sensors(const world::Robot& was, Commons& commons, Becoming& becoming);
+  void become_sensors(const world::Robot& was, Becoming& becoming);
   void take_live(bool has_new_drive, bool has_new_energy);
-  void list_members();
   void group_readings();
   void group_sensors();
   void take_description();
-  Perception example();
+  Example example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
-  const world::PluginUse& drive_use() const {
-    return description_->drive ? *description_->drive : drive_use_;
-  }
+  const world::PluginUse& drive_use() const;
   void command(const Motion& asked);
   /// Commands the drive; the command is then the motion that it can make.
   void carry_out(const Motion& motion);
 
+  // What each step needs, close together: a crowd is larger than the processor's caches. The end of
+  // a step, when the robot has moved, needs what is up to state_.
   const world::Robot* description_;
-
-  // What each step needs, close together: a crowd is larger than the processor's caches.
   bool may_share_threads_ = true;
   bool charge_asked_ = false;
   bool empty_ = false;
+  std::uint32_t joint_count_ = 0;     // that can be set
+  bool has_default_drive_ = true;     // which is the core's own
+  Drive* driver_ = nullptr;           // the object of drive_
+  std::vector<JointSetting> joints_;  // measured, then the set points of as many
+  Tally tally_;
+  Frame body_frame_;
+  OwnState state_;
+  double period_s_ = 0.01;  // of the last decision
+  Motion asked_;
   /// Sensors that are updated in one call: one sensor, or several of one plugin.
   struct Together {
     std::size_t first;
@@ -234,29 +240,21 @@ class Robot final : private Wishes {
   std::vector<Together> together_;
   std::vector<SensorBatch::Entry> entries_;  // of the sensors
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
-  std::unique_ptr<Controller> controller_;
-  std::shared_ptr<DriveSlot> drive_;
-  std::vector<JointSetting> joints_;         // measured
-  std::vector<JointSetting> wanted_joints_;  // set points, one for each of joints_
-  double period_s_ = 0.01;                   // of the last decision
-  Frame body_frame_;
-  Perception::Data perception_;
-  OwnState state_;
   TeamState team_;
   std::vector<TeamMate> mates_;
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
   std::size_t logged_ = 0;                // number of them that the log has
   std::optional<double> sensor_cost_;     // of all sensors, units per second; none: not known
-  Motion asked_;
-  Tally tally_;
+  Perception::Data perception_;
+  std::optional<Controller> controller_;
   mutable Guard guard_;  // reading a plugin's numbers can fail, too
 
-  Names names_;
-  world::PluginUse drive_use_;  // of a world without <drive>
+  std::shared_ptr<Shared> shared_;
+  std::shared_ptr<DriveSlot> drive_;
   BodyPlan driven_;
-  world::DriveCheck drive_check_;
-  std::vector<TracedMember> trace_;
+  world::DriveCheck drive_check_;  // of a world with <drive>
+  mutable std::vector<TracedMember> trace_;
   Random unused_random_;               // each plugin object draws from its own
   std::vector<SensedReading> sensed_;  // in groups of one kind
   std::vector<ReadingGroup> groups_;

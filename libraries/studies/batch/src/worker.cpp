@@ -83,13 +83,13 @@ class Line {
 /// Writes the line that last_words.h describes.
 void send_last_words() {
   const plugin::CallFacts known = process::facts_at_work();
-  const auto text = [](const char* maybe) { return std::string_view(maybe ? maybe : ""); };
+  const auto text = [](const std::string* maybe) { return maybe ? std::string_view(*maybe) : ""; };
   Line line;
   line.text(text(known.plugin)).part().text(text(known.id)).part().text(text(known.robot)).part();
   line.number(known.step != plugin::CallFacts::kNoStep ? known.step : step_at_work()).part();
   const int caught = process::signal_of_crash();
   const char* const name = caught != 0 ? sigabbrev_np(caught) : nullptr;
-  line.text(name ? "SIG" : "").text(text(name)).send(kResultDescriptor);
+  line.text(name ? "SIG" : "").text(name ? name : "").send(kResultDescriptor);
 }
 
 class LastWordsWriter final : public files::EmergencyWriter {

@@ -36,6 +36,7 @@ namespace {
 std::atomic<int> status_of_crash{0};
 std::atomic<pid_t> own_process{0};  // not that of its children
 std::atomic<int> crash_signal{0};
+std::atomic<const char*> unsaid{nullptr};  // what happened, until the report says it
 
 constexpr std::size_t kStackSize = 262'144;
 
@@ -68,13 +69,11 @@ void write_number(std::uint64_t number) {
   write_error({digits, count});
 }
 
-void write_quoted(const char* before, const char* text) {
-  if (text) {
-    write_error(before);
-    write_error("'");
-    write_error(text);
-    write_error("'");
-  }
+void write_quoted(const char* before, std::string_view text) {
+  write_error(before);
+  write_error("'");
+  write_error(text);
+  write_error("'");
 }
 
 /// Whether the thread is in a plugin's code, not only in code that is about to call it.
@@ -89,15 +88,17 @@ bool is_plugin_at_work() {
 
 void write_culprit(const CallFacts& facts) {
   if (facts.plugin) {
-    write_quoted("plugin ", facts.plugin);
-    if (facts.id && std::string_view(facts.id) != facts.plugin) {
-      write_quoted(" (id ", facts.id);
+    write_quoted("plugin ", *facts.plugin);
+    if (facts.id && *facts.id != *facts.plugin) {
+      write_quoted(" (id ", *facts.id);
       write_error(")");
     }
   } else {
     write_quoted("plugin library ", facts.library ? facts.library : "?");
   }
-  write_quoted(" of robot ", facts.robot);
+  if (facts.robot) {
+    write_quoted(" of robot ", *facts.robot);
+  }
 }
 
 void write_when(const CallFacts& facts) {
@@ -176,15 +177,21 @@ void write_culprit_and(const char* what, const char* library) {
   write_error("\n");
 }
 
-bool write_report(const char* what, const Fault& place) {
-  const bool at_work = is_plugin_at_work();
-  const char* const library = at_work ? nullptr : library_on_stack(place);
+static void say_what_happened(const char* what, const char* library) {
+  unsaid = nullptr;
   write_culprit_and(what, library);
-  if (!at_work && !library && crash_signal != 0) {
+  if (!is_plugin_at_work() && !library && crash_signal != 0) {
     write_error(
         "if a plugin has written over memory that is not its own, this is where it was noticed: "
         "try each with `elsie test-plugin`, or build them with -fsanitize=address\n");
   }
+}
+
+bool write_report(const char* what, const Fault& place) {
+  unsaid = what;  // the search on the stack may crash, too
+  const bool at_work = is_plugin_at_work();
+  const char* const library = at_work ? nullptr : library_on_stack(place);
+  say_what_happened(what, library);
   // The important part first: an overwritten stack may end the trace.
   if (files::write_in_emergency()) {
     write_error("what was recorded until then is kept\n");
@@ -252,6 +259,9 @@ void crashed(int signal, siginfo_t* info, void* context) {
     end_by(signal);
   }
   // The report itself has crashed. The stack is not read again.
+  if (const char* const what = unsaid) {
+    say_what_happened(what, nullptr);
+  }
   write_error("  (no more of it can be read)\n");
   files::clean_up_in_emergency();
   if (Call::innermost()) {
@@ -359,8 +369,7 @@ CallFacts facts_at_work() noexcept {
   for (const Call* call = Call::innermost(); call; call = call->outer()) {
     const CallFacts& facts = call->facts();
     // Names the library only if the plugin comes from it.
-    const bool other_plugin =
-        all.plugin && facts.plugin && std::string_view(all.plugin) != facts.plugin;
+    const bool other_plugin = all.plugin && facts.plugin && *all.plugin != *facts.plugin;
     if (!other_plugin) {
       all.plugin = all.plugin ? all.plugin : facts.plugin;
       all.id = all.id ? all.id : facts.id;

@@ -1,7 +1,7 @@
 // The calls into plugins that this thread is in.
 //
 //   {
-//     const plugin::Call call({.plugin = "wander", .robot = "r1", .step = 50});
+//     const plugin::Call call({.plugin = &use.plugin, .robot = &robot.id, .step = 50});
 //     behavior.respond(now);  // if this crashes, the signal handler knows whose code it was
 //   }
 //
@@ -14,21 +14,22 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "elsie/plugin/arithmetic.h"
 
 namespace elsie::plugin {
 
 /// Facts about a call. The texts must live as long as the call. Missing facts are those of the
-/// calls around it.
+/// calls around it. Only crash reports read the names: in a crowd, each memory access is dear.
 struct CallFacts {
   static constexpr std::uint64_t kNoStep = ~std::uint64_t{0};
 
-  const char* plugin = nullptr;   // its name
-  const char* id = nullptr;       // on the robot
-  const char* robot = nullptr;    // id
-  const char* library = nullptr;  // the file that contains the plugin
-  const char* file = nullptr;     // of the world, where the plugin is named
+  const std::string* plugin = nullptr;  // its name
+  const std::string* id = nullptr;      // on the robot
+  const std::string* robot = nullptr;   // id
+  const char* library = nullptr;        // the file that contains the plugin
+  const char* file = nullptr;           // of the world, where the plugin is named
   int line = 0;
   std::uint64_t step = kNoStep;
   const char* doing = nullptr;  // without a step: "while it was made"
