@@ -22,7 +22,7 @@ ContactJoints::ContactJoints(dWorldID world, const world::Physics& physics)
 void ContactJoints::finish(FoundContact& contact, std::size_t number) const {
   dSurfaceParameters& surface = contact.contact.surface;
   const double unequal = static_cast<double>(number % kTies);
-  surface.soft_cfm = softer_ * contact.softness * cfm_ * (1.0 + 1e-3 * unequal);
+  surface.soft_cfm = softer_ * cfm_ * (1.0 + 1e-3 * unequal);
   surface.mu *= 1.0 + 1e-6 * unequal;
   surface.mu2 *= 1.0 + 1e-6 * unequal;
 }

@@ -12,10 +12,6 @@ namespace {
 // own weight.
 constexpr double kTyreGrip = 3.0;
 
-// A caster gives way where it touches the floor and where it is held, so that the wheels carry most
-// of a robot's weight.
-constexpr double kCasterSoftness = 2.0;
-
 // The sine of a tilt up to which the end of a cylinder counts as level.
 constexpr double kLevel = 1e-3;
 
@@ -104,10 +100,9 @@ void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& whe
   attach(body, nullptr, contact, lowest.z);
 }
 
-void OdeContacts::caster_on_floor(dBodyID body, const Vector3& lowest) {
+void OdeContacts::caster_on_floor(dBodyID caster, const Vector3& lowest) {
   dContact contact = on_floor(lowest, 0.0);
-  attach(body, nullptr, contact, lowest.z);
-  found_.back().softness = kCasterSoftness;
+  attach(caster, nullptr, contact, lowest.z);
 }
 
 /// The height above the floor from which a point of a body of this size can reach it in this step.

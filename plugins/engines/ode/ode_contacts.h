@@ -22,7 +22,6 @@ struct FoundContact {
   void* member_a = nullptr;
   void* member_b = nullptr;
   dContact contact{};
-  double softness = 1.0;  // as a part of the world's cfm
 };
 
 /// Collects contacts of one step.
@@ -42,8 +41,8 @@ class OdeContacts {
   /// their axles.
   void wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
                       const WheelJoint& joint, dGeomID floor);
-  /// A sphere of this body that slides on the floor without friction.
-  void caster_on_floor(dBodyID body, const Vector3& lowest);
+  /// A sphere that slides on the floor without friction.
+  void caster_on_floor(dBodyID caster, const Vector3& lowest);
   /// The corners of a box that are on the floor or about to reach it.
   void box_on_floor(dBodyID body, const OrientedBox& box);
   /// The same for a prism in this box.
@@ -54,7 +53,8 @@ class OdeContacts {
   void solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box);
   /// Two bodies, of which `b` is null if it is fixed. `normal` points from b into a.
   void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
-  /// The same for a contact from one of ODE's colliders. `glides`: without friction.
+  /// The same for a contact from one of ODE's colliders. `glides`: without
+  /// friction.
   void between(dBodyID a, dBodyID b, const dContactGeom& found, bool glides = false);
 
   /// All contacts, in the order in which they were found.
