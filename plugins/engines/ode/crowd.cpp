@@ -107,17 +107,20 @@ int Crowd::add_vehicle(const OdeVehicle& vehicle) {
   rigid.inverse_inertia = in_the_world({frame.forward, frame.left, frame.up}, lump.inverse_inertia);
   const int index = solver_.add(rigid);
   places_[vehicle.chassis()].body = index;
-  const Vector3 of_body = to_vector(dBodyGetPosition(vehicle.chassis()));
-  moved_.push_back({vehicle.chassis(), index, of_body - rigid.center});
+  moved_.push_back({vehicle.chassis(), index, -1.0 * from_middle});
   for (std::size_t i = 0; i < vehicle.wheels().size(); ++i) {
     const OdeVehicle::Wheel& wheel = vehicle.wheels()[i];
     if (!wheel.motor) continue;
     const Cylinder& shape = vehicle.wheel_shapes()[i];
     const double rate = dot(shape.axis, to_vector(dBodyGetAngularVel(wheel.motor->body)));
     const int spin = solver_.add(ImpulseSolver::Spin{rate, 1.0 / wheel.about_axle});
-    places_[wheel.motor->body] = {index, spin, shape.center, shape.axis};
+    places_[wheel.motor->body] = {index, spin, shape.center, shape.axis, false};
     wheels_.push_back({wheel.motor->body, index, spin, shape.axis});
     add_motor(*wheel.motor, index, spin, shape.axis);
+  }
+  for (const dBodyID caster : vehicle.casters()) {
+    places_[caster].body = index;
+    places_[caster].glides = true;
   }
   return index;
 }
@@ -192,6 +195,11 @@ Crowd::Row Crowd::row_along(const FoundContact& contact, const Vector3& directio
     index = place.body;
     const Vector3& center = solver_.body(index).center;
     const Vector3 along = side * direction;
+    if (place.glides) {
+      // Only impulses through the middle of a ball act on its body.
+      turn = cross(to_vector(dBodyGetPosition(body)) - center, along);
+      return;
+    }
     turn = cross(point - center, along);
     if (place.spin == ImpulseSolver::kNone) return;
     spin = place.spin;
@@ -237,6 +245,8 @@ void Crowd::add_contact(const FoundContact& contact) {
   }
   const int normal_row = solver_.add(row);
 
+  const auto glides = [this](dBodyID body) { return body && places_.at(body).glides; };
+  if (glides(contact.a) || glides(contact.b)) return;
   Vector3 first = to_vector(contact.contact.fdir1);
   if (!(surface.mode & dContactFDir1)) {
     dVector3 p, q;

@@ -16,11 +16,11 @@ namespace elsie::physics {
 ///
 /// ODE's dWorldStep solves a dense system over all bodies that touch, and its cost grows with the
 /// cube of their number: it takes 1.8 s for a second of thirty robots that drive to one point, and
-/// half a minute for a hundred. Here the cost grows with the number. The wheels of a robot
-/// only turn against its chassis, so a robot is one rigid body with spinning wheels, without rows
-/// for their joints; the contacts and motors are rows of an iterative solver.
+/// half a minute for a hundred. Here the cost grows with the number. The wheels and casters of a
+/// robot only turn against its chassis, so a robot is one rigid body with spinning wheels, without
+/// rows for their joints; the contacts and motors are rows of an iterative solver.
 ///
-/// Differences from ODE's step: gyroscopic torques are left out.
+/// Differences from ODE's step: the turning of casters and gyroscopic torques are left out.
 class Crowd {
  public:
   explicit Crowd(const world::Physics& physics) : physics_(physics) {}
@@ -44,6 +44,7 @@ class Crowd {
     int spin = ImpulseSolver::kNone;  // of a wheel
     Vector3 center;                   // of a wheel
     Vector3 axle;                     // of a wheel: a unit vector
+    bool glides = false;              // a caster: a ball without friction
   };
   /// An ODE body that is moved.
   struct Moved {

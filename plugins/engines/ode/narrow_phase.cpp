@@ -86,7 +86,7 @@ bool meet_in_space(OdeContacts& contacts, const Solid& a, const Solid& b) {
   const int count =
       dCollide(a.geom, b.geom, static_cast<int>(found.size()), found.data(), sizeof(dContactGeom));
   for (int i = 0; i < count; ++i) {
-    contacts.between(a.body, b.body, found[static_cast<std::size_t>(i)], a.glides || b.glides);
+    contacts.between(a.body, b.body, found[static_cast<std::size_t>(i)]);
   }
   return count > 0;
 }

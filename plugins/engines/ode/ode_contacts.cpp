@@ -198,9 +198,9 @@ void OdeContacts::between(dBodyID a, dBodyID b, const Vector3& point, const Vect
   attach(a, b, contact, gap);
 }
 
-void OdeContacts::between(dBodyID a, dBodyID b, const dContactGeom& found, bool glides) {
+void OdeContacts::between(dBodyID a, dBodyID b, const dContactGeom& found) {
   dContact contact{};
-  contact.surface.mu = glides ? 0.0 : friction_;
+  contact.surface.mu = friction_;
   contact.geom = found;
   attach(a, b, contact, -found.depth);
 }

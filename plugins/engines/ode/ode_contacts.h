@@ -53,9 +53,8 @@ class OdeContacts {
   void solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box);
   /// Two bodies, of which `b` is null if it is fixed. `normal` points from b into a.
   void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
-  /// The same for a contact from one of ODE's colliders. `glides`: without
-  /// friction.
-  void between(dBodyID a, dBodyID b, const dContactGeom& found, bool glides = false);
+  /// The same for a contact from one of ODE's colliders.
+  void between(dBodyID a, dBodyID b, const dContactGeom& found);
 
   /// All contacts, in the order in which they were found.
   std::span<FoundContact> found() { return found_; }

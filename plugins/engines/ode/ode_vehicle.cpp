@@ -59,10 +59,7 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
   shape_ = chassis.shape;
   middle_ = chassis.frame.origin;
   chassis_geom_ = make_geom(shape_);
-  chassis_ = make_body(world, chassis_geom_.get(), chassis_mass(parts));
-  if (center_.x != 0.0 || center_.y != 0.0 || center_.z != 0.0) {
-    dGeomSetOffsetPosition(chassis_geom_.get(), -center_.x, -center_.y, -center_.z);
-  }
+  chassis_ = make_body(world, chassis_geom_.get(), mass_of(chassis));
   lay(chassis_geom_.get(), shape_);
   if (const auto* hitch = std::get_if<HitchJoint>(&chassis.joint)) hitch_ = *hitch;
   solids_.chassis = {chassis_, chassis_geom_.get(), kind_of(shape_), {}};
@@ -71,29 +68,10 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
     if (const auto* wheel = std::get_if<WheelJoint>(&part.joint)) add_wheel(world, part, *wheel);
   }
   for (const Part& part : parts) {
-    if (std::holds_alternative<CasterJoint>(part.joint)) add_caster(part);
+    if (std::holds_alternative<CasterJoint>(part.joint)) add_caster(world, part);
   }
   lump_ = lump_of(parts);
   solids_.wheels_inside = wheels_are_inside();
-}
-
-/// The mass of the chassis with its casters. Sets the center of mass.
-dMass OdeVehicle::chassis_mass(std::span<const Part> parts) {
-  dMass all = mass_of(parts.front());
-  for (const Part& part : parts) {
-    if (!std::holds_alternative<CasterJoint>(part.joint)) continue;
-    dMass mass;
-    dMassSetSphereTotal(&mass, part.mass, part.shape.radius());
-    const Vector3 at = part.frame.origin - middle_;
-    dMassTranslate(&mass, at.x, at.y, at.z);
-    dMassAdd(&all, &mass);
-  }
-  center_ = to_vector(all.c);
-  if (center_.x != 0.0 || center_.y != 0.0 || center_.z != 0.0) {
-    dMassTranslate(&all, -center_.x, -center_.y, -center_.z);
-    std::fill_n(all.c, 3, 0.0);
-  }
-  return all;
 }
 
 bool OdeVehicle::wheels_are_inside() const {
@@ -127,7 +105,7 @@ void OdeVehicle::add_wheel(dWorldID world, const Part& part, const WheelJoint& j
     wheel.motor = Motor{make_body(world, wheel.geom.get(), mass), nullptr};
   } else {
     dGeomSetBody(wheel.geom.get(), chassis_);
-    const Vector3 at = part.frame.origin - middle_ - center_;
+    const Vector3 at = part.frame.origin - middle_;
     dGeomSetOffsetPosition(wheel.geom.get(), at.x, at.y, at.z);
   }
   wheel_shapes_.push_back({{}, {}, radius, 0.5 * width});
@@ -137,19 +115,21 @@ void OdeVehicle::add_wheel(dWorldID world, const Part& part, const WheelJoint& j
                             {{}, {}, {radius, 0.5 * width, radius}}});
 }
 
-void OdeVehicle::add_caster(const Part& part) {
+void OdeVehicle::add_caster(dWorldID world, const Part& part) {
   const double radius = part.shape.radius();
+  dMass mass;
+  dMassSetSphereTotal(&mass, part.mass, radius);
   const dGeomID geom = dCreateSphere(nullptr, radius);
   caster_geoms_.emplace_back(geom);
-  dGeomSetBody(geom, chassis_);
-  const Vector3 at = part.frame.origin - middle_ - center_;
-  dGeomSetOffsetPosition(geom, at.x, at.y, at.z);
+  casters_.push_back(make_body(world, geom, mass));
   caster_places_.push_back(part.frame.origin);
   caster_radii_.push_back(radius);
-  solids_.casters.push_back({chassis_, geom, SolidKind::box, {}, {}, true});
+  solids_.casters.push_back({casters_.back(), geom, SolidKind::box, {}});
 }
 
 void OdeVehicle::put(const Frame& frame, double heading_rad) {
+  const Vector3 center = frame.point(middle_);
+  dBodySetPosition(chassis_, center.x, center.y, center.z);
   dQuaternion facing{std::cos(0.5 * heading_rad), 0.0, 0.0, std::sin(0.5 * heading_rad)};
   if (hitch_) {
     set_rotation(chassis_, frame);
@@ -157,7 +137,6 @@ void OdeVehicle::put(const Frame& frame, double heading_rad) {
   } else {
     dBodySetQuaternion(chassis_, facing);
   }
-  place_chassis(frame.point(middle_));
   stop(chassis_);
   velocity_ = turning_ = {};
   hitch_state_.yaw_rad = hitch_state_.pitch_rad = 0.0;
@@ -173,12 +152,19 @@ void OdeVehicle::put(const Frame& frame, double heading_rad) {
     turn_wheel(wheel, facing);
     stop(wheel.motor->body);
   }
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    const Vector3 at = frame.point(caster_places_[i]);
+    dBodySetPosition(casters_[i], at.x, at.y, at.z);
+    dBodySetQuaternion(casters_[i], facing);
+    stop(casters_[i]);
+  }
   read_frame();
   read_shapes();
 }
 
 void OdeVehicle::take(const OdeVehicle& other) {
   copy_state(other.chassis_, chassis_);
+  for (std::size_t i = 0; i < casters_.size(); ++i) copy_state(other.casters_[i], casters_[i]);
   frame_ = other.frame_;
   velocity_ = other.velocity_;
   turning_ = other.turning_;
@@ -216,8 +202,8 @@ void OdeVehicle::push(const Vector3& velocity, const Vector3& turning, const Vec
     dBodySetAngularVel(body, turning.x, turning.y, turning.z);
   };
   for_each_body(set);
+  velocity_ = to_vector(dBodyGetLinearVel(chassis_));
   turning_ = turning;
-  read_velocity();
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     Wheel& wheel = wheels_[i];
     if (!wheel.motor) continue;
@@ -256,6 +242,12 @@ void OdeVehicle::turn_geom(const Wheel& wheel) const {
 
 void OdeVehicle::link(dWorldID world, dBodyID front, const Frame& frame) {
   link_wheels(world, frame);
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    const dJointID ball = dJointCreateBall(world, nullptr);
+    dJointAttach(ball, casters_[i], chassis_);
+    const Vector3 at = frame.point(caster_places_[i]);
+    dJointSetBallAnchor(ball, at.x, at.y, at.z);
+  }
   if (hitch_) link_hitch(world, front);
 }
 
@@ -367,8 +359,9 @@ void OdeVehicle::meet_floor(OdeContacts& contacts, dGeomID floor) const {
   for (const Wheel& wheel : wheels_) {
     if (!wheel.motor) dGeomGetPosition(wheel.geom.get());
   }
-  for (const OdeGeom& caster : caster_geoms_) dGeomGetPosition(caster.get());
-  dGeomGetPosition(chassis_geom_.get());
+  if (solids_.chassis.kind == SolidKind::wheel || solids_.chassis.kind == SolidKind::capsule) {
+    dGeomGetPosition(chassis_geom_.get());
+  }
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const Wheel& wheel = wheels_[i];
     const Cylinder& shape = wheel_shapes_[i];
@@ -382,16 +375,18 @@ void OdeVehicle::meet_floor(OdeContacts& contacts, dGeomID floor) const {
       contacts.wheel_on_floor(chassis_, wheel.geom.get(), shape, sinking, wheel.joint, floor);
     }
   }
-  for (std::size_t i = 0; i < caster_places_.size(); ++i) {
-    Vector3 lowest = frame_.point(caster_places_[i]);
-    const double sinking = -(velocity_ + cross(turning_, lowest - solids_.chassis.shape.center)).z;
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    Vector3 lowest = to_vector(dBodyGetPosition(casters_[i]));
     lowest.z -= caster_radii_[i];
-    if (lowest.z <= contacts.margin(sinking)) contacts.caster_on_floor(chassis_, lowest);
+    if (lowest.z <= contacts.margin(-dBodyGetLinearVel(casters_[i])[2])) {
+      contacts.caster_on_floor(casters_[i], lowest);
+    }
   }
   contacts.solid_on_floor(chassis_, shape_, solids_.chassis.shape);
 }
 
 bool OdeVehicle::settle(double step, const Frame* front) {
+  velocity_ = to_vector(dBodyGetLinearVel(chassis_));
   turning_ = to_vector(dBodyGetAngularVel(chassis_));
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     Wheel& wheel = wheels_[i];
@@ -407,7 +402,6 @@ bool OdeVehicle::settle(double step, const Frame* front) {
   } else {
     read_frame();
   }
-  read_velocity();
   if (!is_finite(frame_.origin) || !is_finite(velocity_) || !is_finite(turning_) ||
       !is_finite(frame_.forward)) {
     return false;
@@ -420,6 +414,9 @@ bool OdeVehicle::settle(double step, const Frame* front) {
     turn_wheel(wheel, dBodyGetQuaternion(chassis_));
     const Vector3 w = turning_ + wheel.now.rate_rad_s * wheel_shapes_[i].axis;
     dBodySetAngularVel(wheel.motor->body, w.x, w.y, w.z);
+  }
+  for (std::size_t i = 0; i < casters_.size(); ++i) {
+    carry(casters_[i], frame_.point(caster_places_[i]));
   }
   return true;
 }
@@ -445,7 +442,7 @@ bool OdeVehicle::settle_at_hitch(const Frame& front) {
   const Vector3 center = origin + middle_.z * frame_.up;
   if (!is_finite(center) || !is_finite(frame_.forward) || !is_finite(frame_.left)) return false;
   set_rotation(chassis_, frame_);
-  place_chassis(center);
+  dBodySetPosition(chassis_, center.x, center.y, center.z);
   read_frame();
   return true;
 }
@@ -466,33 +463,18 @@ void OdeVehicle::limit_hitch(const Frame& front) {
   frame_.up = limited.up;
 }
 
-/// Reads the velocity of the middle of the chassis.
-void OdeVehicle::read_velocity() {
-  velocity_ = to_vector(dBodyGetLinearVel(chassis_)) - cross(turning_, frame_.direction(center_));
-}
-
 /// Reads the frame of the chassis from ODE; everything else follows from it.
 void OdeVehicle::read_frame() {
   const dReal* r = dBodyGetRotation(chassis_);
   frame_.forward = {r[0], r[4], r[8]};
   frame_.left = {r[1], r[5], r[9]};
   frame_.up = {r[2], r[6], r[10]};
-  const Vector3 middle = to_vector(dBodyGetPosition(chassis_)) - frame_.direction(center_);
-  frame_.origin = middle - middle_.z * frame_.up;
-}
-
-/// Puts the chassis there, turned as it is.
-void OdeVehicle::place_chassis(const Vector3& middle) const {
-  const dReal* r = dBodyGetRotation(chassis_);
-  const auto along = [&](int row) {
-    return r[row] * center_.x + r[row + 1] * center_.y + r[row + 2] * center_.z;
-  };
-  dBodySetPosition(chassis_, middle.x + along(0), middle.y + along(4), middle.z + along(8));
+  frame_.origin = to_vector(dBodyGetPosition(chassis_)) - middle_.z * frame_.up;
 }
 
 void OdeVehicle::read_shapes() {
   OrientedBox& box = solids_.chassis.shape;
-  box.center = to_vector(dBodyGetPosition(chassis_)) - frame_.direction(center_);
+  box.center = to_vector(dBodyGetPosition(chassis_));
   const std::array axes{frame_.forward, frame_.left, frame_.up};
   if (solids_.chassis.kind != SolidKind::ball) box.axes = axes;
   for (std::size_t i = 0; i < wheels_.size(); ++i) {

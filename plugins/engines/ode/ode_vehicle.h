@@ -16,12 +16,11 @@
 
 namespace elsie::physics {
 
-/// A chassis, wheels with motors (bodies on hinges), wheels without, and casters. A wheel without a
-/// motor has no mass or spin of its own: it is a contact that has grip sideways and rolls freely. A
-/// caster is a contact without friction, and its mass is a part of the chassis. A vehicle that is
-/// pulled has a universal joint at its front.
+/// A chassis, wheels with motors (bodies on hinges), wheels without, and casters on ball joints. A
+/// wheel without a motor has no mass or spin of its own: it is a contact that has grip sideways and
+/// rolls freely. A vehicle that is pulled has a universal joint at its front.
 ///
-/// The chassis is the master: after every step the wheels are put back to where their
+/// The chassis is the master: after every step the wheels and casters are put back to where their
 /// joints hold them, with the matching velocities. Only the spin of the wheels is their own. ODE
 /// moves each body along a straight line in a step; a wheel of a robot that turns in place at 11
 /// rad/s would leave its circle by a millimetre in a step of 0.02 s, and the joint's error
@@ -41,7 +40,7 @@ class OdeVehicle {
 
   /// Puts the vehicle there, upright and at rest, its steering straight ahead.
   void put(const Frame& frame, double heading_rad);
-  /// Links wheels to the chassis, and the chassis to the vehicle in front, if there is
+  /// Links wheels and casters to the chassis, and the chassis to the vehicle in front, if there is
   /// one. All must be in place; `frame` is where the vehicle was put.
   void link(dWorldID world, dBodyID front, const Frame& frame);
 
@@ -88,6 +87,7 @@ class OdeVehicle {
   dBodyID chassis() const { return chassis_; }
   const std::vector<Wheel>& wheels() const { return wheels_; }
   const std::vector<Cylinder>& wheel_shapes() const { return wheel_shapes_; }
+  std::span<const dBodyID> casters() const { return casters_; }
   const std::optional<HitchJoint>& hitch() const { return hitch_; }
   /// The place of its hitch joint.
   Vector3 hitch_place() const { return frame_.point({hitch_->ahead, 0.0, hitch_->height}); }
@@ -104,6 +104,7 @@ class OdeVehicle {
     for (const Wheel& wheel : wheels_) {
       if (wheel.motor) call(wheel.motor->body);
     }
+    for (const dBodyID caster : casters_) call(caster);
   }
 
  private:
@@ -117,7 +118,7 @@ class OdeVehicle {
 
   bool wheels_are_inside() const;
   void add_wheel(dWorldID world, const Part& part, const WheelJoint& joint);
-  void add_caster(const Part& part);
+  void add_caster(dWorldID world, const Part& part);
   void link_wheels(dWorldID world, const Frame& frame);
   static double heading_of(const Wheel& wheel);
   void turn_geom(const Wheel& wheel) const;
@@ -127,21 +128,18 @@ class OdeVehicle {
   void begin_hitch(double step);
   bool settle_at_hitch(const Frame& front);
   void limit_hitch(const Frame& front);
-  dMass chassis_mass(std::span<const Part> parts);
-  void place_chassis(const Vector3& middle) const;
   void carry(dBodyID body, const Vector3& at) const;
   void read_frame();
-  void read_velocity();
   void read_shapes();
 
   Lump lump_;
   Shape shape_;     // of the chassis
   Vector3 middle_;  // of the chassis, in the vehicle's frame
-  Vector3 center_;  // of mass of its body, relative to the middle
   dBodyID chassis_ = nullptr;
   OdeGeom chassis_geom_;
   std::vector<Wheel> wheels_;
   std::vector<Vector3> caster_places_;
+  std::vector<dBodyID> casters_;
   std::vector<OdeGeom> caster_geoms_;
   std::vector<double> caster_radii_;
   std::optional<HitchJoint> hitch_;

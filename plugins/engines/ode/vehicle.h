@@ -21,8 +21,7 @@ struct Solid {
   dGeomID geom = nullptr;
   SolidKind kind = SolidKind::box;
   OrientedBox shape;
-  Corners outline{};    // of a prism, in its frame
-  bool glides = false;  // a caster, which has no friction
+  Corners outline{};  // of a prism, in its frame
 };
 
 /// A chassis on wheels, perhaps with casters below it.
