@@ -5,6 +5,8 @@
 #include <utility>
 
 #include <pthread.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace elsie::base {
 namespace {
@@ -21,6 +23,10 @@ void pause() {
   __builtin_ia32_pause();
 #endif
 }
+
+int this_thread() { return static_cast<int>(syscall(SYS_gettid)); }
+
+constinit thread_local int helped = 0;  // 0: this thread works for itself
 
 /// Waits until the value is not `old`, and returns it.
 std::uint32_t next_value(const std::atomic<std::uint32_t>& value, std::uint32_t old) {
@@ -65,20 +71,23 @@ Crew::~Crew() {
   }
 }
 
+int Crew::worked_for() noexcept { return helped != 0 ? helped : this_thread(); }
+
 void Crew::run(std::size_t items, std::size_t least, const void* work, Call call) {
   work_ = work;
   call_ = call;
   items_ = items;
   share_ = std::max(least, items / (threads() * kSharesPerThread));
+  owner_ = worked_for();
   failure_ = nullptr;
   next_.store(0, std::memory_order_relaxed);
-  busy_.store(static_cast<std::uint32_t>(helpers_.size()), std::memory_order_relaxed);
+  gate_.store(0, std::memory_order_release);
   calls_.fetch_add(1, std::memory_order_release);
   calls_.notify_all();
   take_shares(0);
-  for (std::uint32_t busy = busy_.load(std::memory_order_acquire); busy != 0;) {
-    busy = next_value(busy_, busy);
-  }
+  // Helpers that are still asleep need not wake up.
+  std::uint32_t inside = gate_.fetch_or(kClosed, std::memory_order_acq_rel) | kClosed;
+  while (inside != kClosed) inside = next_value(gate_, inside);
   if (failure_) {
     std::rethrow_exception(std::exchange(failure_, nullptr));
   }
@@ -91,10 +100,14 @@ void Crew::help(std::size_t thread) {
   stack_t before{};
   sigaltstack(&second, &before);
   for (std::uint32_t calls = next_value(calls_, 0); !over_; calls = next_value(calls_, calls)) {
-    take_shares(thread);
-    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-      busy_.notify_one();
+    std::uint32_t inside = gate_.load(std::memory_order_relaxed);
+    while (!(inside & kClosed) && !gate_.compare_exchange_weak(inside, inside + 1)) {
     }
+    if (inside & kClosed) continue;  // the work is done
+    helped = owner_;
+    take_shares(thread);
+    helped = 0;
+    if (gate_.fetch_sub(1, std::memory_order_acq_rel) == kClosed + 1) gate_.notify_one();
   }
   sigaltstack(&before, nullptr);  // sanitizers have one of their own in each thread
 }

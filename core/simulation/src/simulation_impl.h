@@ -260,7 +260,7 @@ class Simulation::Impl {
   void control(double period_s) {
     const Instant now{time_s(), period_s, steps_};
     cameras_->take(*engine_);
-    neighbours_->begin(robots_);
+    neighbours_->begin(robots_, options_.budget.memory > 0);
     if (!knows_calls_) {
       farthest_call_m_ = 0.0;
       for (const auto& robot : robots_) {

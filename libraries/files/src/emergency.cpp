@@ -3,8 +3,7 @@
 #include <array>
 #include <atomic>
 
-#include <sys/syscall.h>
-#include <unistd.h>
+#include "elsie/base/crew.h"
 
 namespace elsie::files {
 namespace {
@@ -13,11 +12,9 @@ namespace {
 std::array<std::atomic<EmergencyWriter*>, 512> writers;
 std::atomic<bool> is_cleaning{false};
 
-pid_t this_thread() { return static_cast<pid_t>(syscall(SYS_gettid)); }
-
 }  // namespace
 
-EmergencyWriter::EmergencyWriter() : thread_(this_thread()) {
+EmergencyWriter::EmergencyWriter() : thread_(base::Crew::worked_for()) {
   for (auto& slot : writers) {
     EmergencyWriter* none = nullptr;
     if (slot.compare_exchange_strong(none, this)) {
@@ -35,9 +32,10 @@ void EmergencyWriter::retire() noexcept {
 
 bool write_in_emergency() noexcept {
   bool any = false;
+  const int thread = base::Crew::worked_for();
   for (const auto& slot : writers) {
     EmergencyWriter* const writer = slot.load();
-    if (writer && writer->thread_ == this_thread()) {
+    if (writer && writer->thread_ == thread) {
       any = writer->write_now() || any;
     }
   }

@@ -162,7 +162,15 @@ void PlanarEngine::settle_robot(std::size_t i, double limit, PlanarScene::Moves&
 /// Moves all bodies.
 void PlanarEngine::settle() {
   const double limit = bounds_.most_speed();
-  crew_->divide(robots_.size(), kLeastMovers, [&](const base::Crew::Share& share) {
+  std::exception_ptr failed;
+  const auto try_to = [&](const auto& work) {
+    try {
+      work();
+    } catch (const PhysicsFailure&) {
+      if (!failed) failed = std::current_exception();
+    }
+  };
+  const auto settle_robots = [&](const base::Crew::Share& share) {
     std::exception_ptr failure;  // the others are moved, too
     for (std::size_t i = share.first; i < share.end; ++i) {
       try {
@@ -172,9 +180,11 @@ void PlanarEngine::settle() {
       }
     }
     if (failure) std::rethrow_exception(failure);
-  });
-  settle_boxes(limit, moves_.front());
+  };
+  try_to([&] { crew_->divide(robots_.size(), kLeastMovers, settle_robots); });
+  try_to([&] { settle_boxes(limit, moves_.front()); });
   scene_.settle(moves_);
+  if (failed) std::rethrow_exception(failed);
 }
 
 void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {

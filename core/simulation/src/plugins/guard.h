@@ -60,7 +60,7 @@ class Guard {
     if (!has_budget()) [[likely]] {
       return caught(*object.use, call, action);
     }
-    Heap& heap = object.own_extras().heap;  // made now, so that it does not count
+    Heap& heap = object.own_extras().heap;
     const std::int64_t before = begin(call);
     auto result = caught(*object.use, call, action);
     end(*object.use, heap, call, before);
@@ -82,6 +82,7 @@ class Guard {
   }
 
   const std::string& robot() const { return robot_; }
+  bool has_budget() const { return budget_.time_s > 0.0 || budget_.memory > 0; }
 
   void begin_run() {
     fault_.reset();
@@ -134,7 +135,6 @@ class Guard {
   }
   void note_arithmetic(const world::PluginUse& use, const char* changed);
 
-  bool has_budget() const { return budget_.time_s > 0.0 || budget_.memory > 0; }
   std::int64_t begin(plugin::Call& call) const;
   /// Faults the plugin if it went beyond its budget.
   void end(const world::PluginUse& use, Heap& heap, const plugin::Call& call, std::int64_t before);

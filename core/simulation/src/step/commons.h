@@ -23,7 +23,8 @@ namespace elsie::simulation {
 
 using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 
-/// What robots share while they live: memory that all of them use is near the processor.
+/// What robots share while they live: memory that all of them use is near the processor. It only
+/// grows, with the places and wheels that edits try.
 class Shared {
  public:
   Names names;

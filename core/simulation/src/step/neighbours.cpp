@@ -10,25 +10,19 @@ void Neighbours::place_all() const {
   const std::scoped_lock lock(placing_);
   if (is_placed_) return;
   if (!grid_) grid_.emplace(length_, width_);
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    const Pose& pose = robots_[i]->state().pose;
-    place(i, {pose.x, pose.y});
+  for (base::Grid::Id i = 0; i < robots_.size(); ++i) {
+    if (i == cells_.size()) {
+      cells_.emplace_back();
+      all_.push_back(i);
+    }
+    const Pose& at = robots_[i]->state().pose;
+    const base::Grid::Block cell = grid_->block(at.x, at.y, at.x, at.y);
+    if (cell == cells_[i]) continue;
+    grid_->erase(i, cells_[i]);
+    grid_->insert(i, cell);
+    cells_[i] = cell;
   }
   is_placed_ = true;
-}
-
-void Neighbours::place(std::size_t robot, const Vector2& at) const {
-  const auto id = static_cast<base::Grid::Id>(robot);
-  const base::Grid::Block cell = grid_->block(at.x, at.y, at.x, at.y);
-  for (std::size_t next = cells_.size(); next <= robot; ++next) {
-    cells_.emplace_back();
-    all_.push_back(static_cast<base::Grid::Id>(next));
-  }
-  if (cell != cells_[robot]) {
-    grid_->erase(id, cells_[robot]);
-    grid_->insert(id, cell);
-    cells_[robot] = cell;
-  }
 }
 
 std::span<const base::Grid::Id> Neighbours::near(const Vector2& place, double reach,

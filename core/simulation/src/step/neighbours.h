@@ -21,10 +21,12 @@ class Neighbours {
  public:
   explicit Neighbours(const world::Arena& arena) : length_(arena.length), width_(arena.width) {}
 
-  /// From now on these are the robots. They do not move before the next call.
-  void begin(std::span<const std::shared_ptr<Robot>> robots) {
+  /// From now on these are the robots. They do not move before the next call. `at_once`: their
+  /// cells are found now, not in the call of the first plugin that asks, to which memory counts.
+  void begin(std::span<const std::shared_ptr<Robot>> robots, bool at_once) {
     robots_ = robots;
     is_placed_ = false;
+    if (at_once) place_all();
   }
   /// All robots within `reach` of the place, m, along x and along y, and perhaps others, in the
   /// order of their indices. Valid until `memory` changes.
@@ -33,7 +35,6 @@ class Neighbours {
 
  private:
   void place_all() const;
-  void place(std::size_t robot, const Vector2& at) const;
 
   double length_, width_;  // of the arena, m
   std::span<const std::shared_ptr<Robot>> robots_;

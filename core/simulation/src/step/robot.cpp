@@ -221,6 +221,7 @@ void Robot::reset(std::uint64_t seed) {
     }
   });
   for_each(Order::inner_first, [&](PluginObject& each, const std::string& path, const auto&) {
+    if (guard_.has_budget()) each.own_extras();  // outside of all calls, to which it would count
     guard_.run(*each.use, [&] { each.reset(seed, "robot[" + description_->id + "]/" + path); });
   });
   std::fill(joints_.begin(), joints_.end(), JointSetting{});
@@ -267,8 +268,14 @@ void Robot::sense(const Carrier& carrier, const Instant& now) {
 
 void Robot::update(SensorSlot& slot, const Carrier& carrier, const Instant& now) {
   const auto& [mounting, frame] = *slot.place;
-  const SensorContext context{now.time_s, now.period_s, body_frame_.frame(frame),   &mounting,
-                              &carrier,   &slot.random, slot.extras().picture.get()};
+  const PluginObject::Extras& extras = slot.extras();
+  const SensorContext context{now.time_s,
+                              now.period_s,
+                              body_frame_.frame(frame),
+                              &mounting,
+                              &carrier,
+                              &slot.random,
+                              extras.camera ? extras.picture.get() : nullptr};
   guard_.step(slot, [&] { slot.object().update(context); });
 }
 
@@ -442,13 +449,14 @@ void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
 SensorView Robot::sensor(std::size_t index) const {
   const SensorSlot& slot = *sensors_[index];
   const PluginObject::Extras& extras = slot.extras();
-  return {slot.use->id,
-          slot.use->plugin,
-          &slot.object(),
-          &slot.place->mounting,
-          extras.camera ? &*extras.camera : nullptr,
-          extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr,
-          extras.volume.get()};
+  return {
+      slot.use->id,
+      slot.use->plugin,
+      &slot.object(),
+      &slot.place->mounting,
+      extras.camera ? &*extras.camera : nullptr,
+      extras.camera && extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr,
+      extras.volume.get()};
 }
 
 }  // namespace elsie::simulation

@@ -46,7 +46,7 @@ class RobotLoop {
 
  private:
   /// Robots in a share: fewer do not pay for the waking of a thread.
-  static constexpr std::size_t kLeast = 8;
+  static constexpr std::size_t kLeast = 32;
 
   template <class Work>
   void attempt(std::size_t robot, std::size_t thread, const Work& work) {

@@ -10,6 +10,7 @@
 
 #include <sys/stat.h>
 
+#include "elsie/experiment/plugin_uses.h"
 #include "elsie/experiment/reader.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/host.h"
@@ -18,7 +19,6 @@
 #include "elsie/world/changed_worlds.h"
 #include "elsie/world/writer.h"
 
-#include "plugins_in_use.h"
 #include "stages.h"
 
 namespace elsie::batch {
@@ -100,9 +100,9 @@ class Planner {
     };
     std::map<std::string, std::string> found;
     std::vector<world::World> ahead = changed_worlds(world, found);
-    for_each_use(world, see);
+    experiment::for_each_use(world, see);
     for (world::World& later : ahead) {
-      for_each_use(later, see);
+      experiment::for_each_use(later, see);
     }
     for (const auto& [name, path] : found) {
       if (names.paths.try_emplace(name, path).first->second != path) {
@@ -139,7 +139,7 @@ class Planner {
   void add_layouts(const experiment::Cell& cell, PlannedCell& planned, Names& names) {
     for (const std::uint64_t seed : experiment_.seeds) {
       world::World world = world_of(cell, seed);
-      for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
+      experiment::for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
         name_files(host_.find(kind, plugin.plugin), plugin, names);
       });
       PlannedCell of_seed = planned;
@@ -185,7 +185,7 @@ class Planner {
         }
       }
     };
-    for_each_use(world, [&](PluginKind, world::PluginUse& plugin) {
+    experiment::for_each_use(world, [&](PluginKind, world::PluginUse& plugin) {
       rename(plugin.file_names);
       for (world::ElementUse& element : plugin.elements) {
         rename(element.file_names);

@@ -9,13 +9,16 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "elsie/experiment/plugin_uses.h"
 #include "elsie/plugin/host.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/measures.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
+#include "elsie/world/same.h"
 #include "elsie/world/writer.h"
 
 #include "factors.h"
@@ -170,7 +173,7 @@ class CellCheck {
     }
   }
 
-  Found look(const Cell& cell) const {
+  Found look(const Cell& cell) {
     // Building the world checks every plugin, but stops at the first error. Checking each plugin
     // before takes twice the time, but finds all errors.
     try {
@@ -180,7 +183,7 @@ class CellCheck {
     }
   }
 
-  Found look(const Cell& cell, bool plugins_before) const {
+  Found look(const Cell& cell, bool plugins_before) {
     const world::World world =
         read(experiment_, cell, files_[cell.world], host_, options_, first_seed(), plugins_before);
     simulation::Options running{.cameras = render::world_cameras};
@@ -191,12 +194,17 @@ class CellCheck {
       reading.found = &running.files;
       world::changed_worlds(world, host_, reading);
     }
-    // This asks the plugins whether they fit their robots. Beginning runs would take long where
-    // networks are trained.
-    running.begin_later = cell.index > 0 && grid_[cell.index - 1].world == cell.world;
+    // This asks the plugins whether they fit their robots, and whether they can begin a run: once
+    // for the same parameters, because some train a network for it.
+    const std::vector<world::PluginUse> fresh = new_plugins(world);
+    running.begin_later = world.changes.empty() && fresh.empty();
     const simulation::Simulation simulation(world, host_, running);
+    begun_.insert(begun_.end(), fresh.begin(), fresh.end());
     Found found{
         simulation::measure_names(world, host_), world::write_world(world), {}, world.drawn};
+    if (running.begin_later) {
+      return found;
+    }
     try {
       for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
         found.warnings.push_back(unmade.from + ": warning: " + unmade.sentence);
@@ -208,6 +216,19 @@ class CellCheck {
       }
       throw world::WorldError(std::move(problems));
     }
+    return found;
+  }
+
+  /// The plugins of the world, with their parameters, with which no cell has begun yet.
+  std::vector<world::PluginUse> new_plugins(const world::World& world) const {
+    std::vector<world::PluginUse> found;
+    for_each_use(world, [&](PluginKind, const world::PluginUse& use) {
+      const bool is_known = std::any_of(begun_.begin(), begun_.end(),
+                                        [&](const auto& other) { return world::same(use, other); });
+      if (!is_known) {
+        found.push_back(use);
+      }
+    });
     return found;
   }
 
@@ -350,7 +371,8 @@ class CellCheck {
   CellMeasures measures_;
   std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
   std::map<std::size_t, std::size_t> cells_by_text_;  // hash of the text to its first cell
-  std::uint64_t layouts_ = 0;                         // that follow the seeds
+  std::vector<world::PluginUse> begun_;
+  std::uint64_t layouts_ = 0;  // that follow the seeds
   std::set<std::string> reported_;
   std::set<std::string> warned_;
   std::vector<std::pair<Location, std::string>> twins_;

@@ -37,6 +37,7 @@ std::atomic<int> status_of_crash{0};
 std::atomic<pid_t> own_process{0};  // not that of its children
 std::atomic<int> crash_signal{0};
 std::atomic<const char*> unsaid{nullptr};  // what happened, until the report says it
+std::atomic<bool> names_were_read{false};  // of the plugin, the robot and so on
 
 constexpr std::size_t kStackSize = 262'144;
 
@@ -177,15 +178,25 @@ void write_culprit_and(const char* what, const char* library) {
   write_error("\n");
 }
 
-static void say_what_happened(const char* what, const char* library) {
+namespace {
+
+void say_what_happened(const char* what, const char* library) {
+  if (names_were_read.exchange(true)) {  // and that crashed
+    write_error("\nelsie: something whose name is damaged ");
+    write_error(what);
+    write_error("\n");
+  } else {
+    write_culprit_and(what, library);
+  }
   unsaid = nullptr;
-  write_culprit_and(what, library);
   if (!is_plugin_at_work() && !library && crash_signal != 0) {
     write_error(
         "if a plugin has written over memory that is not its own, this is where it was noticed: "
         "try each with `elsie test-plugin`, or build them with -fsanitize=address\n");
   }
 }
+
+}  // namespace
 
 bool write_report(const char* what, const Fault& place) {
   unsaid = what;  // the search on the stack may crash, too

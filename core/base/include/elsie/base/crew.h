@@ -34,6 +34,10 @@ class Crew {
 
   std::size_t threads() const { return helpers_.size() + 1; }
 
+  /// The system's number of the thread for which this one works: of the owner of a crew during its
+  /// work, which changes nothing meanwhile; else its own. Signal handlers may call it.
+  static int worked_for() noexcept;
+
   /// Calls work(Share) for all items, at least `least` in a share, and returns when all is done. If
   /// calls throw, throws the exception of the first items among them; the others are done.
   template <class Work>
@@ -54,16 +58,19 @@ class Crew {
   void take_shares(std::size_t thread);
 
   struct Stack;
+  static constexpr std::uint32_t kClosed = 1u << 31;
 
-  // The present work. Written by the owner before it raises `calls_`.
+  // The present work. Written by the owner before it opens the gate.
   const void* work_ = nullptr;
   Call call_ = nullptr;
   std::size_t items_ = 0;
   std::size_t share_ = 0;
+  int owner_ = 0;
 
   alignas(64) std::atomic<std::uint32_t> calls_{0};  // how often work was given out
   alignas(64) std::atomic<std::size_t> next_{0};     // the first item that nobody has
-  alignas(64) std::atomic<std::uint32_t> busy_{0};   // helpers that are not ready yet
+  // The number of helpers at work, and kClosed once no more may begin.
+  alignas(64) std::atomic<std::uint32_t> gate_{kClosed};
   std::atomic<bool> over_{false};
 
   std::mutex failing_;

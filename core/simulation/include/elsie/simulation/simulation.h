@@ -63,7 +63,7 @@ struct Options {
   std::optional<double> time_limit_s{};
   /// Makes the camera renderer, for example render::world_cameras. A world with cameras needs it.
   MakeCameraRenderer cameras{};
-  /// Makes all objects only. reset() must follow; with it, the run is as ever.
+  /// Makes all objects only. reset() must precede any other use; with it, the run is as ever.
   bool begin_later = false;
 };
 

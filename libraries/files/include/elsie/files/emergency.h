@@ -1,8 +1,6 @@
 // The last work of a process that crashes or is stopped: completing files, removing folders.
 #pragma once
 
-#include <sys/types.h>
-
 namespace elsie::files {
 
 /// Completes or removes something when the process crashes or is stopped.
@@ -11,8 +9,8 @@ class EmergencyWriter {
   virtual ~EmergencyWriter() = default;
   // Signal handlers call both functions, so they may only use calls like write(2) and unlink(2).
 
-  /// Called before the stack trace, only on the thread that made this object: another thread may be
-  /// in the middle of a change. Returns whether there was a file to write.
+  /// Called before the stack trace, only on the thread that made this object or on one of its crew:
+  /// another thread may be in the middle of a change. Returns whether there was a file to write.
   virtual bool write_now() noexcept { return false; }
   /// Called after the stack trace.
   virtual void clean_up_now() noexcept {}
@@ -26,7 +24,7 @@ class EmergencyWriter {
 
  private:
   friend bool write_in_emergency() noexcept;
-  const pid_t thread_;
+  const int thread_;
 };
 
 /// Calls write_now() of every writer of this thread. Returns whether one of them had a file.
