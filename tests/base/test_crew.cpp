@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -76,4 +77,21 @@ TEST_CASE("Signals from outside go to the owner") {
     });
   }
   CHECK(open == 0);
+}
+
+TEST_CASE("During its work a helper works for the owner, and before and after for itself") {
+  const int owner = Crew::worked_for();
+  Crew crew(2);
+  std::atomic<bool> helped{false}, fits{true};
+  while (!helped) {
+    crew.divide(100, 1, [&](const Crew::Share& share) {
+      if (Crew::worked_for() != owner) fits = false;
+      if (share.thread > 0) helped = true;
+    });
+  }
+  CHECK(fits);
+  CHECK(Crew::worked_for() == owner);
+  int other = owner;
+  std::thread([&] { other = Crew::worked_for(); }).join();
+  CHECK(other != owner);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <stdexcept>
 #include <string_view>
 
@@ -321,8 +322,13 @@ void report_crashes(int exit_status) {
   watch_libraries();
   prepare_stack_trace();
   alignas(16) static char stack[kStackSize];
-  static const int once = std::atexit(left_by_exit);
-  static_cast<void>(once);
+  // Each thread that calls exit() takes one off the list. Without one it would end the process at
+  // once, before another's has reported.
+  constexpr int kMostThreads = 257;
+  static std::once_flag once;
+  std::call_once(once, [] {
+    for (int i = 0; i < kMostThreads; ++i) std::atexit(left_by_exit);
+  });
   stack_t second{};
   second.ss_sp = stack;
   second.ss_size = kStackSize;
