@@ -71,8 +71,9 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
 Frame PlanarEngine::box(std::size_t box) const {
   const BoxBody& asked = boxes_.at(box);
   const Thing& thing = things_[asked.thing];
-  if (thing.mover == Contact::kFixed)
+  if (thing.mover == Contact::kFixed) {
     return frame_at(scene_.place_of(asked.thing), asked.bottom, scene_.ahead_of(asked.thing));
+  }
   const Mover& mover = movers_[thing.mover];
   return frame_at(mover.place(), asked.bottom, mover.ahead());
 }
