@@ -59,7 +59,7 @@ def profile(engine, robots, folder):
     steps = max(30, SECONDS * RATE[engine] / robots)
     data = folder / "perf.data"
     run = [BUILD / "bin/elsie", "run", ROOT / "worlds/scattered/swarm.xml", "--quiet", "--duration", f"{steps / STEPS_A_SECOND:.2f}",
-           "--set", f"arena/@length={side}", "--set", f"arena/@width={side}", "--set", f"physics/@engine={engine}"]
+           "--set", f"arena/@length={side}", "--set", f"arena/@width={side}", "--set", f"physics/@engine={engine}", "--set", f"goals/endure/@time={steps / STEPS_A_SECOND:.2f}"]
     # A run that reaches its limit of time ends with 1, which perf returns.
     recorded = subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-F", "250", "--call-graph", "dwarf,4096", "-o", data, "--", *run], capture_output=True, text=True)
     if not data.exists() or recorded.returncode > 1:

@@ -60,9 +60,9 @@ std::string account(const simulation::RunResult& result) {
 
 #if !defined(__SANITIZE_THREAD__)  // which builds only some plugins
 TEST_CASE("Every shipped world runs the same with 1, 2, 3 and 8 threads, with both engines") {
-  for (const auto& file : std::filesystem::directory_iterator(source_path("worlds"))) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator(source_path("worlds"))) {
     if (file.path().extension() != ".xml") continue;
-    CAPTURE(file.path().filename());
+    CAPTURE(file.path());
     world::ReadOptions options;
     options.data_directories = {source_path("")};
     world::World world = world::read_world(file.path().string(), shipped(), options);
