@@ -172,6 +172,18 @@ class Forgetless final : public elsie::Behavior {
 };
 ELSIE_BEHAVIOR(Forgetless, "forgetless", "Has no reset()");
 
+class RarelyForgetless final : public elsie::Behavior {
+ public:
+  Response respond(const Perception& now) override {
+    has_been_there_ |= now.self().pose.x > 3.0;
+    return elsie::WheelPair().motion({has_been_there_ ? 1.0 : 0.0, 0.0});
+  }
+
+ private:
+  bool has_been_there_ = false;
+};
+ELSIE_BEHAVIOR(RarelyForgetless, "rarely_forgetless", "Has no reset(), which shows at few places");
+
 class HalfForgets final : public elsie::Behavior, public elsie::Remembers {
  public:
   void reset(elsie::Random&) override { left_ = right_ = 0; }

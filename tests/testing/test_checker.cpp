@@ -60,6 +60,7 @@ const Fault kFaults[] = {
     {kBehavior, "clock", "uses a clock"},
     {kBehavior, "other_random", "random numbers other than now.random()"},
     {kBehavior, "forgetless", "reset() must forget"},
+    {kBehavior, "rarely_forgetless", "reset() must forget"},
     {kBehavior, "half_forgets",
      "what remember() names continues differently: remember() must name everything that outlives a "
      "step: in step 75 its turn is -1, and was -76"},

@@ -56,7 +56,9 @@ class Checker {
       }
       check_memory();
     }
-    if (!in_threads_.empty() && !told_.contains("shared")) find("threads", in_threads_);
+    if (!told_.contains("shared") && !told_.contains("reset") && !in_threads_.empty()) {
+      find("threads", in_threads_);
+    }
     return std::move(found_);
   }
 
@@ -267,10 +269,7 @@ class Checker {
               *first, run(*two))) {
       return;
     }
-    if (!same("reset",
-              "after reset() it answers the same input differently: reset() must forget "
-              "what the last run left",
-              *first, run(one))) {
+    if (!resets(one, *first)) {
       return;
     }
     const Input mates_input = as_a_mate(other_input);
@@ -302,6 +301,14 @@ class Checker {
     }
   }
 
+  /// Whether an object that had these answers has them again.
+  bool resets(Trial& one, const Answers& first) {
+    return same("reset",
+                "after reset() it answers the same input differently: reset() must forget what the "
+                "last run left",
+                first, run(one));
+  }
+
   /// Checks that objects of two robots, each in its own thread, answer as they do alone. Measures
   /// belong to no robot.
   bool compare_threads(const Settings& settings, Trial& one, const Input& other_input,
@@ -313,6 +320,9 @@ class Checker {
     const auto second = other ? run(*other) : std::nullopt;
     if (!second) {
       return true;
+    }
+    if (!resets(*other, *second)) {
+      return false;
     }
     const std::string finding =
         "it answers differently while another object of it works in another thread: objects must "
