@@ -5,6 +5,7 @@
 #include <string>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "places.h"
 #include "program.h"
@@ -12,6 +13,7 @@
 using Catch::Contains;
 using elsie::test::ProgramRun;
 using elsie::test::Workplace;
+using nlohmann::json;
 
 namespace {
 
@@ -28,15 +30,15 @@ class FaultyWorld {
   }
   /// Asks a run to terminate once the plugin loops, repeatedly until it does. Libraries are copied
   /// to the folder copies.
-  ProgramRun interrupt(const std::string& behavior) const {
+  ProgramRun interrupt(const std::string& behavior, const std::string& options = "") const {
     write(behavior, "arbiter_suppression", "");
     // The shell makes background processes ignore Ctrl-C, so the run gets a request to terminate.
     return here.sh(
         "rm -rf copies err; mkdir copies; export TMPDIR=$PWD/copies\n"
         "elsie run world.xml --watch --record run.csv --plugin-path " +
-        elsie::test::build_path("tests/program/plugins") +
+        elsie::test::build_path("tests/program/plugins") + " " + options +
         " 2> err & pid=$!\n"
-        "until grep -q 'for ever' err; do sleep 0.1; done\n"
+        "until grep -q 'for ever' err || ! kill -0 $pid; do sleep 0.1; done\n"
         "ls copies | wc -l\n"
         "while kill $pid; do sleep 1; done 2> none\n"
         "ls copies | wc -l\n"
@@ -44,11 +46,15 @@ class FaultyWorld {
   }
   void write(const std::string& behavior, const std::string& coordinator,
              const std::string& sensor) const {
-    here.write("world.xml", "<world format=\"1\"><robots><robot id=\"r1\" team=\"red\"><sensors>" +
-                                (sensor.empty() ? "" : "<" + sensor + "/>") +
-                                "</sensors>\n<behaviors><" + behavior + "/></behaviors>\n" +
-                                "<coordinator><" + coordinator +
-                                "/></coordinator></robot></robots></world>\n");
+    std::string all;
+    for (int i = 0; i < robots; ++i) {
+      all += "<robot id=\"r" + std::to_string(i + 1) + "\" x=\"" + std::to_string(i % 32 - 15) +
+             "\" y=\"" + std::to_string(i / 32) + "\" team=\"red\"><sensors>" +
+             (sensor.empty() ? "" : "<" + sensor + "/>") + "</sensors>\n<behaviors><" + behavior +
+             "/></behaviors>\n<coordinator><" + coordinator + "/></coordinator></robot>";
+    }
+    here.write("world.xml", "<world format=\"1\"><arena length=\"40\" width=\"40\"/><robots>" +
+                                all + "</robots></world>\n");
   }
   /// Lines of the recording without its heading.
   long rows() const {
@@ -58,6 +64,7 @@ class FaultyWorld {
   }
 
   Workplace here;
+  int robots = 1;  // 32 in a row
 };
 
 }  // namespace
@@ -193,6 +200,15 @@ TEST_CASE("A plugin that never returns is stopped") {
   CHECK(world.rows() == 51);
 }
 
+TEST_CASE("A budget that is not exceeded interrupts no plugin") {
+  FaultyWorld world;
+  const auto free = world.run("sleeping", "", "arbiter_suppression", "", "0.52");
+  const auto limited =
+      world.run("sleeping", "--time-budget 1000", "arbiter_suppression", "", "0.52");
+  CHECK_THAT(free.out, Contains("state_hash"));
+  CHECK(json::parse(free.out).at("state_hash") == json::parse(limited.out).at("state_hash"));
+}
+
 TEST_CASE("A second Ctrl-C ends even a plugin that does not return, and says which") {
   FaultyWorld world;
   const auto run = world.interrupt("looping");
@@ -205,6 +221,35 @@ TEST_CASE("A second Ctrl-C ends even a plugin that does not return, and says whi
   // The libraries that were loaded from copies; none of these is left.
   CHECK(std::stoi(run.out) > 1);
   CHECK_THAT(run.out, Catch::EndsWith("\n0\n"));
+}
+
+TEST_CASE("What ends the program in another thread of the run is named like in the first") {
+  FaultyWorld world;
+  world.robots = 512;  // enough to share
+  struct Case {
+    std::string plugin, what;
+  };
+  for (const auto& [plugin, what] :
+       {Case{"segfaulting_beside", "a segmentation fault (SIGSEGV)"},
+        Case{"aborting_beside", "an abort (SIGABRT)"}, Case{"exiting_beside", "exit()"}}) {
+    const auto run = world.run(plugin, "--threads 2", "arbiter_suppression", "", "60");
+    CAPTURE(plugin);
+    CHECK(run.exit_code == 3);
+    CHECK_THAT(run.err, Contains("plugin '" + plugin + "' of robot 'r") && Contains(what) &&
+                            Contains("what was recorded until then is kept"));
+    CHECK(world.rows() >= 512 * 50);
+  }
+}
+
+TEST_CASE("It names a plugin that does not return in another thread of the run, too") {
+  FaultyWorld world;
+  world.robots = 512;  // enough to share
+  const auto run = world.interrupt("looping_beside", "--threads 2");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(world.here.read("err"),
+             Contains("plugin 'looping_beside' of robot 'r") &&
+                 Contains("' was at work when the run was interrupted in step ") &&
+                 Contains("faulty.so+0x"));
 }
 
 TEST_CASE("Before the run, the first Ctrl-C says which plugin does not return") {
@@ -287,8 +332,8 @@ TEST_CASE("A plugin that leaks runs into its memory budget; one that only alloca
 
 TEST_CASE("Budgets that are not met change nothing of a run") {
   FaultyWorld world;
-  const auto hash = [](const std::string& json) {
-    return json.substr(json.find("\"state_hash\""), 40);
+  const auto hash = [](const std::string& text) {
+    return text.substr(text.find("\"state_hash\""), 40);
   };
   const std::string run = "run worlds/clutter.xml --duration 5 --json";
   CHECK(hash(world.here.elsie(run).out) ==

@@ -49,8 +49,8 @@ Crew::Crew(std::size_t threads) {
   sigset_t others;
   sigset_t before;
   sigfillset(&others);
-  for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS}) {
-    sigdelset(&others, fault);
+  for (const int own : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS, kQuestion}) {
+    sigdelset(&others, own);
   }
   pthread_sigmask(SIG_SETMASK, &others, &before);
   for (std::size_t i = 1; i < threads; ++i) {

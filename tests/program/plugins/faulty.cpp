@@ -131,6 +131,17 @@ struct Loops {
     return {};
   }
 };
+struct Sleeps {
+  elsie::Motion operator()() {
+    return elsie::WheelPair().motion(usleep(300'000) == 0 ? elsie::WheelRates{10, 10}
+                                                          : elsie::WheelRates{});
+  }
+};
+/// In all threads but the first.
+template <class Fault>
+struct Beside {
+  elsie::Motion operator()() { return gettid() == getpid() ? elsie::Motion{} : Fault()(); }
+};
 /// Calls an address without code.
 struct CallsNowhere {
   elsie::Motion operator()() {
@@ -281,7 +292,12 @@ using IllegalInstructionLate = Failing<IllegalInstruction>;
 using BusErrorLate = Failing<BusError>;
 using ExitsLate = Failing<Exits>;
 using OverflowsLate = Failing<Overflows>;
+using SleepsLate = Failing<Sleeps>;
 using LoopsLate = Failing<Loops>;
+using LoopsBesideLate = Failing<Beside<Loops>>;
+using SegfaultsBesideLate = Failing<Beside<Segfaults>>;
+using AbortsBesideLate = Failing<Beside<Aborts>>;
+using ExitsBesideLate = Failing<Beside<Exits>>;
 using CallsNowhereLate = Failing<CallsNowhere>;
 using SmashesStackLate = Failing<SmashesStack>;
 using CrashesElsewhereLate = Failing<CrashesElsewhere>;
@@ -303,7 +319,17 @@ ELSIE_BEHAVIOR(IllegalInstructionLate, "illegal",
 ELSIE_BEHAVIOR(BusErrorLate, "bus_error", "Gets a bus error after half a second");
 ELSIE_BEHAVIOR(ExitsLate, "exiting", "Calls exit() after half a second");
 ELSIE_BEHAVIOR(OverflowsLate, "overflowing", "Overflows its stack after half a second");
+ELSIE_BEHAVIOR(SleepsLate, "sleeping",
+               "Sleeps in each step after half a second, and stops once it is woken up");
 ELSIE_BEHAVIOR(LoopsLate, "looping", "Does not return after half a second");
+ELSIE_BEHAVIOR(LoopsBesideLate, "looping_beside",
+               "Does not return after half a second, but in the program's first thread");
+ELSIE_BEHAVIOR(SegfaultsBesideLate, "segfaulting_beside",
+               "Reads from nowhere after half a second, but in the program's first thread");
+ELSIE_BEHAVIOR(AbortsBesideLate, "aborting_beside",
+               "Calls abort() after half a second, but in the program's first thread");
+ELSIE_BEHAVIOR(ExitsBesideLate, "exiting_beside",
+               "Calls exit() after half a second, but in the program's first thread");
 ELSIE_BEHAVIOR(CallsNowhereLate, "calling_nowhere", "Calls a wild pointer after half a second");
 ELSIE_BEHAVIOR(SmashesStackLate, "smashing_stack", "Writes over its stack after half a second");
 ELSIE_BEHAVIOR(CrashesElsewhereLate, "crashing_elsewhere",

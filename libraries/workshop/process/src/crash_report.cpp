@@ -18,6 +18,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "elsie/base/crew.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
@@ -309,6 +310,36 @@ void left_by_exit() {
   }
 }
 
+/// What end_process() wants reported, by the thread that is in a plugin.
+std::atomic<const char*> asked_what{nullptr};
+std::atomic<int> asked_status{0};
+
+/// Ends the process if this thread is in a plugin. Else blocks the question in this thread and asks
+/// again, so that the system chooses another one.
+void answer(int, siginfo_t*, void* context) {
+  if (is_plugin_at_work() && may_report()) {
+    write_report(asked_what, place_of_fault(context));
+    end_with(asked_status);
+  }
+  sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask, base::Crew::kQuestion);
+  kill(getpid(), base::Crew::kQuestion);
+}
+
+/// Gives the other threads time to answer. Returns if none of them is in a plugin.
+void ask_other_threads(const char* what, int exit_status) {
+  asked_what = what;
+  asked_status = exit_status;
+  handle(base::Crew::kQuestion, answer, SA_ONSTACK | SA_RESTART);
+  sigset_t question;
+  sigemptyset(&question);
+  sigaddset(&question, base::Crew::kQuestion);
+  pthread_sigmask(SIG_BLOCK, &question, nullptr);
+  kill(getpid(), base::Crew::kQuestion);
+  timespec patience{1, 0};
+  while (nanosleep(&patience, &patience) != 0) {
+  }
+}
+
 /// In a copy of the process, when the plugin that made it returns: two processes would continue one
 /// run and write the same files.
 void end_copy() noexcept { end_with(status_of_crash); }
@@ -363,6 +394,9 @@ void report_exit(const char* function, int exit_code, const void* caller) noexce
 }
 
 void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
+  if (stack == Stack::shown && !is_plugin_at_work()) {
+    ask_other_threads(what, exit_status);
+  }
   // Outside of plugins, a recorder may be writing a line: its buffer is not touched.
   if (stack == Stack::left_out && is_just_loading() && may_report()) {
     write_error("elsie: interrupted while plugins were loaded\n");

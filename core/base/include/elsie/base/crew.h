@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -25,12 +26,15 @@ class Crew {
   };
 
   /// `threads`: with the owner's, at least 1. Helpers take no signals but those of their own
-  /// faults, for which they have a second stack. Throws std::system_error when the system has no
-  /// more threads.
+  /// faults, for which they have a second stack, and kQuestion. Throws std::system_error when the
+  /// system has no more threads.
   explicit Crew(std::size_t threads = 1);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
+
+  /// The signal by which the end of the process asks all threads what they are doing.
+  static constexpr int kQuestion = SIGVTALRM;
 
   std::size_t threads() const { return helpers_.size() + 1; }
 

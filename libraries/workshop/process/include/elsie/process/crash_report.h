@@ -44,8 +44,10 @@ void report_crashes_of_copy();
 [[noreturn]] void report_exit(const char* function, int exit_code, const void* caller) noexcept;
 
 /// Ends the process like a crash, from a signal handler. If a plugin is at work, reports `what` it
-/// did: "did not return". Otherwise writes `else_say`. Without the stack, only one line is written;
-/// while plugins are being loaded, and have been for less than a second, it says so.
+/// did: "did not return". Otherwise writes `else_say`. If this thread is in no plugin, the others
+/// are asked by base::Crew::kQuestion, and have a second to answer. Without the stack, none is
+/// asked, and only one line is written; while plugins are being loaded, and have been for less than
+/// a second, it says so.
 enum class Stack { shown, left_out };
 [[noreturn]] void end_process(const char* what, const char* else_say, int exit_status,
                               Stack stack = Stack::shown);
@@ -66,8 +68,7 @@ class Watchdog {
   Watchdog& operator=(const Watchdog&) = delete;
 
  private:
-  void* timer_ = nullptr;
-  std::jthread outside_;  // for threads with blocked signals
+  std::jthread outside_;
 };
 
 /// The plugin at work in this thread, from the innermost call and those around it; all null when
