@@ -264,10 +264,11 @@ TEST_CASE("Ctrl-C stops a batch in order: done runs are kept, the others stay pe
                              "exit $code");
     CHECK(run.exit_code == 4);
     CHECK_THAT(run.out, Contains("; 1 of 2 seeds complete\n") && Contains("results: " + name));
-    CHECK_THAT(run.err, Contains("interrupted; 1 of 4 runs are still to be done, 1 of 2 seeds "
-                                 "complete. Continue with\n  elsie "
-                                 "batch faulty.xml --plugin-path " +
-                                 Laboratory::plugins() + " --database " + name + " --resume\n"));
+    CHECK_THAT(run.err,
+               Contains("interrupted; 1 of 4 runs are still to be done, 1 of 2 seeds "
+                        "complete. Continue with\n  elsie "
+                        "batch faulty.xml --plugin-path " +
+                        Laboratory::plugins() + " --workers 1 --database " + name + " --resume\n"));
     // Both cells with the first seed, before the second begins.
     CHECK(here.query(name, "SELECT state FROM runs ORDER BY seed, id") ==
           "done\ndone\ndone\npending\n");

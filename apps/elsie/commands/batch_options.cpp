@@ -71,6 +71,8 @@ std::string resume_command(const BatchOptions& options, const fs::path& database
   for (const std::string& file : options.plugins.files) {
     line += " --plugin " + shell_word(file);
   }
+  if (options.workers) line += " --workers " + std::to_string(*options.workers);
+  if (options.threads > 1) line += " --threads " + std::to_string(options.threads);
   if (options.shard != "1/1") {
     line += " --shard " + options.shard;
   }
