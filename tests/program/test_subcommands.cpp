@@ -15,7 +15,9 @@ TEST_CASE("plugins lists what was found") {
         "go_to_point", "braitenberg", "arbiter_suppression", "fusion_vector_summation"}) {
     CHECK_THAT(run.out, Catch::Contains(name));
   }
+  CHECK_THAT(run.out, Catch::Contains("engines, for <physics engine=\"...\">\n  ode\n  planar\n"));
   const json all = json::parse(here.elsie("plugins --json").out);
+  CHECK(all.at("engines") == json({"ode", "planar"}));
   CHECK(all.at("plugins").size() >= 10);
   CHECK_FALSE(all.at("directories").empty());
 }

@@ -10,6 +10,7 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/experiment/vocabulary.h"
+#include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/reference/json.h"
 #include "elsie/reference/reference.h"
@@ -79,6 +80,8 @@ void print_list(const Host& host) {
       }
     }
   }
+  out() << "engines, for <physics engine=\"...\">\n";
+  for (const std::string& engine : plugin::engine_names()) out() << "  " << engine << '\n';
 }
 
 void print_check(const Host& host) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elsie/api/simulator_events.h"
+#include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/world/vocabulary.h"
 
@@ -214,6 +215,7 @@ Json plugins_json(const plugin::Host& host) {
       json["plugins"].push_back(plugin_json(host, *declaration));
     }
   }
+  json["engines"] = plugin::engine_names();
   json["directories"] = Json::array();
   for (const plugin::DirectoryReport& directory : host.report().directories) {
     Json files = Json::array();
