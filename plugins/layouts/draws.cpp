@@ -51,7 +51,7 @@ double drawn_value(const Draw& draw, Random& random) {
 /// What the user has set stays.
 void set(Element& element, const std::string& attribute, double value, const Location& where) {
   const world::Attribute* const there = element.find(attribute);
-  if (!there || !there->where.file.starts_with("--set ")) {
+  if (!there || !there->where.file.text().starts_with("--set ")) {
     element.set(attribute, number_text(value), where);
   }
 }

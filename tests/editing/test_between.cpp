@@ -36,6 +36,7 @@ TEST_CASE("An attribute that differs is set, or taken away where it has its defa
                 robots("<robot id=\"r1\" x=\"2\"/>")) ==
         Several{"robot[r1]/@max_speed/@remove=true", "robot[r1]/@x=2"});
   CHECK(between("", "<limits time=\"7\"/>") == Several{"limits/@time=7"});
+  CHECK(between("", "<physics engine=\"planar\"/>") == Several{"physics/@engine=planar"});
 }
 
 TEST_CASE("Members of lists are known by their ids, wherever they stand") {

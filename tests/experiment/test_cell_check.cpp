@@ -54,6 +54,27 @@ TEST_CASE("A mistake that needs two settings is reported for the cell that has b
         "bold, 0.1')");
 }
 
+TEST_CASE("A setting that has no effect, or may do harm, is warned of once") {
+  const auto warnings = [](const std::string& engine, const std::string& cfm) {
+    return read(kArena + "<set path='physics/@engine' value='" + engine + "'/>" +
+                "<set path='physics/@cfm' value='" + cfm +
+                "'/><vary path='robot[r1]/@coverage' values='1; 2'/>")
+        .warnings;
+  };
+  REQUIRE(warnings("planar", "0.001").size() == 1);
+  CHECK_THAT(warnings("planar", "0.001")[0], Catch::Contains("cfm=\"0.001\" has no effect"));
+  REQUIRE(warnings("ode", "0").size() == 1);
+  CHECK_THAT(warnings("ode", "0")[0], Catch::Contains("contacts are rigid"));
+  CHECK(warnings("planar", "1e-5").empty());
+}
+
+TEST_CASE("A plugin that cannot begin a run is found in whatever cell") {
+  const std::string mottos = "\n<vary path='robot[r1]/behavior[roam]/@motto' values='now; ";
+  CHECK(problems(kArena + mottos + "later'/>").empty());
+  CHECK_THROWS_WITH(read(kArena + mottos + "tomorrow'/>"),
+                    Catch::Contains("plugin 'roam'") && Catch::Contains("does not begin today"));
+}
+
 TEST_CASE("A time limit that contradicts a world's goal is reported with both lines") {
   const std::string worlds =
       "<worlds><world file='data/arena.xml'/><world file='data/enduring.xml'/></worlds>\n";

@@ -171,6 +171,19 @@ TEST_CASE("Wrong edits of a file are reported where they stand, by check, run an
                    Catch::Contains("wrong.xml:4: at 1.5 s, robot[r1]/@max_speed=fast: ") &&
                    !Catch::Contains("--at"));
   }
+  here.write("engines.xml",
+             world("<changes>\n<change time=\"1\" path=\"robot[r1]/@x\" value=\"1\"/>\n"
+                   "<change time=\"1\" path=\"physics/@engine\" value=\"planar\"/>\n"
+                   "<change time=\"1.5\" path=\"physics/@engine\" value=\"planr\"/>\n</changes>"));
+  for (const std::string command : {"check ", "run "}) {
+    const auto engines = here.elsie(command + "engines.xml");
+    CHECK(engines.exit_code == 2);
+    CHECK_THAT(engines.err,
+               Catch::Contains("engines.xml:4: at 1 s, physics/@engine=planar: one engine cannot "
+                               "take over the bodies of another") &&
+                   Catch::Contains("engines.xml:5: at 1.5 s, physics/@engine=planr: ") &&
+                   !Catch::Contains("engines.xml:3"));
+  }
   here.write("right.xml", world(""));
   here.write("study.xml",
              "<experiment format=\"1\"><worlds><world file=\"right.xml\"/></worlds>\n"

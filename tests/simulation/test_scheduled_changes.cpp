@@ -12,6 +12,7 @@
 
 using namespace elsie;
 using namespace elsie::test;
+using Catch::Contains;
 using elsie::test::wheels;
 using simulation::RunResult;
 using simulation::TimedChange;
@@ -400,4 +401,45 @@ TEST_CASE("What gets another id starts again, which a note says with the time") 
   CHECK(result.notes[0].text ==
         "An edit at 2.5 s sets robot[r1]/@id=r9: an object with another id is a new object and "
         "starts again.");
+}
+
+TEST_CASE("What no engine can do is refused before the run") {
+  for (const char* engine : {"ode", "planar"}) {
+    world::World world = lively();
+    world.physics.engine = engine;
+    const Simulation simulation(world, shipped());
+    const auto refusal = [&](const char* path, const char* value) {
+      return why_not([&] { simulation.check(std::vector<TimedChange>{{1.0, {path, value}}}); });
+    };
+    const bool is_planar = world.physics.engine == "planar";
+    CAPTURE(engine);
+    CHECK_THAT(refusal("physics/@engine", is_planar ? "ode" : "planar"),
+               Contains("one engine cannot take over the bodies of another"));
+    CHECK(refusal("physics/@engine", engine).empty());
+    const std::string to_default = refusal("physics", "<physics step='0.01'/>");
+    const std::string above_the_floor = refusal("robot[r1]/@z", "1");
+    if (is_planar) {
+      CHECK_THAT(to_default, Contains("take over the bodies"));
+      CHECK_THAT(above_the_floor, Contains("would fall"));
+    } else {
+      CHECK(to_default.empty());
+      CHECK(above_the_floor.empty());
+    }
+  }
+}
+
+TEST_CASE("All edits that cannot be made are reported before the run") {
+  const Simulation simulation(lively(), shipped());
+  const std::vector<TimedChange> wrong{{2.0, {"robot[r1]/@yy", "1"}},
+                                       {3.0, {"physics/@engine", "planar"}},
+                                       {4.0, {"robot[r9]/@x", "0"}},
+                                       {5.0, {"obstacle[+]", "<static_box width='wide'/>"}},
+                                       {6.0, {"robot[r2]/@zz", "1"}}};
+  try {
+    simulation.check(wrong);
+    FAIL("nothing was refused");
+  } catch (const ChangeRefused& refused) {
+    const std::string report = refused.report();
+    for (const TimedChange& each : wrong) CHECK_THAT(report, Contains(each.change.path));
+  }
 }

@@ -88,6 +88,9 @@ class Roam final : public Behavior {
       throw std::invalid_argument("shy and bold do not go together");
     }
   }
+  void reset(Random&) override {
+    if (motto == "tomorrow") throw std::runtime_error("it does not begin today");
+  }
 };
 
 // Its parameter `priority` is an attribute of every behaviour.

@@ -48,6 +48,13 @@ TEST_CASE("Rigid contacts, and corrections all at once") {
   CHECK(warned("<physics cfm='1e-7' erp='0.8'/>").empty());
 }
 
+TEST_CASE("Settings of soft contacts on an engine that has none") {
+  CHECK_THAT(warned("\n<physics engine='planar' cfm='0.001'/>"),
+             Contains("world.xml:2: warning: cfm=\"0.001\" has no effect") && Contains("'planar'"));
+  CHECK(warned("<physics engine='planar' kp='1000' kd='10'/>").empty());  // they make an erp
+  CHECK(warned("<physics engine='planar' erp='0.5' bounce='0.3'/>").empty());
+}
+
 TEST_CASE("A wheel slip of 0 matters where robots pull something") {
   const std::string train =
       "<robots><robot id='r1'><segments><segment/></segments></robot></robots>";

@@ -37,7 +37,7 @@ Problems::Problems(std::string file, std::size_t most) : file_(std::move(file)),
 void Problems::add(const Location& where, std::string message, bool plugin_failed) {
   if (problems_.size() >= kMostKept && !plugin_failed) {
     ++left_out_;
-  } else if (known_.emplace(where.file, where.line, message).second) {
+  } else if (known_.emplace(where.file.text(), where.line, message).second) {
     problems_.push_back({where.file, where.line, std::move(message), plugin_failed});
   }
 }

@@ -82,15 +82,9 @@ class Checker {
       fault("it is neither a sensor nor a behavior nor a coordinator nor a measure nor a drive");
     }
     check_name("the plugin", declaration_.name);
-    if (declaration_.version.empty()) {
-      fault("its version is empty");
-    }
-    if (declaration_.description.empty()) {
-      fault("it has no description");
-    }
-    if (!declaration_.create) {
-      fault("it has no function that makes an object");
-    }
+    if (declaration_.version.empty()) fault("its version is empty");
+    if (declaration_.description.empty()) fault("it has no description");
+    if (!declaration_.create) fault("it has no function that makes an object");
   }
 
   void check_elements() {
@@ -169,9 +163,7 @@ class Checker {
   void check_readings() {
     const auto check = [this](const ReadingDeclaration& reading) {
       check_name("reading", reading.kind);
-      if (reading.size == 0) {
-        fault("reading '" + reading.kind + "' has no size");
-      }
+      if (reading.size == 0) fault("reading '" + reading.kind + "' has no size");
     };
     std::for_each(declaration_.needs.begin(), declaration_.needs.end(), check);
     std::for_each(declaration_.produces.begin(), declaration_.produces.end(), check);
@@ -181,9 +173,7 @@ class Checker {
     if (is_sensor && produced != 1) {
       fault("a sensor must produce one kind of reading, not " + std::to_string(produced));
     }
-    if (!is_sensor && produced != 0) {
-      fault("only a sensor produces readings");
-    }
+    if (!is_sensor && produced != 0) fault("only a sensor produces readings");
     if ((is_sensor || kind == PluginKind::measure || kind == PluginKind::drive) &&
         !declaration_.needs.empty()) {
       fault("a " + std::string(kind_name(kind)) + " is not given readings, so it cannot need any");

@@ -99,9 +99,7 @@ std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
   } else if (min > -kInfinity) {
     limits.push_back("at least " + number_text(min));
   }
-  if (facts.max < kInfinity) {
-    limits.push_back("at most " + number_text(facts.max));
-  }
+  if (facts.max < kInfinity) limits.push_back("at most " + number_text(facts.max));
   return limits;
 }
 
@@ -139,9 +137,7 @@ void check_values(const std::string& whose, const std::vector<ParameterDeclarati
       errors.push_back(whose + " has no parameter '" + name + "'" + did_you_mean(name, declared));
       continue;
     }
-    if (auto error = check_value(*parameter, value)) {
-      errors.push_back(std::move(*error));
-    }
+    if (auto error = check_value(*parameter, value)) errors.push_back(std::move(*error));
   }
 }
 
@@ -161,9 +157,7 @@ void set_elements(const Declaration& declaration, Component& object,
   std::set<std::size_t> cleared;
   for (const ElementValue& value : elements) {
     const ElementDeclaration* const element = find_declared(declaration.elements, value.element);
-    if (cleared.insert(element->list).second) {
-      element->clear(object);
-    }
+    if (cleared.insert(element->list).second) element->clear(object);
     element->append(object, value);
   }
 }
@@ -213,9 +207,7 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
   const bool right_type = value.index() == facts_of(parameter.type).alternative;
   if (right_type && is_allowed(parameter, value)) return std::nullopt;
   std::string sentence = parameter.name + " is " + value_text(value);
-  if (right_type) {
-    sentence += refusal_of(parameter, value);
-  }
+  if (right_type) sentence += refusal_of(parameter, value);
   sentence += ", but must be " + allowed_values(parameter);
   if (const auto* const text = std::get_if<std::string>(&value);
       right_type && text && parameter.facts.choices.size() > 1) {
@@ -226,9 +218,7 @@ std::optional<std::string> check_value(const ParameterDeclaration& parameter,
 
 void hold_nothing(const Declaration& declaration, Component& object) {
   static NothingInside nothing;
-  if (declaration.hold) {
-    declaration.hold(object, nothing);
-  }
+  if (declaration.hold) declaration.hold(object, nothing);
 }
 
 void apply_parameters(const Declaration& declaration, Component& object,
@@ -263,9 +253,7 @@ void apply_parameters(const Declaration& declaration, Component& object,
   } catch (...) {
     problem = current_exception_text();
   }
-  if (problem) {
-    fail(*problem);
-  }
+  if (problem) fail(*problem);
 }
 
 }  // namespace elsie::plugin

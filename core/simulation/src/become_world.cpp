@@ -28,9 +28,7 @@ bool same_part(const char* part, const world::World& a, const world::World& b) {
 std::vector<const world::Charger*> charger_boxes(const world::World& world) {
   std::vector<const world::Charger*> boxes;
   for (const world::Charger& charger : world.chargers) {
-    if (charger.seen_by_range_sensors) {
-      boxes.push_back(&charger);
-    }
+    if (charger.seen_by_range_sensors) boxes.push_back(&charger);
   }
   return boxes;
 }
@@ -118,7 +116,8 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
   std::vector<DueChanges> made;
   std::vector<ChangeRefused> refused;
   std::vector<Change> in_place;       // all changes before the first that needs a new world
-  std::optional<world::World> ahead;  // the world after that change
+  bool needs_world = false;           // that change has come
+  std::optional<world::World> ahead;  // the world after it
   const auto refuse_live = [&] {
     std::vector<ChangeRefused> live = changes_->refused(made, stage());
     std::move(live.begin(), live.end(), std::back_inserter(refused));
@@ -142,14 +141,14 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
       continue;
     }
     const auto is_live = [&](const Change& one) { return changes_->is_live(one); };
-    if (!ahead && std::all_of(due.changes.begin(), due.changes.end(), is_live)) {
+    if (!needs_world && std::all_of(due.changes.begin(), due.changes.end(), is_live)) {
       in_place.insert(in_place.end(), due.changes.begin(), due.changes.end());
       made.push_back(due);
       continue;
     }
-    if (!ahead) {
+    if (!std::exchange(needs_world, true)) {
       refuse_live();
-      ChangeRefused::raise(refused);
+      if (!refused.empty()) in_place.clear();  // the others are checked without them
     }
     try {
       world::World next = tried(ahead ? *ahead : edited(present(), in_place, false), due.changes);
@@ -168,9 +167,7 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
               .at(due.time_s, due.from));
     }
   }
-  if (!ahead) {
-    refuse_live();
-  }
+  if (!needs_world) refuse_live();
   ChangeRefused::raise(std::move(refused));
   return made;
 }
@@ -191,10 +188,12 @@ world::World Simulation::Impl::edited(const world::World& from, std::span<const 
     texts.push_back(edit.text());
   }
   try {
-    return reread(from, texts, check_plugins);
+    world::World next = reread(from, texts, check_plugins);
+    if (next.physics.engine == from.physics.engine) return next;
   } catch (const world::WorldError& error) {
     throw ChangeRefused(text_of(edits) + ": " + problem_of(error.problems(), from.file));
   }
+  throw ChangeRefused(text_of(edits) + ": " + world::kEngineStays);
 }
 
 /// The world with all edits that were made in place.
@@ -299,9 +298,7 @@ void Simulation::Impl::become_changes(const world::World& was) {
       return std::tie(known.time, known.path, known.value, known.element) ==
              std::tie(edit.time, edit.path, edit.value, edit.element);
     };
-    if (std::none_of(was.changes.begin(), was.changes.end(), is_same)) {
-      added.push_back(timed(edit));
-    }
+    if (std::none_of(was.changes.begin(), was.changes.end(), is_same)) added.push_back(timed(edit));
   }
   for (const DueChanges& due : by_time(added)) {
     const std::string time = "the time of a change is " + base::number_text(due.time_s) + " s";
@@ -346,10 +343,6 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
                                                          Becoming& becoming) {
   std::vector<std::size_t> new_robots;
   std::map<physics::Body, physics::Body> now;  // new bodies by the old ones
-  if (was.physics.engine != world_.physics.engine) {
-    throw std::invalid_argument(
-        "one engine cannot take over the bodies of another; set physics/@engine before the run");
-  }
   const auto before = engine_;
   const auto moving = std::exchange(moving_, {});
   engine_ = physics::make_engine(world_.arena, world_.physics);
@@ -440,9 +433,7 @@ void Simulation::Impl::check_room(const world::World& was,
       require(room.problem_of_box(world_.boxes.size() + i));
     }
   }
-  if (!same_part("arena", was, world_)) {
-    require(room.problem_of_arena());
-  }
+  if (!same_part("arena", was, world_)) require(room.problem_of_arena());
 }
 
 void Simulation::Impl::become_measures(const world::World& was, Becoming& becoming) {
@@ -475,9 +466,7 @@ void Simulation::Impl::become_goals(const world::World& was) {
 }
 
 void Simulation::Impl::settle(Becoming& becoming) {
-  if (!start_) {
-    start_ = past_.back();
-  }
+  if (!start_) start_ = past_.back();
   const Statements& said = becoming.said();
   said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());

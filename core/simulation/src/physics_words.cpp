@@ -14,7 +14,8 @@ namespace {
 using About = world::Warning::About;
 
 std::string place_of(const base::Location& location) {
-  return location.line > 0 ? " (" + location.file + ":" + std::to_string(location.line) + ")" : "";
+  return location.line > 0 ? " (" + location.file.text() + ":" + std::to_string(location.line) + ")"
+                           : "";
 }
 
 /// "the robot 'r1' (a.xml:7)"
@@ -32,9 +33,16 @@ std::string name_of(const world::World& world, const physics::Failure& failure) 
   return box.in_words() + place_of(box.location);
 }
 
+/// The warnings of what the physics may not simulate well.
+std::vector<world::Warning> dangers(const world::World& world) {
+  std::vector<world::Warning> all = world::warnings(world);
+  std::erase_if(all, [](const world::Warning& each) { return each.about == About::no_effect; });
+  return all;
+}
+
 /// The most likely cause of a failure: a warning about the body, else about the physics, else any.
 std::string likely_cause(const world::World& world, const physics::Failure& failure) {
-  const std::vector<world::Warning> all = world::warnings(world);
+  const std::vector<world::Warning> all = dangers(world);
   const auto explains = [&](About about, std::optional<std::size_t> index) {
     return std::find_if(all.begin(), all.end(), [&](const world::Warning& warning) {
       return warning.about == about && (!index || warning.index == *index);
@@ -91,7 +99,7 @@ void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, 
     text += "; in " + base::counted(give_ups.unsolved, "step") +
             " that did not help, so a rougher solver was used";
   }
-  const std::vector<world::Warning> all = world::warnings(world);
+  const std::vector<world::Warning> all = dangers(world);
   text += all.empty() ? ". A smaller step, a larger cfm or less extreme masses may help."
                       : ". The likely cause: " + all.front().message + ".";
   notes.push_back({"", kPhysicsNotes, text});

@@ -21,9 +21,7 @@ Simulation::~Simulation() = default;
 
 void Simulation::reset(std::optional<std::uint64_t> seed) {
   const std::uint64_t next = seed.value_or(impl_->seed_);
-  if (impl_->start_) {
-    impl_ = std::make_unique<Impl>(*impl_->start_, *impl_->host_, impl_->options_);
-  }
+  if (impl_->start_) impl_ = std::make_unique<Impl>(*impl_->start_, *impl_->host_, impl_->options_);
   impl_->reset(next);
 }
 
@@ -49,9 +47,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   std::uint64_t heard_of = 0;
   const auto let_observers_know = [&] {
     for (Observer* observer : observers.first(watching)) {
-      if (impl_->renewals_ != heard_of) {
-        observer->replaced(*this);
-      }
+      if (impl_->renewals_ != heard_of) observer->replaced(*this);
     }
     heard_of = impl_->renewals_;
   };
@@ -78,9 +74,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     heard_of = impl_->renewals_;
     while (outcome() == Outcome::running) {
       change_what_is_due();
-      if (before_control && impl_->is_control_instant()) {
-        before_control(*this);
-      }
+      if (before_control && impl_->is_control_instant()) before_control(*this);
       let_observers_know();
       step();
       for (Observer* observer : observers) {
@@ -101,9 +95,7 @@ RunResult Simulation::run(std::span<Observer* const> observers,
       failure = failure ? failure : std::current_exception();  // keep the first one
     }
   }
-  if (failure) {
-    std::rethrow_exception(failure);
-  }
+  if (failure) std::rethrow_exception(failure);
   return result();
 }
 

@@ -19,6 +19,11 @@ std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
   Problems problems;
   ReadOptions reading = options;
   reading.is_running = true;
+  const auto refuse = [&](const TimedEdit& edit, const std::string& message, bool plugin_failed) {
+    problems.add(edit.location,
+                 "at " + base::number_text(edit.time) + " s, " + edit.text() + ": " + message,
+                 plugin_failed);
+  };
   for (auto first = edits.begin(), last = first; first != edits.end(); first = last) {
     last = std::find_if(first, edits.end(),
                         [&](const TimedEdit& edit) { return edit.time != first->time; });
@@ -28,19 +33,22 @@ std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
       reading.overrides.push_back(edit.text());
     }
     try {
-      worlds.push_back(parse_world(write_world(worlds.empty() ? world : worlds.back()), world.file,
-                                   host, reading));
+      const World& was = worlds.empty() ? world : worlds.back();
+      World next = parse_world(write_world(was), world.file, host, reading);
+      if (next.physics.engine != was.physics.engine) {
+        const auto culprit = std::find_if(
+            first, last, [](const TimedEdit& edit) { return edit.path.starts_with("physics"); });
+        refuse(culprit == last ? *first : *culprit, kEngineStays, false);
+      }
+      worlds.push_back(std::move(next));
     } catch (const WorldError& error) {
       // Each problem gets the place of the edit that causes it, or of the first edit.
       for (const Problem& problem : error.problems()) {
         const auto own = std::find_if(first, last, [&](const TimedEdit& edit) {
           return problem.file == "--set " + edit.text();
         });
-        const TimedEdit& edit = own == last ? *first : *own;
-        problems.add(edit.location,
-                     "at " + base::number_text(edit.time) + " s, " + edit.text() + ": " +
-                         without_lines(problem.message, world.file),
-                     problem.plugin_failed);
+        refuse(own == last ? *first : *own, without_lines(problem.message, world.file),
+               problem.plugin_failed);
       }
     }
   }

@@ -29,34 +29,10 @@ std::string in_words(const Robot& robot) {
 }
 
 std::string on_line(const Location& where, const Location& from) {
-  return where.line == 0           ? " (" + where.file + ")"
-         : where.file == from.file ? " (line " + std::to_string(where.line) + ")"
-                                   : " (" + where.file + ":" + std::to_string(where.line) + ")";
-}
-
-// Checks that no two members of a list have the same id, to any depth. `spec` describes the holder.
-// All boxes count as one list.
-void check_ids(const Element& holder, const ElementSpec& spec, const std::string& whose,
-               Problems& problems) {
-  std::map<std::string, std::map<std::string, Location>> first;  // by what it is of, and by id
-  for (const ElementSpec& group : spec.below()) {
-    const Element* list = group.group ? holder.child(group.name) : nullptr;
-    const ElementSpec* member = list ? &group.children.front() : nullptr;
-    if (!member || member->at_most == 1 || !member->attribute("id")) continue;
-    const bool of_boxes = group.name == "obstacles" || group.name == "resources";
-    const std::string what = (of_boxes ? "box" : group.members) + whose;
-    for (const Element& child : list->children) {
-      check_ids(child, *member, " of this " + child.name, problems);
-      const Attribute* id = child.find("id");
-      if (!id) continue;
-      const auto [known, fresh] = first[what].emplace(id->value, id->where);
-      if (!fresh) {
-        problems.add(id->where, "a second " + what + " with the id '" + id->value +
-                                    "'; the first is there already" +
-                                    on_line(known->second, id->where));
-      }
-    }
-  }
+  return where.line == 0 ? " (" + where.file.text() + ")"
+         : where.file == from.file
+             ? " (line " + std::to_string(where.line) + ")"
+             : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
 }
 
 template <class Object>
@@ -120,9 +96,7 @@ class CoordinationCheck {
   void check() {
     list_events(robot_);
     for (const events::Facts& event : events::of_simulator()) {
-      if (event.is_perceived) {
-        raised_.emplace_back(event.name);
-      }
+      if (event.is_perceived) raised_.emplace_back(event.name);
     }
     check(robot_, in_words(robot_), robot_.location);
   }
@@ -158,9 +132,7 @@ class CoordinationCheck {
         check(inside, holder, use.location);
       }
     }
-    if (coordination.coordinator) {
-      check(*coordination.coordinator, PluginKind::coordinator);
-    }
+    if (coordination.coordinator) check(*coordination.coordinator, PluginKind::coordinator);
   }
 
   void check(const PluginUse& use, PluginKind kind) {
@@ -202,9 +174,7 @@ class CoordinationCheck {
       std::vector<std::string> makers;
       for (const Declaration* sensor : host_.all(PluginKind::sensor)) {
         const ReadingDeclaration* reading = reading_of(*sensor, need);
-        if (reading && reading->size == need.size) {
-          makers.push_back("<" + sensor->name + ">");
-        }
+        if (reading && reading->size == need.size) makers.push_back("<" + sensor->name + ">");
       }
       problems_.add(use.location, what + ", but " + in_words(robot_) +
                                       " has no sensor that makes them" +
@@ -266,12 +236,8 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
                                        " m wide; expected its diameter as both");
     }
   }
-  if (reading.sound_with_segments(robot)) {
-    check_segments(robot, problems);
-  }
-  if (!reading.incomplete_robots.contains(index)) {
-    CoordinationCheck(robot, host, problems).check();
-  }
+  if (reading.sound_with_segments(robot)) check_segments(robot, problems);
+  if (!reading.incomplete_robots.contains(index)) CoordinationCheck(robot, host, problems).check();
 }
 
 struct GoalCheck {
@@ -359,9 +325,38 @@ void check_engine(const World& world, Problems& problems) {
 
 }  // namespace
 
+void check_ids(const Element& holder, const ElementSpec& spec, Problems& problems) {
+  std::map<std::string_view, std::vector<const Attribute*>> ids;  // by what they are of
+  for (const ElementSpec& group : spec.below()) {
+    const Element* list = group.group ? holder.child(group.name) : nullptr;
+    const ElementSpec* member = list ? &group.children.front() : nullptr;
+    if (!member || member->at_most == 1 || !member->attribute("id")) continue;
+    const bool of_boxes = group.name == "obstacles" || group.name == "resources";
+    auto& all = ids[of_boxes ? std::string_view("box") : group.members];
+    for (const Element& child : list->children) {
+      check_ids(child, *member, problems);
+      if (const Attribute* id = child.find("id")) all.push_back(id);
+    }
+  }
+  for (auto& [what, all] : ids) {
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto* a, const auto* b) { return a->value < b->value; });
+    const Attribute* first = nullptr;
+    for (const Attribute* id : all) {
+      if (!first || id->value != first->value) {
+        first = id;
+        continue;
+      }
+      problems.add(id->where, "a second " + std::string(what) +
+                                  (spec.root ? "" : " of this " + holder.name) + " with the id '" +
+                                  id->value + "'; the first is there already" +
+                                  on_line(first->where, id->where));
+    }
+  }
+}
+
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems) {
-  check_ids(root, vocabulary(), "", problems);
   check_mentions(reading, problems);
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);

@@ -21,7 +21,7 @@ void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   if (!declaration) return;  // reported already
   plugin::Call call({.plugin = &use.plugin,
                      .id = &use.id,
-                     .file = use.location.file.c_str(),
+                     .file = use.location.file.text().c_str(),
                      .line = use.location.line,
                      .doing = "while it was asked for the parts of a body"});
   const auto refuse = [&](const std::string& what, bool is_fault_of_plugin) {

@@ -24,7 +24,7 @@ bool is_override(const Location& from) { return from.line == 0 && !from.file.emp
 
 std::string Files::folder(const Location& from) const {
   const bool in_a_file = is_override(from) && !overrides_from_.empty();
-  return fs::path(from.line > 0 ? from.file
+  return fs::path(from.line > 0 ? from.file.text()
                   : in_a_file   ? overrides_from_
                                 : main_file_)
       .parent_path()

@@ -42,7 +42,7 @@ void check_encoding(const tinyxml2::XMLDocument& document, const std::string& fi
   }
 }
 
-Element element_of(const tinyxml2::XMLElement& source, const std::string& file) {
+Element element_of(const tinyxml2::XMLElement& source, const base::SharedText& file) {
   Element element;
   element.name = source.Name();
   element.where = {file, source.GetLineNum()};

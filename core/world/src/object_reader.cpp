@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "elsie/base/near_name.h"
@@ -35,8 +36,10 @@ class ObjectReader {
         reading_(reading),
         problems_(problems) {}
 
-  // Reads the root element of a file, or an inner element, without plugins.
-  void read_object(const ElementSpec& spec, const Element& element, void* object) {
+  // Reads the root element of a file, or an inner element, without plugins. Of a tree that may be
+  // changed, what has been read from lists is removed: its memory serves for the objects.
+  template <class AnyElement>
+  void read_object(const ElementSpec& spec, AnyElement& element, void* object) {
     refuse_text(element);
     read_attributes(element, &spec, object);
     read_children(spec, element, object);
@@ -73,9 +76,14 @@ class ObjectReader {
     }
   }
 
-  void read_children(const ElementSpec& spec, const Element& element, void* object) {
+  template <class AnyElement>
+  void read_children(const ElementSpec& spec, AnyElement& element, void* object) {
+    // A list of one kind; of several, nobody has counted each.
+    if (spec.children.size() == 1 && spec.children.front().reserve) {
+      spec.children.front().reserve(object, element.children.size());
+    }
     std::map<const ElementSpec*, std::size_t> count;
-    for (const Element& child : element.children) {
+    for (auto& child : element.children) {
       if (spec.take && !spec.child(child.name)) {
         if (++count[nullptr] > 1) {
           refuse(child.where, "<" + element.name + "> holds more than one element of a world");
@@ -91,6 +99,9 @@ class ObjectReader {
       } else if (!read_child(*child_spec, child, object) && !child_spec->group && !spec.group) {
         sound_ = false;
       }
+      if constexpr (!std::is_const_v<AnyElement>) {
+        if (spec.group) child = Element();
+      }
     }
     for (const ElementSpec& child : spec.children) {
       if (child.at_least > count[&child]) {
@@ -100,12 +111,11 @@ class ObjectReader {
   }
 
   // Reads a child element; returns whether it has no mistakes.
-  bool read_child(const ElementSpec& spec, const Element& element, void* parent) {
+  template <class AnyElement>
+  bool read_child(const ElementSpec& spec, AnyElement& element, void* parent) {
     const bool parent_sound = std::exchange(sound_, true);
     void* object = spec.make(parent, element.where);
-    if (element.incomplete) {
-      mark_robot_incomplete();
-    }
+    if (element.incomplete) mark_robot_incomplete();
     if (spec.plugins) {
       read_use(spec, element, object);
     } else {
@@ -164,7 +174,7 @@ class ObjectReader {
     }
     if (declared) {
       for (const ParameterDeclaration& parameter : declared->parameters) {
-        require(field_of(parameter), element);
+        if (parameter.facts.required) require(field_of(parameter), element);
         set_default(parameter, element, *declared);
       }
     }
@@ -188,9 +198,7 @@ class ObjectReader {
       reading_.mentions.push_back(
           {known.refers_to, attribute.value, attribute.where, in_words(attribute, element)});
     }
-    if (known.set) {
-      known.set(object, *parsed.value);
-    }
+    if (known.set) known.set(object, *parsed.value);
   }
 
   // The robot that is being read.
@@ -208,9 +216,7 @@ class ObjectReader {
     const Declaration* declaration = host_->find(*spec.plugins, element.name);
     if (!declaration) {
       refuse(element.where, explain_missing(*host_, *spec.plugins, element.name));
-      if (*spec.plugins != PluginKind::measure) {
-        mark_robot_incomplete();
-      }
+      if (*spec.plugins != PluginKind::measure) mark_robot_incomplete();
       return;
     }
     refuse_text(element);
@@ -224,9 +230,7 @@ class ObjectReader {
     const Declared declared{declaration->parameters, use.parameters, use.file_names};
     read_attributes(element, &spec, object, &declared);
     read_inside(spec, *declaration, element, object);
-    if (sound_ && check_plugins_) {
-      try_out(*declaration, element, use);
-    }
+    if (sound_ && check_plugins_) try_out(*declaration, element, use);
   }
 
   // Reads the elements in a plugin's element. Mistakes in behaviours inside a behaviour do not
@@ -313,7 +317,7 @@ class ObjectReader {
   void try_out(const Declaration& declaration, const Element& element, const PluginUse& use) {
     plugin::Call call({.plugin = &use.plugin,
                        .id = &use.id,
-                       .file = element.where.file.c_str(),
+                       .file = element.where.file.text().c_str(),
                        .line = element.where.line,
                        .doing = "while it was given its parameters"});
     try {
@@ -354,8 +358,8 @@ std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, vo
   return std::move(reading.flawed);
 }
 
-Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
-                  bool check_plugins, Problems& problems) {
+Reading read_tree(Element& root, const plugin::Host& host, const Files& files, bool check_plugins,
+                  Problems& problems) {
   Reading reading;
   ObjectReader(&host, &files, check_plugins, reading, problems)
       .read_object(vocabulary(), root, &reading.world);

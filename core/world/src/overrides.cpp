@@ -37,15 +37,13 @@ Element element_of(const std::string& text, const Location& where) {
 const Location* set_in(const Element& root) {
   const Location* found = nullptr;
   const auto note = [&](const Location& where) {
-    if (!found && where.file.starts_with("--set ") && where.file != root.where.file) {
+    if (!found && where.file.text().starts_with("--set ") && where.file != root.where.file) {
       found = &where;
     }
   };
   for_each_element(root, [&](const Element& element) {
     note(element.where);
-    if (element.removed_by) {
-      note(*element.removed_by);
-    }
+    if (element.removed_by) note(*element.removed_by);
     for (const Attribute& attribute : element.attributes) {
       note(attribute.where);
     }
@@ -57,7 +55,7 @@ const Location* set_in(const Element& root) {
 // only its default: then ids are completed as in a file.
 void replace(Element& element, const Element& given) {
   if (const Location* lost = set_in(element)) {
-    fail("this replaces the element in which '" + lost->file.substr(6) +
+    fail("this replaces the element in which '" + lost->file.text().substr(6) +
          "' is set before; set that afterwards, or in the new element");
   }
   const Attribute* const old = element.find("id");
@@ -180,9 +178,7 @@ void apply_override(Element& world, const std::string& override, bool is_running
   const Location where{"--set " + override, 0};
   try {
     const std::size_t equals = override.find('=');
-    if (equals == std::string::npos) {
-      fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
-    }
+    if (equals == std::string::npos) fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
     const Path path = parse_path(std::string_view(override).substr(0, equals));
     const std::string value = override.substr(equals + 1);
     if (path.attribute == "remove" && !path.from_attribute) {
@@ -193,9 +189,7 @@ void apply_override(Element& world, const std::string& override, bool is_running
       take_out(find_places(world, path), path.attribute, value, is_running);
     } else if (path.attribute.empty()) {
       const Element given = element_of(value, where);
-      if (concern_of(override) != Concern::robots) {
-        require_without_removals(given);
-      }
+      if (concern_of(override) != Concern::robots) require_without_removals(given);
       if (path.adds()) {
         add_element(world, path, given);
       } else {

@@ -57,9 +57,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
     }
   }
   // "coordinator/fusion_vector_summation" names the coordinator a second time.
-  if (found.empty() && place.spec->plugins && place.element->name == name) {
-    found.push_back(place);
-  }
+  if (found.empty() && place.spec->plugins && place.element->name == name) found.push_back(place);
   return found;
 }
 
@@ -82,14 +80,10 @@ std::vector<std::string> names_at(const Place& place) {
     // Only existing elements of a plugin's element are known.
     if (place.spec->plugins && !place.element->child(spec.name)) continue;
     names.insert(spec.name);
-    if (spec.group) {
-      names.insert(spec.members);
-    }
+    if (spec.group) names.insert(spec.members);
   }
   for (const Element& child : place.element->children) {
-    if (place.spec->plugins) {
-      names.insert(child.name);
-    }
+    if (place.spec->plugins) names.insert(child.name);
     for (const Element& member : child.children) {
       names.insert(member.name);
     }
@@ -203,9 +197,7 @@ void insert(Element& holder, const PathStep& step, const Element& given,
             const std::function<bool(const Element&)>& counts) {
   std::vector<std::size_t> counted;
   for (std::size_t i = 0; i < holder.children.size(); ++i) {
-    if (counts(holder.children[i])) {
-      counted.push_back(i);
-    }
+    if (counts(holder.children[i])) counted.push_back(i);
   }
   const std::size_t end = counted.size() + 1;
   const std::size_t number =
@@ -236,9 +228,7 @@ bool add_to(const Place& place, const PathStep& step, const Element& given) {
     const ElementSpec& member = place.spec->children.front();
     const bool is_any = step.name == place.spec->members;
     if (!is_any && !member.plugins && !place.spec->child(step.name)) return false;
-    if (!is_any) {
-      require_name(step, given);
-    }
+    if (!is_any) require_name(step, given);
     if (member.at_most == 1 && !place.element->children.empty()) {
       refuse_second(*place.element, "element", place.spec->members);
     }
@@ -350,9 +340,7 @@ Path parse_path(std::string_view text) {
     }
     path.steps.push_back(std::move(step));
     if (text.empty()) return path;
-    if (!text.starts_with('/')) {
-      refuse("expected \"/\" before '" + std::string(text) + "'");
-    }
+    if (!text.starts_with('/')) refuse("expected \"/\" before '" + std::string(text) + "'");
     text.remove_prefix(1);
   }
 }

@@ -48,9 +48,7 @@ class PlaceCheck {
       : arena_(arena), problems_(problems), grid_(arena.length, arena.width) {}
 
   void report(std::optional<std::string> problem, const Location& where) {
-    if (problem) {
-      problems_.add(where, std::move(*problem));
-    }
+    if (problem) problems_.add(where, std::move(*problem));
   }
   void check_point(const std::string& what, double x, double y, const Location& where) {
     report(outside(arena_, what, x, y), where);

@@ -123,7 +123,10 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   draw_layouts(root, file, host, files, options, drawn, problems);
   if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
   remove_overridden(root);
+  Problems of_ids;  // after those of reading, which takes the tree apart
+  check_ids(root, vocabulary(), of_ids);
   Reading reading = read_tree(root, host, files, options.check_plugins, problems);
+  problems.add(of_ids);
   World& world = reading.world;
   world.file = file;
   world.drawn = drawn;

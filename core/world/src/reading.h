@@ -45,16 +45,22 @@ struct Reading {
   }
 };
 
-/// Reads the objects of a tree. `check_plugins`: ReadOptions::check_plugins.
-Reading read_tree(const Element& root, const plugin::Host& host, const Files& files,
-                  bool check_plugins, Problems& problems);
+/// Checks that no two members of a list have the same id, to any depth. `spec` describes the
+/// holder. All boxes count as one list.
+void check_ids(const Element& holder, const ElementSpec& spec, Problems& problems);
+
+/// Reads the objects of a tree, and removes the members of its lists. `check_plugins`:
+/// ReadOptions::check_plugins.
+Reading read_tree(Element& root, const plugin::Host& host, const Files& files, bool check_plugins,
+                  Problems& problems);
 
 /// Asks the drives for the parts of their robots and sets Robot::driven. Adds a problem for each
 /// drive that does not fit its chassis or makes an impossible body.
 void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems);
 
 /// Checks conditions on more than one attribute. `root` is the tree that the world was read from,
-/// after templates and overrides. `is_running`: ReadOptions::is_running.
+/// after templates and overrides; its lists are empty by now. `is_running`:
+/// ReadOptions::is_running.
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems);
 

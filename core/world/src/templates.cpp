@@ -106,9 +106,7 @@ class Templates {
       open_.push_back(file);
       merge(root);
       open_.pop_back();
-      if (!root.incomplete) {
-        result = std::move(root);
-      }
+      if (!root.incomplete) result = std::move(root);
     } catch (const WorldError& error) {
       problems_.add(error);
     }
@@ -123,9 +121,7 @@ class Templates {
     for (Element& child : own.children) {
       replaced.insert(declared_list(declaration, child.name));
       const ElementSpec* list = list_in(spec, child.name);
-      if (list && !base.child(child.name)) {
-        drop_removals(*list, child);
-      }
+      if (list && !base.child(child.name)) drop_removals(*list, child);
     }
     for (const Element& inherited : base.children) {
       Element* child = own.child(inherited.name);
@@ -218,9 +214,7 @@ class Templates {
 
   void drop_removals_in(const ElementSpec& holder, Element& element) {
     for (Element& child : element.children) {
-      if (const ElementSpec* list = list_in(holder, child.name)) {
-        drop_removals(*list, child);
-      }
+      if (const ElementSpec* list = list_in(holder, child.name)) drop_removals(*list, child);
     }
   }
 

@@ -1,6 +1,7 @@
 #include "refusals.h"
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "elsie/base/number_text.h"
@@ -67,6 +68,15 @@ extern "C" __attribute__((visibility("default"))) void elsie_check_world(
   }
 }
 
-// No world is too stiff or too soft for it.
+// No world is too stiff or too soft for it, so these are of settings only.
 extern "C" __attribute__((visibility("default"))) void elsie_warn(
-    const elsie::world::World& /*world*/, std::vector<elsie::world::Warning>& /*warnings*/) {}
+    const elsie::world::World& world, std::vector<elsie::world::Warning>& warnings) {
+  const elsie::world::Physics& physics = world.physics;
+  if (physics.cfm == elsie::world::Physics{}.cfm) return;
+  warnings.push_back(
+      {.about = elsie::world::Warning::About::no_effect,
+       .location = physics.location,
+       .message = "cfm=\"" + elsie::base::number_text(physics.cfm) +
+                  "\" has no effect, because contacts are rigid in the engine "
+                  "'planar'; expected erp, friction or bounce, or the engine 'ode'"});
+}

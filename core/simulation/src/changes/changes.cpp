@@ -32,7 +32,8 @@ void add_text(std::string& list, const std::string& text) {
 }
 
 std::string file_and_line(const base::Location& where) {
-  return where.line > 0 ? where.file + ":" + std::to_string(where.line) : "the world's <changes>";
+  return where.line > 0 ? where.file.text() + ":" + std::to_string(where.line)
+                        : "the world's <changes>";
 }
 
 /// New parameters of a plugin object.
@@ -73,7 +74,10 @@ class Plan final : public world::LiveRobot {
     check_inside("y", metres, 0.5 * world_.arena.width);
     placed().pose.y = metres;
   }
-  void set_z(double metres) override { placed().z = metres; }
+  void set_z(double metres) override {
+    if (const auto fault = stage_.engine.fault_of_height(metres)) refuse(text_, *fault);
+    placed().z = metres;
+  }
   void set_heading_deg(double degrees) override {
     placed().pose.heading_rad = wrap_angle(radians(degrees));
   }
@@ -197,9 +201,6 @@ void check_room(const std::vector<Placed>& places, const world::World& world,
     room.place(placed.robot, placed.pose, placed.z);
   }
   for (const Placed& placed : places) {
-    if (const auto fault = engine.fault_of_height(placed.z)) {
-      refuse(placed.text, *fault);
-    }
     if (const auto problem = room.problem_of(placed.robot)) {
       refuse(placed.text, *problem + "; expected a free place in the arena");
     }
@@ -284,9 +285,7 @@ std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
     due.time_s = timed.time_s;
     due.changes.push_back(timed.change);
     std::string& first = timed.from.empty() ? due.given : due.from;
-    if (first.empty()) {
-      first = timed.from.empty() ? timed.change.text() : timed.from;
-    }
+    if (first.empty()) first = timed.from.empty() ? timed.change.text() : timed.from;
   }
   std::vector<DueChanges> all;
   for (auto& [time_s, due] : schedule) {

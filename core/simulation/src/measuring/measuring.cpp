@@ -18,9 +18,7 @@ bool may_be_in_a_name(char c) {
 
 /// The quantities of a measure with their full names. Throws std::invalid_argument.
 std::vector<Quantity> full_names(const world::PluginUse& use, std::vector<Quantity> quantities) {
-  if (quantities.empty()) {
-    throw std::invalid_argument("it has no values to report in this world");
-  }
+  if (quantities.empty()) throw std::invalid_argument("it has no values to report in this world");
   for (Quantity& quantity : quantities) {
     if (!std::all_of(quantity.name.begin(), quantity.name.end(), may_be_in_a_name)) {
       throw std::invalid_argument("it calls a value '" + quantity.name +
@@ -73,9 +71,7 @@ void measure_every_run(RunResult& result, const Tally& departed) {
 std::vector<Quantity> measure_names(const world::World& world, const plugin::Host& host) {
   std::vector<base::Problem> problems;
   const Measuring measuring(world, host, {}, problems);
-  if (!problems.empty()) {
-    throw world::WorldError(std::move(problems));
-  }
+  if (!problems.empty()) throw world::WorldError(std::move(problems));
   std::vector<Quantity> all = measures_of_every_run();
   for (Quantity& quantity : measuring.quantities()) {
     all.push_back(std::move(quantity));

@@ -157,7 +157,7 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
   };
   plugin::Call call({.plugin = &use.plugin,
                      .id = &use.id,
-                     .file = use.location.file.c_str(),
+                     .file = use.location.file.text().c_str(),
                      .line = use.location.line,
                      .doing = "while it was prepared"});
   try {

@@ -90,27 +90,19 @@ void Controller::for_each(Order order, const std::string& path, const std::strin
                           const Visit& visit) const {
   for (const auto& slot : slots_) {
     const std::string name = path + "behavior[" + slot->use->id + "]";
-    if (order == Order::outer_first) {
-      visit(*slot, name, within);
-    }
+    if (order == Order::outer_first) visit(*slot, name, within);
     if (slot->inside) {
       slot->inside->for_each(order, name + "/", within + slot->use->id + "/", visit);
     }
-    if (order == Order::inner_first) {
-      visit(*slot, name, within);
-    }
+    if (order == Order::inner_first) visit(*slot, name, within);
   }
-  if (coordinator_) {
-    visit(*coordinator_, path + "coordinator", within);
-  }
+  if (coordinator_) visit(*coordinator_, path + "coordinator", within);
 }
 
 void Controller::begin_run() {
   list_slots();
   for (const auto& slot : slots_) {
-    if (slot->inside) {
-      slot->inside->begin_run();
-    }
+    if (slot->inside) slot->inside->begin_run();
   }
   command_ = {};
 }
@@ -131,9 +123,7 @@ void Controller::set_priority(const world::PluginUse& use, double priority) {
 void Controller::begin_step() {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     members_[i].begin_step();
-    if (slots_[i]->inside) {
-      slots_[i]->inside->begin_step();
-    }
+    if (slots_[i]->inside) slots_[i]->inside->begin_step();
   }
 }
 
@@ -223,9 +213,7 @@ const Response& Controller::run(Member& member) {
   for (const Event& event : slot.response.events) {
     setting_.wishes.raise(event);
   }
-  if (slot.response.charge) {
-    setting_.wishes.ask_for_charge();
-  }
+  if (slot.response.charge) setting_.wishes.ask_for_charge();
   return slot.response;
 }
 
@@ -297,9 +285,7 @@ void Controller::check_trace() {
     }
     const char* const reason = member.trace.reason ? member.trace.reason : "";
     const char*& kept = slot_of(member).reason;
-    if (std::strcmp(reason, kept) != 0) {
-      kept = setting_.names.keep(reason);
-    }
+    if (std::strcmp(reason, kept) != 0) kept = setting_.names.keep(reason);
     member.trace.reason = kept;
   }
 }
@@ -328,9 +314,7 @@ void Controller::list_inferences(const std::string& path, std::vector<MadeInfere
       list.push_back({path + object.use->id, std::move(each)});
     }
   };
-  if (coordinator_) {
-    add(*coordinator_);
-  }
+  if (coordinator_) add(*coordinator_);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (members_[i].trace.asked) {
       add(*slots_[i]);

@@ -16,9 +16,7 @@ namespace elsie::simulation {
 namespace {
 
 void throw_if_any(const std::vector<base::Problem>& problems) {
-  if (!problems.empty()) {
-    throw world::WorldError(problems);
-  }
+  if (!problems.empty()) throw world::WorldError(problems);
 }
 
 Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) {
@@ -164,9 +162,7 @@ void Robot::group_readings() {
   std::vector<ReadingKind> kind_of;
   for (const auto& slot : sensors_) {
     const ReadingKind kind = kind_of.emplace_back(slot->object().kind());
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-      kinds.push_back(kind);
-    }
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
   sensed_.clear();
   groups_.clear();
@@ -302,9 +298,7 @@ void Robot::decide(const Instant& now) {
 
 void Robot::ask(Statements& said) {
   for_each(Order::outer_first, [&](PluginObject& each, const auto&, const std::string& within) {
-    if (each.kind != PluginKind::drive) {
-      said.ask(each, within, guard_);
-    }
+    if (each.kind != PluginKind::drive) said.ask(each, within, guard_);
   });
 }
 

@@ -19,6 +19,7 @@
 #include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
+#include "elsie/world/warnings.h"
 #include "elsie/world/writer.h"
 
 #include "factors.h"
@@ -48,7 +49,7 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
 base::Problem problem_of(const world::World& world, const simulation::ChangeRefused& refused) {
   for (const world::TimedEdit& edit : world.changes) {
     const Location& where = edit.location;
-    if (where.file + ":" + std::to_string(where.line) == refused.from()) {
+    if (where.file.text() + ":" + std::to_string(where.line) == refused.from()) {
       return {where.file, where.line, refused.what()};
     }
   }
@@ -95,7 +96,7 @@ class CellCheck {
     constexpr std::size_t kMost = 20;
     std::map<std::pair<std::string, int>, std::size_t> on_line;
     for (const auto& [key, complaint] : complaints_) {
-      const std::size_t count = ++on_line[{complaint.where.file, complaint.where.line}];
+      const std::size_t count = ++on_line[{complaint.where.file.text(), complaint.where.line}];
       if (count <= kMost) {
         problems.add(complaint.where,
                      complaint.message + circumstances(complaint) + limit_behind(complaint));
@@ -202,6 +203,9 @@ class CellCheck {
     begun_.insert(begun_.end(), fresh.begin(), fresh.end());
     Found found{
         simulation::measure_names(world, host_), world::write_world(world), {}, world.drawn};
+    for (const world::Warning& warning : world::warnings(world)) {
+      found.warnings.push_back(warning.text());
+    }
     if (running.begin_later) {
       return found;
     }
@@ -285,7 +289,8 @@ class CellCheck {
         complaint.message += how_to_separate(factor);
       }
     }
-    auto& known = complaints_[{complaint.where.file, complaint.where.line, complaint.message}];
+    auto& known =
+        complaints_[{complaint.where.file.text(), complaint.where.line, complaint.message}];
     if (known.cells.empty()) {
       known = std::move(complaint);
     }
@@ -359,7 +364,7 @@ class CellCheck {
       }
     }
     const Location& limits = experiment_.limits_location;
-    return "; that time limit is set in " + limits.file + ":" + std::to_string(limits.line);
+    return "; that time limit is set in " + limits.file.text() + ":" + std::to_string(limits.line);
   }
 
   const Experiment& experiment_;

@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "elsie/base/error.h"
+#include "elsie/base/shared_text.h"
 
 namespace elsie::base {
 
 /// A line of a file.
 struct Location {
-  std::string file;  // as the user named it
-  int line = 0;      // from 1; 0: the file as a whole
+  SharedText file;  // as the user named it
+  int line = 0;     // from 1; 0: the file as a whole
 };
 
 /// One mistake and where it is.

@@ -14,6 +14,10 @@ namespace elsie::world {
 std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
                                   const ReadOptions& options);
 
+/// Why an edit of a running world is refused that sets another physics/@engine.
+inline constexpr const char* kEngineStays =
+    "one engine cannot take over the bodies of another; set physics/@engine before the run";
+
 /// Removes line numbers from a message about the text of a running world, because the user has
 /// never seen that text. `file` is the text's name.
 std::string without_lines(std::string message, const std::string& file);

@@ -159,6 +159,10 @@ class Describe {
           [](const Child&) { return true; },
       const std::type_identity_t<std::function<void(Child&)>>& begin = [](Child&) {}) && {
     child.at_most = ElementSpec::kAnyNumber;
+    child.reserve = [list](void* parent, std::size_t more) {
+      auto& all = static_cast<Object*>(parent)->*list;
+      all.reserve(all.size() + more);
+    };
     return std::move(*this).child(
         std::move(child),
         [list, begin](Object& parent) {

@@ -98,6 +98,8 @@ struct ElementSpec {
 
   /// Creates the object of a new element in `parent` and sets its location.
   std::function<void*(void* parent, const Location& where)> make;
+  /// Prepares the parent's list for so many more of these objects; may be empty.
+  std::function<void(void* parent, std::size_t more)> reserve;
   /// Lists all objects of such elements in the parent, in order.
   std::function<std::vector<DescribedObject>(const void* parent)> parts;
   /// The PluginUse that is the base of an object that uses a plugin.

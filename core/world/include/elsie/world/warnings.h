@@ -10,7 +10,7 @@ namespace elsie::world {
 
 /// A likely problem in a run and the setting that causes it.
 struct Warning {
-  enum class About { physics, robot, box };
+  enum class About { physics, robot, box, no_effect };  // no_effect: harms nothing
   About about = About::physics;
   std::size_t index = 0;  // of World::robots or World::boxes
   Location location;      // line 0: a default, or a world that was not read from a file
