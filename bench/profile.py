@@ -58,8 +58,11 @@ def profile(engine, robots, folder):
     side = math.sqrt(robots)
     steps = max(30, SECONDS * RATE[engine] / robots)
     data = folder / "perf.data"
-    run = [BUILD / "bin/elsie", "run", ROOT / "worlds/scattered/swarm.xml", "--quiet", "--duration", f"{steps / STEPS_A_SECOND:.2f}",
-           "--set", f"arena/@length={side}", "--set", f"arena/@width={side}", "--set", f"physics/@engine={engine}", "--set", f"goals/endure/@time={steps / STEPS_A_SECOND:.2f}"]
+    time = f"{steps / STEPS_A_SECOND:.2f}"
+    settings = {"arena/@length": side, "arena/@width": side, "physics/@engine": engine, "goals/endure/@time": time, "limits/@time": time}
+    run = [BUILD / "bin/elsie", "run", ROOT / "worlds/scattered/swarm.xml", "--quiet"]
+    for path, value in settings.items():
+        run += ["--set", f"{path}={value}"]
     # A run that reaches its limit of time ends with 1, which perf returns.
     recorded = subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-F", "250", "--call-graph", "dwarf,4096", "-o", data, "--", *run], capture_output=True, text=True)
     if not data.exists() or recorded.returncode > 1:
