@@ -203,8 +203,11 @@ class CellCheck {
     begun_.insert(begun_.end(), fresh.begin(), fresh.end());
     Found found{
         simulation::measure_names(world, host_), world::write_world(world), {}, world.drawn};
+    // What may harm a run is in its notes; a study may want it.
     for (const world::Warning& warning : world::warnings(world)) {
-      found.warnings.push_back(warning.text());
+      if (warning.about == world::Warning::About::no_effect) {
+        found.warnings.push_back(warning.text());
+      }
     }
     if (running.begin_later) {
       return found;

@@ -149,8 +149,8 @@ struct Experiment {
   double trajectory_period = 0.5;  // s, simulated, between two kept poses of a robot
   std::vector<MeasureUse> measures;
   std::vector<Expectation> expectations;
-  /// Warnings of edits that no run of a cell makes, and those of the cells' worlds, each once:
-  /// "study.xml:12: warning: ...". Only filled by a reader that checks the cells.
+  /// Warnings of edits that no run of a cell makes, and of what has no effect in a cell's world,
+  /// each once: "study.xml:12: warning: ...". Only filled by a reader that checks the cells.
   std::vector<std::string> warnings;
 };
 
