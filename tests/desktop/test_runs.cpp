@@ -198,8 +198,9 @@ TEST_CASE("A recording is played to its end, with the robots where they were rec
   QTest::qWait(200);
   CHECK(window.bench().time_s() - held_s < 0.2);  // one that was under way
   click_on(run);
-  REQUIRE(wait_for([&] { return window.bench().is_at_halt(); }));
-  CHECK(window.bench().run_state() == Workbench::Run::paused);
+  REQUIRE(wait_for([&] {
+    return window.bench().run_state() == Workbench::Run::paused && window.bench().is_at_halt();
+  }));
   CHECK(window.bench().time_s() == Approx(3.0));
   CHECK(label->text() == "recording run.mcap, as recorded");
 
