@@ -1,6 +1,3 @@
-#define CATCH_CONFIG_MAIN
-#include <catch2/catch.hpp>
-
 // What the leak checker of the builds with sanitizers is not to report. When a step of ODE is left
 // half way, as it is when physics fails, ODE loses the records of its jobs, 80 bytes each.
 // fontconfig keeps the fonts that it has found for the life of the process.

@@ -1,4 +1,3 @@
-#define CATCH_CONFIG_MAIN
 #include <elsie/testing/catch.h>
 
 namespace testing = elsie::testing;

@@ -1,4 +1,3 @@
-#define CATCH_CONFIG_MAIN
 #include <elsie/testing/catch.h>
 
 using namespace elsie::testing;
