@@ -174,6 +174,21 @@ TEST_CASE("A session that is told to quit names its plugin, whatever signals its
   CHECK_THAT(session.end().report, Catch::Contains("'looping'"));
 }
 
+TEST_CASE("A session whose window is gone ends, also when a plugin does not return") {
+  std::string text = kRoom;
+  text.replace(text.find("turn_left"), 9, "looping");
+  Session session({"--plugin", test::build_path("tests/program/plugins/faulty.so")});
+  REQUIRE_FALSE(session.open(text).contains("refused"));
+  session.ask({{"do", "run"}});
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // it loops by then
+  session.connection().close();
+  // Nobody ends it meanwhile: ended() would.
+  std::this_thread::sleep_for(std::chrono::seconds(8));
+  const auto end = session.connection().ended();
+  REQUIRE(end);
+  CHECK_THAT(end->report, Catch::Contains("'looping'"));
+}
+
 TEST_CASE("What is no program of sessions is refused") {
   CHECK_THROWS_WITH(Connection("/nowhere/elsie", {}), Catch::Contains("/nowhere/elsie"));
 }

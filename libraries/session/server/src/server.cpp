@@ -7,6 +7,7 @@
 #include "elsie/simulation/fault.h"
 
 #include "described.h"
+#include "hangup.h"
 #include "server_impl.h"
 
 namespace elsie::server {
@@ -79,6 +80,9 @@ Server::Server(build::Watch& plugins, ServerOptions options)
     : impl_(std::make_unique<Impl>(plugins, std::move(options))) {}
 Server::~Server() = default;
 
-void Server::serve() { impl_->serve(); }
+void Server::serve() {
+  const Hangup hangup(kMessages);
+  impl_->serve();
+}
 
 }  // namespace elsie::server

@@ -34,7 +34,8 @@ class Server {
   Server(build::Watch& plugins, ServerOptions options);
   ~Server();
 
-  /// Serves until the other end closes the connection. Throws base::Error for fatal errors.
+  /// Serves until the other end closes the connection; a plugin that does not return then is named,
+  /// and the process ends after three seconds. Throws base::Error for fatal errors.
   void serve();
 
  private:
