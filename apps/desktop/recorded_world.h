@@ -36,7 +36,7 @@ struct RecordedWorld {
   QString file;  // in `folder`
   std::uint64_t seed = 1;
   RecordedEnd end;
-  std::shared_ptr<QTemporaryDir> folder;  // deleted with the last object that uses the world
+  std::shared_ptr<QTemporaryDir> folder;  // deleted after the last use, if it has no other files
 };
 
 /// The events of a recording, with their times in s, and its end.
