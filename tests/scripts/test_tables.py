@@ -440,7 +440,7 @@ class Prose(unittest.TestCase):
         sentence = "took {:.0f} s instead of {:.0f} s"
         self.assertEqual(self.found(claims.Claim("page.md", sentence, 203.4, 293.7)), [])
         [told] = self.found(claims.Claim("page.md", sentence, 203.6, 293.7))
-        self.assertIn('docs/page.md does not say "took 204 s instead of 294 s", which is what the databases come to', told)
+        self.assertIn('docs/page.md does not match the databases, which give "took 204 s instead of 294 s"', told)
 
     def test_what_is_generated_does_not_count_as_prose(self):
         self.assertEqual(len(self.found(claims.Claim("page.md", "It took {} s.", 99))), 1)

@@ -27,7 +27,7 @@ class Crew {
 
   /// `threads` counts the owner's thread; it is at least 1. Helpers block all signals except
   /// kQuestion and their own faults, which they handle on a second stack. Throws std::system_error
-  /// without threads.
+  /// if the system has no more threads.
   explicit Crew(std::size_t threads = 1);
   ~Crew();
   Crew(const Crew&) = delete;
