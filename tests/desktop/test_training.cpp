@@ -152,7 +152,7 @@ TEST_CASE("A training that stops short of its goal says so") {
   school.train(dialog);
   const QString said = dialog->findChild<QLabel*>("training_progress")->text();
   CHECK(said.contains("after 20000 samples."));
-  CHECK(said.contains("stopped short of its goal, a mean error below 0.000001"));
+  CHECK(said.contains("without reaching its goal, a mean error below 0.000001"));
   CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
 }
 
