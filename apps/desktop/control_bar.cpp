@@ -24,13 +24,13 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr std::array kSpeeds{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 0.0};  // 0: as fast as it goes
+constexpr std::array kSpeeds{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 0.0};  // 0: as fast as possible
 constexpr int kTicks = 10'000;                                          // of the time line
-constexpr double kHandle_px = 6.0;  // from the end of the slider to where its handle can be
+constexpr double kHandle_px = 6.0;  // from the slider's end to the outermost place of its handle
 const QSet<int> kTimeKeys{Qt::Key_Left,   Qt::Key_Right, Qt::Key_Comma,
                           Qt::Key_Period, Qt::Key_Home,  Qt::Key_End};
-constexpr int kBetweenPictures_ms = 40;  // of the past that is played
-constexpr double kAtOnce_s = 0.05;       // events nearer than this to the shown time are at it
+constexpr int kBetweenPictures_ms = 40;  // while the past is played
+constexpr double kAtOnce_s = 0.05;       // events nearer to the shown time than this are at it
 
 }  // namespace
 
@@ -48,14 +48,14 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
     row->addWidget(made);
     return made;
   };
-  run_ = button("run", tr("\u25b6 Start"), tr("Start the run, or let it go on (F5)"));
-  const QString wider = tr("\u2759\u2759 Pause");  // what is beside it stays where it is
+  run_ = button("run", tr("\u25b6 Start"), tr("Start or continue the run (F5)"));
+  const QString wider = tr("\u2759\u2759 Pause");  // so that the buttons next to it do not move
   const QString start = run_->text();
   run_->setText(wider);
   const int width = run_->sizeHint().width();
   run_->setText(start);
   run_->setMinimumWidth(std::max(width, run_->sizeHint().width()));
-  step_ = button("step", tr("\u2758\u25b6 Step"), tr("One control period (F10)"));
+  step_ = button("step", tr("\u2758\u25b6 Step"), tr("Run one control period (F10)"));
   reset_ = button("reset", tr("\u21ba Reset"),
                   tr("Back to the start, with the world as it is now (Ctrl+R)"));
   connect(run_, &QToolButton::clicked, this, &ControlBar::run_wished);
@@ -91,13 +91,14 @@ ControlBar::ControlBar(Workbench& workbench, QWidget* parent)
     const std::uint64_t seed = seed_->text().toULongLong(&is_right);
     if (!is_right) {
       Q_EMIT workbench_.noted(
-          tr("'%1' is no seed: expected a whole number of at most 19 digits.").arg(seed_->text()));
+          tr("'%1' is not a seed; expected a whole number of at most 19 digits.")
+              .arg(seed_->text()));
       show_seed();
     } else if (seed != workbench_.seed()) {
       Q_EMIT seed_wished(seed);
     }
   });
-  // One that the engine does not take is not shown any longer.
+  // A seed that the engine refuses is replaced by the present one.
   connect(&workbench_, &Workbench::refused, this, &ControlBar::show_seed);
   row->addWidget(seed_);
   row->addStretch(1);
@@ -180,7 +181,7 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
 void TimeLine::show_now() {
   is_showing_ = true;
   const double part = span_s() > 0.0 ? shown_s_ / span_s() : 1.0;
-  if (!slider_->isSliderDown() && !is_pressed_) {  // the run comes after the hand
+  if (!slider_->isSliderDown() && !is_pressed_) {  // not against the hand of the user
     slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
   }
   is_showing_ = false;
@@ -239,10 +240,10 @@ void TimeLine::show_past(double time_s) {
   is_in_the_past_ = true;
   workbench_.ask({{"do", "at"}, {"time_s", wanted}}, [this](const Json& answer) {
     if (answer.contains("refused")) {
-      stop_playing();  // there is no past to play on from
+      stop_playing();  // there is no past to play
       is_in_the_past_ = false;
     } else {
-      until_s_ = answer.value("to_s", until_s_);  // it ran on until it heard of the pause
+      until_s_ = answer.value("to_s", until_s_);  // the run continued until it received the pause
     }
     show_now();
   });
@@ -255,7 +256,7 @@ void TimeLine::go_to_now() {
   show_now();
 }
 
-// From where the user is going: keys come faster than pictures of the past.
+// From where the user is going, because keys come faster than pictures of the past.
 void TimeLine::move_by(double by_s) { go_to((is_in_the_past_ ? asked_s_ : until_s_) + by_s); }
 
 void TimeLine::go_to_event(bool next) {
@@ -289,7 +290,7 @@ double TimeLine::time_at(double x) const {
 bool TimeLine::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       kTimeKeys.contains(static_cast<QKeyEvent*>(event)->key())) {
-    event->accept();  // the window has other uses for some of them
+    event->accept();  // the window uses some of these keys otherwise
     return true;
   }
   if (event->type() == QEvent::ToolTip) {
@@ -300,7 +301,7 @@ bool TimeLine::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-// The slider has neither keys nor tips of its own.
+// The slider's keys and tool tips are those of the time line.
 bool TimeLine::eventFilter(QObject* watched, QEvent* event) {
   if (watched == slider_ && event->type() == QEvent::MouseButtonRelease) {
     is_pressed_ = false;
@@ -313,7 +314,7 @@ bool TimeLine::eventFilter(QObject* watched, QEvent* event) {
     const int ticks = static_cast<int>(std::lround(kTicks * std::clamp(part, 0.0, 1.0)));
     const double away_px = std::abs(ticks - slider_->value()) * slider_->width() / double(kTicks);
     if (press->button() == Qt::LeftButton && away_px > 2.0 * kHandle_px) {
-      slider_->setValue(ticks);  // now its handle is under the pointer, and the slider takes that
+      slider_->setValue(ticks);  // puts the handle under the pointer, and the slider takes it
     }
   }
   const bool is_ours = event->type() == QEvent::KeyPress || event->type() == QEvent::ToolTip ||

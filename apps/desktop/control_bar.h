@@ -18,21 +18,22 @@ namespace elsie::desktop {
 
 class Workbench;
 
-/// Eight speeds from a tenth of real time to ten times it, and as fast as it goes.
+/// The buttons of a run, its speed and its seed. The speeds are seven from a tenth of real time to
+/// ten times real time, and as fast as possible.
 class ControlBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit ControlBar(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// What Start does with the past that is shown.
+  /// What Start does while the past is shown.
   enum class Past { none, may_play, plays };
   void show_past(Past past);
-  /// The one of the run, instead of what was typed.
+  /// Shows the seed of the run instead of what was typed.
   void show_seed();
 
  Q_SIGNALS:
-  void run_wished();  // or a pause
+  void run_wished();  // run or pause requested
   void seed_wished(quint64 seed);
 
  private:
@@ -47,9 +48,9 @@ class ControlBar : public QWidget {
   QLineEdit* seed_;
 };
 
-/// From the start of the run to now. Moving the slider pauses the run and shows the past; the run
-/// goes on from where it was. Keys: arrows go by a tenth of a second, with Shift by a second; comma
-/// and full stop to the event before and after; Home and End to the start and to now.
+/// The time from the start of the run to now. Moving the slider pauses the run and shows the past;
+/// the run later continues from where it was. Keys: Left and Right move by 0.1 s, with Shift by 1
+/// s; comma and period go to the previous and next event; Home and End go to the start and to now.
 class TimeLine : public QWidget {
   Q_OBJECT
 
@@ -59,29 +60,29 @@ class TimeLine : public QWidget {
   /// Marks an event of the run.
   void mark(double time_s, const QString& what);
   void clear();
-  /// What a recording has of this run, which lasts until `until_s`: marked ahead of the run. 0
-  /// takes it away.
+  /// Marks the events of a recording of this run ahead of the present. The recording lasts until
+  /// `until_s`, in s. No events and 0 remove the marks.
   using Marks = std::vector<std::pair<double, QString>>;
   void expect(Marks events, double until_s);
   bool is_in_the_past() const { return is_in_the_past_; }
-  /// Shows the past, or lets the run go on to that time.
+  /// Shows that time of the past, or runs on to that time.
   void go_to(double time_s);
   void go_to_now();
-  /// Shows what was, from the shown time on, at the speed of the run; has_caught_up() when it comes
-  /// to now.
+  /// Plays the past from the shown time at the speed of the run; emits has_caught_up() when it
+  /// reaches the present.
   void play();
   void stop_playing();
   bool is_playing() const { return play_timer_.isActive(); }
-  /// The next or last event from the shown time.
+  /// Goes to the next or the previous event, seen from the shown time.
   void go_to_event(bool next);
   void move_by(double by_s);
-  /// What happened at about that time, one line an event; "": nothing.
+  /// The events at about that time, one per line; "" if there are none.
   QString tip_at(double time_s) const;
-  /// The events of the run, and those ahead of it, as they come.
+  /// The events of the run, and those of the recording ahead of it, in order of time.
   Marks events() const;
 
  Q_SIGNALS:
-  void past_changed();  // is_in_the_past() or is_playing()
+  void past_changed();  // is_in_the_past() or is_playing() has changed
   void has_caught_up();
 
  protected:
@@ -103,11 +104,12 @@ class TimeLine : public QWidget {
   QToolButton* now_;
   double until_s_ = 0.0;
   double shown_s_ = 0.0;
-  double asked_s_ = 0.0;  // the past that was last asked for
+  double asked_s_ = 0.0;  // the time of the past that was asked for last
   bool is_in_the_past_ = false;
-  bool was_in_the_past_ = false;  // when it was said last
+  bool was_in_the_past_ = false;  // when past_changed() was last considered
   bool is_showing_ = false;
-  bool is_pressed_ = false;  // the slider, also before it takes hold of its handle
+  bool is_pressed_ = false;  // the mouse button is down on the slider, even before the slider takes
+                             // hold of its handle
   QTimer play_timer_;
   QElapsedTimer since_played_;
   Marks marks_, ahead_;

@@ -17,11 +17,11 @@ namespace {
 
 constexpr int kBadInput = 2;
 
-/// elsie lies beside this program, installed and in a build folder.
+/// elsie is next to this program, both when installed and in a build folder.
 QString program_beside() { return QCoreApplication::applicationDirPath() + "/elsie"; }
 
-/// Takes `--plugin FILE` and `--plugin=FILE` out of the arguments, because QApplication would keep
-/// them for itself: it has an option of that name.
+/// Removes `--plugin FILE` and `--plugin=FILE` from the arguments, because QApplication has an
+/// option of that name and would keep them.
 QStringList take_plugins(std::vector<char*>& arguments) {
   constexpr const char* kOption = "--plugin";
   const std::size_t length = std::strlen(kOption);
@@ -49,17 +49,18 @@ int main(int argc, char** argv) {
   const QStringList plugins = take_plugins(arguments);
   int count = static_cast<int>(arguments.size());
   arguments.push_back(nullptr);
-  // Before a renderer in software starts one thread for each processor: they are the simulation's.
+  // Must come before a software renderer starts a thread for each processor: the processors are for
+  // the simulation.
   if (!qEnvironmentVariableIsSet("LP_NUM_THREADS")) {
     qputenv("LP_NUM_THREADS", "1");
   }
   QApplication application(count, arguments.data());
-  std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's, in which 1.5 may be 15
+  std::setlocale(LC_NUMERIC, "C");  // Qt sets the user's, in which 1.5 may be read as 15
   QApplication::setOrganizationName("elsie");
   QApplication::setApplicationName("elsie-desktop");
   QApplication::setApplicationDisplayName("Elsie");
 
-  QTranslator translator;  // of the user's language, if somebody has made them
+  QTranslator translator;  // for the user's language, if a translation exists
   if (translator.load(QLocale(), "elsie", "_",
                       QCoreApplication::applicationDirPath() + "/../share/elsie/translations")) {
     QCoreApplication::installTranslator(&translator);
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
       "DIR");
   const QCommandLineOption plugin(
       "plugin", "Plugin library, or a plugin's one source file; may be repeated", "FILE");
-  const QCommandLineOption elsie("elsie", "The program elsie, if it is not beside this one",
+  const QCommandLineOption elsie("elsie", "The program elsie, if it is not next to this one",
                                  "FILE");
   parser.addOptions({plugin_path, plugin, elsie});
   QStringList words = QApplication::arguments();
@@ -88,7 +89,7 @@ int main(int argc, char** argv) {
   const QString program = parser.isSet(elsie) ? parser.value(elsie) : program_beside();
   if (!QFileInfo(program).isExecutable()) {
     std::cerr << "elsie-desktop: '" << program.toStdString()
-              << "' is no program; reinstall Elsie, or name it with --elsie FILE\n";
+              << "' is not a program; reinstall Elsie, or name it with --elsie FILE\n";
     return kBadInput;
   }
   if (parser.positionalArguments().size() > 1) {

@@ -24,7 +24,7 @@
 #include "world/properties.h"
 #include "world/world_tree.h"
 
-// The window, and what it says of the world and the run.
+// The window, and how it shows the world and the run.
 
 namespace elsie::desktop {
 namespace {
@@ -32,13 +32,13 @@ namespace {
 constexpr int kSaid_ms = 8000;
 constexpr QSize kUsual(1280, 800);
 
-/// The title and the borders, as window managers have them at most.
+/// The largest title and borders that window managers use.
 QSize usual_frame(const QStyle& style) {
   constexpr int kBorder = 8;
   return {2 * kBorder, style.pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kBorder};
 }
 
-/// The folder with the shipped worlds, of an installed program and of a build.
+/// The folder with the shipped worlds, of an installed program or of a build.
 QString shipped_worlds() {
   const QDir folder(QApplication::applicationDirPath() + "/../share/elsie/worlds");
   return folder.exists() ? folder.canonicalPath() : QString();
@@ -104,7 +104,7 @@ QSize MainWindow::first_size(const QSize& room, const QSize& frame) {
   return wished.boundedTo(room - frame);
 }
 
-// The views go before what they show.
+// Deletes the views before the objects that they show.
 MainWindow::~MainWindow() {
   for (QDockWidget* each : std::as_const(docks_)) {
     each->disconnect(this);
@@ -198,7 +198,7 @@ void MainWindow::show_lock() {
 
 void MainWindow::show_selection(const QStringList& paths) {
   QStringList in_view = paths;
-  in_view.removeAll(QString());  // the world has no place
+  in_view.removeAll(QString());  // the world itself has no place
   scene_->set_selection(in_view);
   world_tree_->set_selection(paths);
   for (WorldTree* each : std::as_const(teams_)) each->set_selection(paths);

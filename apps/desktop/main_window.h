@@ -1,7 +1,7 @@
-// The window: its docks, its files and what it shows. main_window.cpp has what it says of the run,
-// main_window_actions.cpp its actions and menus, main_window_docks.cpp the docks,
-// main_window_files.cpp files and unsaved work, main_window_runs.cpp runs that were recorded,
-// main_window_connections.cpp what it hears.
+// The window with its docks and files. main_window.cpp shows the state of the run,
+// main_window_actions.cpp has actions and menus, main_window_docks.cpp the docks,
+// main_window_files.cpp files and unsaved work, main_window_runs.cpp recorded runs,
+// main_window_connections.cpp the signals that the window receives.
 #pragma once
 
 #include <QHash>
@@ -40,27 +40,27 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  static constexpr int kWide = 1900;  // px; has room for the text beside the view
+  static constexpr int kWide = 1900;  // px; wide enough for the text next to the view
   static constexpr qint64 kStuck_ms = 3000;
 
-  /// `elsie`: the program with the engine; `options`: of plugins, for it.
+  /// `elsie` is the program with the engine; `options` are its options for plugins.
   MainWindow(const QString& elsie, const QStringList& options, QWidget* parent = nullptr);
   ~MainWindow() override;
 
   Workbench& workbench() { return workbench_; }
   SceneView& scene() { return *scene_; }
-  /// A world, a recording or a results database, of which a run is asked for. Asks about unsaved
-  /// work first. False if the user stays with it, or the file cannot be read; a recording and a
-  /// database are read in the background.
+  /// Opens a world, a recording, or a results database, for which it asks which run. Asks about
+  /// unsaved work first. Returns false if the user cancels, or if the file cannot be read.
+  /// Recordings and databases are read in the background.
   bool open(const QString& file);
-  /// The size of a new window: most of a large screen, 1280 x 800 on others that have room for it
-  /// and its `frame`.
+  /// The size of a new window: most of a large screen; 1280 x 800 on smaller screens, if it fits
+  /// with its `frame`.
   static QSize first_size(const QSize& room, const QSize& frame);
   /// Layouts for three kinds of work: "author", "watch", "train".
   void arrange(const QString& layout);
-  /// Offers what a window left behind that did not close properly.
+  /// Offers the unsaved work of windows that were not closed properly.
   void offer_recovered();
-  /// The question about unsaved work; tests answer it at once.
+  /// Asks the user about unsaved work. Tests replace this by an answer.
   enum class Answer { save, discard, cancel };
   std::function<Answer(const QString& question)> ask_about_unsaved;
 
@@ -95,9 +95,9 @@ class MainWindow : public QMainWindow {
   void read_run(const QString& file, const StoredRun& run);
   void show_recording(const QString& title, const RecordedWorld& world);
   void set_end_of_recording(double time_s);
-  /// The recording that runs here; null: another run, or the world was changed.
+  /// The recording that runs here; null if another run is shown, or if the world was changed.
   const Recorded* recorded() const;
-  /// Says whether a run that has ended, or come to its end, is the recorded one.
+  /// Says whether a finished run equals the recorded one.
   void compare_with_recording(const Json& end);
   void run_or_pause();
   void show_past();
@@ -111,12 +111,12 @@ class MainWindow : public QMainWindow {
   void show_pose();
   void show_lock();
   void show_title();
-  /// What needs a world is offered only where there is one.
+  /// Enables the actions that need a world only while there is one.
   void enable_actions();
   void show_teams();
   void show_recent();
   void note_recent(const QString& file);
-  /// The engine sends only what a window shows.
+  /// Asks the engine only for what the window shows.
   void watch();
   void watch_robot(const QString& id);
   bool is_the_present();
@@ -164,7 +164,7 @@ class MainWindow : public QMainWindow {
   QLabel* seed_label_;
   QLabel* outcome_label_;
   QString outcome_;
-  QString opening_;  // what the status bar says until the world is there
+  QString opening_;  // shown in the status bar until the world is open
   QLabel* recording_label_;
   RunReader* runs_;
   std::unique_ptr<Recorded> recorded_;
@@ -174,7 +174,7 @@ class MainWindow : public QMainWindow {
   QByteArray default_state_;
   QSet<QString> seen_;     // the docks in front
   QString watched_;        // what the engine was last asked to send
-  QString watched_robot_;  // of the panels that show one
+  QString watched_robot_;  // the robot in the panels that show one robot
   bool was_shown_ = false;
 };
 

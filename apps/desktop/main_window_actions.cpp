@@ -60,15 +60,16 @@ void MainWindow::make_actions() {
   action("export_picture", tr("Export &picture..."), {}, [this] { exporter_->export_picture(); });
   action(
       "export_film", tr("Export &film..."), {}, [this] { exporter_->export_film(); },
-      tr("Plays the run that was just made from its start into a film"));
+      tr("Writes the run, from its start to now, as a film"));
   action(
       "record", tr("&Record the next run..."), {}, [this] { exporter_->record(); },
-      tr("Into a CSV or MCAP file, from its start, 10 samples for each simulated second"));
+      tr("Writes it from its start into a CSV or MCAP file, 10 samples per simulated second"));
   action("copy_command", tr("&Copy the command line that repeats this"), {},
          [this] { exporter_->copy_command(); });
   action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 
-  // Their texts name the change; on the tool bar that would push all buttons behind them about.
+  // The texts of Undo and Redo name the change, which would move all buttons after them on the tool
+  // bar.
   action("undo", tr("&Undo"), QKeySequence::Undo, [this] {
     workbench_.undo();
   })->setIconText(tr("Undo"));
@@ -83,7 +84,7 @@ void MainWindow::make_actions() {
   action("delete", tr("De&lete"), QKeySequence::Delete, [this] { authoring_->remove_selected(); });
   action("rename", tr("Re&name..."), key("F2"), [this] { authoring_->rename_selected(); });
   action("edit", tr("&Edit..."), key("Return"), [this] { authoring_->edit_selected(); });
-  // In trees and the view; a text keeps its keys.
+  // These keys act in trees and the view; a text has its own.
   for (const char* name : {"edit", "delete", "cut", "copy", "paste"}) {
     actions_[name]->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     removeAction(actions_[name]);
@@ -91,24 +92,24 @@ void MainWindow::make_actions() {
   }
   action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"),
          [this] { scene_->toggle_locked(authoring_->selection()); });
-  action("more", tr("&More for what is chosen..."), {},
+  action("more", tr("&More for the selection..."), {},
          [this] { authoring_->open_menu(authoring_->selection().value(0), QCursor::pos()); });
   action(
       "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
-      tr("The world begins with the chosen robots where they are now"));
+      tr("The selected robots begin where they are now"));
   action("add_robot", tr("&Robot..."), {}, [this] { authoring_->add_element({}, "robots"); });
   action(
       "add_sensor", tr("Se&nsor..."), {},
       [this] { authoring_->add_element(authoring_->robot(), "sensors"); },
-      tr("Add a sensor to the chosen robot"));
+      tr("Add a sensor to the selected robot"));
   action(
       "behaviors", tr("&Behaviours..."), {},
       [this] { authoring_->edit_behaviors(authoring_->robot()); },
-      tr("Choose the behaviours of the chosen robot"));
+      tr("Choose the behaviours of the selected robot"));
   action(
       "coordinator", tr("Coor&dinator..."), {},
       [this] { authoring_->edit_coordinator(authoring_->robot()); },
-      tr("Choose or edit the coordinator of the chosen robot"));
+      tr("Choose or edit the coordinator of the selected robot"));
   action("add_static", tr("&Static box..."), {}, [this] {
     authoring_->add_element({}, "obstacles", {"static_box", {}, {}});
   });
@@ -134,32 +135,31 @@ void MainWindow::make_actions() {
   action("run", tr("&Run or pause"), key("F5"), [this] { run_or_pause(); });
   action("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
   action("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
-  action("event_before", tr("Event &before"), {}, [this] { time_line_->go_to_event(false); });
-  action("event_after", tr("Event a&fter"), {}, [this] { time_line_->go_to_event(true); });
+  action("event_before", tr("Pre&vious event"), {}, [this] { time_line_->go_to_event(false); });
+  action("event_after", tr("Ne&xt event"), {}, [this] { time_line_->go_to_event(true); });
   action("now", tr("Back to &now"), {}, [this] { time_line_->go_to_now(); });
   action(
       "physics", tr("&Physics parameters..."), {}, [this] { authoring_->edit_element("physics"); },
-      tr("Gravity, ERP, CFM or kp and kd, step: also while it runs"));
+      tr("Gravity, ERP and CFM or kp and kd, and the time step; also during a run"));
   action("arena", tr("&Arena..."), {}, [this] { authoring_->edit_element("arena"); });
   action("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
   action(
       "stop_engine", tr("Stop the engine &now"), {}, [this] { workbench_.stop_engine(); },
-      tr("For a plugin that does not come back: the engine starts again, the world stays"));
+      tr("For a plugin that does not return: the engine starts again, and the world stays"));
 
   action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
-  action("frame", tr("Go &near to what is chosen"), key("F"),
-         [this] { scene_->frame_selection(); });
+  action("frame", tr("Go &near to the selection"), key("F"), [this] { scene_->frame_selection(); });
   action("view_top", tr("From the &top"), key("7"), [this] { scene_->look_from_top(); });
   action("view_front", tr("From the &front"), key("1"), [this] { scene_->look_from_front(); });
   action("view_side", tr("From the &side"), key("3"), [this] { scene_->look_from_side(); });
-  action("follow", tr("F&ollow the chosen robot"), key("Shift+F"), [this] {
+  action("follow", tr("F&ollow the selected robot"), key("Shift+F"), [this] {
     scene_->follow(scene_->followed().isEmpty() ? authoring_->robot() : QString());
   });
   action("measure", tr("&Measuring tape"), key("M"), [this] {
     scene_->set_tool(scene_->tool() == SceneView::Tool::measure ? SceneView::Tool::move
                                                                 : SceneView::Tool::measure);
   })->setIconText(tr("Tape"));
-  // The view's: elsewhere one types them, and Home goes to the first row.
+  // These keys act only in the view: elsewhere users type them, and Home goes to the first row.
   for (const char* name :
        {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure"}) {
     actions_[name]->setShortcutContext(Qt::WidgetShortcut);
@@ -194,7 +194,7 @@ void MainWindow::make_actions() {
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
       if (each->isVisible()) shown << each;
     }
-    // raise() changes the order of children.
+    // raise() changes the order of the children.
     std::sort(shown.begin(), shown.end(), [](const QDockWidget* a, const QDockWidget* b) {
       return a->objectName() < b->objectName();
     });
@@ -249,16 +249,17 @@ void MainWindow::make_actions() {
       }
     }
     rows.sort();
-    text += rows.join("") + "</table>" +
-            tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
-               "click chooses, with Shift several; a right click edits. "
-               "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
-               "snaps, Shift refines. "
-               "Arrows move what is chosen, with Shift by 1 cm. Space runs and pauses. G moves, R "
-               "turns, S resizes: "
-               "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
-               "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
-               "to the event before and after; Home and End.</p>");
+    text +=
+        rows.join("") + "</table>" +
+        tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
+           "click selects, with Shift several; a right click edits. "
+           "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
+           "snaps, Shift refines. "
+           "Arrow keys move the selection, with Shift by 1 cm. Space runs and pauses. G moves, R "
+           "turns, S resizes: "
+           "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
+           "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
+           "to the previous and next event; Home and End to the start and to now.</p>");
     QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
     box.exec();
   });
@@ -277,7 +278,7 @@ void MainWindow::make_menus() {
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
   fill(file, {"new", "open"});
-  recent_ = file->addMenu(tr("Opened &last"));
+  recent_ = file->addMenu(tr("Recent&ly opened"));
   fill(file, {"start_page", "", "save", "save_as", "", "export_picture", "export_film", "record",
               "copy_command", "", "quit"});
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -328,9 +329,7 @@ void MainWindow::make_menus() {
   boxes_ = new QToolButton;
   boxes_->setObjectName("boxes");
   boxes_->setText(tr("Box"));
-  boxes_->setToolTip(
-      tr("Add a box, cylinder or prism: one that stands, one that can be pushed, or "
-         "one that moves"));
+  boxes_->setToolTip(tr("Add a static, dynamic or moving box, a cylinder or a prism"));
   boxes_->setPopupMode(QToolButton::InstantPopup);
   for (const char* name :
        {"add_static", "add_dynamic", "add_moving", "add_cylinder", "add_prism"}) {

@@ -27,12 +27,12 @@
 #include "world/properties.h"
 #include "world/world_tree.h"
 
-// What the window hears from the workbench and the views, and what it asks the engine to send.
+// How the window reacts to the workbench and the views, and what it asks the engine to send.
 
 namespace elsie::desktop {
 namespace {
 
-constexpr int kFewRobots = 16;  // that Plots shows all numbers of
+constexpr int kFewRobots = 16;  // with more, Plots shows the numbers of one robot
 
 }  // namespace
 
@@ -108,7 +108,7 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::ended, this, &MainWindow::compare_with_recording);
   connect(&workbench_, &Workbench::went_on, this, [this] {
     if (workbench_.has_mistakes()) {
-      say(tr("The text has mistakes: the world that runs is the one from before them."));
+      say(tr("The text has mistakes: the world is the one from before them."));
     }
   });
   connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
@@ -134,7 +134,7 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::catalog_changed, this, [this] {
     world_tree_->show_world();
     editor_->set_catalog(workbench_.catalog().json());
-    say(tr("%1 plugins are there")
+    say(tr("%1 plugins were found")
             .arg(workbench_.catalog().json().value("plugins", Json::array()).size()));
   });
   auto* watch_dog = new QTimer(this);
@@ -151,7 +151,7 @@ void MainWindow::connect_workbench() {
     if (is_stuck_ && workbench_.is_opening()) {
       statusBar()->showMessage(
           tr("The engine has been reading the world for %1 s: it is large, or a plugin takes long. "
-             "'Stop the engine now' in the menu Simulation ends that, and the text stays.")
+             "'Stop the engine now' in the menu Simulation stops it, and the text stays.")
               .arg(waiting_ms / 1000));
     } else if (is_stuck_) {
       statusBar()->showMessage(
@@ -200,7 +200,7 @@ void MainWindow::connect_views() {
             list == "behaviors" ? authoring_->edit_behaviors(holder)
                                 : authoring_->add_element(holder, list);
           });
-  // So that keys act on what was added.
+  // So that keys act on the new element.
   connect(authoring_, &Authoring::added, scene_, qOverload<>(&QWidget::setFocus));
   connect(authoring_, &Authoring::said, this, &MainWindow::say);
   connect(authoring_, &Authoring::follow_wished, scene_, &SceneView::follow);
@@ -226,7 +226,8 @@ void MainWindow::connect_views() {
           [this](const QString& why) { warn(tr("The run cannot be opened"), why); });
 }
 
-/// False, with a sentence, while the view shows the past: what is dragged there is elsewhere now.
+/// Returns false, with a sentence, while the view shows the past, because the dragged object is now
+/// elsewhere.
 bool MainWindow::is_the_present() {
   if (!time_line_->is_in_the_past()) {
     return true;
@@ -274,7 +275,7 @@ void MainWindow::show_problems() {
 
 void MainWindow::go_to(const QString& file, int line) {
   if (!is_of_world(file)) {
-    say(tr("That is in another file: %1, line %2").arg(file).arg(line));
+    say(tr("The problem is in another file: %1, line %2").arg(file).arg(line));
     return;
   }
   docks_["text"]->show();
@@ -282,7 +283,7 @@ void MainWindow::go_to(const QString& file, int line) {
   editor_->go_to(line);
 }
 
-/// One box, however often it ends.
+/// There is only one box, however often the engine ends.
 void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopped) {
   auto* box = findChild<QMessageBox*>("engine_lost");
   if (!box) {
@@ -302,11 +303,11 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
       what + ' ' +
       (!is_there
            ? tr("It does not start again. Your world and its unsaved changes are here as a text, "
-                "which you can save. The engine is tried again when you change the text, or open a "
-                "world.")
+                "which you can save. Changing the text, or opening a world, tries to start the "
+                "engine again.")
        : workbench_.tree().is_null() && !workbench_.problems().empty()
-           ? tr("Your world and its unsaved changes are here as a text; it is opened again when "
-                "you change it.")
+           ? tr("Your world and its unsaved changes are here as a text, which is opened again "
+                "when you change it.")
            : tr("Your world and its unsaved changes are here; the run starts again.")));
   box->setInformativeText(cause_in(report));
   box->setDetailedText(report);

@@ -18,15 +18,15 @@
 #include "world/properties.h"
 #include "world/world_tree.h"
 
-// The docks: which there are, where they lie, and that they come back as they were left.
+// The docks: which exist, where they are, and how their layout is restored.
 
 namespace elsie::desktop {
 namespace {
 
 const QStringList kUsualTeams{"red", "blue"};
-constexpr QSize kGrip(60, 12);  // as much of a title bar as a hand takes hold of
+constexpr QSize kGrip(60, 12);  // the part of a title bar that a hand can grip
 
-/// Whether a window of that place on the screens can be dragged by its title.
+/// Whether a window at that place on the screens can be dragged by its title.
 bool can_be_reached(const QRect& frame, int title_height) {
   const QRect title(frame.topLeft(), QSize(frame.width(), title_height));
   for (const QScreen* screen : QApplication::screens()) {
@@ -83,7 +83,7 @@ void MainWindow::make_docks() {
   dock("fuzzy", tr("Fuzzy"), fuzzy_, Qt::RightDockWidgetArea);
   dock("sensors", tr("Sensors"), sensors_, Qt::RightDockWidgetArea);
   for (const char* name : {"coordination", "plots", "vision", "fuzzy", "sensors"}) {
-    // A dock that lies behind another is "visible", too.
+    // A dock behind another one also counts as "visible".
     connect(docks_[name], &QDockWidget::visibilityChanged, this, [this, name](bool is_seen) {
       is_seen ? void(seen_.insert(name)) : void(seen_.remove(name));
       watch();
@@ -124,7 +124,7 @@ void MainWindow::arrange(const QString& layout) {
     put(Qt::RightDockWidgetArea, {"properties"});
     put(Qt::BottomDockWidgetArea, {"coordination", "plots", "text", "problems"});
   }
-  // What is shown later lies behind the form, not in a strip below it.
+  // Panels that are shown later are put behind the form, not into a strip below it.
   for (const char* name : {"vision", "fuzzy", "sensors"}) {
     if (layout != "watch") {
       addDockWidget(Qt::RightDockWidgetArea, docks_[name]);
@@ -175,7 +175,7 @@ QDockWidget* MainWindow::make_team(const QString& team) {
   return new_dock(("team_" + team).toUtf8().constData(), team, tree);
 }
 
-// The windows of the two usual teams stay; others come and go with the worlds that have them.
+// The windows of the two usual teams stay; others exist only for worlds that have those teams.
 void MainWindow::show_teams() {
   if (!workbench_.tree().is_object()) {
     return;
@@ -203,7 +203,7 @@ void MainWindow::show_teams() {
   }
 }
 
-// A window that was left on a screen that is not there any more comes back.
+// Moves a window that was left on a screen that no longer exists.
 void MainWindow::bring_back(QDockWidget* dock) {
   const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, dock);
   if (dock->isFloating() && !can_be_reached(dock->frameGeometry(), title)) {

@@ -23,14 +23,14 @@
 #include "watch/sensors_panel.h"
 #include "watch/vision_panel.h"
 
-// Files that are opened and saved, and unsaved work.
+// Opening and saving files, and unsaved work.
 
 namespace elsie::desktop {
 namespace {
 
 constexpr int kMostRecent = 10;
 
-/// By its permissions: root may write everything.
+/// Judged by its permissions, because root may write everything.
 bool is_write_protected(const QString& file) {
   const QFileInfo info(file);
   constexpr auto kWriters = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
@@ -100,7 +100,7 @@ void MainWindow::show_opened(const QString& file) {
   }
 }
 
-// What is only true of the world that was there.
+// Forgets what belongs to the previous world.
 void MainWindow::forget_world() {
   outcome_.clear();
   runs_->stop();
@@ -120,7 +120,7 @@ void MainWindow::begin_world(const std::function<QString()>& text) {
   }
   const QString begun = text();
   if (!begun.isEmpty()) {
-    workbench_.open_text(begun, {});  // nothing is lost with it
+    workbench_.open_text(begun, {});  // this loses nothing
     forget_world();
     centre_->setCurrentIndex(1);
     show_title();
@@ -134,10 +134,10 @@ bool MainWindow::is_agreed(const char* name, const QString& title, const QString
   return box.exec() == QMessageBox::Yes;
 }
 
-/// Asks before a text that is no world replaces one.
+/// Asks before invalid text replaces a file.
 bool MainWindow::may_have_mistakes() {
   enter_what_is_typed();
-  if (workbench_.engine().is_there() && workbench_.has_mistakes()) {  // or is not read yet
+  if (workbench_.engine().is_there() && workbench_.has_mistakes()) {  // or the text is not read yet
     const auto waiting = std::make_shared<QEventLoop>();
     workbench_.when_settled(this, [waiting] { waiting->quit(); });
     if (workbench_.has_mistakes()) {
@@ -147,7 +147,7 @@ bool MainWindow::may_have_mistakes() {
   }
   return !workbench_.has_mistakes() || workbench_.problems().empty() ||
          is_agreed("save_mistakes", tr("The text has mistakes"),
-                   tr("The text of the world has mistakes: %1\nSave it all the same?")
+                   tr("The text of the world has mistakes: %1\nSave it anyway?")
                        .arg(workbench_.problems().front().message));
 }
 
@@ -170,17 +170,17 @@ bool MainWindow::save(bool elsewhere) {
     file = dialog.selectedFiles().front();
   } else if (workbench_.is_changed_on_disk() &&
              !is_agreed("write_over", tr("The file has changed"),
-                        tr("Another program has changed '%1' since it was opened. Write over it?")
+                        tr("Another program has changed '%1' since it was opened. Overwrite it?")
                             .arg(file))) {
     return false;
   }
   if (is_write_protected(file) &&
-      !is_agreed("write_protected", tr("The file is write-protected"),
-                 tr("'%1' is write-protected. Write it all the same? It stays write-protected.")
-                     .arg(file))) {
+      !is_agreed(
+          "write_protected", tr("The file is write-protected"),
+          tr("'%1' is write-protected. Write it anyway? It stays write-protected.").arg(file))) {
     return false;
   }
-  // It may be saved after this has given up waiting.
+  // The save may still happen after this function has stopped waiting.
   struct Saving {
     std::optional<QString> why;
     QEventLoop waiting;
@@ -209,7 +209,8 @@ bool MainWindow::save(bool elsewhere) {
   return false;
 }
 
-// Not modal to the event loop: a run goes on, and a file that changes again is asked about once.
+// The box does not block the event loop: a run continues, and a file that changes again leads to
+// one question.
 void MainWindow::ask_about_disk() {
   if (findChild<QMessageBox*>("changed_on_disk")) {
     return;
@@ -217,7 +218,7 @@ void MainWindow::ask_about_disk() {
   auto* box = new QMessageBox(
       QMessageBox::Question, tr("The file has changed"),
       workbench_.is_modified()
-          ? tr("Another program has changed '%1'. Read it again? What is unsaved here would be "
+          ? tr("Another program has changed '%1'. Read it again? Your unsaved changes would be "
                "lost.")
                 .arg(workbench_.file())
           : tr("Another program has changed '%1'. Read it again?").arg(workbench_.file()),
@@ -260,7 +261,7 @@ void MainWindow::offer_recovered() {
   left.erase(damaged, left.end());
   for (const Recovered& each : left) {
     QMessageBox box(QMessageBox::Question, tr("Unsaved work"),
-                    tr("A window was not closed properly. Take up its unsaved work on %1?")
+                    tr("A window was not closed properly. Continue its unsaved work on %1?")
                         .arg(each.file.isEmpty() ? tr("a new world") : '\'' + each.file + '\''),
                     QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setObjectName("recovered");

@@ -9,8 +9,8 @@ namespace elsie::desktop {
 struct MainWindow::Recorded {
   QString title;
   RecordedWorld world;
-  QString text;     // as it was opened
-  QString verdict;  // on the run that was made of it; "": none yet
+  QString text;     // the world's text when it was opened
+  QString verdict;  // on the run that was made here; "" before it has ended
 };
 
 }  // namespace elsie::desktop

@@ -8,7 +8,7 @@
 #include "main_window_recorded.h"
 #include "scene/scene_view.h"
 
-// Runs that were recorded: opened, played, and compared with what runs here.
+// Recorded runs: opening and playing them, and comparing them with the run made here.
 
 namespace elsie::desktop {
 
@@ -60,11 +60,11 @@ void MainWindow::set_end_of_recording(double time_s) {
   }
   recorded_->world.end.time_s = time_s;
   if (!recorded_->world.end.is_cut) {
-    return;  // the run ends there by itself
+    return;  // the run ends there without a halt
   }
   workbench_.set_halt(time_s);
   if (workbench_.run_state() == Workbench::Run::running) {
-    workbench_.run();  // to there
+    workbench_.run();  // up to the halt
   }
 }
 
@@ -75,7 +75,8 @@ const MainWindow::Recorded* MainWindow::recorded() const {
              : nullptr;
 }
 
-// Only at the same step: a run pauses between two decisions, and a recording may end within one.
+// Compares only at the same step: a run pauses between two decisions, and a recording may end
+// within one.
 void MainWindow::compare_with_recording(const Json& end) {
   const RecordedEnd& wanted = recorded() ? recorded_->world.end : RecordedEnd();
   if (wanted.state_hash.isEmpty() || end.value("steps", qint64{-1}) != wanted.steps) {
@@ -84,8 +85,8 @@ void MainWindow::compare_with_recording(const Json& end) {
   const bool is_same = text_at(end, "state_hash") == wanted.state_hash;
   recorded_->verdict = is_same ? tr("as recorded") : tr("not as recorded");
   if (!is_same) {
-    warn(tr("Another run than the recorded one"),
-         tr("This run has come to another end than the recorded one: state hash %1, recorded %2. "
+    warn(tr("Not the recorded run"),
+         tr("This run ended differently from the recorded one: state hash %1, recorded %2. "
             "Another version of Elsie, other plugins or other files of the world made the "
             "recording.")
              .arg(text_at(end, "state_hash"), wanted.state_hash));
@@ -93,7 +94,7 @@ void MainWindow::compare_with_recording(const Json& end) {
   show_state();
 }
 
-/// Those from the shown time on, and before them the last ones before it.
+/// Lists the events from the shown time on, and the last ones before it.
 void MainWindow::list_events(QMenu* menu) {
   constexpr std::size_t kMost = 30;
   constexpr std::size_t kMostBefore = 10;
@@ -115,8 +116,8 @@ void MainWindow::list_events(QMenu* menu) {
 
 // Start, pause and the seed
 
-/// A run that goes on begins at now; one that is over, or was recorded, is played from what is
-/// shown.
+/// Continues the run from its present time; a finished or recorded run is played from the shown
+/// time.
 void MainWindow::run_or_pause() {
   const bool is_over = workbench_.run_state() == Workbench::Run::ended || workbench_.is_at_halt();
   if (time_line_->is_playing()) {
@@ -137,12 +138,12 @@ void MainWindow::show_past() {
   show_state();
 }
 
-/// A run that is under way, and all that was seen of it, would be gone.
+/// Asks first if a run is under way, because that run would be lost.
 void MainWindow::begin_anew(quint64 seed) {
   const bool is_under_way = workbench_.run_state() == Workbench::Run::running ||
                             workbench_.run_state() == Workbench::Run::paused;
   if (is_seed_asked_) {
-    return;  // the question takes the keyboard from the field, which enters it again
+    return;  // the question takes the focus from the field, which enters the seed again
   }
   is_seed_asked_ = true;
   const bool may_begin =

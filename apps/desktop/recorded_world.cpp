@@ -15,7 +15,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kSplit_ms = 500;  // of a process that is to end
+constexpr int kSplit_ms = 500;  // the time that a process has to end
 
 bool begins_with(const QString& file, const QByteArray& mark) {
   QFile opened(file);
@@ -63,7 +63,8 @@ std::vector<StoredRun> runs_in(const QString& table) {
   return runs;
 }
 
-/// What `elsie replay --json` says about the end of a run; a run of a database has no outcome here.
+/// Reads what `elsie replay --json` says about the end of a run; for a run of a database that
+/// contains no outcome.
 RecordedEnd end_in(const Json& said) {
   const auto outcome = said.find("outcome");
   const auto duration = said.find("duration_s");
@@ -142,7 +143,7 @@ void RunReader::start(const QStringList& words, std::function<void(QProcess&)> d
 
 void RunReader::read_world(const QString& file, int run,
                            std::function<void(const RecordedWorld&)> done) {
-  // Others may have put something beside the world, such as weights: that stays.
+  // Other files that were put next to the world, such as weights, stay.
   const std::shared_ptr<QTemporaryDir> folder(new QTemporaryDir, [](QTemporaryDir* each) {
     each->setAutoRemove(
         QDir(each->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size() <= 1);
@@ -163,8 +164,8 @@ void RunReader::read_world(const QString& file, int run,
           const Json said =
               Json::parse(replay.readAllStandardOutput().toStdString(), nullptr, false);
           if (!said.is_object()) {
-            Q_EMIT failed(tr("'%1' has not said what it has read from the recording; install it "
-                             "and this window again, from one version.")
+            Q_EMIT failed(tr("'%1' did not report what it read from the recording. Install it "
+                             "and this window again, from the same version.")
                               .arg(elsie_));
             return;
           }

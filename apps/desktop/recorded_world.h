@@ -1,4 +1,4 @@
-// The worlds of runs that were recorded, or done in a batch.
+// The worlds of runs that were recorded, or made in a batch.
 #pragma once
 
 #include <QObject>
@@ -16,26 +16,27 @@ class QDialog;
 
 namespace elsie::desktop {
 
-/// Whether the file is a recording (MCAP) or a results database, by how it begins.
+/// Whether the file is a recording (MCAP) or a results database, judged by its first bytes.
 bool may_be_run(const QString& file);
 bool may_be_database(const QString& file);
 
-/// Whether it is the table of a run (CSV), which has no world in it, by how it begins.
+/// Whether the file is the table of a run (CSV), which contains no world, judged by its first
+/// bytes.
 bool may_be_table(const QString& file);
 
 /// How a run ended.
 struct RecordedEnd {
-  double time_s = 0.0;  // 0: not known
-  qint64 steps = 0;     // 0: not known
-  QString state_hash;   // 16 hexadecimal digits; "": not known
-  bool is_cut = false;  // a run of its world goes on there: --duration, Ctrl-C, a crash
+  double time_s = 0.0;  // 0: unknown
+  qint64 steps = 0;     // 0: unknown
+  QString state_hash;   // 16 hexadecimal digits; "": unknown
+  bool is_cut = false;  // a run of its world continues there: --duration, Ctrl-C, a crash
 };
 
 struct RecordedWorld {
   QString file;  // in `folder`
   std::uint64_t seed = 1;
   RecordedEnd end;
-  std::shared_ptr<QTemporaryDir> folder;  // goes with the last who uses the world
+  std::shared_ptr<QTemporaryDir> folder;  // deleted after the last use, if it has no other files
 };
 
 /// The events of a recording, with their times in s, and its end.
@@ -50,25 +51,25 @@ struct StoredRun {
   RecordedEnd end;
 };
 
-/// Reads recordings and databases with the program elsie, in the background: one at a time, the
-/// last that was asked for. Nothing is called back for one that another took the place of.
+/// Reads recordings and databases with the program elsie, in the background. It reads one file at a
+/// time: a new request replaces the previous one, which then calls nothing back.
 class RunReader : public QObject {
   Q_OBJECT
 
  public:
-  /// `options`: of plugins.
+  /// `options` are the options for plugins.
   RunReader(QString elsie, QStringList options, QObject* parent = nullptr);
   ~RunReader() override;
 
-  /// The world as it was when the run began, with the edits that the run was given. `run`: its
-  /// number in a database; 0 for a recording.
+  /// Reads the world as it was when the run began, including the edits that the run received. `run`
+  /// is its number in a database, 0 for a recording.
   void read_world(const QString& file, int run, std::function<void(const RecordedWorld&)> done);
   void read_events(const QString& recording, std::function<void(const RecordedEvents&)> done);
   void list_runs(const QString& database, std::function<void(const std::vector<StoredRun>&)> done);
   void stop();
 
  Q_SIGNALS:
-  /// A sentence.
+  /// `why` is a sentence.
   void failed(const QString& why);
 
  private:
@@ -79,8 +80,8 @@ class RunReader : public QObject {
   std::unique_ptr<QProcess> process_;
 };
 
-/// Asks for one of the runs of a database, each with its world, seed and outcome. The dialog is
-/// shown, and deletes itself.
+/// Asks which run of a database to open, and lists each with its world, seed and outcome. The
+/// dialog is shown, and deletes itself.
 QDialog* ask_for_run(const std::vector<StoredRun>& runs, QWidget* parent,
                      std::function<void(const StoredRun& run)> done);
 

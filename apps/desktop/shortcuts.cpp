@@ -105,7 +105,7 @@ void ShortcutsDialog::accept() {
     const QKeySequence key = key_in(row);
     const QString title = title_of(*actions_[names_[row]]);
     if (!key.isEmpty() && taken.contains(key)) {
-      refusal_->say(tr("%1 is the key of '%2' and of '%3'. Take it from one of them.")
+      refusal_->say(tr("%1 is the key of '%2' and of '%3'. Remove it from one of them.")
                         .arg(key.toString(QKeySequence::NativeText), taken[key], title));
       return;
     }

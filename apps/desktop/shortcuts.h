@@ -14,13 +14,13 @@ namespace elsie::desktop {
 class WarningLabel;
 using Actions = QHash<QString, QAction*>;  // by their object names
 
-/// Gives the actions the keys that the user has chosen. To be called once, with the program's own
-/// keys; those stay known to the dialog.
+/// Gives the actions the keys that the user has assigned. Call it once, while the actions have the
+/// program's own keys; the dialog remembers those.
 void load_shortcuts(const Actions& actions);
 
-/// All actions with their keys. OK takes them over and keeps them for this user; a key that two
-/// actions would have is refused. Keys that the view or the time line have for themselves, such as
-/// G and R, belong to no action.
+/// Lists all actions with their keys. OK applies the keys and stores them for this user; it refuses
+/// a key that two actions would share. Keys that only the view or the time line uses, such as G and
+/// R, belong to no action.
 class ShortcutsDialog : public QDialog {
   Q_OBJECT
 

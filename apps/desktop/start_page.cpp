@@ -88,7 +88,7 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
   };
   examples_ = list("examples", tr("&Examples"), 3);
   examples_->setIconSize(QSize(kIcon_em, kIcon_em * 3 / 4) * fontMetrics().averageCharWidth());
-  recent_ = list("recent", tr("Opened &last"), 2);
+  recent_ = list("recent", tr("Recent&ly opened"), 2);
   const QDir folder(worlds);
   for (const QString& name :
        worlds.isEmpty() ? QStringList() : folder.entryList({"*.xml"}, QDir::Files, QDir::Name)) {
@@ -111,7 +111,7 @@ void StartPage::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
 }
 
-// Not for a page that gives way to a world at once.
+// Draws nothing for a page that a world replaces at once.
 void StartPage::draw_examples() {
   for (int i = 0; isVisible() && i < examples_->count(); ++i) {
     QListWidgetItem* item = examples_->item(i);

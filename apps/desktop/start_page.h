@@ -1,4 +1,4 @@
-// What the window shows first: examples, a new world, files that were open last.
+// The first page of the window: examples, a new world, and the files that were opened last.
 #pragma once
 
 #include <QWidget>
@@ -13,8 +13,8 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `worlds`: the folder of the shipped worlds; "" if it was not found. `elsie`: the program that
-  /// draws them.
+  /// `worlds` is the folder of the shipped worlds, "" if it was not found. `elsie` is the program
+  /// that draws them.
   StartPage(const QString& worlds, const QString& elsie, QWidget* parent = nullptr);
 
   void show_recent(const QStringList& files);
@@ -37,11 +37,10 @@ class StartPage : public QWidget {
   Thumbnails thumbnails_;
 };
 
-/// The text of a world with four walls only.
+/// The text of a world with only four walls.
 QString empty_world();
 
-/// Asks for the size of a new world and what is in it; returns its text, or "" if the user changed
-/// his mind.
+/// Asks for the size and the contents of a new world. Returns its text, or "" if the user cancels.
 QString ask_for_new_world(QWidget* parent);
 
 }  // namespace elsie::desktop

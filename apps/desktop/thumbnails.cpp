@@ -9,7 +9,7 @@
 namespace elsie::desktop {
 namespace {
 
-/// Where the picture of a world as it is on disk now is kept.
+/// The file of the picture of a world in its present state on disk.
 QString picture_of(const QString& world) {
   const QFileInfo file(world);
   const QString which = file.absoluteFilePath() + u'\n' +

@@ -1,4 +1,4 @@
-// Small pictures of worlds, drawn by `elsie picture` in the background and kept.
+// Small pictures of worlds, which `elsie picture` draws in the background and which are kept.
 #pragma once
 
 #include <QIcon>
@@ -9,8 +9,8 @@
 
 namespace elsie::desktop {
 
-/// One world at a time, so that the machine stays the user's. A picture is drawn again when its
-/// world has changed; a world that cannot be drawn has none.
+/// Draws one world at a time, so that the machine stays responsive. A picture is drawn again when
+/// its world has changed; a world that cannot be drawn has no picture.
 class Thumbnails : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class Thumbnails : public QObject {
   ~Thumbnails() override;
 
   void draw(const QString& world, std::function<void(const QIcon&)> done);
-  /// Those that have not been drawn are drawn no more.
+  /// Drops the worlds that are waiting to be drawn.
   void stop() { waiting_.clear(); }
 
  private:

@@ -23,10 +23,11 @@ void RecordOptions::add_to(CLI::App& command) {
   command.add_flag("--record-images", images, "Record what the cameras see, too; not in a table")
       ->needs("--record");
   command
-      .add_option("--record-robots", robots,
-                  "Record only these robots, of the others only poses, and those not in a table: "
-                  "ids, separated by commas; default: all, in a recording for viewers the first "
-                  "1000")
+      .add_option(
+          "--record-robots", robots,
+          "Record these robots in full: ids, separated by commas. Of the others record only "
+          "the poses, and nothing in a table. Default: all, in a recording for viewers the "
+          "first 1000")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs("--record")

@@ -247,8 +247,8 @@ void add_run_command(CLI::App& program, Job& job) {
           "--at", options->changes,
           "Edit the world while it runs, before the first step at this simulated time (s) "
           "or after it: any edit that --set takes, e.g. '5:robot[r1]/@max_speed=0.2' or "
-          "'5:obstacle[+]=<static_box x=\"1\"/>'; may be repeated, and what has the same time "
-          "is edited together")
+          "'5:obstacle[+]=<static_box x=\"1\"/>'; may be repeated; edits with the same time "
+          "are made together")
       ->type_name("TIME:EDIT")
       ->allow_extra_args(false);
   options->plugins.add_to(*command);

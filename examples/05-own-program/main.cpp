@@ -1,4 +1,4 @@
-// Runs a world, watches who decides, and says what came of it.
+// Runs a world, watches who decides, and prints the result.
 //   own_program [WORLD] [SEED]
 #include <cstdio>
 #include <cstdlib>

@@ -31,7 +31,7 @@ Body body_of(const world::Robot& robot) {
                               robot.z);
 }
 
-/// The world of a tree, whose bodies need not be where it says.
+/// Reads the world of a tree. Bodies need not be at the places that it gives.
 std::optional<world::World> read(const Drawing& drawing, Element tree, Problems& mistakes) {
   world::ReadOptions options = drawing.options;
   options.overrides.clear();
@@ -46,7 +46,7 @@ std::optional<world::World> read(const Drawing& drawing, Element tree, Problems&
   }
 }
 
-/// The world without what may speak of things that are not drawn yet.
+/// A copy of the world without elements that may refer to things that are not drawn yet.
 Element without(const Element& world, std::initializer_list<const char*> names) {
   Element rest;
   rest.name = world.name;

@@ -1,4 +1,4 @@
-// Where the bodies of a world stand, so that what is scattered keeps its distance.
+// The places of the bodies of a world, so that scattered things keep their distance.
 #pragma once
 
 #include <vector>
@@ -21,9 +21,9 @@ double covered(const Body& body);
 /// The body at another place.
 Body moved(const Body& body, double x, double y, double heading_deg);
 
-/// The bodies of robots, boxes and chargers, in the order given, wherever they are. `list`: the
-/// group of the world that they belong to. Empty if one is wrong in itself; then `problems` gets
-/// all that is wrong.
+/// The bodies of robots, boxes and chargers, in the order given, wherever they are. `list` is the
+/// group of the world that they belong to. Empty if one of them is invalid; `problems` then gets
+/// all mistakes.
 std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
                             std::vector<Element> things, Problems& problems);
 
@@ -31,10 +31,10 @@ class Occupied {
  public:
   explicit Occupied(const world::Arena& arena) : arena_(arena), grid_(arena.length, arena.width) {}
 
-  /// Everything that the world has. Returns whether it is in order; else problems are added.
+  /// Adds everything in the world. Returns false, and adds problems, if something in it is invalid.
   bool add_world(const Drawing& drawing);
   void add(const Body& body);
-  /// Whether a body keeps at least `gap` m from everything, walls included. Beside the corner of a
+  /// Whether a body keeps at least `gap` m from everything, walls included. Next to the corner of a
   /// body it may have to keep a little more, 1.4 times the gap at most.
   bool has_room_for(const Body& body, double gap) const;
 

@@ -17,7 +17,7 @@ Area area_of(const Given& given, const world::Arena& arena) {
 
 InDisc disc_of(const Given& given) { return {given["x"], given["y"], given["radius"]}; }
 
-/// None for an element that is no region.
+/// None for an element that is not a region.
 std::optional<Region> region_of(const std::string& name, const Given& given,
                                 const world::Arena& arena) {
   if (name == "in_box") return InBox{area_of(given, arena), given["heading_deg"]};
@@ -64,7 +64,7 @@ class Reading {
                     element.where};
     for (const Element& child : element.children) {
       const ElementSpec* const known = spec.child(child.name);
-      if (!known) continue;  // a problem already
+      if (!known) continue;  // already reported as a problem
       if (list_of(child.name)) {
         scatter.things.push_back(&child);
         continue;

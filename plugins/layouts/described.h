@@ -101,8 +101,8 @@ struct Described {
   std::vector<Draw> draws;
 };
 
-/// Reads <layouts>, of which edits may have removed some. Adds a problem for each mistake. What is
-/// returned refers to the elements.
+/// Reads <layouts>, from which edits may have removed some. Adds a problem for each mistake. The
+/// result refers to the elements.
 Described described(const Element& layouts, const world::Arena& arena, std::uint64_t seed_of_run,
                     Problems& problems);
 

@@ -1,5 +1,5 @@
-// What all kinds of layouts share: the world's tree that they add to, its arena, and streams of
-// random numbers.
+// What all kinds of layouts share: the world's tree, to which they add elements, its arena, and
+// streams of random numbers.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct Wall {
   double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;
 };
 
-/// The list of the world that an element belongs to; null if it is nothing that can be scattered.
+/// The list of the world that an element belongs to; null if the element cannot be scattered.
 const char* list_of(const std::string& name);
 
 struct Drawing {
@@ -53,19 +53,19 @@ struct Drawing {
   world::Arena arena{};
   const Element* layout = nullptr;  // what is being drawn
 
-  /// A stream of random numbers of its own, "layouts/clutter/7".
+  /// A separate stream of random numbers, "layouts/clutter/7".
   Random stream(const std::string& path) const { return Random(seed, "layouts/" + path); }
 
-  /// A mistake of the layout; always false.
+  /// Reports a mistake of the layout; returns false.
   bool refuse(const Location& where, const std::string& id, const std::string& problem);
-  /// Whether the area is inside of the arena, or a problem.
+  /// Returns whether the area is inside of the arena; if not, adds a problem.
   bool require_inside(const Area& area, const Location& where, const std::string& id);
 
   /// Adds an element to a list of the world, which is made if it is missing. The element's `object`
   /// becomes that of the layout which draws it.
   void add(const std::string& list, Element element);
-  /// Adds a static box that is a wall from one point to another, as long at both ends as it takes
-  /// to close corners.
+  /// Adds a static box that is a wall from one point to another. Its ends are long enough to close
+  /// corners.
   void add_wall(const std::string& id, const Wall& wall, double thickness, double height,
                 const Location& where);
   void add_box(const std::string& id, const Area& area, double heading_deg, double height,

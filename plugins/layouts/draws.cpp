@@ -18,8 +18,8 @@ namespace {
 using base::number_text;
 
 constexpr int kMostDraws = 10'000;  // of a normal distribution with bounds
-// A normal distribution whose bounds are closer than this share of its deviation would draw too
-// many values again.
+// If the bounds of a normal distribution were closer than this share of its deviation, too many
+// values would be drawn again.
 constexpr double kLeastShare = 0.01;
 
 std::optional<double> least_of(const Draw& draw) {
@@ -48,7 +48,7 @@ double drawn_value(const Draw& draw, Random& random) {
   return std::clamp(value, least.value_or(value), most.value_or(value));
 }
 
-/// What the user has set stays.
+/// A value that the user has set stays.
 void set(Element& element, const std::string& attribute, double value, const Location& where) {
   const world::Attribute* const there = element.find(attribute);
   if (!there || !there->where.file.text().starts_with("--set ")) {
@@ -56,7 +56,7 @@ void set(Element& element, const std::string& attribute, double value, const Loc
   }
 }
 
-/// What is wrong with a distribution; "" if nothing is.
+/// The problem with a distribution; "" if there is none.
 std::string mistake(const Draw& draw) {
   if (draw.mean.has_value() != draw.sd.has_value() || (!draw.mean && !(draw.from && draw.to))) {
     return "without a distribution; expected from and to, or mean and sd";

@@ -5,13 +5,14 @@
 
 namespace elsie::layouts {
 
-/// Whether each <draw> says one distribution, and no two of them have one path; else problems are
-/// added. `layout`: the id of the <scatter> that they are in; none: each is a layout of its own.
+/// Returns whether each <draw> gives one distribution, and no two of them have the same path; if
+/// not, adds problems. `layout` is the id of the <scatter> that contains them; none if each is a
+/// layout of its own.
 bool check_draws(Drawing& drawing, const std::vector<Draw>& draws,
                  const std::optional<std::string>& layout);
 
-/// Draws the attributes of a scattered thing, its number from 0, before it has a place. `list`: the
-/// group of the world that it belongs to.
+/// Draws the attributes of a scattered thing before it has a place. Its number counts from 0;
+/// `list` is the group of the world that it belongs to.
 void draw_in(const Drawing& drawing, const Scatter& scatter, Element& thing,
              const std::string& list, std::size_t number);
 

@@ -20,7 +20,7 @@ Given::Given(const world::ElementSpec& spec, const Element& element, Problems& p
 std::optional<ParameterValue> Given::value(const char* name) const {
   const world::AttributeSpec& known = *spec_.attribute(name);
   const world::Attribute* const attribute = element_.find(name);
-  // One that is not allowed is a problem already.
+  // A value that is not allowed has already been reported.
   const auto read = attribute ? world::parse_value(known, attribute->value).value : std::nullopt;
   return read ? read : known.default_value;
 }

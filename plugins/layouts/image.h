@@ -19,8 +19,8 @@ struct GreyImage {
 inline constexpr std::size_t kMostPixels = 16'000'000;
 
 bool is_image(const std::string& content);
-/// Colours become grey; what is transparent becomes white. Throws std::runtime_error with the end
-/// of a sentence: "is no whole PNG image: ...".
+/// Colours become grey; transparent pixels become white. Throws std::runtime_error with the end of
+/// a sentence: "is no whole PNG image: ...".
 GreyImage read_image(const std::string& content);
 
 }  // namespace elsie::layouts

@@ -1,4 +1,4 @@
-// Draws the layouts of a world: first walls, then what is scattered, in the order of the file.
+// Draws the layouts of a world: first walls, then scattered things, in the order of the file.
 #include <algorithm>
 #include <utility>
 #include <vector>

@@ -1,4 +1,5 @@
-// Perfect mazes: one way from each cell to each other. By depth first: long winding corridors.
+// Perfect mazes, with exactly one way between any two cells. They are made depth first, which gives
+// long winding corridors.
 #include <array>
 #include <vector>
 
@@ -18,8 +19,8 @@ class Cells {
         open_east_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false),
         open_north_(open_east_.size(), false) {}
 
-  /// Opens walls until all cells are connected, from a cell to a neighbour that is not, and back
-  /// where there is none.
+  /// Opens walls until all cells are connected: from a cell to an unconnected neighbour, or back if
+  /// there is none.
   void connect(Random& random) {
     std::vector<bool> reached(open_east_.size(), false);
     std::vector<std::size_t> way{drawn_index(random, open_east_.size())};

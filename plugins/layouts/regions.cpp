@@ -35,7 +35,7 @@ Area extent_of(const Region& region) {
                                  const double width = box.area.width;
                                  const double c = std::abs(std::cos(radians(box.heading_deg)));
                                  const double s = std::abs(std::sin(radians(box.heading_deg)));
-                                 // A region as large as the arena does not reach out of it.
+                                 // So that a region as large as the arena does not reach out of it.
                                  const auto rounded = [](double v) {
                                    return std::min(v, rounded_m(v));
                                  };

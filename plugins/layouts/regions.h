@@ -1,4 +1,4 @@
-// Where a scattered thing may stand, and which way it faces.
+// The places and headings that scattered things may have.
 #pragma once
 
 #include <deque>
@@ -21,18 +21,18 @@ class Places {
   Places(Drawing& drawing, const Scatter& scatter);
 
   bool is_right() const { return is_right_; }
-  /// m2; none for lines and normal distributions, which have no edge.
+  /// The area, m2; none for lines and normal distributions, which have no edge.
   std::optional<double> area() const;
-  /// Of a grid: how many things there can be.
+  /// The most things that a grid has room for; none for other regions.
   std::optional<std::size_t> most() const;
-  /// Says how many things there are.
+  /// Sets the number of things.
   void expect(std::size_t count) { count_ = count; }
 
-  /// The next place to be tried for the n-th thing; none: all have been tried.
+  /// The next place to try for the n-th thing; none if all have been tried.
   std::optional<Spot> next(std::size_t thing, int attempt, Random& random);
-  /// Rounded as it is written; none: the thing's own.
+  /// The heading, rounded as in the file; none if the element keeps its own.
   std::optional<double> heading_deg(const Spot& spot, Random& random) const;
-  /// Says that a thing stands at the place that next() gave.
+  /// Notes that a thing stands at the place that next() gave.
   void take();
 
  private:
@@ -42,8 +42,8 @@ class Places {
   const Scatter& scatter_;
   Region region_;
   std::size_t count_ = 1;
-  // Of a grid: the cells that are free, in random order. The last is tried; where there was no room
-  // for one thing, the next one tries last.
+  // For a grid: the free cells, in random order. The last one is tried; if one thing had no room
+  // there, the next thing tries it last.
   std::deque<std::size_t> cells_;
   bool is_right_ = true;
 };

@@ -1,4 +1,4 @@
-// Rooms: an area is divided by a wall with a door, and each part likewise, until a part is too
+// Rooms: a wall with a door divides an area, and each part in the same way, until a part is too
 // small for two rooms. So all rooms are connected.
 #include <algorithm>
 #include <optional>
@@ -33,7 +33,7 @@ class Dividing {
     if (!may_length && !may_width) {
       return;
     }
-    // Across the longer side, mostly: rooms are no corridors.
+    // Mostly across the longer side, so that rooms are not corridors.
     const bool across_x =
         may_length &&
         (!may_width || random_.chance(area.length / (area.length + area.width) > 0.5 ? 0.8 : 0.2));
@@ -110,7 +110,7 @@ class Dividing {
   Drawing& drawing_;
   const Rooms& rooms_;
   Random random_;
-  double thickness_;  // m, as it is written
+  double thickness_;  // m, as written in the world
   std::vector<Door> doors_;
   std::size_t count_ = 0;
 };

@@ -115,8 +115,8 @@ class Scattering {
     bodies_.resize(std::min(bodies_.size(), count));
   }
 
-  /// Adds things to the world until there are `count`, with all that is drawn for them, and finds
-  /// out their bodies: one for all if they are alike. Returns whether they are in order.
+  /// Adds things to the world until there are `count`, with all their drawn attributes, and finds
+  /// their bodies: one for all if they are alike. Returns whether they are valid.
   bool make(std::size_t count) {
     const std::size_t from = made().size(), before = drawing_.problems.size();
     for (std::size_t i = from; i < count; ++i) {
@@ -191,7 +191,7 @@ class Scattering {
       ++count;
     }
     count_ = count;
-    forget_from(count == 1 ? 0 : count);  // a single one has another name
+    forget_from(count == 1 ? 0 : count);  // a single thing has another name
     return true;
   }
 

@@ -54,7 +54,7 @@ def four_resources(every):
     yield Claim(EXPERIMENTS, "In case 1 the original took {:.0f} s, with an error of 3.0e-4 after training; ours is {:.1e}.", ORIGINAL["1", "fusion"][1],
                 mean(run.error() for run in fusion[0] if run.learned()))
     yield Claim(EXPERIMENTS, "The robot drives along the walls until a corner holds it (picture),", holds=all(not run.success and corner_distance(run) < 0.2 for run in lost))
-    yield Claim(EXPERIMENTS, "The original's paths and times come to {:.2f} m/s,",
+    yield Claim(EXPERIMENTS, "The original's paths and times give {:.2f} m/s,",
                 mean(ORIGINAL[case, "arbitration"][0] / ORIGINAL[case, "arbitration"][1] for case in "34"))
     yield Claim(EXPERIMENTS, "Of \"4 4 4 4\" {} in {} of our networks did not learn.", in_words(sum(not run.learned() for run in arbitration[3])),
                 in_words(len(arbitration[3])), holds=all(run.success == run.learned() for run in arbitration[3]))
@@ -176,7 +176,7 @@ def every_coordinator(every):
 def original_step(published_):
     """Of docs/original-step.md."""
     arena, clutter = published_.arena, published_.clutter
-    yield Claim(STEP, "The original's figures come to {:.2f} and {:.2f} in cases 1 and 2, and to {:.2f} in case 7", *(
+    yield Claim(STEP, "The original's figures give {:.2f} and {:.2f} in cases 1 and 2, and {:.2f} in case 7", *(
         ORIGINAL[case, "fusion"][0] / ORIGINAL[case, "arbitration"][0] for case in "127"))
     yield Claim(STEP, "That makes {} set-ups for cases 1 to 4", len(arena.setups))
     yield Claim(STEP, "and {} for case 7", len(clutter.setups))

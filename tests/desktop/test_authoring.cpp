@@ -102,9 +102,9 @@ TEST_CASE("What cannot be pasted is named, and changes nothing") {
     return said(window, [&] { window.act("paste"); });
   };
   CHECK(paste("a letter <to").contains("nothing to paste"));
-  CHECK(paste("<letter/>").contains("'letter' is no element"));
+  CHECK(paste("<letter/>").contains("'letter' is not an element"));
   choose(window, {});
-  CHECK(paste("<wander/>").contains("Choose the robot"));
+  CHECK(paste("<wander/>").contains("Select the robot"));
   CHECK(window.bench().text() == kRoom);
   CHECK(window.bench().undo_name().isEmpty());
 }

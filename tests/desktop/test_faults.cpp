@@ -243,8 +243,9 @@ TEST_CASE("A message that the window cannot use ends the engine, and not the win
   window.workbench().open_text("<world/>", {}, false);
   REQUIRE(wait_for([&] { return !window.workbench().problems().empty(); }));
   CHECK(window.workbench().text() == "<world/>");
-  CHECK(
-      window.findChild<QMessageBox*>("engine_lost")->informativeText().contains("nobody can read"));
+  CHECK(window.findChild<QMessageBox*>("engine_lost")
+            ->informativeText()
+            .contains("unreadable message"));
   window.workbench().give_up_unsaved();
 }
 

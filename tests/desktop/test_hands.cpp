@@ -353,7 +353,7 @@ TEST_CASE("In a team's window the buttons act on the chosen robot, and on none i
     INFO(name);
     window->statusBar()->clearMessage();
     click_on(red->findChild<QPushButton*>(name));
-    CHECK(window->statusBar()->currentMessage().contains("Choose the robot"));
+    CHECK(window->statusBar()->currentMessage().contains("Select the robot"));
   }
   CHECK(window->findChild<QDialog*>("element_dialog") == nullptr);
   click_row(red, "robot[r1]");

@@ -93,14 +93,14 @@ TEST_CASE("A command line that does not repeat the run any more says so") {
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
   window.act("copy_command");
   REQUIRE(wait_for([&] { return said(window).startsWith("Copied"); }));
-  CHECK_FALSE(said(window).contains("another run"));
+  CHECK_FALSE(said(window).contains("different run"));
   window.after([&] { window.bench().edit({"robot[r1]/@max_speed=0.1"}, "slower"); });
   QString why = "waiting";
   window.bench().save_as(window.bench().file(), [&](const QString& said) { why = said; });
   REQUIRE(wait_for([&] { return why != "waiting"; }));
   REQUIRE(why.isEmpty());
   window.act("copy_command");
-  CHECK(wait_for([&] { return said(window).contains("it makes another run"); }));
+  CHECK(wait_for([&] { return said(window).contains("gives a different run"); }));
 }
 
 TEST_CASE("Copies stand where nothing is, and are chosen; keys go on with them") {
@@ -264,7 +264,7 @@ TEST_CASE("S on a robot says that it has no size, Delete of the world that nothi
   CHECK(said(window).contains("Properties"));
   window.choose("");
   window.act("delete");
-  CHECK(said(window).contains("Nothing is chosen"));
+  CHECK(said(window).contains("Nothing is selected"));
   CHECK(window.bench().text() == kRoom);
 }
 

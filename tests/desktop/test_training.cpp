@@ -152,7 +152,7 @@ TEST_CASE("A training that stops short of its goal says so") {
   school.train(dialog);
   const QString said = dialog->findChild<QLabel*>("training_progress")->text();
   CHECK(said.contains("after 20000 samples."));
-  CHECK(said.contains("stopped short of its goal, a mean error below 0.000001"));
+  CHECK(said.contains("without reaching its goal, a mean error below 0.000001"));
   CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
 }
 
@@ -307,7 +307,7 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
-  CHECK(dialog->findChild<QLabel*>("where_weights_go")->text().contains("copied beside"));
+  CHECK(dialog->findChild<QLabel*>("where_weights_go")->text().contains("copied next to"));
   School::enter(dialog, "training", school.samples);
   school.ok(dialog);
   const auto weights = [&] {
@@ -399,7 +399,7 @@ TEST_CASE("Saving removes no weights that it did not make, and names all that it
   }
   save_as("not_copied.xml");
   REQUIRE(wait_for([&] { return !note.isEmpty(); }));
-  CHECK(note.contains("could not be copied beside it"));
+  CHECK(note.contains("could not be copied next to it"));
   CHECK((note.contains("one.weights") && note.contains("two.weights")));
   window.bench().give_up_unsaved();
 }

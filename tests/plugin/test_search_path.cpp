@@ -62,12 +62,12 @@ TEST_CASE("Given directories come first, then the environment's, then the progra
   CHECK(path[0].origin == "given");
   CHECK(path[2].origin == "ELSIE_PLUGIN_PATH");
   CHECK(path[4].path == fs::path(elsie::test::plugin_directory()));
-  CHECK(path[4].origin == "beside the program");
+  CHECK(path[4].origin == "next to the program");
 }
 
 TEST_CASE("The program's and the library's directory are one entry when they are the same") {
   const Variable variable("");
-  CHECK(origins(default_search_path()) == std::vector<std::string>{"beside the program"});
+  CHECK(origins(default_search_path()) == std::vector<std::string>{"next to the program"});
 }
 
 TEST_CASE("Empty and repeated entries of the variable are passed over") {

@@ -114,7 +114,7 @@ TEST_CASE("Measures are listed, described and tried like other plugins") {
              Contains("there is no behavior 'place_reached'"));
   const auto tried = here.elsie("test-plugin path_length place_reached --set robot=r1");
   CHECK(tried.exit_code == 0);
-  CHECK_THAT(tried.out, Contains("measure 'place_reached': nothing wrong was found"));
+  CHECK_THAT(tried.out, Contains("measure 'place_reached': no faults found"));
   const auto refused = here.elsie("test-plugin place_reached --set robot=nobody");
   CHECK(refused.exit_code == 1);
   CHECK_THAT(refused.out, Contains("refused every world"));

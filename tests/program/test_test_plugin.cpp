@@ -19,9 +19,9 @@ TEST_CASE("A sound plugin is reported as such") {
   Workplace here;
   const auto run = here.elsie("test-plugin wander beam_range arbiter_voting --variants 2");
   CHECK(run.exit_code == 0);
-  CHECK_THAT(run.out, Equals("behavior 'wander': nothing wrong was found\n"
-                             "sensor 'beam_range': nothing wrong was found\n"
-                             "coordinator 'arbiter_voting': nothing wrong was found\n"));
+  CHECK_THAT(run.out, Equals("behavior 'wander': no faults found\n"
+                             "sensor 'beam_range': no faults found\n"
+                             "coordinator 'arbiter_voting': no faults found\n"));
 }
 
 TEST_CASE("Faults of a source file are reported in sentences") {

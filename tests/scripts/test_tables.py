@@ -440,7 +440,7 @@ class Prose(unittest.TestCase):
         sentence = "took {:.0f} s instead of {:.0f} s"
         self.assertEqual(self.found(claims.Claim("page.md", sentence, 203.4, 293.7)), [])
         [told] = self.found(claims.Claim("page.md", sentence, 203.6, 293.7))
-        self.assertIn('docs/page.md does not say "took 204 s instead of 294 s", which is what the databases come to', told)
+        self.assertIn('docs/page.md does not match the databases, which give "took 204 s instead of 294 s"', told)
 
     def test_what_is_generated_does_not_count_as_prose(self):
         self.assertEqual(len(self.found(claims.Claim("page.md", "It took {} s.", 99))), 1)
@@ -448,7 +448,7 @@ class Prose(unittest.TestCase):
     def test_what_has_no_figure_must_stand_there_and_hold(self):
         self.assertEqual(self.found(claims.Claim("page.md", "Arbitration always fails.")), [])
         self.assertIn("and the databases say otherwise", self.found(claims.Claim("page.md", "Arbitration always fails.", holds=False))[0])
-        self.assertIn("does not say", self.found(claims.Claim("page.md", "Arbitration never fails."))[0])
+        self.assertIn("does not match the databases", self.found(claims.Claim("page.md", "Arbitration never fails."))[0])
 
     def test_numbers_in_words(self):
         self.assertEqual([claims.in_words(n) for n in (0, 2, 20, 21)], ["none", "two", "twenty", "21"])

@@ -22,7 +22,7 @@ namespace {
 
 QString heading_deg(double rad) { return number(degrees(wrap_angle(rad)), 0.01); }
 
-/// The place nearest to the middle at which nothing stands, on rings; the middle if there is none.
+/// The free place that is nearest to the middle, on rings around it; the middle if there is none.
 QPointF free_place(const Stage& stage) {
   constexpr double kRoom = 0.3;   // m, around it
   constexpr double kStep = 0.25;  // m, between rings
@@ -47,7 +47,7 @@ Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
   connect(&workbench_, &Workbench::described, this, &Authoring::find_renamed);
 }
 
-// What is chosen stays so when it is called otherwise: by a form, by undo, in the text.
+// The selection stays when its paths change: by a form, by undo, in the text.
 void Authoring::find_renamed() {
   const Outline before = std::exchange(outline_, outline_of(workbench_.tree()));
   const QHash<QString, QString> names = renamed(before, outline_);
@@ -96,7 +96,7 @@ void Authoring::add_element(const QString& holder, const QString& list,
     return;
   }
   if (holder.isEmpty() && (list == "sensors" || list == "behaviors" || list == "coordinator")) {
-    Q_EMIT said(tr("Choose the robot first."));
+    Q_EMIT said(tr("Select the robot first."));
     return;
   }
   ElementDialog* dialog = ElementDialog::make(workbench_, holder, list, window_);
@@ -117,7 +117,7 @@ void Authoring::add_element(const QString& holder, const QString& list,
   if (!beginning.kind.isEmpty()) {
     dialog->choose(beginning.kind);
   }
-  // What was added is chosen next: it is the last of its list.
+  // The new element is selected next: it is the last of its list.
   connect(dialog, &QDialog::accepted, this, [this, holder, list] {
     QString last;
     visit(workbench_.tree(), [&](const ElementPlace& place) {
@@ -146,7 +146,7 @@ std::vector<QPointF> Authoring::places_in(const QString& path, const QString& na
   return places;
 }
 
-// Its numbers are in Properties then.
+// Its numbers are then in Properties.
 void Authoring::add_place(const QString& path, const QString& name, const QPointF& at) {
   const auto number_of_it = places_in(path, name).size() + 1;
   const QString list = path + '/' + name;
@@ -159,13 +159,13 @@ void Authoring::add_place(const QString& path, const QString& name, const QPoint
                   });
 }
 
-// Beside the last one.
+// Adds a waypoint next to the last one.
 void Authoring::add_waypoint(const QString& path) {
   const std::vector<QPointF> places = places_in(path, "waypoint");
   add_place(path, "waypoint", (places.empty() ? QPointF() : places.back()) + QPointF(0.0, 0.5));
 }
 
-// Just outside of the middle of the last side, so that the outline stays convex.
+// Adds a point just outside of the middle of the last side, so that the outline stays convex.
 void Authoring::add_point(const QString& path) {
   const std::vector<QPointF> places = places_in(path, "point");
   if (places.empty()) {
@@ -184,7 +184,7 @@ void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "c
 
 void Authoring::edit_behaviors(const QString& holder) {
   if (holder.isEmpty()) {
-    Q_EMIT said(tr("Choose the robot first."));
+    Q_EMIT said(tr("Select the robot first."));
     return;
   }
   (new BehaviorsDialog(workbench_, holder, window_))->show();
@@ -202,7 +202,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   menu.setObjectName("element_menu");
   const ElementPlace place = place_of(workbench_.tree(), path);
   if (place.element && !attribute(*place.element, "weights").isEmpty()) {
-    // As the original's right click on a trained network.
+    // The original also offers this on a right click on a trained network.
     menu.setActiveAction(menu.addAction(tr("C&lear the network"), this, [this, path] {
       workbench_.edit({path + "/@weights/@remove=true"}, tr("clear the network"));
     }));
@@ -269,7 +269,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   menu.exec(global);
 }
 
-// Changes of what is chosen
+// Changes of the selection
 
 void Authoring::rename_selected() {
   if (selection_.isEmpty()) {

@@ -1,5 +1,4 @@
-// What a user chooses in the world and does with it. clipboard.cpp has deleting, copying and
-// pasting.
+// The selection, and what a user does with it. clipboard.cpp has deleting, copying and pasting.
 #pragma once
 
 #include <QObject>
@@ -18,40 +17,41 @@ struct Piece;
 class Stage;
 class Workbench;
 
-/// The selection, and all that changes the world with it: dialogs, menus, the clipboard and drags
-/// in the view. Each change is one edit with a name, so that undo takes it back whole.
+/// Holds the selection and makes all changes of the world that use it: dialogs, menus, the
+/// clipboard, and drags in the view. Each change is one edit with a name, so that undo reverts all
+/// of it.
 class Authoring : public QObject {
   Q_OBJECT
 
  public:
-  /// `stage`: where the bodies are now; `window` owns this and the dialogs.
+  /// `stage` knows where the bodies are now; `window` owns this object and the dialogs.
   Authoring(Workbench& workbench, const Stage& stage, QWidget* window);
 
   const QStringList& selection() const { return selection_; }
   void select(const QStringList& paths);
-  /// The robot that is chosen, or in which the chosen thing is; "": none.
+  /// The selected robot, or the robot that contains the selected object; "" if there is none.
   QString robot() const;
 
-  /// Opens the editor of an element; says why if there is none.
+  /// Opens the editor of an element, or says why it has none.
   void edit_element(const QString& path);
   void edit_selected();
-  /// What a new element begins with.
+  /// How a new element begins.
   struct Beginning {
     QString kind;               // "": the first of the list
     QString team;               // of a robot
     std::optional<QPointF> at;  // m
   };
-  /// Opens the dialog of a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
+  /// Opens the dialog for a new member of `list` ("sensors") in the element `holder` ("robot[r1]").
   void add_element(const QString& holder, const QString& list, const Beginning& beginning = {});
   void add_waypoint(const QString& path);
   void add_point(const QString& path);
   /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
-  /// Opens the editor of its coordinator, or the dialog of a new one.
+  /// Opens the editor of the coordinator, or the dialog for a new one.
   void edit_coordinator(const QString& holder);
-  /// The menu of the element, or of the world for "".
+  /// Opens the menu of the element, or of the world if the path is "".
   void open_menu(const QString& path, const QPoint& global);
-  /// What can be put `at` that place of the floor, in m; none: into the world.
+  /// Opens the menu of what can be added `at` that point of the floor, m; none: to the world.
   void open_floor_menu(const QPoint& global, std::optional<QPointF> at = {});
 
   void remove_selected();
@@ -60,21 +60,21 @@ class Authoring : public QObject {
   void paste();
   void duplicate_selected();
   void rename_selected();
-  /// The world begins with the chosen robots where they are now.
+  /// Makes the present poses of the selected robots their start poses.
   void make_start_poses();
 
-  /// A drag in the view has ended: by this much, m and rad.
+  /// Make the edit at the end of a drag in the view; lengths in m, angles in rad.
   void move(const QStringList& paths, double by_x, double by_y);
   void turn(const QString& path, double by_rad);
   void resize(const QString& path, double length, double width);
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
-  /// Something is there that was not, and it is chosen.
+  /// A new element exists and is selected.
   void added();
   void said(const QString& sentence);
   void follow_wished(const QString& path);
-  /// An element, chosen or not, has another path from now on.
+  /// The path of an element has changed, whether it is selected or not.
   void called_otherwise(const QString& from, const QString& to);
 
  private:
@@ -86,16 +86,16 @@ class Authoring : public QObject {
   std::optional<QString> holder_of_part(const QString& name) const;
   QString carrier(const QString& list) const;
   void insert(const QString& markup, const QString& name);
-  /// The edit that puts a piece into the world; "", with a sentence, if it has no place. Notes the
-  /// id that it gives.
+  /// The edit that puts a piece into the world; "", with a sentence, if it cannot be put there.
+  /// Adds the id that it gives to `taken`.
   QString insertion_of(Piece piece, const QPointF& aside, QStringList& taken, QString& why) const;
-  /// How far from their originals copies stand, so that all of them are where nothing is.
-  /// The waypoints of a path, or the points of an outline.
+  /// The places of the waypoints of a path, or of the points of an outline.
   std::vector<QPointF> places_in(const QString& path, const QString& name) const;
   void add_place(const QString& path, const QString& name, const QPointF& at);
+  /// How far from their originals the copies stand, so that each has a free place.
   QPointF way_aside(const std::vector<Piece>& pieces) const;
-  /// The last elements of the world that an edit of that path adds to, one for each time that the
-  /// path is in the list.
+  /// The elements that edits with these paths have just added: for each path the last element
+  /// there, for a path that occurs twice the last two.
   QStringList last_of(const QStringList& places) const;
 
   Workbench& workbench_;

@@ -1,4 +1,4 @@
-// Deleting, copying and pasting of what is chosen.
+// Deletes, copies and pastes the selection.
 #include <QApplication>
 #include <QClipboard>
 #include <QMimeData>
@@ -14,13 +14,13 @@ namespace elsie::desktop {
 namespace {
 
 constexpr auto kMime = "application/x-elsie-element";
-constexpr double kAside_m = 0.3;  // between the places that are tried for a copy
-constexpr double kLeast_m = 0.2;  // the size of a thing that does not say it
+constexpr double kAside_m = 0.3;  // distance between the places that are tried for a copy
+constexpr double kLeast_m = 0.2;  // the size of an object that does not give it
 constexpr int kMostRings = 12;
 
 }  // namespace
 
-// In the order of the world, without those that are in others of them.
+// The selected paths in the order of the world, without those inside other selected elements.
 QStringList Authoring::wholes() const {
   QStringList paths;
   visit(workbench_.tree(), [&](const ElementPlace& place) {
@@ -37,7 +37,7 @@ QStringList Authoring::wholes() const {
 void Authoring::remove_selected() {
   const QStringList paths = wholes();
   QStringList edits;
-  // From the back: an edit may change how those after it are called.
+  // From the last to the first: an edit may change the paths of the elements after it.
   for (auto path = paths.rbegin(); path != paths.rend(); ++path) {
     edits << *path + "/@remove=true";
   }
@@ -47,10 +47,10 @@ void Authoring::remove_selected() {
                         ? tr("delete %1").arg(title(paths.front()))
                         : tr("delete %n things", nullptr, static_cast<int>(paths.size())),
                     {}, this, [this](const Problems& problems) {
-                      if (problems.empty()) select({});  // not the next, which has its name now
+                      if (problems.empty()) select({});  // the next one has this path now
                     });
   } else {
-    Q_EMIT said(tr("Nothing is chosen that can be deleted."));
+    Q_EMIT said(tr("Nothing is selected that can be deleted."));
   }
 }
 
@@ -88,7 +88,7 @@ void Authoring::paste() {
 
 void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicate")); }
 
-// Of a piece that does not say in which list it is.
+// The list for a piece that does not name its list.
 QString Authoring::list_for(const QString& name) const {
   for (const char* list : {"robots", "obstacles", "resources", "chargers", "teams", "goals",
                            "measures", "sensors", "behaviors", "coordinator"}) {
@@ -101,7 +101,7 @@ QString Authoring::list_for(const QString& name) const {
   return {};
 }
 
-// The chosen thing if it may hold elements of that name, or the one in which it is; none: neither.
+// The selected element, or one around it, that may hold elements of that name; none otherwise.
 std::optional<QString> Authoring::holder_of_part(const QString& name) const {
   for (QString path = selection_.value(0); !path.isEmpty(); path = holder_of(path)) {
     const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), path));
@@ -112,7 +112,7 @@ std::optional<QString> Authoring::holder_of_part(const QString& name) const {
   return std::nullopt;
 }
 
-// The chosen behaviour if it holds others, or the chosen robot; "": none is chosen.
+// The selected behaviour if it holds others, otherwise the selected robot; "" if none is selected.
 QString Authoring::carrier(const QString& list) const {
   const QString chosen = selection_.value(0);
   const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), chosen));
@@ -142,7 +142,7 @@ void Authoring::insert(const QString& markup, const QString& name) {
     const bool is_carried = std::any_of(places.begin(), places.end(),
                                         [](const QString& each) { return each.contains('/'); });
     const QStringList made =
-        is_carried ? QStringList() : last_of(places);  // its robot stays chosen
+        is_carried ? QStringList() : last_of(places);  // the robot stays selected
     if (problems.empty() && !made.isEmpty()) {
       select(made);
     }
@@ -179,7 +179,7 @@ QPointF Authoring::way_aside(const std::vector<Piece>& pieces) const {
     return std::abs(at.x()) + room < 0.5 * stage_.length() &&
            std::abs(at.y()) + room < 0.5 * stage_.width() && stage_.is_free(at, room);
   };
-  // Nothing stands at a waypoint, but another one is there.
+  // A waypoint has no body, but another waypoint is at its place.
   const bool is_way = std::any_of(pieces.begin(), pieces.end(),
                                   [](const Piece& each) { return each.name == "waypoint"; });
   for (int ring = is_way ? 1 : 0; ring <= kMostRings; ++ring) {
@@ -213,22 +213,22 @@ QString Authoring::insertion_of(Piece piece, const QPointF& aside, QStringList& 
   }
   const QString list = piece.list.isEmpty() ? list_for(piece.name) : piece.list;
   if (list.isEmpty()) {
-    why = tr("'%1' is no element that can be pasted into a world.").arg(piece.name);
+    why = tr("'%1' is not an element that can be pasted into a world.").arg(piece.name);
     return {};
   }
   const bool is_carried =
       list == "sensors" || list == "behaviors" || list == "coordinator" || list == "drive";
   const QString holder = is_carried ? carrier(list) : QString();
   if (is_carried && holder.isEmpty()) {
-    why = tr("Choose the robot that '%1' is for.").arg(piece.name);
+    why = tr("Select the robot that '%1' is for.").arg(piece.name);
     return {};
   }
   const QString place = (is_carried ? holder + '/' : QString()) + member_word(list);
-  if (list == "coordinator" || list == "drive") {  // there is one: it is replaced
+  if (list == "coordinator" || list == "drive") {  // it replaces the present one
     const bool is_there = place_of(workbench_.tree(), place).element != nullptr;
     return place + (is_there ? "=" : "[+]=") + piece.markup;
   }
-  // Its id is in use and its place is taken: it gets a new id and stands aside.
+  // Its id and its place are in use: it gets a new id and stands aside.
   const QString id = piece.name == "robot" ? free_id(workbench_.tree(), "r", taken) : QString();
   taken << id;
   piece.markup = with_attribute(piece, "id", id);

@@ -8,7 +8,7 @@ namespace elsie::desktop {
 namespace {
 
 QRegularExpressionMatch match_of(const Piece& piece, const QString& attribute) {
-  // Values may hold '>': they are stepped over whole.
+  // Values may contain '>', so they are skipped as a whole.
   const QRegularExpression form(
       "^<[^\\s/>]+(?:\\s+[^\\s=]+\\s*=\\s*(?:\"[^\"]*\"|'[^']*'))*?(\\s+" +
       QRegularExpression::escape(attribute) + "\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'))");
@@ -29,7 +29,7 @@ std::vector<Piece> pieces_of(const QString& text) {
   std::vector<Piece> pieces;
   int depth = 0;
   QString list;
-  // Where the token before this one ended; the reader may have looked one character ahead.
+  // Where the token before this one ended; the reader may have looked ahead by one character.
   qint64 last = 0;
   qint64 start = 0;
   const auto is_piece = [&](int at) { return at == (list.isEmpty() ? 2 : 3); };

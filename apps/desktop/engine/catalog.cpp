@@ -8,7 +8,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Catalog", text); }
 
-/// A value, or a list of them, as a file has it.
+/// A value, or a list of values, as written in a file.
 QString words_of(const Json& value) {
   if (!value.is_array()) {
     return written(value);
@@ -59,7 +59,7 @@ void add_fields(Kind& kind, const Json& json, const char* list) {
     return;
   }
   for (const Json& each : *found) {
-    if (text_of(each, "name") != "remove") {  // what is inherited is removed in the tree
+    if (text_of(each, "name") != "remove") {  // an inherited element is removed in the tree
       kind.fields.push_back(field_of(each));
     }
   }
@@ -94,7 +94,7 @@ std::vector<Kind> Catalog::plugins(const QString& kind) const {
   return kinds;
 }
 
-// With the attributes that all plugins of the kind may have in a world: where a sensor sits, the
+// Adds the attributes that all plugins of the kind may have in a world: the place of a sensor, the
 // priority of a behaviour.
 std::optional<Kind> Catalog::plugin(const QString& kind, const QString& name) const {
   for (const Json& each : answer_.value("plugins", Json::array())) {

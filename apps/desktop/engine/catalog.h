@@ -1,4 +1,4 @@
-// What may stand in a world: the vocabulary of world files and the declarations of all plugins that
+// What a world may contain: the vocabulary of world files and the declarations of all plugins that
 // the engine has found.
 #pragma once
 
@@ -16,9 +16,9 @@ struct Field {
   QString name;
   QString type;  // "number", "integer", "boolean", "text", "file", "id", "colour"; see Catalog
   QString unit;
-  QString default_text;  // as a file has it; "" is none
+  QString default_text;  // as written in a file; "" if there is none
   QString meaning;
-  QString range;        // "at least 0 and at most 1"; "" is any
+  QString range;        // "at least 0 and at most 1"; "" if unlimited
   QStringList choices;  // if not empty, the only values
   std::optional<double> least, most;
   bool is_required = false;
@@ -30,7 +30,7 @@ struct Kind {
   QString description;
   std::vector<Field> fields;
   bool holds_behaviors = false;
-  QStringList elements;         // names of those that may stand in it
+  QStringList elements;         // names of the elements that may stand in it
   QStringList needs, produces;  // kinds of readings, such as "range"
 };
 
@@ -43,9 +43,9 @@ class Catalog {
   bool is_empty() const { return answer_.is_null(); }
   /// All plugins of a kind, by name: "sensor", "behavior", "coordinator", "measure", "drive".
   std::vector<Kind> plugins(const QString& kind) const;
-  /// Names that the vocabulary has for members of a list: "static_box"... of "obstacles".
+  /// The elements that may be members of a list: "static_box"... of "obstacles".
   std::vector<Kind> members(const QString& list) const;
-  /// What the element at a place may be given; none: it is unknown.
+  /// The kind of the element at a place, with all that it may be given; none if it is unknown.
   std::optional<Kind> kind_of(const ElementPlace& place) const;
   /// An element of the vocabulary by name: "robot", "physics".
   std::optional<Kind> element(const QString& name) const;

@@ -51,7 +51,7 @@ void visit_children(const ElementPlace& place,
                     const std::function<void(const ElementPlace&)>& see) {
   const Json& children = children_of(*place.element);
   for (std::size_t i = 0; i < children.size(); ++i) {
-    // In a list there are no lists: a plugin may be called as one is.
+    // Lists contain no lists, and a plugin may have the name of one.
     const QString list = place.list.isEmpty() ? member_word(name_of(children[i])) : QString();
     see({&children[i], place.element,
          list.isEmpty() ? joined(place.path, step_of(*place.element, i, place.list)) : place.path,

@@ -7,7 +7,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kBetweenSnapshots_ms = 30;
-constexpr int kReport_ms = 500;  // that a report may take
+constexpr int kReport_ms = 500;  // the time for writing a report
 constexpr int kBetweenLooks_ms = 100;
 
 }  // namespace
@@ -68,9 +68,9 @@ qint64 Engine::waiting_ms() const {
   return pending_.empty() ? 0 : clock_.elapsed() - pending_.begin()->second.since_ms;
 }
 
-// While nothing moves and nobody waits, nothing here runs. While all moves, the time for the next
-// picture is soon enough for messages: a process that is woken by each would be put beside the
-// engine, on the same processor.
+// The timer stops while nothing moves and nobody waits. While the world moves, messages are read
+// only with the next picture: a process that is woken by each message would be put on the same
+// processor as the engine.
 void Engine::pace() {
   const bool is_needed = connection_ && (live_ || !pending_.empty());
   if (notifier_) {
@@ -104,15 +104,15 @@ void Engine::see_who_ended() {
   }
 }
 
-// An engine that sends what it should not is one that a plugin has damaged: it ends here, and
-// nothing is thrown through the event loop.
+// An engine that sends invalid data has been damaged by a plugin: it is ended here, and nothing is
+// thrown through the event loop.
 void Engine::read() {
   try {
     read_messages();
   } catch (const std::exception& problem) {
     if (connection_) {
       connection_->kill();
-      leave(0, tr("The engine sent a message that nobody can read: %1").arg(problem.what()));
+      leave(0, tr("The engine sent an unreadable message: %1").arg(problem.what()));
     }
   }
 }
@@ -135,7 +135,7 @@ void Engine::read_messages() {
       Q_EMIT event(message);
     }
     if (generation != generation_ || !connection_) {
-      return;  // started again by a listener
+      return;  // a listener has started it again
     }
   }
   take_snapshot();

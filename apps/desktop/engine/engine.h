@@ -1,4 +1,4 @@
-// The process with the simulation and the plugins, for a program with an event loop.
+// The process that has the simulation and the plugins, for a program with an event loop.
 #pragma once
 
 #include <QElapsedTimer>
@@ -19,40 +19,40 @@ namespace elsie::desktop {
 
 using client::Json;
 
-/// Orders go to the engine, answers and snapshots come from it (docs/session.md); nothing waits.
-/// When the process ends by itself, died() says so, and start() starts it again.
+/// Sends orders to the engine and receives answers and snapshots (docs/session.md); no call waits.
+/// When the process ends by itself, died() reports it, and a call of start() starts it again.
 class Engine : public QObject {
   Q_OBJECT
 
  public:
   using Answer = std::function<void(const Json&)>;
 
-  /// `program`: elsie; `options`: those of plugins.
+  /// `program` is elsie, `options` are its options for plugins.
   Engine(QString program, QStringList options, QObject* parent = nullptr);
   ~Engine() override;
 
   const QString& program() const { return program_; }
   const QStringList& options() const { return options_; }
 
-  /// Throws base::Error if the program cannot be started. A process that is there ends in the
-  /// background.
+  /// Starts the process; one that is running ends in the background. Throws base::Error if the
+  /// program cannot be started.
   void start();
   bool is_there() const { return connection_ != nullptr; }
-  /// Counts the starts.
+  /// The number of starts so far.
   int generation() const { return generation_; }
-  /// The answer is not called if the engine ends before.
+  /// Sends an order. The answer is not called if the engine ends first.
   void ask(Json order, Answer answer = {});
   /// Whether snapshots are expected at any time; otherwise they come with messages.
   void set_live(bool live);
-  /// Ends the process: for one that does not answer. Its report names the plugin that was at work.
+  /// Ends a process that does not answer. Its report names the plugin that was active.
   void stop();
-  /// How long the oldest order has been waiting for its answer, ms, whatever happens to the clock
-  /// on the wall; 0: none waits.
+  /// How long the oldest order has been waiting for its answer, ms, by a clock that nobody sets; 0
+  /// if none waits.
   qint64 waiting_ms() const;
 
  Q_SIGNALS:
   void event(const elsie::desktop::Json& message);
-  /// Valid during the signal.
+  /// The snapshot is valid during the signal.
   void snapshot(const elsie::snapshots::Snapshot& snapshot);
   void died(int exit_code, const QString& report);
 

@@ -20,7 +20,7 @@ void History::push(Entry entry) {
         last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < kMerging_ms) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
-      last.inverse = 0;  // one text leads back
+      last.inverse = 0;  // the text leads back
       if (last.after == last.before) {
         entries_.pop_back();
         --place_;

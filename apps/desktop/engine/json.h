@@ -1,4 +1,5 @@
-// Reads JSON that another process wrote: what is not there, or is of another kind, is no error.
+// Reads JSON that another process wrote. A member that is missing or of another kind is not an
+// error.
 #pragma once
 
 #include <QString>
@@ -9,15 +10,16 @@ namespace elsie::desktop {
 
 using client::Json;
 
-/// The member of this name, or null.
+/// The member of this name; null if there is none.
 const Json& member(const Json& object, const char* name);
-/// "" if there is none, or it is no text.
+/// The text of a member; "" if it is missing or not a text.
 QString text_of(const Json& object, const char* name);
-/// NaN if there is none, or it is null: such numbers were not finite.
+/// The number of a member; NaN if it is missing, or null, which stands for numbers that are not
+/// finite.
 double number_of(const Json& object, const char* name);
-/// `otherwise` if there is none, or it is no whole number that fits.
+/// The integer of a member; `otherwise` if it is missing, not a whole number, or too large.
 int integer_of(const Json& object, const char* name, int otherwise);
-/// A value as a file has it: a text without its quotation marks.
+/// A value as written in a file: a text without its quotation marks.
 QString written(const Json& value);
 
 }  // namespace elsie::desktop

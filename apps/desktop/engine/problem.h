@@ -7,9 +7,9 @@ namespace elsie::desktop {
 
 struct Problem {
   QString file;
-  int line = 0;  // from 1; 0: of the whole file
+  int line = 0;  // from 1; 0 for the whole file
   QString message;
-  bool is_warning = false;  // the world is right, but may not run well
+  bool is_warning = false;  // the world is valid, but may not run well
 
   bool operator==(const Problem&) const = default;
 };

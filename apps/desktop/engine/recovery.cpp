@@ -23,8 +23,8 @@ QDir folder() {
 
 QString lock_of(const QString& kept_in) { return kept_in + ".lock"; }
 
-/// A descriptor that holds the lock until it is closed; -1: somebody else does, or there is no such
-/// file.
+/// A descriptor that holds the lock until it is closed; -1 if another process holds it, or if there
+/// is no such file.
 int locked(const QString& kept_in, int flags) {
   const int descriptor =
       ::open(QFile::encodeName(lock_of(kept_in)).constData(), O_RDWR | O_CLOEXEC | flags, 0600);

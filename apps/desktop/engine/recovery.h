@@ -1,4 +1,4 @@
-// Unsaved work, kept where a crash does not reach it.
+// Keeps unsaved work where it survives a crash.
 #pragma once
 
 #include <QString>
@@ -6,32 +6,32 @@
 
 namespace elsie::desktop {
 
-/// What a window had open that was not closed properly.
+/// The work of a window that was not closed properly.
 struct Recovered {
-  QString file;  // that the world was opened from; may be empty
+  QString file;  // from which the world was opened; may be empty
   QString text;
   QString kept_in;
-  bool is_borrowed = false;  // the file belongs to a recording: the world is saved elsewhere
-  bool is_damaged = false;   // then it has neither file nor text
+  bool is_borrowed = false;  // the file belongs to a recording; the world is then saved elsewhere
+  bool is_damaged = false;   // there is then neither file nor text
 };
 
-/// Keeps the unsaved text of one window in a file of its own, below the user's data folder. The
-/// system holds a lock for as long as the window's process lives: numbers of processes are used
-/// again, and each container has its own.
+/// Keeps the unsaved text of one window in a file of its own, below the user's data folder. A lock
+/// on that file, which ends with the window's process, shows that the file is in use. Process
+/// numbers would not: they are used again, and each container has its own.
 class Recovery {
  public:
   Recovery();
-  /// What is kept stays: only a user gives it up.
+  /// Recovery files stay until the user discards them.
   ~Recovery();
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
 
-  /// False if the disk is full or the folder cannot be written.
+  /// Stores the text. Returns false if the disk is full or the folder cannot be written.
   bool keep(const QString& file, const QString& text, bool is_borrowed);
-  /// Everything is saved, or given up.
+  /// Deletes the file, because everything is saved or discarded.
   void forget();
 
-  /// What windows left behind that are not open any more.
+  /// The work of windows that are no longer open.
   static std::vector<Recovered> left_behind();
   static void discard(const Recovered& recovered);
 

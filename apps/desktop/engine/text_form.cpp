@@ -6,7 +6,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr auto kMark = "\xEF\xBB\xBF";  // that Windows writes before UTF-8
+constexpr auto kMark = "\xEF\xBB\xBF";  // Windows writes it before UTF-8
 
 bool is_utf8(const QByteArray& bytes) {
   QStringDecoder decoder(QStringDecoder::Utf8);
@@ -49,7 +49,7 @@ TextForm TextForm::take_from(QByteArray& bytes) {
   return form;
 }
 
-// Lines that stand in both, in the same order, keep their ends.
+// Lines that are in both, in the same order, keep their ends.
 std::vector<bool> TextForm::ends_of(const QList<QByteArray>& lines) const {
   std::vector<bool> ends(static_cast<std::size_t>(lines.size()), most_have_carriages_);
   qsizetype first = 0, last = 0;

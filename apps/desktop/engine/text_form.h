@@ -1,4 +1,4 @@
-// What the bytes of a text file have beyond its text.
+// The bytes of a text file that are not in its text: mark and line ends.
 #pragma once
 
 #include <QByteArray>
@@ -7,12 +7,12 @@
 
 namespace elsie::desktop {
 
-/// Whether a file begins with the mark of UTF-8, and how each of its lines ends. A text that was
-/// changed gets these back: its new lines end as most of them do.
+/// Whether a file begins with the mark of UTF-8, and how each of its lines ends. A changed text
+/// gets these back; its new lines end as most lines of the file do.
 class TextForm {
  public:
   TextForm() = default;
-  /// Takes the mark off the bytes, and the carriage return off the end of each line.
+  /// Removes the mark from the bytes, and the carriage return from the end of each line.
   static TextForm take_from(QByteArray& bytes);
 
   QByteArray bytes_of(const QString& text) const;
@@ -22,12 +22,12 @@ class TextForm {
 
   bool has_mark_ = false;
   bool most_have_carriages_ = false;
-  // Only of a file whose lines do not all end alike.
+  // Only for a file whose lines do not all end alike.
   QList<QByteArray> lines_;
   std::vector<bool> carriages_;
 };
 
-/// The first line, from 1, that is no UTF-8; 0: all are.
+/// The first line that is not UTF-8, from 1; 0 if all lines are.
 int line_without_utf8(const QByteArray& bytes);
 
 }  // namespace elsie::desktop

@@ -6,13 +6,13 @@
 
 #include "elsie/base/error.h"
 
-// The engine, and what it says.
+// The engine and its messages.
 
 namespace elsie::desktop {
 namespace {
 
 constexpr int kMostDeaths = 3;
-constexpr std::size_t kMostListed = 200;  // a user mends the first ones first
+constexpr std::size_t kMostListed = 200;  // a user fixes the first ones first
 
 Problems listed(const Json& object, const char* list, bool are_warnings) {
   Problems problems;
@@ -72,7 +72,7 @@ Workbench::Workbench(QString elsie, QStringList options, QObject* parent)
   });
   connect(on_disk_watcher_.get(), &QFileSystemWatcher::fileChanged, this, &Workbench::look_at_disk);
   connect(on_disk_watcher_.get(), &QFileSystemWatcher::directoryChanged, this, [this] {
-    if (on_disk_watcher_->files().isEmpty()) {  // the file was away
+    if (on_disk_watcher_->files().isEmpty()) {  // the file was missing
       look_at_disk();
     }
   });
@@ -91,7 +91,7 @@ void Workbench::start_engine() {
   is_stopping_ = false;
   engine_.start();
   had_world_ = false;
-  epoch_ = 0;  // each engine counts its own
+  epoch_ = 0;  // each engine has its own count
   load_catalog();
 }
 
@@ -110,7 +110,7 @@ void Workbench::stop_engine() {
 
 void Workbench::open_in_engine(const QString& text) {
   set_run(Run::none);
-  if (!engine_.is_there() || had_world_) {  // threads of its plugins may end the engine later
+  if (!engine_.is_there() || had_world_) {  // plugins' threads may end it later
     try {
       start_engine();
     } catch (const base::Error& error) {
@@ -143,7 +143,7 @@ void Workbench::open_in_engine(const QString& text) {
         });
 }
 
-/// `sent`: the text when the order was sent. What was typed since stays.
+/// `sent` is the text when the order was sent; anything typed since then stays.
 void Workbench::describe(const Json& answer, const QString& sent) {
   is_right_ = true;
   history_text_ = text_at(answer, "text");
@@ -206,7 +206,7 @@ void Workbench::heard(const Json& event) {
   }
 }
 
-/// The world is there as a text only, because no engine takes it.
+/// Keeps the world as a text only, because no engine accepts it.
 void Workbench::keep_as_text(const QString& why) {
   is_right_ = false;
   tree_ = scene_ = Json();
@@ -220,7 +220,7 @@ void Workbench::lost(int exit_code, const QString& report) {
   ++deaths_;
   const bool was_stopped = std::exchange(is_stopping_, false);
   const QString said = !report.trimmed().isEmpty() ? report.trimmed()
-                       : was_stopped               ? tr("No plugin was found at work.")
+                       : was_stopped               ? tr("No plugin was active.")
                                      : tr("The engine ended with exit code %1.").arg(exit_code);
   const QString deadly = under_way_;
   const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;

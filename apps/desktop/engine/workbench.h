@@ -1,8 +1,8 @@
-// What a window works on: a world in an engine, its run, and what can be undone.
+// What a window works on: a world in an engine, its run, and the undo history.
 //
-// There is no world here, only what the engine said last about the one that it has. Every change is
-// an order; when the engine has carried it out, described() tells all views. workbench.cpp has the
-// engine and what it says, workbench_files.cpp the files, workbench_changes.cpp the changes,
+// The workbench holds no world, only the engine's latest description of it. Every change is an
+// order; when the engine has carried it out, described() informs all views. workbench.cpp handles
+// the engine and its messages, workbench_files.cpp files, workbench_changes.cpp changes,
 // workbench_run.cpp the run.
 #pragma once
 
@@ -36,67 +36,67 @@ class Workbench : public QObject {
 
   /// @name The world
   /// @{
-  QString file() const { return file_; }  // "" while it has none
-  /// Whether the file belongs to a recording: the world is saved elsewhere.
+  QString file() const { return file_; }  // "" without a file
+  /// Whether the file belongs to a recording; the world is then saved elsewhere.
   bool is_borrowed() const { return is_borrowed_; }
-  /// The text as it is now, right or wrong.
+  /// The present text, valid or not.
   const QString& text() const { return text_; }
-  /// Whether the text is one that the engine has; otherwise problems() says why not.
+  /// Whether the engine has a world of this document; otherwise problems() says why not.
   bool is_right() const { return is_right_; }
   const Problems& problems() const { return problems_; }
-  /// Whether the engine is reading a world: a large one takes some seconds.
+  /// Whether the engine is reading a world; a large one takes some seconds.
   bool is_opening() const { return !under_way_.isEmpty() && tree_.is_null(); }
-  /// What else there is to say of the world and its plugins, as `elsie check` does.
+  /// Warnings about the world and its plugins, as from `elsie check`.
   Problems remarks() const;
   const Json& tree() const { return tree_; }
   const Json& scene() const { return scene_; }
   std::uint64_t epoch() const { return epoch_; }
   const Catalog& catalog() const { return catalog_; }
-  /// Whether something is not saved, edits that the engine has not made yet among it.
+  /// Whether there are unsaved changes, including edits still waiting for the engine.
   bool is_modified() const;
   /// @}
 
   /// @name Files
   /// @{
-  /// Takes over this text as a new world; what was there is gone.
+  /// Opens this text as a new world, which replaces the present one.
   void open_text(const QString& text, const QString& file, bool is_saved = true,
                  bool is_borrowed = false);
-  /// False, with a sentence, if the file cannot be read; then nothing has changed. `seed`: from now
-  /// on; none: the one that it is.
+  /// Opens a file. Returns false, with a sentence, if it cannot be read; then nothing has changed.
+  /// `seed` is the new seed; without it the seed stays.
   bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {},
             bool is_borrowed = false);
-  /// Asks the engine for the text as it reads there, writes it whole or not at all, and calls back
-  /// once with "" or a sentence. Without an engine, or with mistakes, the text is written as it is.
-  /// Run and history stay. Files in kept_folder() are copied beside the world, which names the
-  /// copies; no file is written over.
+  /// Asks the engine for the text with file names that are right in the folder of `file`, writes it
+  /// whole or not at all, and calls back once with "" or a sentence. Without an engine, or with
+  /// mistakes, the text is written unchanged. Run and history stay. Files in kept_folder() are
+  /// copied next to the world, which names the copies; no copy overwrites a file.
   void save_as(const QString& file, std::function<void(const QString&)> done);
-  /// Where files of worlds are that have no folder of their own yet.
+  /// The folder for the files of worlds that have no folder of their own yet.
   static QString kept_folder();
-  /// Says that a file there was made for this world: it goes with its copy, once nothing leads to
-  /// it.
+  /// Notes that a file in kept_folder() was made for this world. Once it is copied and undo can no
+  /// longer lead to it, it is deleted.
   void has_made(const QString& file) { made_ << file; }
-  /// Whether another program wrote the file since it was read or saved.
+  /// Whether another program has written the file since it was read or saved.
   bool is_changed_on_disk() const;
-  /// Calls back when all changes that are ordered now are made or refused.
+  /// Calls back when all changes ordered so far have been made or refused.
   void when_settled(QObject* receiver, std::function<void()> done);
-  /// Whether the text is none that the engine takes, while it has a world.
+  /// Whether the engine has not accepted the present text, but still has an earlier world.
   bool has_mistakes() const { return tree_.is_object() && text_ != history_text_; }
-  /// Whether unsaved work, if there is some, is where a crash does not reach it.
+  /// Whether all unsaved work is in the recovery file.
   bool is_kept() const { return is_kept_; }
-  /// The user does without what is unsaved.
+  /// The user discards unsaved work.
   void give_up_unsaved();
   /// @}
 
   /// @name Changes
-  /// They are made one after another, in the order of the calls.
+  /// Changes are made one after another, in the order of the calls.
   /// @{
-  /// Hears nothing if a change was made, otherwise why not: exactly once, also when the engine ends
-  /// before it answers; but never after `receiver` is gone.
+  /// Receives nothing if a change was made, otherwise the reasons: exactly once, even if the engine
+  /// ends before it answers, but never after `receiver` is gone.
   using Done = std::function<void(const Problems&)>;
-  /// All of the edits, or none.
+  /// Makes all of the edits, or none.
   void edit(const QStringList& edits, const QString& name, const QString& merge = {},
             QObject* receiver = nullptr, Done done = {});
-  /// The text as a user typed it: it stays as it is, right or wrong.
+  /// Takes the text as the user typed it, valid or not.
   void type(const QString& text);
   void undo();
   void redo();
@@ -107,34 +107,34 @@ class Workbench : public QObject {
   /// @name The run
   /// @{
   Run run_state() const { return run_; }
-  /// That is shown: in the past while that is looked at.
+  /// The shown time, s; earlier than the run's while the user looks back.
   double time_s() const { return time_s_; }
-  /// How far the run has gone.
+  /// The time that the run has reached, s.
   double latest_s() const { return latest_s_; }
   double pace() const { return pace_; }
   std::uint64_t seed() const { return seed_; }
   double speed() const { return speed_; }
-  /// To halt(), if there is one ahead.
+  /// Starts or continues the run, up to the time of set_halt() if that is ahead.
   void run();
-  /// As fast as it goes, and then a pause.
+  /// Runs to that time as fast as possible, then pauses.
   void run_until(double time_s);
-  /// Where run() pauses, such as at the end of a recording; none from the next world on.
+  /// Sets where run() pauses, such as the end of a recording. Opening a world removes it.
   void set_halt(std::optional<double> time_s) { halt_s_ = time_s; }
   bool is_at_halt() const;
   void pause();
   void step();
-  /// Back to the start, with this seed from now on, if the engine accepts it.
+  /// Goes back to the start, with this seed from now on if the engine accepts it.
   void reset(std::uint64_t seed);
   void set_speed(double factor);
-  /// Any other order: watch, at, record, command.
+  /// Sends any other order: watch, at, record, command.
   void ask(Json order, Engine::Answer answer) { engine_.ask(std::move(order), std::move(answer)); }
   Engine& engine() { return engine_; }
-  /// For a plugin that does not come back.
+  /// Ends an engine whose plugin does not return.
   void stop_engine();
   /// @}
 
  Q_SIGNALS:
-  /// What is being typed elsewhere is to be given to type() or edit() now.
+  /// Views must now pass unfinished input to type() or edit().
   void about_to_change();
   void described();  // the world changed: text, tree, scene
   void problems_changed();
@@ -142,15 +142,15 @@ class Workbench : public QObject {
   void refused(const elsie::desktop::Problems& problems);
   void history_changed();
   void run_changed();
-  void went_on();                                   // the run goes on, or a step of it is made
-  void came_to(const elsie::desktop::Json& event);  // it has paused where it was to
+  void went_on();                                   // the run continues, or makes a step
+  void came_to(const elsie::desktop::Json& event);  // it has paused at the time it was to run to
   void snapshot(const elsie::snapshots::Snapshot& snapshot);
   void state(const elsie::desktop::Json& state);
   void noted(const QString& note);
   void raised(const elsie::desktop::Json& event);
   void ended(const elsie::desktop::Json& end);
-  /// The engine ended, by stop_engine() or by itself. It was started again with the world as it
-  /// was, unless it is not there now; the report says what its plugin did.
+  /// The engine ended, by stop_engine() or by itself. It was started again with the same world,
+  /// unless engine().is_there() is false; the report says what its plugin did.
   void engine_lost(const QString& report, bool was_stopped);
   void changed_on_disk();
 
@@ -208,8 +208,8 @@ class Workbench : public QObject {
   QString file_;
   bool is_borrowed_ = false;
   QString text_;
-  QString history_text_;                           // the one to which the history leads
-  std::optional<QString> saved_text_ = QString();  // none: no file has it
+  QString history_text_;                           // the text to which the history leads
+  std::optional<QString> saved_text_ = QString();  // none if no file has it
   QByteArray on_disk_;
   TextForm form_;
   Json tree_, scene_;
@@ -221,7 +221,7 @@ class Workbench : public QObject {
   bool is_changing_ = false;
   int turn_ = 0;            // counts beginnings and ends of changes
   QString under_way_;       // the text that the engine is reading
-  bool had_world_ = false;  // the engine: it may have threads of plugins
+  bool had_world_ = false;  // the engine has had a world: plugins may have threads in it
   Run run_ = Run::none;
   double time_s_ = 0.0;
   double latest_s_ = 0.0;
@@ -231,8 +231,8 @@ class Workbench : public QObject {
   std::uint64_t seed_ = 1;
   int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
-  QSet<QString> made_;        // files in kept_folder() that only the world here may use
-  QSet<QString> copied_;      // those of them to which undo may lead
+  QSet<QString> made_;        // files in kept_folder() that only this world uses
+  QSet<QString> copied_;      // the files in made_ that were copied; undo may lead to them
   Recovery recovery_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
@@ -240,15 +240,16 @@ class Workbench : public QObject {
 
 Problems problems_of(const Json& answer);
 
-/// The line of an engine's report that says what ended it: plugins may have printed before that.
+/// The line of an engine's report that says what ended it; plugins may have printed lines before
+/// it.
 QString cause_in(const QString& report);
 
 /// "r1.weights", or the first of "r1-2.weights", "r1-3.weights"... that no file in the folder has,
-/// but one with that content.
+/// except a file with that content.
 QString free_name(const QString& folder, const QString& name,
                   const std::optional<QByteArray>& content = {});
 
-/// "" if the object has no text of that name.
+/// The text of that name in the object; "" if there is none.
 QString text_at(const Json& object, const char* name);
 
 }  // namespace elsie::desktop

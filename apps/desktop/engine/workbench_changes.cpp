@@ -3,7 +3,7 @@
 
 #include "engine/workbench.h"
 
-// Changes, one after another, and what leads back.
+// Changes, one after another, and undo.
 
 namespace elsie::desktop {
 namespace {
@@ -27,7 +27,7 @@ void Workbench::next_change() {
   if (!is_changing_ && !changes_.empty()) {
     is_changing_ = true;
     ++turn_;
-    const auto begin = changes_.front().begin;  // it may end, and be dropped, while it begins
+    const auto begin = changes_.front().begin;  // a copy: the change may be dropped during it
     begin();
   }
 }
@@ -39,7 +39,7 @@ void Workbench::end_change(const Problems& problems) {
   under_way_.clear();
   ++turn_;
   if (ended.is_edit) {
-    Q_EMIT history_changed();  // it is not pending any more
+    Q_EMIT history_changed();  // it is no longer pending
   }
   if (ended.done && (!ended.has_receiver || ended.receiver)) {
     ended.done(problems);
@@ -63,7 +63,7 @@ void Workbench::drop_changes(const QString& why) {
   }
 }
 
-/// An order of the change that is under way: the answer is not heard if that is over by then.
+/// Sends an order of the present change; its answer is ignored if the change is over by then.
 void Workbench::order(const Json& order, Engine::Answer answer) {
   if (!engine_.is_there()) {
     end_change({{{}, 0, tr("There is no engine: it could not be started.")}});
@@ -96,7 +96,7 @@ void Workbench::edit(const QStringList& edits, const QString& name, const QStrin
         if (engine_.is_there() && (!is_right_ || text_ != history_text_)) {
           end_change({{{},
                        0,
-                       tr("The text of the world has mistakes; mend them first, or undo what was "
+                       tr("The text of the world has mistakes; fix them first, or undo what was "
                           "typed.")}});
           return;
         }
@@ -145,7 +145,7 @@ void Workbench::send_typed() {
         });
 }
 
-// There is no world that could become another one: the text is opened, and leads back as a text.
+// There is no world that could become another one: the text is opened, and undo leads back by text.
 void Workbench::type_what_is_no_world(const QString& text) {
   if (text != history_text_) {
     history_.push({tr("type"), "type", history_text_, text, file_, 0, engine_.generation(),
@@ -180,7 +180,7 @@ void Workbench::lead(const History::Entry& entry, const QString& text,
   }
   Json way{{"do", "undo"}, {"edit", entry.inverse}};
   if (entry.inverse == 0 || entry.engine != engine_.generation()) {
-    // A world without a file names others from the present folder.
+    // Without a file, names of files start at the present folder.
     const QString file = entry.file.isEmpty() && !file_.isEmpty()
                              ? QDir::current().filePath("world.xml")
                              : entry.file;
@@ -205,7 +205,7 @@ void Workbench::undo() {
   in_turn(
       [this] {
         const History::Entry* entry = history_.next_undo();
-        if (text_ != history_text_) {  // what was typed is no world: it goes
+        if (text_ != history_text_) {  // invalid typed text is dropped
           text_ = history_text_;
           keep();
           Q_EMIT history_changed();

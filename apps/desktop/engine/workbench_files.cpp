@@ -10,14 +10,14 @@
 
 #include "engine/workbench.h"
 
-// Files, and what is kept for after a crash.
+// Files, and recovery after a crash.
 
 namespace elsie::desktop {
 namespace {
 
-constexpr qint64 kMost_MB = 32;  // as the engine has it
+constexpr qint64 kMost_MB = 32;  // the engine's limit
 
-/// None of what is no regular file: a pipe would not end, and a device is no text.
+/// None unless it is a regular file: reading a pipe might not end, and a device contains no text.
 std::optional<QByteArray> bytes_of(const QString& file) {
   const QFileInfo info(file);
   QFile opened(file);
@@ -104,7 +104,7 @@ bool Workbench::open(const QString& file, QString& why, std::optional<std::uint6
   }
   QByteArray bytes = opened.readAll();
   if (const int line = line_without_utf8(bytes); line > 0) {
-    why = tr("'%1' is no text in UTF-8: line %2 has other bytes. Convert it first, for example "
+    why = tr("'%1' is not UTF-8 text: line %2 has other bytes. Convert it first, for example "
              "with: iconv -f latin1 -t utf-8")
               .arg(file)
               .arg(line);
@@ -123,7 +123,7 @@ void Workbench::watch_file() {
     on_disk_watcher_->removePaths(watched);
   }
   if (!file_.isEmpty() && QFileInfo(folder_of(file_)).isDir()) {
-    on_disk_watcher_->addPath(folder_of(file_));  // where a file that is away comes back
+    on_disk_watcher_->addPath(folder_of(file_));  // where a missing file comes back
   }
   if (!file_.isEmpty() && QFileInfo::exists(file_)) {
     on_disk_watcher_->addPath(file_);
@@ -131,7 +131,7 @@ void Workbench::watch_file() {
 }
 
 void Workbench::look_at_disk() {
-  watch_file();  // a file that was replaced is not watched any more
+  watch_file();  // a file that was replaced is no longer watched
   if (is_changed_on_disk()) {
     Q_EMIT changed_on_disk();
   }
@@ -149,7 +149,7 @@ bool Workbench::is_changed_on_disk() const {
 
 QString Workbench::write(const QString& file, const QString& text) {
   QByteArray bytes = form_.bytes_of(text);
-  // Without a second file beside it, a full disk would take the one that is there.
+  // Without a second file in the same folder, a full disk would destroy the present one.
   const int error =
       QFileInfo(folder_of(file)).isWritable()
           ? files::write_whole(file.toStdString(), bytes.toStdString(), files::Durable::yes)
@@ -187,7 +187,7 @@ void Workbench::save_in_turn(const QString& target) {
     saved_as(target, text_);
     end_change();
   } else {
-    // What the engine has is a world of another file, or none; it hears of the text again.
+    // The engine has a world of another file, or none; it gets the text again.
     const bool has_world = tree_.is_object();
     saved_as(target, text_);
     if (!has_world) {
@@ -205,8 +205,8 @@ void Workbench::save_in_turn(const QString& target) {
   }
 }
 
-// The engine has the world of that file from then on, with the names of other files as they have to
-// be there.
+// From then on the engine has the world of that file, with the names of other files as seen from
+// there.
 void Workbench::save_elsewhere(const QString& target) {
   const auto moved = [this, sent = text_, target](const QString& not_copied, const Json& answer) {
     if (answer.contains("refused")) {
@@ -238,8 +238,8 @@ void Workbench::save_elsewhere(const QString& target) {
 
 bool Workbench::has_kept_files() const { return !named_files_in(kept_folder(), tree_).isEmpty(); }
 
-/// The text with the names of copies in the folder of `target`. `why`: a sentence if there are
-/// files that could not be copied, which keep their names.
+/// The text with the names of copies in the folder of `target`. `why` becomes a sentence if files
+/// could not be copied; these keep their names.
 QString Workbench::bring_beside(const QString& target, QString text, QString& why) {
   const QString folder = folder_of(target);
   QStringList left;
@@ -250,7 +250,7 @@ QString Workbench::bring_beside(const QString& target, QString text, QString& wh
     QFile original(file);
     if (!QFileInfo::exists(copy) && !original.copy(copy)) {
       left << tr("'%1' (%2)").arg(file, original.errorString());
-      made_.remove(file);  // the saved world uses it from now on
+      made_.remove(file);  // the saved world now uses it
       continue;
     }
     if (made_.contains(file)) copied_ << file;
@@ -259,15 +259,15 @@ QString Workbench::bring_beside(const QString& target, QString text, QString& wh
     }
   }
   if (!left.isEmpty()) {
-    why = tr("The world is saved, but these files could not be copied beside it, and it uses them "
-             "where they are: %1.")
+    why = tr("The world is saved, but these files could not be copied next to it, so it uses "
+             "them where they are: %1.")
               .arg(left.join(", "));
   }
   return text;
 }
 
-// The originals of copies that this window has made go when undo leads to them no more; another
-// world may use any other file.
+// Deletes the originals that this window has made and copied, once undo cannot lead to them.
+// Another world may use any other file.
 void Workbench::remove_copied() {
   for (const QString& file : std::as_const(copied_)) {
     QFile::remove(file);
@@ -285,7 +285,7 @@ void Workbench::saved_as(const QString& target, const QString& text) {
   Q_EMIT history_changed();
 }
 
-// For after a crash
+// Recovery after a crash
 
 bool Workbench::is_modified() const {
   return has_unsaved_text() || std::any_of(changes_.begin(), changes_.end(),
@@ -302,8 +302,8 @@ void Workbench::keep() {
   is_kept_ = recovery_.keep(file_, text_, is_borrowed_);
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
-        tr("Unsaved work cannot be kept for after a crash: the folder of your data is full "
-           "or read-only. Save the world."));
+        tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "
+           "read-only. Save the world."));
   }
 }
 

@@ -5,7 +5,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kHair_s = 1e-6;  // rounding errors of sums of steps
+constexpr double kHair_s = 1e-6;  // rounding errors in sums of steps
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void Workbench::set_run(Run run) {
   }
 }
 
-/// An order that makes the run go on. One that is refused leaves it as it is.
+/// Sends an order that continues the run. If it is refused, the run stays as it is.
 void Workbench::go(Json order) {
   Q_EMIT about_to_change();
   deaths_ = 0;
@@ -74,7 +74,7 @@ void Workbench::reset(std::uint64_t seed) {
   Q_EMIT about_to_change();
   deaths_ = 0;
   in_turn([this, seed] {
-    if (!is_right_) {  // it is opened with this seed once it is right
+    if (!is_right_) {  // the text is opened with this seed once it is valid
       seed_ = seed;
       Q_EMIT run_changed();
       end_change();
@@ -82,7 +82,7 @@ void Workbench::reset(std::uint64_t seed) {
     }
     order({{"do", "reset"}, {"seed", seed}}, [this, seed](const Json& answer) {
       if (answer.contains("refused")) {
-        Q_EMIT run_changed();  // the seed is the one before
+        Q_EMIT run_changed();  // views show the previous seed again
         end_change(problems_of(answer));
         return;
       }

@@ -81,7 +81,7 @@ void Exporter::write_film(const QString& file) {
   progress_->setObjectName("film_progress");
   progress_->setWindowModality(Qt::WindowModal);
   connect(progress_, &QProgressDialog::canceled, this, [this] { end_film(false); });
-  // The engine knows how far the run has gone, whatever is shown.
+  // The engine knows how far the run has gone, whatever the view shows.
   workbench_.ask({{"do", "at"}, {"time_s", 0.0}}, [this](const Json& answer) {
     if (film_) {
       film_until_s_ = answer.value("to_s", 0.0);
@@ -93,7 +93,7 @@ void Exporter::write_film(const QString& file) {
 
 void Exporter::add_frame(int number) {
   if (!film_) {
-    return;  // cancelled meanwhile
+    return;  // cancelled in the meantime
   }
   const double time_s = number / kFilmRate;
   if (time_s > film_until_s_ + 1e-9) {
@@ -102,14 +102,14 @@ void Exporter::add_frame(int number) {
   }
   workbench_.ask({{"do", "at"}, {"time_s", time_s}}, [this, number](const Json& answer) {
     if (!film_) {
-      return;  // cancelled meanwhile
+      return;  // cancelled in the meantime
     }
     // The snapshot of that instant came before the answer.
     if (answer.contains("refused") || !film_->add(scene_.picture())) {
       end_film(true);
       return;
     }
-    progress_->setValue(number);  // hears Cancel
+    progress_->setValue(number);  // handles Cancel
     add_frame(number + 1);
   });
 }
@@ -137,7 +137,7 @@ void Exporter::end_film(bool is_wanted) {
 // Recordings and commands
 
 void Exporter::record() {
-  const QString file = ask_for_file(tr("Record the next run: 10 samples for each simulated second"),
+  const QString file = ask_for_file(tr("Record the next run: 10 samples per simulated second"),
                                     "run.mcap", tr("Recordings (*.mcap *.csv)"));
   if (!file.isEmpty()) {
     record_into(file);
@@ -163,8 +163,8 @@ void Exporter::copy_command() {
     QApplication::clipboard()->setText(text);
     Q_EMIT said(answer.value("saved", true)
                     ? tr("Copied: %1").arg(text)
-                    : tr("Copied, but it makes another run: its file is not as it was when this "
-                         "run began. %1")
+                    : tr("Copied, but the command gives a different run, because its file has "
+                         "changed since this run began. %1")
                           .arg(text));
   });
 }

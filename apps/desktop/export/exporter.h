@@ -1,4 +1,4 @@
-// What leaves the window: pictures, films, recordings, and the command that repeats a run.
+// Exports pictures, films, recordings, and the command that repeats a run.
 #pragma once
 
 #include <QObject>
@@ -20,29 +20,29 @@ class Exporter : public QObject {
   Q_OBJECT
 
  public:
-  /// `window` owns this and the dialogs.
+  /// `window` owns this object and the dialogs.
   Exporter(Workbench& workbench, SceneView& scene, TimeLine& time_line, QWidget* window);
   ~Exporter() override;
 
-  /// These ask for the file.
+  /// These ask the user for the file.
   void export_picture();
   void export_film();
   void record();
-  /// The run from its start to now, at 25 pictures a second, into an AVI file. The window stays
-  /// alive meanwhile.
+  /// Writes the run from its start to now into an AVI file, with 25 pictures per second. The window
+  /// stays usable meanwhile.
   void write_film(const QString& file);
-  /// The next run, from its start, into a CSV or MCAP file.
+  /// Records the next run, from its start, into a CSV or MCAP file.
   void record_into(const QString& file);
-  /// The command line that repeats the run, on the clipboard.
+  /// Copies the command line that repeats the run to the clipboard.
   void copy_command();
 
  Q_SIGNALS:
   void said(const QString& sentence);
-  /// The film is there, or not.
+  /// The film was completed, or not.
   void film_ended(bool is_whole);
 
  private:
-  /// "" if the user stays with it.
+  /// Returns "" if the user cancels.
   QString ask_for_file(const QString& title, const QString& name, const QString& kinds);
   void warn(const QString& name, const QString& sentence);
   void add_frame(int number);

@@ -34,8 +34,8 @@ void Film::half(quint16 value) {
 
 void Film::name(const char* four) { file_.write(four, 4); }
 
-// The list of headers with the only stream's, and the start of the list of frames, whose length
-// `bytes` is.
+// Writes the list of headers with that of the only stream, and the start of the list of frames,
+// whose length is `bytes`.
 void Film::head(quint32 frames, quint32 bytes) {
   const auto width = static_cast<quint32>(width_), height = static_cast<quint32>(height_);
   const auto period_us = static_cast<quint32>(std::lround(1e6 / rate_));
@@ -129,7 +129,7 @@ bool Film::end() {
   }
   file_.seek(0);
   head(static_cast<quint32>(places_.size()), bytes);
-  return file_.flush() && file_.commit();  // commit() alone does not see a full disk
+  return file_.flush() && file_.commit();  // commit() alone does not notice a full disk
 }
 
 }  // namespace elsie::desktop

@@ -1,4 +1,4 @@
-// Films that players open.
+// Writes films that players open.
 #pragma once
 
 #include <QSaveFile>
@@ -14,14 +14,14 @@ namespace elsie::desktop {
 /// browsers' converters read. The layout of the file: "AVI RIFF File Reference" (Microsoft).
 class Film {
  public:
-  /// What players can find in a file of this format: all places are numbers of 31 bits.
+  /// The limit of players for this format: all offsets are numbers of 31 bits.
   static constexpr qint64 kMostBytes = 0x7fff'0000;
 
-  /// `most`: of bytes; a frame that would make the film longer is refused.
+  /// `most` is in bytes; a frame that would make the film longer is refused.
   Film(const QString& file, double frames_per_second, qint64 most = kMostBytes);
-  /// False when the file cannot be written: error() says why.
+  /// Adds a picture. Returns false if the file cannot be written; error() says why.
   bool add(const QImage& picture);
-  /// Puts the whole film in the place of what the file was. Without a call the file is untouched.
+  /// Replaces the file by the finished film. Without this call the file is untouched.
   bool end();
   QString error() const { return why_.isEmpty() ? file_.errorString() : why_; }
   int frames() const { return static_cast<int>(places_.size()); }
@@ -35,10 +35,10 @@ class Film {
   QSaveFile file_;
   double rate_;
   qint64 most_;
-  QString why_;  // a frame was refused
+  QString why_;  // why a frame was refused
   int width_ = 0, height_ = 0;
   std::vector<std::pair<quint32, quint32>>
-      places_;  // of the frames from the list's start, and their lengths
+      places_;  // of the frames, their offsets from the list's start and their lengths
   quint32 largest_ = 0;
 };
 

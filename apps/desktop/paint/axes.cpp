@@ -63,7 +63,7 @@ Axes::Axes(QPainter& painter, const QRectF& whole, const Span& x, const Span& y)
   for (const double tick : ticks(y, 6)) {
     widest = std::max(widest, font.horizontalAdvance(number_text(tick)));
   }
-  // The last number below the axis may stand half outside.
+  // Half of the last number below the axis may be outside.
   const double right = std::max(font.height(), font.horizontalAdvance(number_text(x.high)) * 0.6);
   area_ = whole.adjusted(widest + font.height() * 0.7, font.height() * 1.5, -right,
                          -font.height() * 2.6);

@@ -21,30 +21,30 @@ struct Span {
 
 /// Round numbers in the span: steps of 1, 2 or 5 times a power of ten, at most `most` of them.
 std::vector<double> ticks(const Span& span, int most);
-/// A number as on an axis, with a point whatever the language.
+/// A number as on an axis, with a decimal point in every language.
 QString number_text(double value);
 
 /// The n-th colour of curves: readable on the palette's base, and distinct for the colour-blind
 /// (Okabe and Ito, 2008). Curves differ in their dashes, too: pen_style().
 QColor curve_colour(int n, const QPalette& palette);
 Qt::PenStyle pen_style(int n);
-/// Of what is wrong: readable on the palette's window.
+/// The colour of errors, readable on the palette's window.
 QColor red(const QPalette& palette);
-/// A pattern besides the colour, for areas.
+/// A pattern in addition to the colour, for areas.
 Qt::BrushStyle hatch(int n);
 
 /// A rectangle with two axes.
 class Axes {
  public:
-  /// `whole`: with the room for numbers and names, which depend on the painter's font.
+  /// `whole` includes the room for numbers and names, which depends on the painter's font.
   Axes(QPainter& painter, const QRectF& whole, const Span& x, const Span& y);
 
   const QRectF& area() const { return area_; }
   QPointF at(double x, double y) const;
-  /// Grid, frame, numbers and names in the palette's colours.
+  /// Draws grid, frame, numbers and names in the palette's colours.
   void draw(QPainter& painter, const QPalette& palette, const QString& x_name,
             const QString& y_name) const;
-  /// Values that are not finite interrupt the curve.
+  /// Draws a curve; values that are not finite interrupt it.
   void draw_curve(QPainter& painter, const QPolygonF& points, const QPen& pen) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Figures", text); }
 
-/// The name and the description of the widget, and its figures as the value.
+/// Has the name and the description of the widget, and its figures as the value.
 class PaintedFigures : public QAccessibleWidget {
  public:
   explicit PaintedFigures(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Chart) {}

@@ -1,4 +1,4 @@
-// What a painted widget shows, as a table: for screen readers, and for all who want the numbers.
+// The contents of painted widgets as tables, for screen readers and for users who want the numbers.
 #pragma once
 
 #include <QStringList>
@@ -13,17 +13,17 @@ struct Figures {
   std::vector<QStringList> rows;
 };
 
-/// A widget that paints figures. Its accessible interface has them as a text, a row a line.
+/// A widget that paints figures. Its accessible interface has them as text, one row per line.
 class ShowsFigures {
  public:
   virtual ~ShowsFigures() = default;
   virtual Figures figures() const = 0;
 };
 
-/// To be called in the constructor of a widget that is a ShowsFigures: the key for menus and a
-/// right click offer its figures as a table, and screen readers find them.
+/// Call it in the constructor of a widget that is a ShowsFigures: the menu key and a right click
+/// then offer its figures as a table, and screen readers find them.
 void offer_figures(QWidget* widget);
-/// Opens the table. It keeps the figures of this instant until "Again" is pressed.
+/// Opens the table, which keeps the figures of this instant until "Again" is pressed.
 void show_figures(QWidget* widget);
 
 }  // namespace elsie::desktop

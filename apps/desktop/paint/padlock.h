@@ -1,4 +1,4 @@
-// The mark of what is locked against the mouse.
+// The mark of objects that are locked against the mouse.
 #pragma once
 
 #include <QColor>

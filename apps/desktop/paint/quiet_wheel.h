@@ -1,12 +1,12 @@
-// Boxes that the mouse wheel passes over.
+// Boxes that ignore the mouse wheel until they have the keyboard focus.
 #pragma once
 
 class QWidget;
 
 namespace elsie::desktop {
 
-/// From now on the wheel changes the box only while it has the keyboard focus, and does not give it
-/// that; otherwise it moves the page on which the box is (QGIS#4245).
+/// Lets the wheel change the box only while the box has the keyboard focus, which the wheel does
+/// not give it. Otherwise the wheel moves the page that contains the box (QGIS#4245).
 void quiet_wheel(QWidget* box);
 
 }  // namespace elsie::desktop

@@ -12,7 +12,7 @@ QString save_picture(const QImage& picture, const QString& file) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("SavePicture", text); };
   const QByteArray format = QFileInfo(file).suffix().toLower().toLatin1();
   if (!QImageWriter::supportedImageFormats().contains(format)) {
-    return tr("'%1' names no picture: the name must end with .png or .jpg.").arg(file);
+    return tr("'%1' is not a name of a picture: it must end with .png or .jpg.").arg(file);
   }
   QSaveFile written(file);
   written.setDirectWriteFallback(false);
@@ -20,7 +20,7 @@ QString save_picture(const QImage& picture, const QString& file) {
     return tr("'%1' cannot be written: %2.").arg(file, written.errorString());
   }
   QImageWriter writer(&written, format);
-  // commit() alone does not see a full disk.
+  // commit() alone does not notice a full disk.
   if (!writer.write(picture) || !written.flush() || !written.commit()) {
     return tr("The picture could not be written to '%1': %2. What was there before is unchanged.")
         .arg(file, written.error() != QFileDevice::NoError ? written.errorString()

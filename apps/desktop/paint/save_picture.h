@@ -8,7 +8,7 @@ class QImage;
 namespace elsie::desktop {
 
 /// Writes the picture in the format of the file's ending. Returns "", or why it was not written;
-/// then the file is what it was.
+/// the file is then unchanged.
 QString save_picture(const QImage& picture, const QString& file);
 
 }  // namespace elsie::desktop

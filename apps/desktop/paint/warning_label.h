@@ -1,11 +1,11 @@
-// A sentence that says why something is not so.
+// A label that says why something was refused.
 #pragma once
 
 #include <QLabel>
 
 namespace elsie::desktop {
 
-/// Red that can be read on the window's background, light or dark. Hidden while it is empty.
+/// Its red is readable on the window's background, light or dark. It is hidden while it is empty.
 class WarningLabel : public QLabel {
   Q_OBJECT
 

@@ -16,14 +16,15 @@ constexpr double kFarthest = 30'000.0;
 constexpr double kPerPixel = 0.008;  // rad
 constexpr double kInFront = 0.01;    // m; nearer points are not drawn
 
-/// Pixels from the middle of the picture to a point at one unit aside of one unit ahead.
+/// The distance in pixels from the middle of the picture to a point one unit ahead and one unit
+/// aside.
 double scale(const QSizeF& size) { return 0.5 * size.width() / std::tan(0.5 * OrbitCamera::kFov); }
 
 }  // namespace
 
 void OrbitCamera::show(double length, double width, const QSizeF& size) {
   target = {0.0, 0.0, 0.0};
-  // As far away as is needed until all corners are in the picture.
+  // Moves away until all corners are in the picture.
   const QSizeF picture(std::max(1.0, size.width()), std::max(1.0, size.height()));
   const QRectF frame = QRectF(QPointF(0.0, 0.0), picture).marginsRemoved({12.0, 24.0, 12.0, 12.0});
   for (distance = 0.3 * std::max(length, width); distance < kFarthest; distance *= 1.05) {
@@ -63,7 +64,8 @@ void OrbitCamera::orbit(const QPointF& by) {
 void OrbitCamera::pan(const QPointF& by, const QSizeF& size) {
   const Frame now = frame();
   const double meters = distance / scale(size);
-  // Along the floor: ahead is where `up` points from above, and `forward` otherwise.
+  // Moves along the floor: "ahead" is where `up` points if seen from above, otherwise where
+  // `forward` points.
   Vector3 ahead{now.forward.x + now.up.x, now.forward.y + now.up.y, 0.0};
   ahead = (1.0 / std::max(1e-9, std::hypot(ahead.x, ahead.y))) * ahead;
   target = target + meters * by.x() * now.left + meters * by.y() * ahead;

@@ -9,7 +9,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr double kHigh = 0.15;  // m, above the foot of a robot
-constexpr double kAside = 3.0;  // px, of the text in its box
+constexpr double kAside = 3.0;  // space at the sides of the text in its box
 constexpr double kAbove = 6.0;  // px
 
 }  // namespace

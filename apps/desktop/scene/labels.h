@@ -16,12 +16,12 @@ struct Label {
   QRectF box;  // px
 };
 
-/// A box with the text; `at`: its lower left corner.
+/// A box with the text, whose lower left corner is `at`.
 QRectF label_box(const QFontMetricsF& metrics, const QPointF& at, const QString& text);
 
-/// The names of the robots in a view of that size, none over another: each above its robot, or a
-/// line higher or lower where another name is in the way. Those for which there is no room are left
-/// out, the ones far from the camera first.
+/// The names of the robots in a view of that size, without overlaps: each is above its robot, or a
+/// line higher or lower where another name is in the way. Names without room are left out, those of
+/// robots far from the camera first.
 std::vector<Label> labels_of(const Stage& stage, const OrbitCamera& camera, const QSize& size,
                              const QFontMetricsF& metrics);
 

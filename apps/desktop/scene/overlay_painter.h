@@ -17,18 +17,18 @@ class OverlayPainter {
                  const QSize& size)
       : painter_(painter), stage_(stage), camera_(camera), size_(size) {}
 
-  /// A line that ends behind the camera is cut where it passes the camera's plane.
+  /// Draws a line. A line that ends behind the camera is cut at the camera's plane.
   void line(const Vector3& from, const Vector3& to) const;
-  /// Instead of solids, where there is no OpenGL.
+  /// Draws outlines in place of solids, without OpenGL.
   void outlines() const;
   void grid() const;
-  /// Beams that meet something are dashed.
+  /// Draws beams; those that hit something are dashed.
   void beams() const;
-  /// The pyramids that cameras see.
+  /// Draws the pyramids that cameras see.
   void views() const;
-  /// The names of robots.
+  /// Draws the names of robots.
   void names() const;
-  /// A box with a text; `at`: its lower left corner.
+  /// Draws a box with a text; its lower left corner is `at`.
   void note(const QPointF& at, const QString& text) const;
 
  private:

@@ -23,8 +23,9 @@ const QColor kSelected(0xe0, 0x80, 0x00);
 SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setObjectName("scene");
   setAccessibleName(tr("World"));
-  setAccessibleDescription(tr(
-      "The world from the camera. All things are also in the tree, with their places as numbers."));
+  setAccessibleDescription(
+      tr("The world from the camera. All objects are also in the tree, with their places as "
+         "numbers."));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(160, 120);
@@ -42,7 +43,7 @@ QString SceneView::device() const {
   return renderer_ ? QString::fromStdString(renderer_->device()) : QString();
 }
 
-// What there is
+// The scene and its names
 
 void SceneView::set_scene(const Json& scene, std::uint64_t epoch) {
   const double length = stage_.length(), width = stage_.width();
@@ -167,7 +168,7 @@ void SceneView::follow(const QString& path) {
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (!event->oldSize().isValid() || camera_ == all_) {  // nobody has moved it since
+  if (!event->oldSize().isValid() || camera_ == all_) {  // the user has not moved it since
     show_all();
   }
   is_stale_ = true;
@@ -235,8 +236,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     paint_tape(painter, over);
     const double line = QFontMetricsF(font()).height();
     if (typed_.is_on()) {
-      over.note({8.0, height() - line},
-                tr("%1   (Enter: do it, Esc: leave it)").arg(typed_.text()));
+      over.note({8.0, height() - line}, tr("%1   (Enter: apply, Esc: cancel)").arg(typed_.text()));
     } else if (stage_.is_past()) {
       over.note(
           {8.0, height() - line},
@@ -251,7 +251,7 @@ std::optional<Frame> SceneView::frame_of_selected() const {
   return stage_.place_of(selection_.value(0));
 }
 
-// Only obstacles and resources have a size of their own.
+// Only obstacles and resources have a size that the view can change.
 std::optional<Vector3> SceneView::size_of_selected() const {
   const QString path = selection_.value(0);
   if (path.isEmpty() || path.startsWith("robot") || path.startsWith("charger")) {
@@ -301,7 +301,7 @@ std::optional<SceneView::Tool> SceneView::handle_at(const QPointF& pixel) const 
   return std::nullopt;
 }
 
-// What a drag moves: things that stand somewhere, and are not locked.
+// The selected objects that have a place and are not locked.
 QStringList SceneView::movable() const {
   QStringList paths;
   for (const QString& path : selection_) {
@@ -360,7 +360,7 @@ void SceneView::paint_locks(QPainter& painter) const {
     const auto at =
         frame ? camera_.project({frame->origin.x, frame->origin.y, 0.0}, size()) : std::nullopt;
     if (at) {
-      const QRectF area(at->x() + 0.8 * side, at->y(), side, side);  // the thing stays in sight
+      const QRectF area(at->x() + 0.8 * side, at->y(), side, side);  // the object stays visible
       painter.setPen(Qt::NoPen);
       painter.setBrush(QColor(255, 255, 255, 215));
       painter.drawEllipse(area.adjusted(-3.0, -3.0, 3.0, 3.0));
@@ -370,7 +370,7 @@ void SceneView::paint_locks(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
 }
 
-// Where it will be.
+// Draws the object where it will be.
 void SceneView::paint_ghost(QPainter& painter, const OverlayPainter& over,
                             const Stage::Solid& solid) const {
   Stage::Solid shown = solid;

@@ -1,5 +1,5 @@
-// The main view: the world in three dimensions, in real time. scene_view_input.cpp has its mouse
-// and keys.
+// The main view: the world in three dimensions, in real time. scene_view_input.cpp handles the
+// mouse and keys.
 #pragma once
 
 #include <QImage>
@@ -23,13 +23,14 @@ namespace elsie::desktop {
 
 class OverlayPainter;
 
-/// Draws the solids off screen, where Mesa's software is faster than in a window, and lines,
-/// handles and words over them.
+/// Draws the solids off screen, where Mesa's software renderer is faster than in a window, and
+/// draws lines, handles and words over them.
 ///
-/// The left button orbits, the right one pans, the wheel zooms to the pointer; a click selects,
-/// with Shift several; a right click asks for the editor. The selected thing has handles: its foot
-/// moves it, the knob ahead turns it, the corner resizes a box. Ctrl at the press always moves the
-/// camera; Ctrl during a drag snaps. G, R and S begin a drag by keys: typed_drag.h.
+/// The left button orbits, the right one pans, the wheel zooms to the pointer. A click selects,
+/// with Shift several objects; a right click opens the editor. The selected object has handles: its
+/// foot moves it, the knob ahead turns it, the corner resizes a box. If Ctrl is down at the press,
+/// a button always moves the camera; Ctrl during a drag snaps. G, R and S begin a drag by keys:
+/// typed_drag.h.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -49,14 +50,15 @@ class SceneView : public QWidget {
 
   void set_scene(const Json& scene, std::uint64_t epoch);
   void take(const snapshots::Snapshot& snapshot);
-  /// Forgets the lines behind the robots.
+  /// Removes the lines behind the robots.
   void clear_trails();
   void set_selection(const QStringList& paths);
-  /// Mouse and keys move what is locked no more; others are locked, those that are, unlocked.
+  /// Locks these objects, and unlocks those of them that were locked. Mouse and keys do not move
+  /// locked objects.
   void toggle_locked(const QStringList& paths);
   void unlock_all();
   const QSet<QString>& locked() const { return locked_; }
-  /// Something is called otherwise now.
+  /// An object was renamed.
   void rename(const QString& from, const QString& to);
 
   const Stage& stage() const { return stage_; }
@@ -70,21 +72,21 @@ class SceneView : public QWidget {
   void look_from_front();
   void look_from_side();
   void frame_selection();
-  /// The camera moves with that robot; "": with none.
+  /// The camera follows this robot; "" stops following.
   void follow(const QString& path);
   QString followed() const { return followed_; }
 
-  /// The view as it is, without handles.
+  /// A picture of the view without handles.
   QImage picture();
-  /// The names that are drawn: those nearest to the camera, as far as there is room for them.
+  /// The names that are drawn: as many as there is room for, those nearest to the camera first.
   std::vector<Label> labels() const;
-  /// What draws: "llvmpipe ...", or "" for outlines by Qt, when there is no OpenGL.
+  /// The OpenGL renderer, such as "llvmpipe ..."; "" if Qt draws outlines, without OpenGL.
   QString device() const;
-  /// Where something of the world is in the widget: for tests and tutorials.
+  /// The pixel of a point of the world in the widget, for tests and tutorials.
   std::optional<QPointF> pixel_of(const Vector3& point) const {
     return camera_.project(point, size());
   }
-  /// The middle of the handle of the selected thing that a tool has.
+  /// The middle of a tool's handle on the selected object.
   std::optional<QPointF> handle(Tool tool) const;
 
  Q_SIGNALS:
@@ -92,11 +94,11 @@ class SceneView : public QWidget {
   void said(const QString& sentence);
   void locks_changed();
   void edit_wished(const QString& path, const QPoint& global);
-  /// Of the floor at that point, m.
+  /// `x`, `y`: the point of the floor there, m.
   void menu_wished(const QPoint& global, double x, double y);
-  /// By the key for menus, of what is chosen.
+  /// The menu key was pressed: opens the menu of the selected object.
   void element_menu_wished(const QString& path, const QPoint& global);
-  /// A drag has ended: by this much, m and rad.
+  /// A drag has ended; the movement is in m or rad.
   void moved(const QStringList& paths, double by_x, double by_y);
   void turned(const QString& path, double by_rad);
   void resized(const QString& path, double length, double width);

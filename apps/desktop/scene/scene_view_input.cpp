@@ -11,10 +11,10 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kClick = 4.0;       // px: a press that moves less is a click
+constexpr double kClick = 4.0;       // px: a press with less movement is a click
 constexpr double kSnap = 0.1;        // m
 constexpr double kSnapTurn = 15.0;   // degrees
-constexpr double kFine = 0.2;        // of the way of the mouse, with Shift
+constexpr double kFine = 0.2;        // with Shift: the part of the mouse's movement that counts
 constexpr double kFineStep = 0.01;   // m, by keys with Shift
 constexpr double kLeastSize = 0.02;  // m
 constexpr double kWheel = 0.0015;    // of a zoom, in eighths of a degree
@@ -186,7 +186,7 @@ void SceneView::begin_typed(TypedDrag::Kind kind) {
   const auto frame = frame_of_selected();
   if (frame && drag_ == Drag::none && !locked_.contains(selection_.front()) &&
       kind == TypedDrag::Kind::resize && !handle(Tool::resize)) {
-    Q_EMIT said(tr("This has no size that the view changes; its numbers are in Properties."));
+    Q_EMIT said(tr("The view cannot resize this; its numbers are in Properties."));
   }
   if (!frame || drag_ != Drag::none || locked_.contains(selection_.front()) ||
       (kind == TypedDrag::Kind::resize && !handle(Tool::resize))) {
@@ -223,7 +223,7 @@ void SceneView::take_typed(const QKeyEvent& key) {
   update();
 }
 
-// A right click is handled when the button is let go, for it may become a drag.
+// A right click is handled on release, because it may become a drag.
 void SceneView::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() == QContextMenuEvent::Mouse) {
     return;
@@ -235,7 +235,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent* event) {
 
 bool SceneView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && typed_.is_on()) {
-    event->accept();  // Enter and numbers are the view's now
+    event->accept();  // the view uses Enter and numbers now
     return true;
   }
   return QWidget::event(event);

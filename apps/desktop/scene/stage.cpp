@@ -10,10 +10,10 @@
 namespace elsie::desktop {
 namespace {
 
-// A light floor on which teams' colours and lines are easy to see.
+// A light floor, on which the colours of teams and lines are easy to see.
 constexpr Colour kFloor{226, 228, 224};
 constexpr Colour kSky{244, 246, 248};
-constexpr double kDisc = 0.004;  // m: what is flatter than this lies on the floor as a mark
+constexpr double kDisc = 0.004;  // m: flatter objects lie on the floor as marks
 
 Vector3 vector_of(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
@@ -101,7 +101,7 @@ void clip(double at, double per, double most, double& enters, double& leaves) {
   }
 }
 
-/// How far along a ray a solid is met; infinite: it is missed.
+/// How far along a ray a solid is hit; infinite if it is not.
 double way_to(const Stage::Solid& solid, const Frame& frame, const Vector3& from,
               const Vector3& direction) {
   const Vector3 aside = from - frame.origin;
@@ -152,7 +152,7 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   Stage whole;
   try {
     whole.read(scene);
-  } catch (const std::exception&) {  // a plugin may have written into the engine's words
+  } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
     return false;
   }
   length_ = whole.length_;

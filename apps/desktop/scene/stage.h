@@ -24,7 +24,7 @@ class Stage {
     Frame frame;
     bool is_present = true;
 
-    /// The first vehicle of a robot's train.
+    /// Whether this is the first vehicle of a robot's train.
     bool is_robot() const { return vehicle == 0 && path.startsWith("robot["); }
   };
   /// A part of a body, or of the arena.
@@ -45,36 +45,36 @@ class Stage {
     double aspect = 1.0;   // height by width
   };
 
-  /// A scene that is none leaves an empty stage; returns whether it was one.
+  /// Reads a scene; an invalid one leaves the stage empty. Returns whether it was valid.
   bool set_scene(const Json& scene, std::uint64_t epoch);
-  /// Kept until its scene is there. Returns whether the bodies moved.
+  /// Takes a snapshot, and keeps it until its scene is there. Returns whether the bodies moved.
   bool take(const snapshots::Snapshot& snapshot);
 
   bool is_empty() const { return solids_.empty(); }
   double length() const { return length_; }  // of the arena, m
   double width() const { return width_; }
   double time_s() const { return time_s_; }
-  /// Whether the run has been further than what is shown.
+  /// Whether the shown time is earlier than the latest one.
   bool is_past() const { return time_s_ < latest_s_; }
   const std::vector<Body>& bodies() const { return bodies_; }
   const std::vector<snapshots::BeamState>& beams() const { return beams_; }
   const std::vector<Solid>& solids() const { return solids_; }
   const std::vector<View>& views() const { return views_; }
-  /// In the world.
+  /// The frame of a solid in the world.
   Frame frame_of(const Solid& solid) const;
-  /// The first body of the element; null: it has none.
+  /// The first body of the element; null if it has none.
   const Body* body_of(const QString& path) const;
-  /// The first solid of the element; null: it has none.
+  /// The first solid of the element; null if it has none.
   const Solid* solid_of(const QString& path) const;
-  /// Where the element stands, on the floor; none: it has no place of its own, or is not there.
+  /// Where the element stands on the floor; none if it has no place of its own, or is absent.
   std::optional<Frame> place_of(const QString& path) const;
   bool is_present(const Solid& solid) const;
-  /// Whether nothing stands nearer to that place of the floor than `room`, in m.
+  /// Whether no object is nearer to that point of the floor than `room`, in m.
   bool is_free(const QPointF& at, double room) const;
 
-  /// All that is to be drawn.
+  /// Everything that must be drawn.
   render::Scene drawn() const;
-  /// The element that a ray meets first; "" is the floor, a wall or nothing.
+  /// The first element that a ray meets; "" for the floor, a wall or nothing.
   QString at(const Vector3& from, const Vector3& direction) const;
 
  private:
@@ -84,12 +84,12 @@ class Stage {
   std::uint64_t epoch_ = 0;
   double length_ = 0.0, width_ = 0.0;
   double time_s_ = 0.0;
-  double latest_s_ = 0.0;  // that was shown
+  double latest_s_ = 0.0;  // the latest time that was shown
   std::vector<Body> bodies_;
   std::vector<Solid> solids_;
   std::vector<View> views_;
   std::vector<snapshots::BeamState> beams_;
-  // The last snapshot, which may be that of the next scene.
+  // The last snapshot, perhaps of the next scene.
   snapshots::SnapshotFacts facts_;
   std::vector<snapshots::BodyState> states_;
   std::vector<snapshots::BeamState> states_of_beams_;
@@ -97,12 +97,12 @@ class Stage {
 
 double heading_rad(const Frame& frame);
 
-/// The solid with another length and width, m; an upright cylinder stays round and takes the one
+/// The solid with another length and width, m. An upright cylinder stays round and takes the value
 /// that differs more.
 Stage::Solid with_size(const Stage::Solid& solid, double length, double width);
 
-/// The edges of a prism, of an upright cylinder (with some of its side) or of the box of another
-/// solid, as pairs of points.
+/// The edges of a prism, of an upright cylinder (with some lines of its side) or of the box of
+/// another solid, as pairs of points.
 std::vector<std::pair<Vector3, Vector3>> edges_of(const Stage::Solid& solid, const Frame& frame);
 
 }  // namespace elsie::desktop

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStep = 0.01;  // m
 constexpr std::size_t kLongest = 20'000;
-constexpr double kHeight = 0.005;  // m: over the floor's marks
+constexpr double kHeight = 0.005;  // m; above the marks on the floor
 constexpr double kWidth = 1.6;     // px
 
 }  // namespace

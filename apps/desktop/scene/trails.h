@@ -12,22 +12,23 @@
 
 namespace elsie::desktop {
 
-/// Where each robot was, at most 200 m back. What was painted is kept for as long as the camera
-/// stands still, so that a picture costs what has been added since the last.
+/// The path of each robot, at most the last 200 m. What was painted is kept while the camera stands
+/// still, so that a picture costs only what was added since the last one.
 class Trails {
  public:
-  /// A time before the last one leaves them as they are, for the past is shown; 0 s forgets them.
+  /// Adds the present places. A time before the last one changes nothing, because the past is
+  /// shown; 0 s clears the trails.
   void note(const Stage& stage);
   void clear();
-  /// To be called when the camera or the size changes.
+  /// Call it when the camera or the size changes.
   void paint_anew() { layer_ = QImage(); }
-  /// Of this size in px, in a picture that has `ratio` px of the device for each.
+  /// Paints the trails at this size in px, into a picture with `ratio` device pixels for each.
   void paint(QPainter& painter, const OrbitCamera& camera, const QSize& size, double ratio);
 
  private:
   struct Trail {
     std::deque<Vector3> points;
-    std::size_t painted = 0;  // points of them
+    std::size_t painted = 0;  // how many of them are painted
     QColor colour;
   };
   static void paint_rest(QPainter& painter, Trail& trail, const OrbitCamera& camera,
@@ -35,7 +36,7 @@ class Trails {
 
   QHash<QString, Trail> trails_;  // by path
   double until_s_ = 0.0;
-  QImage layer_;  // null: all is to be painted
+  QImage layer_;  // null: everything must be painted
 };
 
 }  // namespace elsie::desktop

@@ -1,4 +1,4 @@
-// Moving, turning and resizing by keys: what follows G, R and S in the view.
+// Moving, turning and resizing by keys: the input after G, R and S in the view.
 #pragma once
 
 #include <QString>
@@ -7,8 +7,8 @@ class QKeyEvent;
 
 namespace elsie::desktop {
 
-/// An axis and a number, typed one key after the other: "X - 0 . 5". Enter and Esc are left to the
-/// view.
+/// An axis and a number, typed one key after the other: "X - 0 . 5". The view handles Enter and
+/// Esc.
 class TypedDrag {
  public:
   enum class Kind { none, move, turn, resize };
@@ -19,14 +19,14 @@ class TypedDrag {
   bool is_on() const { return kind_ != Kind::none; }
   Kind kind() const { return kind_; }
 
-  /// Whether the key belongs to it.
+  /// Takes a key. Returns false if the key does not belong to the drag.
   bool take(const QKeyEvent& key);
   bool has_number() const;
-  /// m, degrees, or a factor of the size.
+  /// The number, in m, degrees, or as a factor of the size.
   double number() const;
-  /// The axis; x if a way is typed without one, as along both there would be two.
+  /// The axis. A move without an axis is along x, because both axes would need two numbers.
   Axis axis() const;
-  /// What is typed so far, for the user.
+  /// The input so far, for the user.
   QString text() const;
 
  private:

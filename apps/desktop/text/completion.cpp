@@ -47,7 +47,7 @@ QStringList open_elements(const QString& text) {
   return open;
 }
 
-/// Where the tag begins that the end of the text is inside of; -1 outside of tags and in comments.
+/// Where the tag begins that contains the end of the text; -1 outside of tags and in comments.
 qsizetype open_tag(const QString& text) {
   qsizetype start = -1;
   QChar quote;
@@ -130,7 +130,7 @@ Completion complete(const Json& catalog, const QString& before) {
       }
     }
   } else {
-    // Whole attributes first; what is left is a value that is not closed, or part of a name.
+    // Whole attributes are removed first; the rest is an unfinished value, or part of a name.
     static const QRegularExpression whole(
         QStringLiteral("([\\w:.-]+)\\s*=\\s*(?:\"[^\"]*\"|'[^']*')"));
     const QString inside = tag.mid(name_end);

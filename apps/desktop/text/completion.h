@@ -1,4 +1,4 @@
-// What may be typed at a place in the text of a world, from the engine's catalog.
+// The words that may be typed at a place in the text of a world, from the engine's catalog.
 #pragma once
 
 #include <QString>
@@ -12,11 +12,11 @@ namespace elsie::desktop {
 /// inside a tag (without those that it already has), choices inside the quotes of a value.
 struct Completion {
   QStringList words;
-  /// What is typed of the word so far.
+  /// The part of the word that is already typed.
   QString prefix;
 };
 
-/// `catalog`: the answer to the order "catalog". Text that is not whole XML is fine.
+/// `catalog` is the answer to the order "catalog". The text need not be complete XML.
 Completion complete(const nlohmann::ordered_json& catalog, const QString& before);
 
 }  // namespace elsie::desktop

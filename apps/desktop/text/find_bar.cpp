@@ -30,7 +30,7 @@ FindBar::FindBar(QPlainTextEdit* text)
     connect(made, &QToolButton::clicked, this, action);
     row->addWidget(made);
   };
-  button(QStringLiteral("↑"), tr("Find the one before (Shift+Enter)"),
+  button(QStringLiteral("↑"), tr("Find the previous one (Shift+Enter)"),
          [this] { find(true, false); });
   button(QStringLiteral("↓"), tr("Find the next (Enter)"), [this] { find(false, false); });
   button(QStringLiteral("×"), tr("Close (Esc)"), [this] { Q_EMIT closed(); });
@@ -80,7 +80,7 @@ void FindBar::find(bool backward, bool from_start_of_selection) {
     QTextCursor edge(text_->document());
     edge.movePosition(backward ? QTextCursor::End : QTextCursor::Start);
     found = text_->document()->find(word, edge, flags);
-    verdict_->setText(found.isNull() ? tr("not found") : tr("from the other end"));
+    verdict_->setText(found.isNull() ? tr("not found") : tr("continued from the other end"));
   }
   if (!found.isNull()) {
     text_->setTextCursor(found);

@@ -1,4 +1,4 @@
-// The line below a text to search it.
+// The line below a text that searches the text.
 #pragma once
 
 #include <QWidget>
@@ -9,14 +9,14 @@ class QPlainTextEdit;
 
 namespace elsie::desktop {
 
-/// Enter finds the next place, Shift+Enter the one before, Esc closes.
+/// Enter finds the next match, Shift+Enter the previous one, Esc closes.
 class FindBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit FindBar(QPlainTextEdit* text);
 
-  /// Shows the line, with what is selected in the text.
+  /// Shows the line, filled with the selected text.
   void open();
 
  Q_SIGNALS:

@@ -21,7 +21,8 @@ ProblemsPanel::ProblemsPanel(QWidget* parent) : QWidget(parent), list_(new QTree
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(list_);
-  // itemActivated comes with Enter and, on most desktops, with a double click; here always.
+  // itemActivated comes with Enter and, on most desktops, with a double click; here a double click
+  // always works.
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &ProblemsPanel::go);
   for (const auto key : {Qt::Key_Return, Qt::Key_Enter}) {
     auto* enter = new QShortcut(key, list_);

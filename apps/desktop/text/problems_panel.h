@@ -18,7 +18,7 @@ class ProblemsPanel : public QWidget {
   explicit ProblemsPanel(QWidget* parent = nullptr);
 
   void set_problems(const std::vector<Problem>& problems);
-  /// Chooses the next problem, after the last the first, and goes to it.
+  /// Selects the next problem, after the last one the first, and goes to it.
   void next();
 
  Q_SIGNALS:

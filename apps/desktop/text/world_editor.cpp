@@ -70,7 +70,7 @@ WorldEditor::WorldEditor(QWidget* parent)
   typing_.setSingleShot(true);
   typing_.setInterval(400);
   connect(&typing_, &QTimer::timeout, this, [this] { Q_EMIT edited(whole_text()); });
-  // Not textChanged(): highlighting raises that, too.
+  // Not textChanged(), which highlighting also raises.
   connect(document(), &QTextDocument::contentsChange, this, [this](int, int removed, int added) {
     if (!from_outside_ && (removed > 0 || added > 0)) {
       typing_.start();
@@ -94,7 +94,7 @@ WorldEditor::WorldEditor(QWidget* parent)
 
 WorldEditor::~WorldEditor() = default;
 
-// Not toPlainText(), which makes plain blanks of all others.
+// Not toPlainText(), which turns all other blanks into plain ones.
 QString WorldEditor::whole_text() const {
   QString text = document()->toRawText();
   text.replace(QChar::ParagraphSeparator, u'\n');
@@ -127,7 +127,7 @@ void WorldEditor::set_text(const QString& text) {
   change.setPosition(static_cast<int>(now.size() - tail), QTextCursor::KeepAnchor);
   change.insertText(text.mid(same, text.size() - same - tail));
   from_outside_ = false;
-  if (anchor <= same && position <= same) {  // Qt moves a cursor that stands where text comes in
+  if (anchor <= same && position <= same) {  // Qt moves a cursor where text is inserted
     QTextCursor kept = textCursor();
     kept.setPosition(anchor);
     kept.setPosition(position, QTextCursor::KeepAnchor);
@@ -281,7 +281,7 @@ void WorldEditor::keyPressEvent(QKeyEvent* event) {
   const int key = event->key();
   if (completer_->popup()->isVisible() && (key == Qt::Key_Return || key == Qt::Key_Enter ||
                                            key == Qt::Key_Tab || key == Qt::Key_Escape)) {
-    event->ignore();  // the popup takes these
+    event->ignore();  // the popup handles these
     return;
   }
   const bool control = (event->modifiers() & Qt::ControlModifier) != 0;

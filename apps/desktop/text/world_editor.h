@@ -19,8 +19,8 @@ namespace elsie::desktop {
 class FindBar;
 class XmlHighlighter;
 
-/// The text of the document, which the window owns: the text comes by set_text(), and what is typed
-/// goes out by edited(). The editor has no undo of its own; the keys go to the window.
+/// Shows the text of the document, which the window owns: set_text() sets it, and edited() reports
+/// what was typed. The editor has no undo of its own; it leaves the keys to the window.
 class WorldEditor : public QPlainTextEdit {
   Q_OBJECT
 
@@ -28,29 +28,30 @@ class WorldEditor : public QPlainTextEdit {
   explicit WorldEditor(QWidget* parent = nullptr);
   ~WorldEditor() override;
 
-  /// Changes only what differs, hence cursor and scroll position stay; edited() does not come.
-  /// While typing waits for its edited(), the text stays as typed: edited() comes with it.
+  /// Changes only what differs, so that cursor and scroll position stay, without edited(). While
+  /// typed text waits for its edited(), the text stays as typed, and edited() sends it.
   void set_text(const QString& text);
-  /// The text as it is now, each character as it was typed or read.
+  /// The present text, with each character as it was typed or read.
   QString whole_text() const;
-  /// Sends edited() now if it waits.
+  /// Emits edited() now if it waits.
   void commit();
-  /// Underlines these lines, with red numbers; the messages are tool tips. All are of this text.
+  /// Underlines these lines and makes their numbers red; the messages are tool tips. All problems
+  /// must be of this text.
   void set_problems(const std::vector<Problem>& problems);
-  /// The answer to the order "catalog".
+  /// `catalog` is the answer to the order "catalog".
   void set_catalog(const nlohmann::ordered_json& catalog);
-  /// The cursor at the start of the line, from 1, in the middle of the view.
+  /// Puts the cursor at the start of the line, counted from 1, in the middle of the view.
   void go_to(int line);
   void open_find();
 
-  /// For the margin.
+  /// These are for the margin.
   int margin_width() const;
   void paint_margin(const QRect& dirty);
-  /// The messages of the line at this height of the view, each in a line; or "".
+  /// The messages of the line at this height of the view, one per line; "" if there are none.
   QString problem_at(int y) const;
 
  Q_SIGNALS:
-  /// 400 ms after the last key stroke.
+  /// Emitted 400 ms after the last key stroke.
   void edited(const QString& text);
   void undo_wished();
   void redo_wished();

@@ -5,7 +5,7 @@
 namespace elsie::desktop {
 namespace {
 
-// States at the end of a line, besides -1 in the text between tags.
+// States at the end of a line; -1 means the text between tags.
 enum State { kText = -1, kComment = 1, kTag, kDouble, kSingle };
 
 }  // namespace
@@ -28,7 +28,7 @@ void XmlHighlighter::highlightBlock(const QString& text) {
   int state = previousBlockState();
   int i = 0;
   const int size = static_cast<int>(text.size());
-  // Paints up to the end of `mark`; whether it was found in this line.
+  // Formats up to the end of `mark`; returns whether it was found in this line.
   const auto until = [&](const QString& mark, const QTextCharFormat& format, int from) {
     const auto found = static_cast<int>(text.indexOf(mark, from));
     const int end = found < 0 ? size : found + static_cast<int>(mark.size());

@@ -12,7 +12,7 @@ class XmlHighlighter : public QSyntaxHighlighter {
  public:
   explicit XmlHighlighter(QTextDocument* document);
 
-  /// Chooses colours that read well on the palette's base, and paints again.
+  /// Chooses colours that are readable on the palette's base, and highlights again.
   void use_palette(const QPalette& palette);
 
  protected:

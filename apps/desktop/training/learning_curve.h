@@ -15,9 +15,9 @@ class LearningCurve : public QWidget, public ShowsFigures {
   explicit LearningCurve(QWidget* parent = nullptr);
 
   void clear();
-  /// The mean error after so many presentations of `most`; drawn on a logarithmic axis.
+  /// Adds the mean error after so many presentations of `most`; the axis is logarithmic.
   void add(double presentations, double most, double error);
-  /// The whole curve instead of the points so far.
+  /// Shows the whole curve instead of the points so far.
   void show_all(const QPolygonF& points, double most);
   /// Presentations and errors.
   const QPolygonF& points() const { return points_; }

@@ -6,10 +6,10 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kUntrained = 1;  // the exit code of a network on the plateau, which is written
+constexpr int kUntrained = 1;  // exit code for a network on the plateau, which is written
 constexpr int kGrace_ms = 1000;
 
-/// The ids of the behaviours in the path of a coordinator, as `elsie train --behavior` has them.
+/// The ids of the behaviours in the path of a coordinator, in the form of `elsie train --behavior`.
 QString behavior_of(const QString& coordinator) {
   QStringList ids;
   for (const QString& step : coordinator.split('/')) {
@@ -59,13 +59,13 @@ void Trainer::train(const Lesson& lesson, const QString& weights) {
   });
   process_->start(elsie_, arguments + options_);
   if (!process_) {
-    return;  // it has failed already
+    return;  // it has already failed
   }
   process_->write(lesson.world.toUtf8());
   process_->closeWriteChannel();
 }
 
-// It ends by itself, and takes what it had begun to write with it.
+// The process ends by itself, and deletes what it had begun to write.
 void Trainer::cancel() {
   if (!process_) {
     return;
@@ -105,7 +105,7 @@ void Trainer::end(int exit_code) {
     return;
   }
   said.remove("elsie: ");
-  Q_EMIT failed(said.isEmpty() ? tr("The training ended without a word.") : said);
+  Q_EMIT failed(said.isEmpty() ? tr("The training ended without a message.") : said);
 }
 
 }  // namespace elsie::desktop

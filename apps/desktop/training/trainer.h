@@ -1,4 +1,4 @@
-// Trains the network of a coordinator in a process of its own: `elsie train`.
+// Trains the network of a coordinator in a separate process, `elsie train`.
 #pragma once
 
 #include <QObject>
@@ -12,13 +12,13 @@ class QProcess;
 
 namespace elsie::desktop {
 
-/// What a network is trained for.
+/// What a network is trained with.
 struct Lesson {
-  QString world;        // its text
-  QString file;         // its name, beside which files are searched
-  QStringList edits;    // that are made in it first, such as those that add the coordinator
-  QString coordinator;  // its path: "robot[r1]/behavior[roam]/coordinator"
-  std::optional<std::uint64_t> seed;  // none: the coordinator has its own
+  QString world;                      // its text
+  QString file;                       // its name; other files are searched next to it
+  QStringList edits;                  // made in it first, such as those that add the coordinator
+  QString coordinator;                // its path: "robot[r1]/behavior[roam]/coordinator"
+  std::optional<std::uint64_t> seed;  // none if the coordinator has its own
 
   bool operator==(const Lesson&) const = default;
 };
@@ -27,14 +27,14 @@ class Trainer : public QObject {
   Q_OBJECT
 
  public:
-  /// `elsie`: the program; `options`: where it finds plugins.
+  /// `elsie` is the program; `options` say where it finds plugins.
   Trainer(QString elsie, QStringList options, QObject* parent = nullptr);
   ~Trainer() override;
 
   bool is_busy() const { return process_ != nullptr; }
-  /// Ends with trained() or with failed(); not to be called while busy.
+  /// Starts a training, which ends with trained() or with failed(). Must not be called while busy.
   void train(const Lesson& lesson, const QString& weights);
-  /// Nothing is written, and no signal comes any more.
+  /// Stops the training: nothing is written, and no more signals come.
   void cancel();
 
  Q_SIGNALS:

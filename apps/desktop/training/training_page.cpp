@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMostLayers = 9;
 constexpr int kMostNeurons = 999;
-const QStringList kOwnLayers{"2", "2"};  // of a network whose layers nobody has chosen
+const QStringList kOwnLayers{"2", "2"};  // of a network without chosen layers
 
 }  // namespace
 
@@ -53,13 +53,13 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   wished_ = new QCheckBox(tr("&Train with OK, and use the weights"));
   wished_->setObjectName("train");
   wished_->setToolTip(
-      tr("The network that a run with this seed would train; its weights are written to a file "
-         "beside the world. Otherwise each run trains its own."));
+      tr("Trains the network that a run with this seed would train, and writes its weights to a "
+         "file next to the world. Otherwise each run trains its own network."));
   column->addRow(wished_);
   if (workbench.file().isEmpty() || workbench.is_borrowed()) {
     auto* where =
-        new QLabel(tr("The world has no file of its own yet: its weights go to the "
-                      "folder of your data, and are copied beside the world when it is saved."));
+        new QLabel(tr("The world has no file of its own yet: its weights are written "
+                      "to your data folder, and copied next to the world when it is saved."));
     where->setObjectName("where_weights_go");
     where->setWordWrap(true);
     column->addRow(where);
@@ -126,7 +126,7 @@ void TrainingPage::say_more(const QString& sentence) {
 
 void TrainingPage::keep_weights() {
   weights_file_.clear();
-  set_busy(true);  // nothing is left to choose
+  set_busy(true);  // there is nothing left to choose
   progress_->setText(tr("The network is loaded. %1").arg(progress_->text()));
 }
 
@@ -137,7 +137,7 @@ void TrainingPage::remove_weights() {
   }
 }
 
-// They follow from the robot: nobody enters them.
+// They follow from the robot; nobody enters them.
 void TrainingPage::show_sizes(const Kind& kind) {
   QStringList inputs, outputs;
   const QString holder = holder_of(coordinator_);
@@ -231,8 +231,8 @@ bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
   return !trainer_.is_busy() && trained_ == lesson(edits, has_seed);
 }
 
-// Beside the world, or with the user's data while it has no file that stays; no file that is there
-// is touched: undo goes back to it.
+// The folder of the world, or the user's data folder while the world has no file of its own. No
+// existing file is changed, because undo may lead back to it.
 void TrainingPage::choose_weights() {
   const bool has_file = !workbench_.file().isEmpty() && !workbench_.is_borrowed();
   const QString folder =
@@ -247,7 +247,7 @@ void TrainingPage::choose_weights() {
 }
 
 void TrainingPage::train(const QStringList& edits, bool has_seed) {
-  remove_weights();  // of a training that nobody wanted
+  remove_weights();  // of a training whose result was not used
   choose_weights();
   curve_->clear();
   progress_->setText(tr("Training..."));

@@ -1,4 +1,4 @@
-// What the dialog of a coordinator that learns has besides its form.
+// The training page in the dialog of a coordinator that learns.
 #pragma once
 
 #include <QWidget>
@@ -16,42 +16,43 @@ namespace elsie::desktop {
 class LearningCurve;
 class Workbench;
 
-/// The network's inputs and outputs, its layers, and its learning curve.
+/// Shows the network's inputs and outputs, its layers, and its learning curve.
 class TrainingPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `coordinator`: its path, also if it is not in the world yet.
+  /// `coordinator` is its path, even if it is not in the world yet.
   TrainingPage(Workbench& workbench, const Kind& kind, QString coordinator,
                QWidget* parent = nullptr);
   ~TrainingPage() override;
 
-  /// Whether coordinators of this kind learn: all that do have the same parameters.
+  /// Whether coordinators of this kind learn; all that do have the same parameters.
   static bool learns(const Kind& kind);
 
-  /// The layers of `hidden`, such as "4 4"; "auto" and "" are those that a new network has.
+  /// Shows the layers in `hidden`, such as "4 4"; "auto" and "" stand for those of a new network.
   void show_hidden(const QString& hidden);
-  /// Whether the network is to be trained before it is used.
+  /// Whether the network must be trained before it is used.
   bool is_wished() const;
   void wish(bool training);
 
-  /// Trains with these edits made in the world; with the seed of the run unless `has_seed`.
+  /// Trains with these edits made in the world, and with the seed of the run unless `has_seed`.
   void train(const QStringList& edits, bool has_seed);
-  /// Whether the last training was one with these edits, in the world as it is.
+  /// Whether the last training had these edits and the present world.
   bool has_trained(const QStringList& edits, bool has_seed) const;
-  /// True if a training was under way.
+  /// Stops a training; returns whether one was under way.
   bool cancel();
-  /// The file that was written, as the world calls it.
+  /// The file that was written, as the world names it.
   QString weights() const { return weights_; }
-  /// A sentence after what is said of the training.
+  /// Appends a sentence to the training's report.
   void say_more(const QString& sentence);
-  /// A world uses the weights now, and the page says so; otherwise their file goes with it.
+  /// A world uses the weights now: keeps their file, and says so. Otherwise the file is deleted
+  /// with this page.
   void keep_weights();
 
  Q_SIGNALS:
   void hidden_wished(const QString& hidden);
-  /// `warning`: a sentence why the network is of little use; "" if it is good. `has_reached_goal`:
-  /// its error is below the threshold at which the training was to end.
+  /// `warning` is a sentence that says why the network is of little use; "" if it is good.
+  /// `has_reached_goal`: its error is below the threshold at which the training was to end.
   void trained(const QString& warning, bool has_reached_goal);
   void failed(const QString& sentence);
 
@@ -69,7 +70,7 @@ class TrainingPage : public QWidget {
   QString coordinator_;
   Trainer trainer_;
   std::optional<Lesson> trained_;
-  QString weights_;       // as the world calls it
+  QString weights_;       // as the world names it
   QString weights_file_;  // its path, until a world uses it
   QLabel* sizes_;
   QSpinBox* count_;

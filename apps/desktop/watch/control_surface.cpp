@@ -14,7 +14,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kBetween_ms = 250;
-constexpr int kFewest_em = 16;  // of lines: the height
+constexpr int kFewest_em = 16;  // the height, in lines of text
 
 /// From low to high: lighter is more, as in grey.
 QColor colour_at(double share) {
@@ -110,7 +110,7 @@ void ControlSurface::set_inputs(const std::vector<double>& inputs) {
   update();
 }
 
-// Two different inputs: the other one gives way.
+// Keeps the two inputs different: the input that was not just chosen changes.
 void ControlSurface::choose() {
   if (model_->inputs().size() > 1 && across_->currentIndex() == up_->currentIndex()) {
     QComboBox* other = sender() == across_ ? up_ : across_;

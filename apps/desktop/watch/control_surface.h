@@ -1,4 +1,4 @@
-// The control surface of a fuzzy model, with the place of the instant on it.
+// The control surface of a fuzzy model, with a mark at the present inputs.
 #pragma once
 
 #include <QImage>
@@ -17,20 +17,20 @@ class QLabel;
 
 namespace elsie::desktop {
 
-/// One output over two inputs that can be chosen, as colours with a scale; over the only input, as
-/// a curve. The other inputs have the values of the instant, or the middle of their ranges.
+/// Shows one output over two inputs that the user chooses, as colours with a scale; with only one
+/// input, as a curve. The other inputs have their present values, or the middle of their ranges.
 class ControlSurface : public QWidget, public ShowsFigures {
   Q_OBJECT
 
  public:
   explicit ControlSurface(QWidget* parent = nullptr);
 
-  /// Null: none. The model must live until the next call.
+  /// Null shows no model. The model must live until the next call.
   void set_model(const fuzzy::Model* model);
   void set_inputs(const std::vector<double>& inputs);
 
   const FuzzyGrid& grid() const { return grid_; }
-  /// Every fifth point across and up.
+  /// The values at every fifth point across and up.
   Figures figures() const override;
 
  protected:
@@ -52,7 +52,7 @@ class ControlSurface : public QWidget, public ShowsFigures {
   QLabel* and_;
   QWidget* choices_;
   QTimer later_;
-  std::vector<double> computed_for_;  // the values of the inputs that are held
+  std::vector<double> computed_for_;  // the values of the held inputs
   FuzzyGrid grid_;
   Span values_;  // in the grid
   QImage field_;

@@ -171,12 +171,11 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
   const QColor ink = palette().color(QPalette::Text);
   if (rows_.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(
-        viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
-        robot_.isEmpty()
-            ? tr("Choose a robot to see who decides")
-            : tr("Nothing from %1 yet: this window hears of a run while it is in front")
-                  .arg(robot_));
+    painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     robot_.isEmpty()
+                         ? tr("Select a robot to see which behaviour decides")
+                         : tr("Nothing from %1 yet: this panel is updated only while it is visible")
+                               .arg(robot_));
     return;
   }
   int names = em * 8;

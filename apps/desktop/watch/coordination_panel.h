@@ -1,4 +1,4 @@
-// Who decides what a robot does: now, and over the last seconds.
+// Which behaviour decides what a robot does, now and over the last seconds.
 #pragma once
 
 #include <QAbstractScrollArea>
@@ -22,19 +22,20 @@ class CoordinationPanel : public QAbstractScrollArea, public ShowsFigures {
   explicit CoordinationPanel(QWidget* parent = nullptr);
   ~CoordinationPanel() override;
 
-  /// Shows this robot from the next state on; the bands of the one before go.
+  /// Shows this robot from the next state on; the bands of the previous robot are removed.
   void set_robot(const QString& id);
   const QString& robot() const { return robot_; }
-  /// Takes a `state` event. A time before the last one, or another epoch, starts the bands again.
+  /// Takes a `state` event. The bands start again if its time is before the last one, or its epoch
+  /// is another one.
   void add(const nlohmann::ordered_json& state);
   void clear();
 
   Figures figures() const override;
   int rows() const;
-  /// All of a row that is not drawn as a band, for tool tips and screen readers.
+  /// Everything about a row except its band, for tool tips and screen readers.
   QString row_text(int row) const;
-  /// The share in [0, 1] of the row at the last instant not after time_s; NaN where it was not
-  /// asked, or nothing is known.
+  /// The share in [0, 1] of the row at the last instant not after time_s; NaN if it was not asked,
+  /// or if nothing is known.
   double share_at(int row, double time_s) const;
 
  protected:

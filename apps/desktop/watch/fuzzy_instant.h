@@ -1,4 +1,4 @@
-// What a fuzzy model makes of the inputs of an instant.
+// What a fuzzy model computes from the inputs of an instant.
 #pragma once
 
 #include <QString>
@@ -15,20 +15,20 @@ struct FuzzyInstant {
   std::vector<double> inputs;
   std::vector<double> degrees;
   std::vector<FuzzySet> sets;
-  std::vector<std::optional<double>> centres;  // none: the set has no area
-  QString problem;                             // why it cannot be computed; or ""
+  std::vector<std::optional<double>> centres;  // none if the set has no area
+  QString problem;                             // why it cannot be computed; "" if it can
 };
 
 FuzzyInstant fuzzy_instant(const fuzzy::Model& model, std::vector<double> inputs);
 
-/// An output over two inputs, the others being held; over one if there is no second.
+/// An output over two inputs, with the others held; over one input if there is no second.
 struct FuzzyGrid {
   static constexpr std::size_t kAcross = 41;
   std::size_t rows = 0;        // 1 if there is no second input
-  std::vector<double> values;  // kAcross in a row, from the lowest; NaN: it has none there
+  std::vector<double> values;  // kAcross in a row, from the lowest; NaN where undefined
 };
 
-/// `across` and `up` are numbers of inputs; `held` has a value for each input.
+/// `across` and `up` are indices of inputs; `held` has a value for each input.
 FuzzyGrid fuzzy_grid(const fuzzy::Model& model, std::size_t output, std::size_t across,
                      std::optional<std::size_t> up, std::vector<double> held);
 

@@ -167,7 +167,7 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
         place.moveLeft(
             std::clamp(place.left(), axes.area().left(),
                        std::max(axes.area().left(), axes.area().right() - size.width())));
-        // Below those that it would cover.
+        // Moves the name below those that it would cover.
         while (std::any_of(taken.begin(), taken.end(),
                            [&](const QRectF& other) { return other.intersects(place); })) {
           place.translate(0.0, size.height());
@@ -263,7 +263,7 @@ void FuzzyPanel::load() {
 }
 
 void FuzzyPanel::add(const Json& state) {
-  std::map<QString, int> times;  // one path may come several times
+  std::map<QString, int> times;  // a path may occur several times
   for (const Json& entry : member(robot_of(state, robot_), "fuzzy")) {
     const QString path = text_of(entry, "path");
     const int count = ++times[path];

@@ -1,4 +1,4 @@
-// The fuzzy models of a robot, with what they compute now.
+// The fuzzy models of a robot, with their present values.
 #pragma once
 
 #include <QWidget>
@@ -15,8 +15,8 @@ class ControlSurface;
 struct FuzzyInstant;
 
 /// For the chosen model: each input with its terms, the present value and its degrees; the rules
-/// with how far each fires; each output with its accumulated set, its centre of gravity and its
-/// value; the control surface.
+/// with the degree to which each fires; each output with its accumulated set, its centre of gravity
+/// and its value; the control surface.
 class FuzzyPanel : public QWidget {
   Q_OBJECT
 
@@ -29,9 +29,9 @@ class FuzzyPanel : public QWidget {
   void add(const nlohmann::ordered_json& state);
   void clear();
 
-  /// What the chosen model makes of the last state.
+  /// What the chosen model computes from the last state.
   const FuzzyInstant& now() const;
-  /// Why the model cannot be shown; or "".
+  /// Why the model cannot be shown; "" if it can.
   QString problem() const;
 
  private:

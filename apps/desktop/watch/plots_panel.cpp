@@ -24,7 +24,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 a second
+constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 per second
 constexpr int kName = Qt::UserRole;
 
 class Plot : public QWidget, public ShowsFigures {
@@ -50,7 +50,7 @@ class Plot : public QWidget, public ShowsFigures {
   const PlotsPanel* panel_;
 };
 
-/// The unit of a number, from the last part of its name; "" for those without, or unknown.
+/// The unit of a number, from the last part of its name; "" if it has none, or if it is unknown.
 QString unit_of(const QString& name) {
   const QString last = name.section(u'/', -1);
   if (last == u"speed" || last == u"forward" || last == u"lateral") {
@@ -80,9 +80,9 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   auto* save_button = new QToolButton(this);
   save_button->setObjectName(QStringLiteral("plots_save"));
   save_button->setText(tr("Save..."));
-  save_button->setToolTip(
-      tr("Save the plot as PNG or SVG, or its numbers as CSV: the samples that came to the window, "
-         "at most 30 a second on the clock. 'Record the next run' writes samples at equal times."));
+  save_button->setToolTip(tr(
+      "Save the plot as PNG or SVG, or its numbers as CSV: the samples that the window received, "
+      "at most 30 per second on the clock. 'Record the next run' writes samples at equal times."));
   connect(save_button, &QToolButton::clicked, this, [this] {
     QFileDialog dialog(this, tr("Save plot: %1").arg(sampling()), {},
                        tr("Pictures or tables (*.png *.svg *.csv)"));
@@ -329,7 +329,7 @@ QString PlotsPanel::sampling() const {
 QString PlotsPanel::save(const QString& file) const {
   const QString ending = QFileInfo(file).suffix().toLower();
   if (chosen().isEmpty()) {
-    return tr("No number is chosen. Check those to be saved in the tree.");
+    return tr("No number is chosen. Check the numbers to save in the tree.");
   }
   if (ending == u"csv") {
     const int error = files::write_whole(file.toStdString(), table(), files::Durable::yes);

@@ -22,35 +22,36 @@ struct LineChart;
 
 namespace elsie::desktop {
 
-/// All numbers of the `state` events in a tree with check boxes, the chosen ones as curves over the
-/// simulated time. The last samples of every number are kept, hence a curve that is chosen late has
-/// its past.
+/// Lists all numbers of the `state` events in a tree with check boxes, and plots the chosen ones
+/// over simulated time. The last samples of every number are kept, so that a curve that is chosen
+/// late has its past.
 class PlotsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlotsPanel(QWidget* parent = nullptr);
 
-  /// Takes a `state` event. A time before the last one starts again.
+  /// Takes a `state` event. If its time is before the last one, the curves start again.
   void add(const nlohmann::ordered_json& state);
-  /// What is chosen stays, without its past.
+  /// Starts the curves again; the choice stays.
   void begin();
-  /// Of another world: nothing is known.
+  /// Forgets all numbers, because the world is another one.
   void clear();
 
   /// The numbers known, such as "r1/speed" or "r1/explore/avoid/share", sorted.
   QStringList names() const;
   QStringList chosen() const;
-  /// The robots of those, also of those that are not known yet.
+  /// The robots of the chosen numbers, including numbers that are not known yet.
   QStringList chosen_robots() const;
   void choose(const QString& name, bool on);
-  /// The chosen numbers: now, and between which values they were.
+  /// The chosen numbers: their present values, and the least and greatest values.
   Figures figures() const;
   /// Draws axes, curves and legend, as on the screen.
   void draw(QPainter& painter, const QRectF& area) const;
-  /// How far the samples lie apart: a fast run sends fewer of them.
+  /// How far apart the samples are; a fast run sends fewer of them.
   QString sampling() const;
-  /// Writes the chosen curves by the file's ending: .png, .svg or .csv. Returns why not, or "".
+  /// Writes the chosen curves in the format of the file's ending: .png, .svg or .csv. Returns "",
+  /// or why they were not written.
   QString save(const QString& file) const;
 
  Q_SIGNALS:

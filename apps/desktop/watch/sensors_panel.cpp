@@ -22,7 +22,7 @@ SensorsPanel::SensorsPanel(QWidget* parent)
   table_->setToolTip(tr("Readings are in SI units: m, m/s, rad, rad/s"));
   table_->setHeaderLabels({tr("Sensor"), tr("Kind"), tr("Reading"), tr("Value")});
   table_->setRootIsDecorated(false);
-  table_->header()->moveSection(1, 3);  // what is cut off first
+  table_->header()->moveSection(1, 3);  // the column that is cut off first
   table_->header()->setStretchLastSection(true);
   table_->setAlternatingRowColors(true);
   table_->setUniformRowHeights(true);

@@ -1,4 +1,4 @@
-// All sensors of a robot with what they read now.
+// All sensors of a robot with their present readings.
 #pragma once
 
 #include <QWidget>

@@ -24,7 +24,7 @@ VisionPanel::VisionPanel(QWidget* parent)
   choose_->setMenu(choices_);
   choose_->adjustSize();
   offer_figures(this);
-  setContextMenuPolicy(Qt::DefaultContextMenu);  // its own menu has the table, too
+  setContextMenuPolicy(Qt::DefaultContextMenu);  // its own menu also has the table
 }
 
 void VisionPanel::add(const Json& state) {
@@ -88,7 +88,7 @@ QImage VisionPanel::picture(const QString& name) const {
   return found == pictures_.end() ? QImage() : found->second.image;
 }
 
-// With the mean colour, for those who do not see the picture.
+// Includes the mean colour, for users who do not see the picture.
 Figures VisionPanel::figures() const {
   Figures figures{{tr("picture"), tr("width [px]"), tr("height [px]"), tr("mean colour")}, {}};
   for (const auto& [name, picture] : pictures_) {
@@ -109,7 +109,7 @@ void VisionPanel::set_shown(const QString& name, bool shown) {
 }
 
 QRect VisionPanel::cell(int n, int count) const {
-  // As many columns as make the cells least narrow or flat.
+  // The number of columns that makes the cells least narrow or flat.
   const QRect area = rect().adjusted(0, choose_->height() + 2, 0, 0);
   int columns = 1;
   int best = 0;
@@ -156,7 +156,7 @@ void VisionPanel::contextMenuEvent(QContextMenuEvent* event) {
   for (int n = 0; n < names.size(); ++n) {
     if (cell(n, static_cast<int>(names.size())).contains(event->pos())) {
       const QString name = names[n];
-      const QImage image = pictures_[name].image;  // as it is now, while the dialog is open
+      const QImage image = pictures_[name].image;  // a copy, for as long as the dialog is open
       QMenu menu;
       menu.addAction(tr("Save picture..."), this, [&] {
         const QString file =

@@ -14,8 +14,8 @@ class QToolButton;
 
 namespace elsie::desktop {
 
-/// Pictures side by side, as they are and as processed, without smoothing. A menu with check boxes
-/// chooses; the context menu of a picture saves it.
+/// Shows pictures side by side, raw and processed, without smoothing. A menu with check boxes
+/// chooses them; the context menu of a picture saves it.
 class VisionPanel : public QWidget, public ShowsFigures {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class VisionPanel : public QWidget, public ShowsFigures {
   void add(const nlohmann::ordered_json& state);
   void clear();
 
-  /// The pictures known, "robot/camera raw" and "robot/camera processed", and whether each shows.
+  /// The names of all pictures so far: "robot/camera raw" and "robot/camera processed".
   QStringList pictures() const;
   QImage picture(const QString& name) const;
   Figures figures() const override;

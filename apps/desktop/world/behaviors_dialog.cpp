@@ -13,7 +13,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kPath = Qt::UserRole;  // of one that the robot has already; "" of a new one
+constexpr int kPath = Qt::UserRole;  // of a behaviour that the robot already has; "" for a new one
 constexpr int kPlugin = Qt::UserRole + 1;
 
 }  // namespace
@@ -35,11 +35,11 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   add_ = new QPushButton(">>");
   add_->setObjectName("add");
   add_->setAccessibleName(tr("Add"));
-  add_->setToolTip(tr("Carry the behaviour that is chosen in the pool"));
+  add_->setToolTip(tr("Give the robot the selected behaviour"));
   take_away_ = new QPushButton("<<");
   take_away_->setObjectName("take_away");
-  take_away_->setAccessibleName(tr("Take away"));
-  take_away_->setToolTip(tr("Carry the chosen behaviour no more"));
+  take_away_->setAccessibleName(tr("Remove"));
+  take_away_->setToolTip(tr("Remove the selected behaviour"));
   about_ = new QLabel;
   about_->setWordWrap(true);
   refusal_ = new WarningLabel;
@@ -88,9 +88,9 @@ void BehaviorsDialog::enable() {
   take_away_->setEnabled(carried_->currentItem() != nullptr);
 }
 
-// No behaviour twice: what is carried is not in the pool.
+// No behaviour is offered twice: the pool lacks those that the robot has.
 void BehaviorsDialog::fill_pool() {
-  // A button that is disabled for an instant loses the focus to the one after it.
+  // A button that is disabled for an instant loses the focus to the next one.
   const QSignalBlocker blocker(pool_);
   const int row = pool_->currentRow();
   QStringList taken;
@@ -146,7 +146,7 @@ void BehaviorsDialog::accept() {
     QDialog::accept();
     return;
   }
-  // Behaviours need a coordinator: the first one that a robot gets sums up.
+  // Behaviours need a coordinator; the first one of a robot is a sum.
   const bool has_some = carried_->count() > 0;
   const bool has_coordinator =
       place_of(workbench_.tree(), holder_ + "/coordinator").element != nullptr;

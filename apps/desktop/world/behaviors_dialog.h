@@ -1,4 +1,4 @@
-// Which behaviours a robot, or a behaviour that holds others, carries.
+// Chooses the behaviours of a robot, or of a behaviour that holds others.
 #pragma once
 
 #include <QDialog>
@@ -15,8 +15,8 @@ namespace elsie::desktop {
 class WarningLabel;
 class Workbench;
 
-/// The pool of all behaviours on the left, those carried on the right; ">>" and "<<" move one at a
-/// time. OK makes all of it as one edit, Cancel nothing.
+/// The pool of all behaviours is on the left, the chosen ones are on the right; ">>" and "<<" move
+/// one at a time. OK makes all changes as one edit, Cancel makes none.
 class BehaviorsDialog : public QDialog {
   Q_OBJECT
 

@@ -110,7 +110,7 @@ ElementDialog* ElementDialog::edit(Workbench& workbench, const QString& path, QW
   const Kind& kind = found->kind;
   const bool is_robot = kind.name == "robot";
   const bool has_some = std::any_of(kind.fields.begin(), kind.fields.end(), [](const Field& field) {
-    return field.name != "id";  // that is a name, and none of its parameters
+    return field.name != "id";  // the id is a name, not a parameter
   });
   if (!has_some) {
     why = tr("'%1' has no parameters: there is nothing to set.").arg(found->title);
@@ -151,7 +151,7 @@ bool ElementDialog::choose(const QString& kind) {
   return false;
 }
 
-// The coordinator that is there already.
+// The coordinator that is already there.
 ElementPlace ElementDialog::present() const {
   return list_ == "coordinator"
              ? place_of(workbench_.tree(), (holder_.isEmpty() ? "" : holder_ + '/') + list_)
@@ -207,7 +207,7 @@ void ElementDialog::add_page(const QString& title, const QString& path, const Ki
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(page);
-  // The scroll area holds the page; what is added to a page goes into the page's column.
+  // The scroll area contains the page; rows that are added to a page go into the page's column.
   auto* holder = new QWidget;
   auto* whole = new QVBoxLayout(holder);
   whole->setContentsMargins(0, 0, 0, 0);
@@ -291,7 +291,7 @@ QStringList ElementDialog::edits() const {
 
 void ElementDialog::reject() {
   if (has_learned_) {
-    QDialog::accept();  // nothing is left to cancel
+    QDialog::accept();  // there is nothing left to cancel
     return;
   }
   if (training_ && training_->cancel()) {
@@ -301,12 +301,12 @@ void ElementDialog::reject() {
   QDialog::reject();
 }
 
-// A new element needs what its declaration requires.
+// A new element must have all that its declaration requires.
 bool ElementDialog::has_all() {
   for (const Page& page : pages_) {
     for (const Field& field : page.kind.fields) {
       if (field.is_required && !page.form->values().contains(field.name) && field.name != "id") {
-        refusal_->say(tr("'%1' is needed: %2.").arg(field.name, field.meaning));
+        refusal_->say(tr("'%1' is required: %2.").arg(field.name, field.meaning));
         return false;
       }
     }

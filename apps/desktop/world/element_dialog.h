@@ -1,5 +1,5 @@
-// The dialog of one thing in the world: to make it and to edit it. element_dialog_pages.cpp has the
-// pages that only some things have.
+// The dialog that makes an element of the world, or edits it. element_dialog_pages.cpp has the
+// pages that only some elements have.
 #pragma once
 
 #include <QDialog>
@@ -23,35 +23,35 @@ class Workbench;
 
 /// Makes an element of a list, such as a sensor or a robot, or edits one.
 ///
-/// To make one: its kinds on the left, its form on the right, OK adds it. To edit one: with "Apply
-/// changes immediately" each entry is an edit of its own; otherwise OK makes them as one, and
-/// Cancel none.
+/// For a new element, its kinds are on the left and its form is on the right; OK adds it. For an
+/// existing one, with "Apply changes immediately" each entry is a separate edit; otherwise OK makes
+/// all as one edit, and Cancel makes none.
 class ElementDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]"). Where that has a
-  /// coordinator, the dialog edits it, or puts another in its place.
+  /// Adds to the list `list` ("sensors") of the element at `holder` ("robot[r1]"). If that already
+  /// has a coordinator, the dialog edits or replaces it.
   static ElementDialog* make(Workbench& workbench, const QString& holder, const QString& list,
                              QWidget* parent);
-  /// Edits the element at `path`; null, with a sentence, if it has nothing to edit.
+  /// Edits the element at `path`; returns null, with a sentence, if there is nothing to edit.
   static ElementDialog* edit(Workbench& workbench, const QString& path, QWidget* parent,
                              QString& why);
 
-  /// Attributes that a new element begins with: where it was dropped.
+  /// Sets an attribute with which a new element begins, such as where it was dropped.
   void begin_with(const QString& name, const QString& value);
-  /// Shows the form of this kind. False if there is none of that name.
+  /// Shows the form of this kind. Returns false if there is no kind of that name.
   bool choose(const QString& kind);
 
-  /// After a training it stays open, with the learning curve and the button Close.
+  /// After a training the dialog stays open, with the learning curve and the button Close.
   void accept() override;
-  /// While a network is trained: ends that, and stays open.
+  /// During a training, Cancel stops the training and the dialog stays open.
   void reject() override;
 
  private:
   struct Page {
     QString title;
-    QString path;  // of the element that it edits; of a new one: the element's name in it, or ""
+    QString path;  // of the element that it edits; in a new one, the name of the part, or ""
     Kind kind;
     Form* form = nullptr;
   };
@@ -60,7 +60,7 @@ class ElementDialog : public QDialog {
   ElementPlace present() const;
   void show_kind(const Kind& kind);
   void add_page(const QString& title, const QString& path, const Kind& kind, const Json& values);
-  /// `changed`: attributes that are not those of the form.
+  /// `changed`: attributes that differ from those in the form.
   QString markup(const std::map<QString, QString>& changed = {}) const;
   QStringList edits() const;
   bool has_all();
@@ -88,8 +88,8 @@ class ElementDialog : public QDialog {
   QTabWidget* tabs_;
   Fan* fan_ = nullptr;                // of a new sensor with a heading
   TrainingPage* training_ = nullptr;  // of a coordinator that learns
-  QString shortcoming_;               // a sentence on the last training; "": it is good
-  bool has_learned_ = false;          // the robot has the network: there is only Close
+  QString shortcoming_;               // why the last training was not good; "" if it was
+  bool has_learned_ = false;          // the robot has the network: there is only the button Close
   QCheckBox* at_once_;
   WarningLabel* refusal_;
   QDialogButtonBox* buttons_;

@@ -1,5 +1,5 @@
 // The pages of the dialog that only some elements have: a first waypoint, headings, drives, and
-// what a coordinator learns.
+// training.
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QListWidget>
@@ -23,10 +23,10 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kMostRandomHeading_deg = 90;  // that the original offers for a new sensor
+constexpr int kMostRandomHeading_deg = 90;  // the limit that the original uses for a new sensor
 constexpr const char* kCorners = "6";       // of a new prism
 constexpr const char* kOutline_m = "0.2";
-constexpr int kFirstFan = 5;  // range sensors that a robot without any is offered
+constexpr int kFirstFan = 5;  // number of range sensors offered for a robot without any
 
 QString default_of(const Kind& kind, const QString& name) {
   const auto field = std::find_if(kind.fields.begin(), kind.fields.end(),
@@ -36,7 +36,7 @@ QString default_of(const Kind& kind, const QString& name) {
 
 }  // namespace
 
-// A box that moves needs a place to go to: the middle, or near it.
+// A moving box needs a place to go to: the middle, or a point near the middle.
 void ElementDialog::add_waypoint(const Kind& kind) {
   const auto waypoint = workbench_.catalog().element("waypoint");
   if (waypoint && kind.elements.contains("waypoint")) {
@@ -90,9 +90,9 @@ QString ElementDialog::points(const std::map<QString, QString>& given) {
   return text;
 }
 
-// The original begins a new beam or proximity sensor with a heading drawn from 0 to 90 degrees. A
-// robot that measures no distances yet is offered several: with one of them, it sees no wall beside
-// its way.
+// The original gives a new beam or proximity sensor a heading drawn from 0 to 90 degrees. A robot
+// without distance sensors is offered several sensors: with one of them, it sees no walls at its
+// sides.
 void ElementDialog::offer_headings(const Kind& kind) {
   Form* form = pages_.front().form;
   if (!form->editor("yaw_deg")) {
@@ -189,19 +189,19 @@ void ElementDialog::offer_training(const Kind& kind, Form* form, const QString& 
             const QString goal = value("threshold");
             shortcoming_ = warning;
             if (!has_reached_goal) {
-              training_->say_more(tr("The training has used up its presentations and stopped short "
-                                     "of its goal, a mean error below %1.")
+              training_->say_more(tr("The training has used up its presentations without reaching "
+                                     "its goal, a mean error below %1.")
                                       .arg(goal.isEmpty() ? default_of(kind, "threshold") : goal));
             }
             if (warning.isEmpty()) {
               accept();
             } else {
-              refusal_->say(tr("%1 OK uses it nevertheless.").arg(warning));
+              refusal_->say(tr("%1 OK uses it anyway.").arg(warning));
             }
           });
 }
 
-// True while the network has to learn before this dialog can end.
+// True while the network must be trained before this dialog can close.
 bool ElementDialog::trains_first() {
   if (!training_ || !training_->is_wished()) {
     return false;
@@ -225,7 +225,7 @@ bool ElementDialog::trains_first() {
   return false;
 }
 
-// The curve is there to be looked at: only the user closes the dialog.
+// The dialog stays open to show the curve; only the user closes it.
 void ElementDialog::show_learned() {
   has_learned_ = true;
   training_->keep_weights();

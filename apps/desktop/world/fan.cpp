@@ -23,7 +23,7 @@ Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
   count_ = new QSpinBox;
   count_->setObjectName("count");
   count_->setRange(1, kMost);
-  count_->setToolTip(tr("Sensors of this kind that are added at once"));
+  count_->setToolTip(tr("How many sensors of this kind are added at once"));
   auto* count_label = new QLabel(tr("Ho&w many"));
   count_label->setBuddy(count_);
   spread_deg_ = new QDoubleSpinBox;
@@ -62,7 +62,7 @@ std::vector<double> Fan::headings_deg(double middle_deg) const {
   const double step = spread / (spread < kCircle_deg ? std::max(1, count - 1) : count);
   std::vector<double> headings;
   for (int i = 0; i < count; ++i) {
-    const double heading = middle_deg + step * (0.5 * (count - 1) - i);  // the left one first
+    const double heading = middle_deg + step * (0.5 * (count - 1) - i);  // the leftmost first
     headings.push_back(std::round(1e6 * heading) / 1e6);
   }
   return headings;

@@ -1,4 +1,4 @@
-// Several sensors of one kind side by side, made at once.
+// Several sensors of one kind, side by side, that are added at once.
 #pragma once
 
 #include <QWidget>
@@ -9,18 +9,19 @@ class QSpinBox;
 
 namespace elsie::desktop {
 
-/// How many there are, and the angle over which they are spread.
+/// The number of sensors, and the angle over which they are spread.
 class Fan : public QWidget {
   Q_OBJECT
 
  public:
   explicit Fan(int count, QWidget* parent = nullptr);
 
-  /// One only, unless the user has chosen how many: what has a name or a heading of its own is one.
+  /// Sets the number to one, unless the user has chosen it: a sensor with its own name or heading
+  /// is alone.
   void become_one();
 
-  /// Headings in degrees, from the right to the left of the middle one, which is `middle_deg`. Over
-  /// 360 degrees they are a ring without the same heading twice.
+  /// The headings in degrees, from right to left, around `middle_deg`. Over 360 degrees they are a
+  /// ring without the same heading twice.
   std::vector<double> headings_deg(double middle_deg) const;
 
  private:

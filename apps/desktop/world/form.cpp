@@ -25,7 +25,7 @@ namespace {
 
 bool is_number(const Field& field) { return field.type == "number" || field.type == "integer"; }
 
-/// Leaves Ctrl+Z to the window when nothing is being typed, which QLineEdit does not.
+/// Leaves Ctrl+Z to the window while nothing is typed; QLineEdit would take it.
 class FieldEdit : public QLineEdit {
  protected:
   bool event(QEvent* event) override {
@@ -40,7 +40,7 @@ class FieldEdit : public QLineEdit {
   }
 };
 
-/// Steps a number by the arrow keys: a whole one by one, others by one in their second digit.
+/// Steps a number by the arrow keys: whole numbers by one, others by one in their second digit.
 class NumberEdit : public FieldEdit {
  public:
   explicit NumberEdit(bool is_integer) : is_integer_(is_integer) {}
@@ -61,7 +61,7 @@ class NumberEdit : public FieldEdit {
   }
 
  private:
-  /// "" if the text is no number, or the next one has no place.
+  /// "" if the text is not a number, or if the next number is not allowed.
   QString stepped(const QString& from, int way) const {
     bool is_right = false;
     if (is_integer_) {
@@ -77,11 +77,11 @@ class NumberEdit : public FieldEdit {
     return is_right && std::isfinite(next) ? QLocale::c().toString(next, 'g', kDigits) : QString();
   }
 
-  static constexpr int kDigits = 15;  // that a double has for certain
+  static constexpr int kDigits = 15;  // the digits that a double always has
   bool is_integer_;
 };
 
-/// What files a field of that name takes, usually.
+/// The usual kind of file for a field of that name.
 QStringList kinds_of_file(const QString& name) {
   const QString all = Form::tr("All files (*)");
   const QHash<QString, QString> kinds{{"model", Form::tr("Fuzzy models (*.fcl)")},
@@ -104,7 +104,7 @@ QString tip_of(const Field& field) {
 
 QString mistake_in(const Field& field, const QString& text) {
   if (text.isEmpty() && field.is_required) {
-    return Form::tr("'%1' is needed.").arg(field.name);
+    return Form::tr("'%1' is required.").arg(field.name);
   }
   if (!is_number(field) || text.isEmpty()) {
     return {};
@@ -113,7 +113,7 @@ QString mistake_in(const Field& field, const QString& text) {
   const double value = QLocale::c().toDouble(text, &is_right);
   const bool is_whole = field.type != "integer" || value == std::round(value);
   if (!is_right || !std::isfinite(value) || !is_whole || text.contains(',')) {
-    return Form::tr("'%1' is no %2; write it with a point, as in 1.5.")
+    return Form::tr("'%1' is not a %2; write it with a point, as in 1.5.")
         .arg(text, field.type == "integer" ? Form::tr("whole number") : Form::tr("number"));
   }
   if ((field.least && value < *field.least) || (field.most && value > *field.most)) {
@@ -263,7 +263,7 @@ Form::Row Form::make_row(const Field& field) {
   row.reset->setObjectName(name + "_reset");
   row.reset->setAccessibleName(tr("Default of %1").arg(name));
   row.reset->setToolTip(field.default_text.isEmpty()
-                            ? tr("Take the value away")
+                            ? tr("Remove the value")
                             : tr("Back to the default, %1").arg(field.default_text));
   connect(row.reset, &QToolButton::clicked, this, [this, name] {
     values_.erase(name);
@@ -309,7 +309,7 @@ void Form::set_value(const QString& name, const QString& value) {
   }
 }
 
-// A text that is refused stays as one that is being typed.
+// A text that is refused stays in the field as unfinished input.
 bool Form::take_typed(const QString& name, QLineEdit* edit) {
   const auto given = values_.find(name);
   if (!edit->isModified() || edit->text() == (given == values_.end() ? QString() : given->second)) {

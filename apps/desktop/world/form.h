@@ -1,4 +1,4 @@
-// A form for what an element may be given, from its declaration: units, ranges, defaults, help.
+// A form for the attributes of an element, from its declaration: units, ranges, defaults, help.
 #pragma once
 
 #include <QWidget>
@@ -17,40 +17,40 @@ namespace elsie::desktop {
 
 class WarningLabel;
 
-/// A row for each field. A value that is given is bold and can be taken back, to its default;
-/// committed() comes with Enter or when the row is left, with a text as it stands in a file.
-/// Numbers are written with a point, whatever the language.
+/// Has a row for each field. A given value is bold and can be reset to its default. committed()
+/// comes with Enter, or when the row is left, with the text as in a file. Numbers have a decimal
+/// point in every language.
 class Form : public QWidget {
   Q_OBJECT
 
  public:
   explicit Form(QWidget* parent = nullptr);
 
-  /// `values`: an object of those that are given, from the element. Rows that are the same as
-  /// before stay, with the keyboard focus and what is being typed.
+  /// `values` is an object of the values that the element gives. Rows that do not change keep the
+  /// keyboard focus and unfinished input.
   void show_fields(const std::vector<Field>& fields, const Json& values);
-  /// Files that are browsed for are named as a world in this folder would name them.
+  /// Sets the folder of the world: files that are browsed for are named as seen from there.
   void set_folder(const QString& folder) { folder_ = folder; }
-  /// What is given now.
+  /// The values that are given now.
   const std::map<QString, QString>& values() const { return values_; }
-  /// As if the user had entered it.
+  /// Sets a value as if the user had entered it.
   void set_value(const QString& name, const QString& value);
-  /// What is being typed is entered. False if some of it is no value.
+  /// Enters unfinished input; returns false if some of it is not a value.
   bool finish();
-  /// What is no value goes, and with it all that is said about values.
+  /// Discards invalid input and the messages about it.
   void drop_typed();
-  /// A sentence below the row, until its next change; "" takes it away.
+  /// Shows a sentence below the row until its next change; "" removes it.
   void show_problem(const QString& name, const QString& sentence);
-  /// What the value is in the run, behind the row; "" takes it away.
+  /// Shows the value in the run behind the row; "" removes it.
   void show_live(const QString& name, const QString& text);
-  /// The widget that the value is entered in: its object name is the field's.
+  /// The widget for the value; its object name is the field's name.
   QWidget* editor(const QString& name) const;
-  /// Hides all rows whose name and meaning have none of it.
+  /// Hides all rows whose name and meaning do not contain the text.
   void filter(const QString& text);
 
  Q_SIGNALS:
   void committed(const QString& name, const QString& value);
-  /// Its default holds again.
+  /// The value was reset to its default.
   void taken_back(const QString& name);
 
  private:
@@ -79,8 +79,8 @@ class Form : public QWidget {
   std::map<QString, QString> values_;
 };
 
-/// "" or a sentence why a text is no value of the field: for what a window can see by itself. The
-/// engine has the last word.
+/// A sentence that says why a text is not a value of the field, as far as a window can tell; "" if
+/// it is one. The engine decides.
 QString mistake_in(const Field& field, const QString& text);
 
 }  // namespace elsie::desktop

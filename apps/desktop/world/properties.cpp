@@ -13,7 +13,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kPose_ms = 100;  // between two poses: a form that changes is laid out again
+constexpr int kPose_ms = 100;  // between two poses, because each change lays out the form again
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<Described> described_at(const Workbench& workbench, const QString&
   if (place.element) {
     if (auto kind = workbench.catalog().kind_of(place)) {
       Json values = attributes_of(*place.element);
-      if (member(*place.element, "named") == true) {  // by the reader, not by the text
+      if (member(*place.element, "named") == true) {  // the reader named it, not the text
         for (Field& field : kind->fields) {
           if (field.name == "id") field.default_text = attribute(*place.element, "id");
         }
@@ -80,7 +80,7 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   connect(filter_, &QLineEdit::textChanged, form_, &Form::filter);
   connect(&workbench_, &Workbench::described, this, &Properties::refresh);
   connect(&workbench_, &Workbench::catalog_changed, this, &Properties::refresh);
-  // The object that was typed for is the one that changes, whatever is chosen meanwhile.
+  // The change is made to the object for which it was typed, whatever is selected by then.
   connect(form_, &Form::committed, this, [this](const QString& name, const QString& value) {
     change(path_, name, attribute_path(path_, name) + '=' + value);
   });
@@ -102,7 +102,7 @@ void Properties::change(const QString& path, const QString& name, const QString&
 
 void Properties::show_element(const QString& path) {
   if (path != path_ || !list_.isEmpty()) {
-    form_->finish();  // for the thing that it was typed for
+    form_->finish();  // for the object for which it was typed
     form_->drop_typed();
     path_ = path;
     list_.clear();
@@ -173,7 +173,7 @@ void Properties::show_last_pose() {
   show_number("heading_deg", pose_[2], 0);
 }
 
-// What is not known is not shown.
+// Unknown values are not shown.
 void Properties::show_number(const QString& name, double value, int digits) {
   form_->show_live(name,
                    std::isfinite(value) ? tr("now %1").arg(value, 0, 'f', digits) : QString());
@@ -188,7 +188,7 @@ void Properties::refresh() {
   }
   const auto described = described_at(workbench_, path_);
   if (!described) {
-    title_->setText(workbench_.tree().is_object() ? tr("Nothing is chosen") : tr("No world"));
+    title_->setText(workbench_.tree().is_object() ? tr("Nothing is selected") : tr("No world"));
     about_->clear();
     form_->show_fields({}, Json::object());
     return;

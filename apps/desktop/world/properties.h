@@ -1,4 +1,4 @@
-// What the chosen thing is given, as a form; every entry is an edit.
+// The attributes of the selected object as a form; every entry is an edit.
 #pragma once
 
 #include <QTimer>
@@ -22,16 +22,17 @@ class Properties : public QWidget {
  public:
   explicit Properties(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Of the element at the path; "" is the world.
+  /// Shows the element at the path; "" is the world.
   void show_element(const QString& path);
-  /// What the list ("sensors") of the element at `holder` holds, and a button that adds to it.
+  /// Shows the members of the list ("sensors") of the element at `holder`, and a button that adds
+  /// to it.
   void show_list(const QString& holder, const QString& list);
-  /// What is shown is called otherwise now.
+  /// The shown object was renamed.
   void rename(const QString& from, const QString& to);
-  /// What the chosen thing has now, from a `state` event: a behaviour the weight that its
-  /// coordinator gives it; a robot its speed and energy.
+  /// Shows present values of the selected object from a `state` event: for a behaviour the weight
+  /// that its coordinator gives it, for a robot its speed and energy.
   void show_state(const Json& state);
-  /// Where the chosen thing is now, beside where it was put; m and degrees.
+  /// Shows where the selected object is now, next to its place at the start; m and degrees.
   void show_pose(double x, double y, double heading_deg);
   const QString& path() const { return path_; }
   Form& form() { return *form_; }
@@ -48,7 +49,7 @@ class Properties : public QWidget {
 
   Workbench& workbench_;
   QString path_;
-  QString list_;  // of the element at the path; "": that itself
+  QString list_;  // of the element at the path; "" shows the element itself
   QLabel* title_;
   QLabel* about_;
   std::array<double, 3> pose_{};
@@ -58,7 +59,7 @@ class Properties : public QWidget {
   QPushButton* add_;
 };
 
-/// What is at a path, also of a part that every world has and that its file does not name.
+/// The element at a path, or a part that every world has and that its file does not name.
 struct Described {
   QString title;
   Kind kind;

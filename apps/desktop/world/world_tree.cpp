@@ -32,7 +32,7 @@ QString detail_of(const Json& element) {
   return parts.join("  ");
 }
 
-/// "avoid (avoid_obstacle)" where the id says something else than the name.
+/// The title of an element: "avoid (avoid_obstacle)" if the id differs from the name.
 QString label_of(const Json& element) {
   const QString id = attribute(element, "id"), name = name_of(element);
   return id.isEmpty() || id == name ? name : id + " (" + name + ')';
@@ -91,14 +91,14 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
       }
     }
   });
-  // Not itemActivated: on some desktops that comes with a single click.
+  // Not itemActivated, which comes with a single click on some desktops.
   connect(tree_, &QTreeWidget::itemDoubleClicked, this, &WorldTree::wish_edit);
   tree_->installEventFilter(this);
 }
 
-// A right click on a thing opens its editor; on a list and on nothing the menu of the floor, and on
-// a network that has learned its own, which clears it. The menu key opens the menu of what is
-// chosen.
+// A right click on an element opens its editor; on a list or an empty place, the menu of the floor;
+// on a network that has learned, its own menu, which clears it. The menu key opens the menu of the
+// selected element.
 bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
   if (watched == tree_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
@@ -148,21 +148,21 @@ void WorldTree::make_team_buttons() {
   connect(button(0, 0, "add_robot", tr("Robot..."), tr("Add a robot to the team")),
           &QPushButton::clicked, this, [this] { Q_EMIT add_wished({}, "robots"); });
   connect(button(0, 1, "add_sensor", tr("Sensor..."),
-                 tr("Add a sensor of any kind to the chosen robot")),
+                 tr("Add a sensor of any kind to the selected robot")),
           &QPushButton::clicked, this,
           [this] { Q_EMIT add_wished(holder_for("sensors"), "sensors"); });
   connect(button(1, 0, "behaviors", tr("Behaviours..."),
-                 tr("Choose the behaviours of the chosen robot")),
+                 tr("Choose the behaviours of the selected robot")),
           &QPushButton::clicked, this,
           [this] { Q_EMIT behaviors_wished(holder_for("behaviors")); });
   connect(button(1, 1, "coordinator", tr("Coordinator..."),
-                 tr("Choose or edit the coordinator of the chosen robot")),
+                 tr("Choose or edit the coordinator of the selected robot")),
           &QPushButton::clicked, this,
           [this] { Q_EMIT add_wished(holder_for("coordinator"), "coordinator"); });
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
 }
 
-// The robot, or the chosen behaviour if that holds others.
+// The selected behaviour if it holds others, otherwise the robot.
 QString WorldTree::holder_for(const QString& list) const {
   const QStringList chosen = selection();
   if (!chosen.isEmpty() && list != "sensors") {
@@ -196,7 +196,7 @@ QStringList WorldTree::selection() const {
 
 QTreeWidgetItem* WorldTree::item(const QString& path) const { return items_.value(path); }
 
-// The places that the tree shows, in its order, with those in which they are.
+// The places that the tree shows, in its order, with their parents.
 std::vector<WorldTree::Shown> WorldTree::places() const {
   std::vector<Shown> all;
   const std::function<void(const ElementPlace&, int)> add = [&](const ElementPlace& place,
@@ -245,7 +245,7 @@ void WorldTree::show_world() {
   filter(filter_->text());
 }
 
-// What was open stays open; the rows in view, the chosen ones and the current one stay so.
+// Open rows stay open, and the rows in view, the selected ones and the current one stay so.
 void WorldTree::build(const std::vector<Shown>& shown) {
   QSet<QString> open;
   std::optional<QString> current;
@@ -299,7 +299,7 @@ void WorldTree::show_item(QTreeWidgetItem& item, const ElementPlace& place) {
   if (is_locked) tips << tr("Locked against the mouse (Ctrl+L).");
   if (is_inherited) {
     tips << tr(
-        "It comes from the robot's template; what is changed here is written into the "
+        "It comes from the robot's template; changes made here are written into the "
         "robot's own element.");
   }
   item.setToolTip(0, tips.join('\n'));

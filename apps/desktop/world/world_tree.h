@@ -1,4 +1,4 @@
-// The world as a tree: robots with all they carry, obstacles, goals.
+// The world as a tree: robots with all their parts, obstacles, goals.
 #pragma once
 
 #include <QHash>
@@ -15,33 +15,33 @@ namespace elsie::desktop {
 
 class Workbench;
 
-/// The tree of the whole world, or of one team's robots. Rows stay open, chosen and in view when
+/// The tree of the whole world, or of one team's robots. Rows stay open, selected and in view when
 /// the world changes.
 class WorldTree : public QWidget {
   Q_OBJECT
 
  public:
-  /// `team`: of the robots that it has; "": the whole world.
+  /// `team` is the team whose robots it shows; "" for the whole world.
   explicit WorldTree(Workbench& workbench, QString team = {}, QWidget* parent = nullptr);
 
   void show_world();
   void set_selection(const QStringList& paths);
   QStringList selection() const;
-  /// The robot that is chosen, or in which the chosen thing is; "": none.
+  /// The selected robot, or the robot that contains the selected object; "" if there is none.
   QString robot() const;
   QTreeWidget* tree() { return tree_; }
   QTreeWidgetItem* item(const QString& path) const;
 
-  /// These have the mark of what is locked against the mouse.
+  /// Marks these objects as locked against the mouse.
   void show_locked(const QSet<QString>& paths);
 
-  /// Numbers beside the behaviours of the robots in it: the priority that a network gives them now.
-  /// Other robots have their own details again.
+  /// Shows numbers next to the behaviours of the robots in `state`: the priority that a network
+  /// gives them now. Other robots show their own details again.
   void show_weights(const Json& state);
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
-  /// The only row that is chosen is the list of that name of the element at `holder`.
+  /// The only selected row is the list of that name of the element at `holder`.
   void list_selected(const QString& holder, const QString& list);
   void edit_wished(const QString& path);
   void add_wished(const QString& holder, const QString& list);
@@ -54,8 +54,8 @@ class WorldTree : public QWidget {
  private:
   struct Shown {
     ElementPlace place;
-    QString key;  // its path; of a list also its name
-    int parent;   // the number of the row in which it is; -1: none
+    QString key;  // its path; for a list also its name
+    int parent;   // the number of the row that contains it; -1: none
   };
 
   void wish_edit(const QTreeWidgetItem* item);
@@ -70,15 +70,15 @@ class WorldTree : public QWidget {
   QString team_;
   QLineEdit* filter_;
   QTreeWidget* tree_;
-  std::vector<QString> keys_;               // of the rows, in their order
-  QStringList chosen_;                      // in the window; the tree may have none of them
+  std::vector<QString> keys_;  // of the rows, in their order
+  QStringList chosen_;         // selected in the window; the tree may have none of them
   QHash<QString, QTreeWidgetItem*> items_;  // of elements, by path
   QSet<QString> with_weight_;               // paths
   QSet<QString> locked_;                    // paths
   bool is_showing_ = false;
 };
 
-/// The names of all teams that a world has robots of, those that are always there first.
+/// The names of all teams in a world; the teams that are always listed come first.
 QStringList teams_of(const Json& world);
 
 }  // namespace elsie::desktop

@@ -217,10 +217,10 @@ PluginKind kind_of(const std::string& word) {
 
 void add_describe_command(CLI::App& program, Job& job) {
   CLI::App* command = program.add_subcommand(
-      "describe",
-      "Print what a plugin does, its parameters with defaults and ranges, what may be inside its "
-      "element, its events; or all events; or the vocabulary of world or experiment files");
+      "describe", "Describe a plugin, all events, or the vocabulary of world or experiment files");
   command->footer(
+      "\nOf a plugin it prints what it does, its parameters with defaults and ranges, the elements "
+      "that may be inside of its own, and its events.\n"
       "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n  elsie describe "
       "experiment\n"
       "  elsie describe events\n"

@@ -206,8 +206,8 @@ void add_replay_command(CLI::App& program, Job& job) {
   command
       ->add_option("--world", options->world,
                    "Write the world as it was at the start of the run, with the edits that the run "
-                   "was given under <changes>: `elsie run` makes the same run of it. A run of a "
-                   "database is not made again then")
+                   "received under <changes>: `elsie run` then repeats the run. With this option a "
+                   "run of a database is not repeated")
       ->type_name("FILE.xml");
   RunAgainOptions& again = options->again;
   command->add_flag("--json", again.json,
@@ -222,7 +222,7 @@ void add_replay_command(CLI::App& program, Job& job) {
                    "seed count as factors")
       ->type_name("WHICH");
   command->add_flag("--table", options->table,
-                    "With --where: write a table (.csv) beside each recording (.mcap)");
+                    "With --where: write a table (.csv) next to each recording (.mcap)");
   command
       ->add_option("--workers", options->workers,
                    "With --where: runs at the same time; default: one for each processor")

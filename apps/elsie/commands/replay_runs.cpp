@@ -244,7 +244,7 @@ int replay_runs(const RunsAgainOptions& options) {
     throw BadInput("--record: expected one folder for the recordings of --where");
   }
   if (options.table && options.record.files.empty()) {
-    throw BadInput("--table is written beside recordings; expected --record FOLDER, too");
+    throw BadInput("--table writes tables next to recordings; expected --record FOLDER, too");
   }
   const report::ResultsFile file(options.database);
   const Results results = file.results();

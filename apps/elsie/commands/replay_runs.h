@@ -16,7 +16,7 @@ struct RunsAgainOptions {
   std::string database;
   std::string where;     // experiment::parse_where(), with the levels of run_labels() too
   RecordOptions record;  // at most one name, that of a folder
-  bool table = false;    // a table beside each recording
+  bool table = false;    // a table next to each recording
   std::optional<std::size_t> workers;
   std::optional<double> wall_limit_s;
   bool quiet = false;

@@ -195,7 +195,7 @@ int test_plugins(TestPluginOptions options) {
       }
       if (findings.empty()) {
         out() << plugin::kind_name(declaration->kind) << " '" << declaration->name
-              << "': nothing wrong was found" << std::endl;
+              << "': no faults found" << std::endl;
       }
       wrong += findings.empty() ? 0 : 1;
     }
@@ -208,16 +208,16 @@ int test_plugins(TestPluginOptions options) {
 }  // namespace
 
 void add_test_plugin_command(CLI::App& program, Job& job) {
-  CLI::App* command = program.add_subcommand(
-      "test-plugin",
-      "Check a plugin by trying it: its declaration, finite answers on random input, no shared "
-      "state, the same answers on the same input, no growth of memory");
+  CLI::App* command =
+      program.add_subcommand("test-plugin", "Check a plugin by trying it on random input");
   command->footer(
+      "\nIt checks the declaration, finite answers, no shared state, the same answers on the same "
+      "input, and no growth of memory.\n"
       "\nExamples:\n  elsie test-plugin wander\n  elsie test-plugin build/shy.so shy.cpp\n"
       "  elsie test-plugin fusion_context_blending --set model=my.fcl --members "
       "avoid_obstacle,wander\n"
-      "\nExit codes: 0 nothing wrong was found; 1 something was; 2 bad input or usage; 3 a plugin "
-      "crashed, and is named.");
+      "\nExit codes: 0 no faults found; 1 faults found; 2 bad input or usage; 3 a plugin crashed, "
+      "and is named.");
   auto options = std::make_shared<TestPluginOptions>();
   command
       ->add_option("PLUGIN", options->names,
@@ -230,7 +230,7 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
                    "Ids of the behaviours of a coordinator that accepts no others")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--seed", options->seed, "Of the random input")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the random input")->capture_default_str();
   command->add_option("--variants", options->variants, "How many sets of random parameters to try")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();

@@ -40,7 +40,7 @@ std::uint32_t next_value(const std::atomic<std::uint32_t>& value, std::uint32_t 
 
 }  // namespace
 
-/// For handlers of signals, when a thread has used up its own.
+/// A stack for signal handlers of a thread that has used up its own.
 struct Crew::Stack {
   alignas(16) char bytes[64 * 1024];
 };
@@ -56,7 +56,7 @@ Crew::Crew(std::size_t threads) {
   for (std::size_t i = 1; i < threads; ++i) {
     stacks_.push_back(std::make_unique<Stack>());
   }
-  for (std::size_t i = 1; i < threads; ++i) {  // once nothing changes that they read
+  for (std::size_t i = 1; i < threads; ++i) {  // after stacks_, which they read, is complete
     helpers_.emplace_back([this, i] { help(i); });
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);

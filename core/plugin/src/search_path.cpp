@@ -41,7 +41,7 @@ void DirectoryList::add_beside_program(const fs::path& below) {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path directory = program.parent_path().parent_path() / below;
   if (fs::is_directory(directory, error)) {
-    add(directory, "beside the program");
+    add(directory, "next to the program");
   }
 }
 
@@ -55,7 +55,7 @@ std::vector<SearchDirectory> default_search_path(std::span<const fs::path> given
   std::error_code error;
   const fs::path library = fs::canonical(file_of_this_library(), error);
   if (!error) {
-    list.add(library.parent_path() / "elsie/plugins", "beside libelsie");
+    list.add(library.parent_path() / "elsie/plugins", "next to libelsie");
   }
   return std::move(list).take();
 }

@@ -268,7 +268,7 @@ class Simulation::Impl {
       }
       knows_calls_ = true;
     }
-    // What a robot decides now, no other robot perceives before the next step.
+    // The other robots perceive what a robot decides now only in the next step.
     loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
       Robot& robot = *robots_[i];
       robot.sense(Carrier(*engine_, robots_, *neighbours_, i, memory_[thread]), now);
@@ -301,7 +301,7 @@ class Simulation::Impl {
     });
   }
 
-  /// After anything but a step has changed robots.
+  /// Must be called after anything but a step has changed robots.
   void take_stock() {
     attention_.assign(robots_.size(), true);
     knows_calls_ = false;
@@ -314,7 +314,7 @@ class Simulation::Impl {
   }
 
   void log_events() { log_events(robots_.size()); }
-  /// Of the first robots only.
+  /// Logs the events of the first robots only.
   void log_events(std::size_t robots) {
     for (std::size_t i = 0; i < robots; ++i) {
       robots_[i]->take_log(time_s(), events_);

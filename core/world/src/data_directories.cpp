@@ -36,7 +36,7 @@ std::vector<std::string> default_data_directories() {
   std::error_code error;
   const fs::path library = fs::canonical(plugin::file_of_this_library(), error);
   if (!error) {
-    list.add(data_of_installation(library), "beside libelsie");
+    list.add(data_of_installation(library), "next to libelsie");
   }
   std::vector<std::string> names;
   for (const plugin::SearchDirectory& directory : std::move(list).take()) {

@@ -194,5 +194,5 @@ ELSIE_BEHAVIOR(
         {.unit = "1/s", .min = 0, .max = 100, .meaning = "turn rate for each radian off"}),
     elsie::raises("leader_in_reach", "a leader of the team is within coverage now"),
     elsie::raises("leader_out_of_reach", "no leader is within coverage any more"),
-    elsie::raises("in_position", "it has come to its place"),
+    elsie::raises("in_position", "it has reached its place"),
     elsie::raises("out_of_position", "it has left the controlled zone around its place"));

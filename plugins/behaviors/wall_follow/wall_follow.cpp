@@ -204,5 +204,4 @@ ELSIE_BEHAVIOR(
     elsie::parameter("turn_rate", &WallFollow::turn_rate,
                      {.unit = "rad/s", .above = 0, .max = 100, .meaning = "fastest turn"}),
     elsie::raises("wall_found", "it has a wall to follow"),
-    elsie::raises("wall_lost",
-                  "it has driven around the end of the wall and does not find it again"));
+    elsie::raises("wall_lost", "it has driven around the end of the wall and has lost it"));

@@ -177,7 +177,7 @@ class ArbiterVoting final : public elsie::Coordinator, public elsie::Remembers {
 
 ELSIE_COORDINATOR(
     ArbiterVoting, "arbiter_voting",
-    "Every behaviour votes on a set of commands; the one with the most votes is done",
+    "Every behaviour votes on a set of commands; the command with the most votes wins",
     elsie::parameter(
         "set", &ArbiterVoting::set,
         {.choices = {"wheels", "arcs"},

@@ -13,7 +13,7 @@
 namespace elsie::physics {
 namespace {
 
-// Islands for each thread: fewer do not pay for the waking of a thread.
+// Islands for each thread; fewer are not worth waking a thread.
 constexpr std::size_t kLeast = 8;
 
 }  // namespace

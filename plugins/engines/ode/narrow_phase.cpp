@@ -91,7 +91,7 @@ bool meet_in_space(OdeContacts& contacts, const Solid& a, const Solid& b) {
   return count > 0;
 }
 
-/// Two upright bodies side by side.
+/// Two upright bodies, one next to the other.
 bool meet_in_plane(OdeContacts& contacts, const Solid& a, const Solid& b, const Span& common,
                    const PlanarManifold& manifold) {
   // A wheel reaches furthest at the height of its axle. Upright faces meet along their whole

@@ -262,7 +262,7 @@ class Search {
             subject.name + " reaches into a wall at (" + number_text(place.x) + ", " +
                 number_text(place.y) +
                 "), and presses bodies in between through it; expected a path that leaves room "
-                "for a robot beside the wall");
+                "for a robot next to the wall");
         return;
       }
     }

@@ -25,10 +25,10 @@ struct BodyModel {
   BodyPlan plan;
   double lever = 1.0;
   std::vector<Link> links;  // of the joints that can be set
-  // Of each vehicle:
+  // For each vehicle:
   std::vector<std::shared_ptr<std::vector<Solid>>> solids;
   std::vector<std::shared_ptr<Look>> looks;
-  std::vector<Mover> movers;  // as they begin
+  std::vector<Mover> movers;  // in their first state
 
   BodyModel(const BodyPlan& plan, const world::Physics& physics);
   /// Points a wheel of a vehicle in this direction of the vehicle's frame.

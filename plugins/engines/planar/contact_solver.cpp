@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostSweeps = 60;
 constexpr int kSeparations = 4;
-constexpr double kLeastDepth = 5e-6;  // m, that is corrected
+constexpr double kLeastDepth = 5e-6;  // m; smaller overlaps are not corrected
 constexpr double kSettled = 1e-7;     // m/s: changes below this end the sweeps
 
 Twist at_point(const Vector2& direction, const Vector2& from) {
@@ -109,7 +109,7 @@ double ContactSolver::relax(Contact& contact) {
 
 void ContactSolver::prepare(Hinge& hinge) const {
   const Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
-  // In the middle of the arcs, so that both ends of the joint move alike along theirs.
+  // The middle of the arcs, so that both ends of the joint move alike along their arcs.
   const auto arm = [](const Mover& mover, double ahead) {
     const Vector2& center = mover.inertia().center;
     return mover.middle().turn(Vector2{ahead - center.x, -center.y});
@@ -154,7 +154,7 @@ double ContactSolver::relax(Hinge& hinge) {
   } else {
     const double least = (-hinge.joint.max_yaw_rad - hinge.yaw_rad) / step;
     const double most = (hinge.joint.max_yaw_rad - hinge.yaw_rad) / step;
-    // What the limit's impulse would have to be for either end.
+    // The impulse of the limit that either end would need.
     const double up = hinge.twist + hinge.turn_scale * (least - rate);
     const double down = hinge.twist + hinge.turn_scale * (most - rate);
     twist = up > 0.0 ? up : down < 0.0 ? down : 0.0;

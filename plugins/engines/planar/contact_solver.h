@@ -36,7 +36,7 @@ struct Contact {
   double push = 0.0;    // N s
   double rub = 0.0;     // N s, along the normal turned to the left
 
-  // The solver's own.
+  // Used by the solver only.
   double target = 0.0;
   struct Row {
     Twist a, b;                // velocities of the bodies to the speed of the row
@@ -55,7 +55,7 @@ struct Hinge {
   Vector2 pull;        // N s, of the last step
   double twist = 0.0;  // N m s, of the motor or of a limit
 
-  // The solver's own.
+  // Used by the solver only.
   Vector2 from_front, from_behind;
   double kxx = 0.0, kxy = 0.0, kyy = 0.0;
   double turn_scale = 0.0;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kNone = Contact::kFixed;
 
-// In the share of a thread: fewer do not pay for waking it.
+// Bodies in the share of a thread; fewer are not worth waking it.
 constexpr std::size_t kLeastThings = 32;
 constexpr std::size_t kLeastIslands = 4;
 
@@ -216,7 +216,7 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   for (const Contact& contact : contacts_) {
     const bool is_of_a = movers_[contact.a].gives_way();
     in_order_.push_back({root(is_of_a ? contact.a : contact.b),
-                         solver_.is_driven(contact),  // boxes that nothing stops have the last word
+                         solver_.is_driven(contact),  // boxes that nothing stops come last
                          ranks_[contact.a], contact.b == kNone ? kNone : ranks_[contact.b],
                          contact.at.x, contact.at.y, contact.key.feature, contact.key.b,
                          in_order_.size()});

@@ -1,4 +1,4 @@
-// Which bodies meet in a step, and what comes of it.
+// Which bodies meet in a step, and how that changes their motion.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace elsie::physics {
 /// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
 struct Thing {
   Body body;
-  std::uint64_t number = 0;  // the same in an engine that takes it over
+  std::uint64_t number = 0;  // an engine that takes it over keeps it
   std::uint32_t mover = Contact::kFixed;
   std::uint32_t vehicle = 0;  // of a robot
   std::shared_ptr<const std::vector<Solid>> solids;
@@ -41,15 +41,15 @@ class Encounters {
         scene_(scene),
         solver_(physics, movers) {}
 
-  /// A thing with a mover.
+  /// A body with a mover.
   struct Moving {
     std::uint32_t thing = 0;
     std::uint32_t mover = 0;
     double reach = 0.0;  // m, of its farthest point from its place
   };
 
-  /// Finds the contacts of things that may come `margin` nearer in this step. `moving`: all that
-  /// are still there.
+  /// Finds the contacts of bodies that may come nearer by `margin` in this step. `moving` lists all
+  /// that still exist.
   void find(std::span<const Moving> moving, double margin, base::Crew& crew);
   /// Gives the movers their velocities; the hinges join them.
   void solve(std::span<Hinge* const> hinges, base::Crew& crew);

@@ -42,7 +42,8 @@ ELSIE_INLINE void clip(const Lanes& from, const Lanes& along, double half, Lanes
   leave = lesser(leave, greater(b, a));
 }
 
-/// All of them, because which rays may meet a box is hard to predict, and costs half of this.
+/// Tests all rays against each box: which rays may meet it is hard to predict, and finding out
+/// costs half as much as the test.
 ELSIE_INLINE void meet_boxes(std::span<Group> groups, std::span<const SceneBody* const> boxes) {
   for (Group& group : groups) {
     const Group rays = group;
@@ -91,7 +92,7 @@ struct Rows {
 /// level in them; not finite if a ray is not.
 ELSIE_INLINE Lanes turn(const Frame& within, const RayQuery& a, const RayQuery& b,
                         const RayQuery& c, const RayQuery& d, Group& group) {
-  // x, y, z and ahead; aside, up, and two that do not matter.
+  // x, y, z and ahead; aside, up, and two unused lanes.
   const Rows first(four(a.from, 0), four(b.from, 0), four(c.from, 0), four(d.from, 0));
   const Rows second(four(a.from, 4), four(b.from, 4), four(c.from, 4), four(d.from, 4));
   const Lanes &x = first.x, &y = first.y, &ahead = first.w, &aside = second.x, &up = second.y;

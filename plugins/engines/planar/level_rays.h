@@ -19,13 +19,13 @@ class LevelRays {
  public:
   static constexpr std::size_t kMost = 16;
 
-  /// At most kMost rays, as in Engine::cast_rays(). Returns whether `within` and all rays are level
-  /// and finite; else the object is of no use.
+  /// Takes at most kMost rays, as in Engine::cast_rays(). Returns whether `within` and all rays are
+  /// level and finite; otherwise the object must not be used.
   bool set(const Frame& within, std::span<const RayQuery> rays);
 
   /// The origin of the first ray.
   const Vector2& middle() const { return extent_.middle; }
-  /// No ray goes further away from there, m.
+  /// No ray reaches further from there, m.
   double reach() const { return extent_.reach; }
   /// The height of the lowest ray, m.
   double lowest() const { return extent_.lowest; }
@@ -62,7 +62,7 @@ class LevelRays {
     Lanes nearest;  // m
     Flags found;    // -1 if it met something
   };
-  /// What is known of all rays.
+  /// What is known about all rays.
   struct Extent {
     Vector2 middle;
     double reach = 0.0;

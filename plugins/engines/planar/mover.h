@@ -11,7 +11,7 @@
 
 namespace elsie::physics {
 
-/// What a body that meets others is about to do in a step, in the world.
+/// The motion of a body that meets others in a step, in the world.
 struct Impact {
   Twist moving;        // its velocity
   Twist impulse;       // the sum of all impulses
@@ -23,13 +23,13 @@ struct Impact {
 /// A vehicle, a box that can be pushed, or a box that moves along its own path.
 ///
 /// During a step its velocity, seen from the body, does not change: it moves along an arc, and the
-/// arc is exact. Between steps the momentum keeps its direction in the world, so that an
-/// undercarriage must turn it. Forces act in the middle of the arc.
+/// arc is exact. Between steps the momentum keeps its direction in the world, so the wheels must
+/// turn it. Forces act in the middle of the arc.
 class alignas(64) Mover {
  public:
   /// A vehicle.
   explicit Mover(Undercarriage wheels) : wheels_(std::move(wheels)) {}
-  /// Something that slides.
+  /// A body that slides.
   Mover(const Inertia& inertia, const FloorFriction& friction)
       : sled_(std::make_shared<Sled>(Sled{inertia, friction})) {}
   /// A box that nothing stops.
@@ -37,10 +37,10 @@ class alignas(64) Mover {
 
   void put(const Vector2& place, double heading_rad);
   void stop();
-  /// Moves as a rigid body with this velocity (in the world) of a point in the world. `step`: of
-  /// the steps that follow.
+  /// Moves as a rigid body with this velocity (in the world) of a point in the world. `step` is the
+  /// length of later steps, s.
   void push(const Twist& velocity, const Vector2& point, double step);
-  /// Only for a box that nothing stops: the velocity in the world.
+  /// Sets the velocity in the world; only for a box that nothing stops.
   void drive(const Vector2& velocity) {
     velocity_ = ahead_.turn_back(Twist{velocity.x, velocity.y});
   }
@@ -76,9 +76,9 @@ class alignas(64) Mover {
   const Vector2& place() const { return place_; }
   const Direction& ahead() const { return ahead_; }
   double heading_rad() const { return heading_rad_; }
-  /// Of its center of mass, in its own frame.
+  /// The velocity of its center of mass, in its own frame.
   const Twist& velocity() const { return velocity_; }
-  /// Of its origin, in its own frame.
+  /// The velocity of its origin, in its own frame.
   Twist velocity_of_origin() const {
     const Twist& v = velocity_;
     const Vector2& center = inertia().center;
@@ -96,13 +96,13 @@ class alignas(64) Mover {
   /// The sum of all shifts since enter().
   const Vector2& shifted() const { return impact_->shifted; }
 
-  /// Goes on as if it had met nothing. A box that nothing stops does so anyway, and others may
+  /// Continues as if it had met nothing. A box that nothing stops does so anyway, and others may
   /// still meet it.
   void release() {
     if (gives_way()) impact_ = nullptr;
   }
 
-  /// Moves it without a velocity.
+  /// Moves it without changing its velocity.
   void shift(const Vector2& by) {
     place_ = {place_.x + by.x, place_.y + by.y};
     if (impact_) impact_->shifted = {impact_->shifted.x + by.x, impact_->shifted.y + by.y};
@@ -110,7 +110,7 @@ class alignas(64) Mover {
   void turn_to(double heading_rad);
 
  private:
-  /// What slides has in common with others of its kind.
+  /// What sliding bodies of one kind share.
   struct Sled {
     Inertia inertia;
     FloorFriction friction;
@@ -128,7 +128,7 @@ class alignas(64) Mover {
   double heading_rad_ = 0.0;
   Twist free_;                // the velocity of the next step if nothing acts on it
   Impact* impact_ = nullptr;  // of this step
-  Undercarriage wheels_;      // if it has some
+  Undercarriage wheels_;      // if it has wheels
   std::shared_ptr<const Sled> sled_;
 };
 

@@ -8,7 +8,7 @@
 namespace elsie::physics {
 namespace {
 
-// Edges of the second outline are taken for the first only if they separate this much better.
+// An edge of the second outline is preferred only if it separates the outlines better by this much.
 constexpr double kPreference = 1e-6;  // m
 
 Vector2 along(const Vector2& a, double s, const Vector2& v) {
@@ -16,7 +16,7 @@ Vector2 along(const Vector2& a, double s, const Vector2& v) {
 }
 double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
 
-// The quick test lets through what is so little too far away.
+// The quick test accepts outlines that are too far apart by this little.
 constexpr double kRounding = 1e-9;  // m
 
 struct Axis {
@@ -25,8 +25,8 @@ struct Axis {
   Vector2 normal;
 };
 
-/// The edge of `a` beyond which `b` is the furthest, or the first beyond which it is further than
-/// `reach`.
+/// The edge of `a` beyond which `b` is the furthest, or the first edge beyond which `b` is further
+/// than `reach`.
 Axis best_axis(const PlacedOutline& a, std::span<const Vector2> b, double reach) {
   Axis best;
   for (std::size_t i = 0; i < a.corners.size(); ++i) {
@@ -45,7 +45,7 @@ std::uint32_t feature_of(std::size_t a, std::size_t b, bool of_second) {
          static_cast<std::uint32_t>(of_second);
 }
 
-/// Two points with a radius each; `normal` if they are in one place.
+/// Where two points with a radius each meet; the normal is `otherwise` if they coincide.
 Meeting meet_points(const Vector2& a, double radius_a, const Vector2& b, double radius_b,
                     const Vector2& otherwise, double margin, std::uint32_t feature) {
   Meeting met;

@@ -21,7 +21,7 @@ struct Outline {
   double radius = 0.0;             // m
   double bottom = 0.0, top = 0.0;  // m, above the floor
   double reach = 0.0;              // m, the largest distance of any of its points from its middle
-  Vector2 half;                    // m, the same in either direction of its frame
+  Vector2 half;                    // m, of the box around it, along either axis of its frame
 
   static Outline polygon(std::vector<Vector2> corners, double radius, double bottom, double top);
   static Outline rectangle(double half_length, double half_width, double bottom, double top);

@@ -1,4 +1,4 @@
-// What is added to the planar engine, changed and removed.
+// Adding bodies to the planar engine, changing and removing them.
 #include "planar_engine.h"
 
 #include <algorithm>
@@ -215,7 +215,7 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   enter_robot(robot);
 }
 
-/// Gives back the memory that was kept for more bodies.
+/// Releases the memory that was kept for more bodies.
 void PlanarEngine::fit() {
   fitted_ = things_.size();
   things_.shrink_to_fit();

@@ -105,7 +105,7 @@ class PlanarEngine final : public Engine {
   std::uint64_t next_number_ = 0;
   PlanarScene scene_;
   std::vector<Thing> things_;
-  std::size_t fitted_ = 0;  // things that there were in fit()
+  std::size_t fitted_ = 0;  // the number of things at the last fit()
   std::vector<Mover> movers_;
   std::vector<Encounters::Moving> moving_;
   BodyModels models_;

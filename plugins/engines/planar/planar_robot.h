@@ -17,7 +17,7 @@ namespace elsie::physics {
 /// A vehicle and the vehicles that it pulls, which are consecutive movers of the engine.
 class alignas(64) PlanarRobot {
  public:
-  /// `first`: its first mover; all of them are there.
+  /// `first` is its first mover; all its movers must exist.
   PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first);
 
   const BodyPlan& plan() const { return model_->plan; }

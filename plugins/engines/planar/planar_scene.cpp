@@ -14,7 +14,8 @@
 namespace elsie::physics {
 namespace {
 
-// What is around a robot is found again when something has moved so far. Farther lists are longer.
+// The bodies around a robot are listed again when something has moved this far. A larger margin
+// makes longer lists.
 constexpr double kMargin = 0.2;  // m
 
 // Around a robot with longer rays, each ray is followed through the grid.
@@ -344,7 +345,8 @@ std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3
   return best.found ? std::optional(best.hit) : std::nullopt;
 }
 
-/// What is around a robot: at least all that comes within the radius. Null: better ask the grid.
+/// The bodies around a robot: at least all within the radius. Null if the grid should be asked
+/// instead.
 const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2& middle,
                                                double radius) const {
   if (robot >= around_.size()) return nullptr;
@@ -392,7 +394,7 @@ void PlanarScene::cast_rays(const Frame& within, std::span<RayQuery> rays,
   }
 }
 
-/// False: there is too much around them.
+/// Returns false if there are too many bodies around them.
 bool PlanarScene::cast_together(std::span<RayQuery> rays, LevelRays& level,
                                 std::size_t except) const {
   const Vector2& middle = level.middle();

@@ -35,7 +35,7 @@ struct Look {
   double reach = 0.0;            // m, from above: the radius of the circle around it
   std::vector<Vector2> corners;  // of a prism, from above: counter-clockwise; `box` is around it
 
-  /// `vehicle`: a chassis and what is below it.
+  /// `vehicle`: a chassis and the parts below it.
   static Look of(std::span<const Part> vehicle);
   /// An obstacle, charger or wall.
   static Look of(const world::Fixture& fixture, double bottom);
@@ -62,7 +62,7 @@ class PlanarScene {
   /// Ends a round.
   void settle(std::span<Moves> moves);
   void remove(Id id);
-  /// Gives back the memory that was kept for more bodies.
+  /// Releases the memory that was kept for more bodies.
   void fit();
 
   // Since the last round:
@@ -98,7 +98,7 @@ class PlanarScene {
     Vector2 middle;
     double until = -1.0;       // m, the radius and the odometer when it was made
     double wanted = 0.0;       // m, the largest radius that was asked for
-    std::uint32_t bodies = 0;  // that there were when it was made
+    std::uint32_t bodies = 0;  // the number of bodies when it was made
     bool pulls = false;        // the robot has segments, which may meet each other
   };
 
@@ -120,7 +120,7 @@ class PlanarScene {
     return std::abs(at.x) <= entry.half.x + distance + kHair &&
            std::abs(at.y) <= entry.half.y + distance + kHair;
   }
-  /// How far the body is from a point, or less.
+  /// The distance of the body from a point, or less.
   static double distance_to(const SceneBody& entry, double x, double y) {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
     if (entry.moves || entry.outside != SceneBody::Outside::box) {

@@ -15,7 +15,7 @@ namespace {
 // The additional distance that a body may move in a step because it is accelerated.
 constexpr double kSlack = 1e-4;  // m
 
-// In the share of a thread: fewer do not pay for waking it.
+// Bodies in the share of a thread; fewer are not worth waking it.
 constexpr std::size_t kLeastMovers = 32;
 
 Frame frame_at(const Vector2& place, double z, const Direction& ahead) {

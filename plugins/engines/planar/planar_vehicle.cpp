@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFlush = 1e-9;  // m: a wheel that is flush with the side of the chassis is inside
 
-// Of the weight: what makes the loads of wheels in one row definite.
+// This part of the weight makes the loads of wheels in one row definite.
 constexpr double kRegular = 1e-9;
 
 /// The inertia of a part about the vertical axis through its middle, kg m2.

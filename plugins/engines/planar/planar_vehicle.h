@@ -1,4 +1,4 @@
-// What the planar engine makes of a vehicle's parts.
+// How the planar engine describes a vehicle's parts.
 #pragma once
 
 #include <span>

@@ -39,7 +39,7 @@ struct Direction {
   Twist turn_back(const Twist& t) const { return {c * t.x + s * t.y, c * t.y - s * t.x, t.turn}; }
   /// This direction turned by another one.
   Direction turned(const Direction& by) const { return {c * by.c - s * by.s, s * by.c + c * by.s}; }
-  /// Of length one again, after small errors of rounding (a step of Newton's method).
+  /// This direction with length one, after small rounding errors (a step of Newton's method).
   Direction normal() const {
     const double factor = 1.5 - 0.5 * (c * c + s * s);
     return {factor * c, factor * s};

@@ -18,7 +18,7 @@ constexpr double kLeastCosine = 1e-9;
 
 constexpr double kLeastInertia = 1e-300;  // kg m2
 
-// After this many changes of mind, grips only become looser.
+// After this many changes of state, grips only become looser.
 constexpr int kSearches = 6;
 constexpr int kMostSearches = 12;
 

@@ -21,7 +21,7 @@ struct Inertia {
   Vector2 center;             // m, of mass, in the frame of its origin
   double about_center = 0.0;  // kg m2, about the vertical axis through the center of mass
 
-  /// The velocity after an impulse, in the frame of both.
+  /// The velocity after an impulse, which is given in the same frame.
   Twist after(const Twist& velocity, const Twist& impulse) const {
     return {velocity.x + impulse.x / mass, velocity.y + impulse.y / mass,
             velocity.turn + impulse.turn / about_center};
@@ -34,7 +34,7 @@ struct Inertia {
 /// one without a motor only across. In each direction the contact glides at `slip` times the force,
 /// and the force is at most the friction of the wheel's load. So a grip with the velocity J V of
 /// the body above it, and the speed g s of the rim of a wheel that turns at the rate s, has the
-/// force F = (g s - J V) / slip. A motor holds its rate as far as its torque goes.
+/// force F = (g s - J V) / slip. A motor holds its rate within its torque limit.
 ///
 /// The velocity after a step follows from a linear system of three unknowns, as long as it is known
 /// which motors and tyres are at their limits. solve() begins with those of the last step, and
@@ -50,7 +50,7 @@ class Undercarriage {
   ~Undercarriage() = default;
   Undercarriage& operator=(Undercarriage&&) = default;
 
-  /// Whether there are wheels. Without, nothing else can be called.
+  /// Whether there are wheels. Without wheels, nothing else may be called.
   explicit operator bool() const { return model_ != nullptr; }
 
   /// Sets the direction of a wheel, rad counter-clockwise from ahead.

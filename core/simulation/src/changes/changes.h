@@ -21,10 +21,10 @@ namespace elsie::simulation {
 
 /// Changes to make together before a step.
 struct DueChanges {
-  double time_s = 0.0;  // as given
+  double time_s = 0.0;  // the time that was given
   std::vector<Change> changes;
-  std::string from{};   // TimedChange::from of the first that has one
-  std::string given{};  // the first that the user gave
+  std::string from{};   // of the first change that has one
+  std::string given{};  // the user's first change
 
   /// Returns whether they are due before a step that begins now.
   bool are_due(double now_s, double step_s) const { return now_s >= time_s - kRounding * step_s; }

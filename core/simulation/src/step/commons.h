@@ -23,15 +23,15 @@ namespace elsie::simulation {
 
 using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 
-/// What robots share while they live: memory that all of them use is near the processor. It only
-/// grows, with the places and wheels that edits try.
+/// What robots share while they live: shared memory stays in the processor's cache. It only grows,
+/// with the places and wheels that edits try.
 class Shared {
  public:
   Names names;
   /// The core's drives of robots with such wheels: radius and half axle, m.
   std::map<std::pair<double, double>, std::shared_ptr<DriveSlot>> drives;
 
-  /// The place for a sensor there, one for all sensors. Valid as long as this.
+  /// The place for a sensor there, one for all sensors. Valid for the life of this object.
   const SensorPlace& place(const Mounting& mounting);
 
  private:
@@ -39,7 +39,7 @@ class Shared {
   std::deque<SensorPlace> places_;
 };
 
-/// Of a world, which must outlive this.
+/// Shared data of a world, which must outlive this object.
 class Commons {
  public:
   explicit Commons(const world::World& world);
@@ -48,7 +48,7 @@ class Commons {
   int number_of(std::size_t robot) const { return numbers_[robot]; }
   /// The colours of the resources that a robot of this team may collect, each once, in file order.
   const std::vector<Colour>& resource_colours(const std::string& team);
-  /// For all robots that are made now.
+  /// Shared by all robots that are made from this object.
   const std::shared_ptr<Shared>& shared() const { return shared_; }
 
  private:

@@ -21,8 +21,8 @@ class Neighbours {
  public:
   explicit Neighbours(const world::Arena& arena) : length_(arena.length), width_(arena.width) {}
 
-  /// From now on these are the robots. They do not move before the next call. `at_once`: their
-  /// cells are found now, not in the call of the first plugin that asks, to which memory counts.
+  /// Sets the robots, which do not move before the next call. `at_once` finds their cells now, not
+  /// in the call of the first plugin that asks, which would count their memory.
   void begin(std::span<const std::shared_ptr<Robot>> robots, bool at_once) {
     robots_ = robots;
     is_placed_ = false;

@@ -45,7 +45,7 @@ class RobotLoop {
   std::size_t failed_at() const { return failed_at_; }
 
  private:
-  /// Robots in a share: fewer do not pay for the waking of a thread.
+  /// Robots in a share; fewer are not worth waking a thread.
   static constexpr std::size_t kLeast = 32;
 
   template <class Work>

@@ -25,9 +25,9 @@ class Crew {
     std::size_t thread;
   };
 
-  /// `threads`: with the owner's, at least 1. Helpers take no signals but those of their own
-  /// faults, for which they have a second stack, and kQuestion. Throws std::system_error when the
-  /// system has no more threads.
+  /// `threads` counts the owner's thread; it is at least 1. Helpers block all signals except
+  /// kQuestion and their own faults, which they handle on a second stack. Throws std::system_error
+  /// if the system has no more threads.
   explicit Crew(std::size_t threads = 1);
   ~Crew();
   Crew(const Crew&) = delete;
@@ -38,8 +38,8 @@ class Crew {
 
   std::size_t threads() const { return helpers_.size() + 1; }
 
-  /// The system's number of the thread for which this one works: of the owner of a crew during its
-  /// work, which changes nothing meanwhile; else its own. Signal handlers may call it.
+  /// The system's id of the thread that this one works for: the crew's owner during its work,
+  /// otherwise this thread. Signal handlers may call it.
   static int worked_for() noexcept;
 
   /// Calls work(Share) for all items, at least `least` in a share, and returns when all is done. If

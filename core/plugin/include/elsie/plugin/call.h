@@ -21,7 +21,7 @@
 namespace elsie::plugin {
 
 /// Facts about a call. The texts must live as long as the call. Missing facts are those of the
-/// calls around it. Only crash reports read the names: in a crowd, each memory access is dear.
+/// calls around it. Only crash reports read the names: in a crowd, each memory access is costly.
 struct CallFacts {
   static constexpr std::uint64_t kNoStep = ~std::uint64_t{0};
 
@@ -67,7 +67,7 @@ class Call {
     return now == before_ ? nullptr : restore_from(now);
   }
 
-  /// The same when the plugin's code is over; then the destructor does not.
+  /// Does the same once the plugin has returned; the destructor then skips it.
   [[gnu::always_inline]] const char* end_arithmetic() noexcept {
     is_over_ = true;
     return restore_arithmetic();

@@ -1,6 +1,6 @@
-// Parts of the core that are libraries of their own beside libelsie, so that the core links none of
-// them: physics engines, `elsie/engines/NAME.so` with the interface elsie/physics/engine.h, and
-// `elsie/layouts.so`, which draws layouts, with the interface elsie/world/layouts.h.
+// Parts of the core that are separate libraries in elsie/, next to libelsie, so that the core links
+// none of them: physics engines, `elsie/engines/NAME.so` with the interface elsie/physics/engine.h,
+// and `elsie/layouts.so`, which draws layouts, with the interface elsie/world/layouts.h.
 #pragma once
 
 #include <filesystem>

@@ -14,7 +14,7 @@ inline constexpr const char* kPluginPathVariable = "ELSIE_PLUGIN_PATH";
 
 struct SearchDirectory {
   std::filesystem::path path;         // a directory, or one library
-  std::string origin;                 // "given", "ELSIE_PLUGIN_PATH", "beside the program"...
+  std::string origin;                 // "given", "ELSIE_PLUGIN_PATH", "next to the program"...
   std::filesystem::path source = {};  // of a library compiled from one file: messages name this
 };
 

@@ -56,14 +56,14 @@ struct Options {
   std::map<std::string, std::string> files{};
   Budget budget{};
   /// Threads in which robots sense, decide and move, at least 1. The run is the same with any
-  /// number, bit for bit. A budget needs 1: other threads would count in it.
+  /// number, bit for bit. With a budget this must be 1: the work of other threads would be counted.
   std::size_t threads = 1;
   /// Simulated time after which the run ends, s, instead of the world's <limits>; above 0. It does
   /// not change the world: an <endure> goal may last longer.
   std::optional<double> time_limit_s{};
   /// Makes the camera renderer, for example render::world_cameras. A world with cameras needs it.
   MakeCameraRenderer cameras{};
-  /// Makes all objects only. reset() must precede any other use; with it, the run is as ever.
+  /// Only makes the objects; call reset() before anything else. The run is the same as without it.
   bool begin_later = false;
 };
 

@@ -14,7 +14,7 @@ namespace elsie::world {
 std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
                                   const ReadOptions& options);
 
-/// Why an edit of a running world is refused that sets another physics/@engine.
+/// Why an edit that sets another physics/@engine is refused during a run.
 inline constexpr const char* kEngineStays =
     "one engine cannot take over the bodies of another; set physics/@engine before the run";
 

@@ -1,5 +1,5 @@
-// Layouts: what of a world is drawn from each seed. <layouts> stands in a world's file; what
-// runs has the robots and boxes that came out of it instead.
+// Layouts: the parts of a world that are drawn from a seed. <layouts> stands in a world's file; a
+// running world contains the drawn robots and boxes instead.
 //
 // The core has the vocabulary, whose elements have no objects. What reads and draws them is the
 // library plugin::layouts_file(), loaded for worlds that have layouts. docs/random-worlds.md says

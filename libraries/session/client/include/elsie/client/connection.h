@@ -48,7 +48,7 @@ class Connection {
   /// Closes the connection, so that the process ends. No messages are received after that. ended()
   /// reports the end of the process, and kills it if it still runs one second later.
   void close();
-  /// Makes the process report which plugin is at work, and end.
+  /// Makes the process report which plugin is active, and end.
   void quit();
   /// Ends the process at once.
   void kill();

@@ -1,4 +1,4 @@
-// Least squares and logistic regression, with what there is to say against them.
+// Least squares and logistic regression, with warnings about them.
 #pragma once
 
 #include <cstddef>
