@@ -49,16 +49,19 @@ function(elsie_module name)
                                                          ELSIE_USES "${arg_USES}")
 endfunction()
 
-# elsie_library(NAME FILE file-name MODULES module... [USES library...])
+# elsie_library(NAME FILE file-name MODULES module... [USES library...] [COMPONENT component])
 #
-# Adds a storey of docs/architecture.md: a shared library of some modules, elsie::NAME, that links to the storeys under USES and to what its
+# Adds a storey of docs/architecture.md: a shared library of some modules, elsie::NAME, component NAME of the package, that links to the storeys under USES and to what its
 # modules need, and to nothing else: the linker refuses symbols of other storeys, and CMake modules that use headers of other storeys.
 function(elsie_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE" "MODULES;USES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE;COMPONENT" "MODULES;USES")
+  if(NOT arg_COMPONENT)
+    set(arg_COMPONENT ${name})
+  endif()
   add_library(elsie_${name} SHARED)
   add_library(elsie::${name} ALIAS elsie_${name})
   set_target_properties(elsie_${name} PROPERTIES OUTPUT_NAME ${arg_FILE} EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION 0
-                                                 INSTALL_RPATH "$ORIGIN")
+                                                 INSTALL_RPATH "$ORIGIN" ELSIE_COMPONENT ${arg_COMPONENT})
   # The modules that this storey may see: its own, and those of the storeys that it links to, directly or not.
   set(seen ${arg_MODULES})
   foreach(used IN LISTS arg_USES)
