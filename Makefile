@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: desktop configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -82,6 +82,14 @@ bench: all
 # Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
 	scripts/world-figures $(BUILD)
+
+# The state hash of every shipped world, which a test compares: tests/program/world_hashes.txt.
+world-hashes: all
+	scripts/world-hashes $(BUILD) --renew tests/program/world_hashes.txt
+
+# Lines, sizes and needs of the libraries: docs/architecture.md.
+library-table: all
+	scripts/library-table $(BUILD)
 
 # How often the intervals of reports hold the true value: docs/statistics.md.
 coverage: configure

@@ -4,8 +4,6 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
 install(TARGETS elsie_program elsie_commands RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie" LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie")
-get_property(storeys GLOBAL PROPERTY ELSIE_STOREYS)
-install(TARGETS ${storeys} EXPORT elsie-targets LIBRARY)
 
 # All plugins in the build folder, so that a folder dropped into plugins/ is installed, too.
 foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
@@ -24,8 +22,27 @@ endforeach()
 install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/doc-links/" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES tests/recording/official_reader/read.mjs DESTINATION "${CMAKE_INSTALL_DOCDIR}/tests/recording/official_reader")
 
-# find_package(elsie)
+# find_package(elsie): each storey is a component with its own targets. The package knows what each needs, from the ground up.
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/elsie")
+get_property(storeys GLOBAL PROPERTY ELSIE_STOREYS)
+set(components)
+set(needs)
+foreach(storey IN LISTS storeys)
+  get_target_property(component ${storey} ELSIE_COMPONENT)
+  get_target_property(file ${storey} OUTPUT_NAME)
+  get_target_property(links ${storey} LINK_LIBRARIES)
+  list(FILTER links INCLUDE REGEX "^elsie::")
+  list(TRANSFORM links REPLACE "^elsie::(.*)" "elsie_\\1")
+  set(needed)
+  foreach(link IN LISTS links)
+    get_target_property(below ${link} ELSIE_COMPONENT)
+    list(APPEND needed ${below})
+  endforeach()
+  list(APPEND components ${component})
+  string(APPEND needs "set(_elsie_${component}_needs ${needed})\nset(_elsie_${component}_file lib${file}.so.${PROJECT_VERSION})\n")
+  install(TARGETS ${storey} EXPORT elsie-${component}-targets LIBRARY)
+  install(EXPORT elsie-${component}-targets NAMESPACE elsie:: DESTINATION "${package}")
+endforeach()
 configure_package_config_file(cmake/package/elsie-config.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config.cmake"
                               INSTALL_DESTINATION "${package}" NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config-version.cmake"
@@ -33,7 +50,6 @@ write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/package/elsie-conf
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/package/elsie-config-version.cmake" cmake/ElsiePlugin.cmake
         DESTINATION "${package}")
-install(EXPORT elsie-targets NAMESPACE elsie:: DESTINATION "${package}")
 
 # Manual page and completion, from the program's own description of its subcommands and options.
 set(help "${CMAKE_CURRENT_BINARY_DIR}/help")

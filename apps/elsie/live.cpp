@@ -11,6 +11,7 @@
 
 #include <unistd.h>
 
+#include "elsie/base/words.h"
 #include "elsie/simulation/simulation.h"
 
 #include "progress.h"
@@ -38,11 +39,7 @@ void Pacer::stepped(const Simulation& simulation) {
 namespace {
 
 std::string joined(const std::vector<std::filesystem::path>& files) {
-  std::string text;
-  for (const auto& file : files) {
-    text += (text.empty() ? "" : ", ") + file.string();
-  }
-  return text;
+  return base::joined({files.begin(), files.end()});
 }
 
 /// "wander of r1, r2, with what it remembers" for each plugin.

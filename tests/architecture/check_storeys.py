@@ -1,99 +1,72 @@
-"""Compares what each library and each plugin asks the system's loader for with what its storey may use.
+"""Compares what each library, program and plugin asks the system's loader for, and which headers each module includes, with what its storey
+may use. Also holds the core to its size.
 
-  check_storeys.py LIBRARY_FOLDER SOURCE_FOLDER
+  check_storeys.py BUILD_FOLDER SOURCE_FOLDER
 """
 import re
-import subprocess
 import sys
 from pathlib import Path
 
-LIBRARIES = Path(sys.argv[1])
+from storeys import (EXCEPTIONS, HEADERS_ALONE, MAY_NEED, MAY_NEED_BY_NAME, MODULES, OPTIONAL, PLUGINS, UNWANTED, closure, folders_of_modules, lines,
+                     loaded_with, needed, sources)
+
+BUILD = Path(sys.argv[1])
 SOURCES = Path(sys.argv[2])
 
-# The C++ runtime, which everything may use; the sanitizers' libraries belong to it.
-RUNTIME = {"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64", "ld-linux-aarch64", "libasan", "libubsan"}
-
-# What each storey may name in its link line, besides the runtime.
-STOREYS = {
-    "libelsie-base": set(),
-    "libelsie": {"libelsie-base", "libtinyxml2"},
-    "libelsie-inference": {"libelsie-base"},
-    "libelsie-workshop": {"libelsie-base", "libelsie", "libelsie-inference"},
-    "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
-    "libelsie-editing": {"libelsie-base", "libelsie"},
-    "libelsie-session": {"libelsie-base"},
-    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-views", "libelsie-workshop"},
-    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto", "libmuparser"},
-    "libelsie-vision": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
-    "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
-}
-PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
-EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
-ENGINES = {"ode": {"libelsie-base", "libelsie", "libode"}, "planar": {"libelsie-base", "libelsie"}}
-LAYOUTS = {"libelsie-base", "libelsie", "libpng16"}
-
-# What must not come with a storey by any detour.
-FORBIDDEN = {
-    "libelsie": {"libode", "libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
-    "libelsie-workshop": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
-    "libelsie-editing": {"libcairo", "libepoxy", "libGL", "libEGL", "libsqlite3", "libcrypto", "libzstd"},
-    "libelsie-inference": {"libelsie", "libode", "libtinyxml2", "libcairo", "libepoxy", "libsqlite3", "libcrypto", "libzstd"},
-}
-
-# Modules in the order of docs/architecture.md: none includes a header of a later one.
-CORE = ["base", "api", "plugin", "world", "physics", "simulation"]
+MOST_LINES_OF_CORE = 20_000
+WATCHED = UNWANTED | set(MAY_NEED_BY_NAME) | set().union(*MAY_NEED_BY_NAME.values())
 
 
-def stem(name):
-    """"libode" for "libode.so.8"."""
-    return name.split(".so")[0].split(".")[0] if ".so" in name else name
+def problems_of_binary(file, allowed):
+    name = file.relative_to(BUILD)
+    may = ', '.join(sorted(allowed)) or 'nothing'
+    extra = needed(file) - allowed
+    if extra:
+        yield f"{name} needs {', '.join(sorted(extra))}; it may need {may}"
+    extra = (loaded_with(file) & WATCHED) - closure(allowed | extra)
+    if extra:
+        yield f"{', '.join(sorted(extra))} is loaded with {name}, which may need {may} and what comes with that"
 
 
-def needed(file):
-    text = subprocess.run(["readelf", "-d", str(file)], capture_output=True, text=True, check=True).stdout
-    return {stem(name) for name in re.findall(r"\(NEEDED\).*\[(.+)\]", text)} - RUNTIME
-
-
-def loaded_with(file):
-    text = subprocess.run(["ldd", str(file)], capture_output=True, text=True, check=True).stdout
-    return {stem(line.split()[0].rsplit("/", 1)[-1]) for line in text.splitlines() if line.strip()}
-
-
-def problems():
-    for name, allowed in STOREYS.items():
-        file = LIBRARIES / f"{name}.so"
-        if not file.exists():
-            yield f"there is no {file}"
-            continue
-        for extra in sorted(needed(file) - allowed):
-            yield f"{name} needs {extra}; it may need {', '.join(sorted(allowed)) or 'nothing'}"
-        for unwanted in sorted(loaded_with(file) & FORBIDDEN.get(name, set())):
-            yield f"{unwanted} is loaded with {name}"
-    plugins = sorted((LIBRARIES / "elsie" / "plugins").glob("*.so"))
+def problems_of_binaries():
+    for path, allowed in MAY_NEED.items():
+        if (BUILD / path).exists():
+            yield from problems_of_binary(BUILD / path, allowed)
+        elif path not in OPTIONAL:
+            yield f"there is no {BUILD / path}"
+    for pattern in ("lib/libelsie*.so", "lib/elsie/*.so", "lib/elsie/elsie-*", "lib/elsie/engines/*.so", "bin/elsie*"):
+        for file in sorted(BUILD.glob(pattern)):
+            if str(file.relative_to(BUILD)) not in MAY_NEED:
+                yield f"{file.relative_to(BUILD)} is not in the table of tests/architecture/storeys.py (MAY_NEED): add what it may need"
+    plugins = sorted((BUILD / "lib" / "elsie" / "plugins").glob("*.so"))
     if not plugins:
         yield "there are no plugins"
     for file in plugins:
-        allowed = PLUGINS | EXCEPTIONS.get(file.stem, set())
-        for extra in sorted(needed(file) - allowed):
-            yield f"the plugin {file.stem} needs {extra}; plugins may need {', '.join(sorted(allowed))}"
-    engines = sorted((LIBRARIES / "elsie" / "engines").glob("*.so"))
-    if {file.stem for file in engines} != set(ENGINES):
-        yield f"the engines are {', '.join(file.stem for file in engines) or 'none'}; expected {', '.join(ENGINES)}"
-    for file in engines:
-        allowed = ENGINES.get(file.stem, set())
-        for extra in sorted(needed(file) - allowed):
-            yield f"the engine {file.stem} needs {extra}; it may need {', '.join(sorted(allowed))}"
-    for extra in sorted(needed(LIBRARIES / "elsie" / "layouts.so") - LAYOUTS):
-        yield f"the library of layouts needs {extra}; it may need {', '.join(sorted(LAYOUTS))}"
-    for place, module in enumerate(CORE):
-        for file in sorted((SOURCES / "core" / module).rglob("*.*")):
-            if file.suffix in (".h", ".cpp"):
+        yield from problems_of_binary(file, PLUGINS | EXCEPTIONS.get(file.stem, set()))
+
+
+def problems_of_includes():
+    folders = folders_of_modules(SOURCES)
+    known = {module for modules in MODULES.values() for module in modules}
+    for module in sorted(known ^ set(folders)):
+        yield f"the module {module} is {'nowhere in core/ and libraries/' if module in known else 'not in the table of modules'}"
+    for storey, modules in MODULES.items():
+        below = {module for name in closure(MAY_NEED_BY_NAME[storey]) for module in MODULES.get(name, [])}
+        for place, module in enumerate(modules):
+            allowed = below | set(modules[: place + 1]) | HEADERS_ALONE.get(module, set())
+            for file in sources(folders.get(module, SOURCES / "nowhere")):
                 for used in re.findall(r'^#include [<"]elsie/(\w+)/', file.read_text(), re.M):
-                    if used not in CORE[: place + 1]:
-                        yield f"{file.relative_to(SOURCES)} includes a header of {used}, which is above {module}"
+                    if used not in allowed:
+                        yield f"{file.relative_to(SOURCES)} includes a header of {used}, which is not below {module}"
 
 
-found = list(problems())
+def problems_of_size():
+    size = lines(sources(SOURCES / "core"))
+    if size > MOST_LINES_OF_CORE:
+        yield f"core/ has {size} lines of C++, and may have {MOST_LINES_OF_CORE}: move what not every run needs into a library above it"
+
+
+found = [*problems_of_binaries(), *problems_of_includes(), *problems_of_size()]
 for problem in found:
     print(problem)
 sys.exit(1 if found else 0)

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "elsie/report/margins.h"
 #include "elsie/report/report.h"
 
 #include "folder.h"
@@ -11,6 +13,13 @@
 #include "places.h"
 
 namespace elsie::test {
+
+/// The margin of one group by itself: only its seeds have to be complete.
+inline report::Margin margin_of(const report::Findings& findings, const report::Response& response,
+                                const std::vector<std::size_t>& cells) {
+  return report::margin_of(findings, response, report::balanced(findings, response, {cells}, {}),
+                           0);
+}
 
 class Made {
  public:

@@ -11,6 +11,7 @@ using elsie::test::by_factor;
 using elsie::test::Made;
 using elsie::test::MadeCell;
 using elsie::test::MadeExperiment;
+using elsie::test::margin_of;
 
 namespace {
 

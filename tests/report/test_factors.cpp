@@ -13,6 +13,7 @@ using elsie::test::by_factor;
 using elsie::test::Made;
 using elsie::test::made_from;
 using elsie::test::MadeExperiment;
+using elsie::test::margin_of;
 
 namespace {
 

@@ -71,7 +71,7 @@ std::vector<std::string> row(const std::string& label, const Total& of) {
 }
 
 /// The first line of a message, cut to fit.
-std::string shortened(const std::string& message) {
+std::string first_line(const std::string& message) {
   constexpr std::size_t kMost = 160;
   std::string line = message.substr(0, message.find('\n'));
   if (line.size() > kMost) {
@@ -182,7 +182,7 @@ std::string BatchReport::table() {
     for (const auto& run : failed) {
       out += "  run " + std::to_string(run.id) + " (" + run.cell + ", seed " +
              std::to_string(run.seed) + "), " + to_string(run.state) + ": " +
-             shortened(run.message) + '\n';
+             first_line(run.message) + '\n';
     }
     if (sum.failed > static_cast<std::int64_t>(failed.size())) {
       out += "  and " + std::to_string(sum.failed - static_cast<std::int64_t>(failed.size())) +

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "elsie/base/words.h"
+#include "elsie/process/shell_word.h"
 
 #include "command.h"
 #include "command_tree.h"
@@ -16,15 +17,6 @@
 namespace elsie::program {
 
 namespace {
-
-/// The text in single quotes, for both shells.
-std::string in_quotes(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    out += c == '\'' ? "'\\''" : std::string(1, c);
-  }
-  return out + "'";
-}
 
 void write_bash_command(std::ostream& out, const CommandFacts& command) {
   std::vector<std::string> words;
@@ -36,7 +28,8 @@ void write_bash_command(std::ostream& out, const CommandFacts& command) {
     words.insert(words.end(), option.names.begin(), option.names.end());
     if (!option.choices.empty()) {
       out << "        " << base::joined(option.names, "|") << ") COMPREPLY=($(compgen -W "
-          << in_quotes(base::joined(option.choices, " ")) << " -- \"$word\")); return ;;\n";
+          << process::shell_word(base::joined(option.choices, " "))
+          << " -- \"$word\")); return ;;\n";
     } else if (option.takes_file) {
       out << "        " << base::joined(option.names, "|")
           << ") COMPREPLY=($(compgen -f -- \"$word\")); "
@@ -45,7 +38,7 @@ void write_bash_command(std::ostream& out, const CommandFacts& command) {
       out << "        " << base::joined(option.names, "|") << ") return ;;\n";
     }
   }
-  out << "      esac\n      options=" << in_quotes(base::joined(words, " ")) << " ;;\n";
+  out << "      esac\n      options=" << process::shell_word(base::joined(words, " ")) << " ;;\n";
 }
 
 void write_bash(std::ostream& out, const std::vector<CommandFacts>& commands) {
@@ -59,7 +52,7 @@ void write_bash(std::ostream& out, const std::vector<CommandFacts>& commands) {
          "  COMPREPLY=()\n"
          "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
          "    COMPREPLY=($(compgen -W "
-      << in_quotes(base::joined(names, " ") + " --help --version")
+      << process::shell_word(base::joined(names, " ") + " --help --version")
       << " -- \"$word\"))\n    return\n  fi\n  case ${COMP_WORDS[1]} in\n";
   for (const CommandFacts& command : commands) {
     write_bash_command(out, command);
@@ -96,7 +89,7 @@ void write_zsh_command(std::ostream& out, const CommandFacts& command) {
   out << "    " << command.name << ")\n      _arguments";
   for (const OptionFacts& option : command.options) {
     if (option.positional) {
-      out << " \\\n        " << in_quotes("*:" + option.names.front() + ":_files");
+      out << " \\\n        " << process::shell_word("*:" + option.names.front() + ":_files");
       continue;
     }
     for (const std::string& name : option.names) {
@@ -106,7 +99,7 @@ void write_zsh_command(std::ostream& out, const CommandFacts& command) {
       } else if (!option.value.empty()) {
         words += ":" + bracketed(option.value) + ":" + (option.takes_file ? "_files" : "");
       }
-      out << " \\\n        " << in_quotes(words);
+      out << " \\\n        " << process::shell_word(words);
     }
   }
   out << " ;;\n";
@@ -118,7 +111,7 @@ void write_zsh(std::ostream& out, const std::vector<CommandFacts>& commands) {
          "  local -a commands\n"
          "  commands=(";
   for (const CommandFacts& command : commands) {
-    out << "\n    " << in_quotes(command.name + ":" + command.meaning);
+    out << "\n    " << process::shell_word(command.name + ":" + command.meaning);
   }
   out << ")\n"
          "  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"

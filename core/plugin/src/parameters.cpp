@@ -46,13 +46,11 @@ Type facts_of(ParameterType type) {
   return {"a value", std::variant_size_v<ParameterValue>};
 }
 
-std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
-
 std::string value_text(const ParameterValue& value) {
   if (value.valueless_by_exception()) return "nothing";
   const bool has_blanks = std::holds_alternative<std::string>(value) ||
                           std::holds_alternative<std::vector<double>>(value);
-  return has_blanks ? in_quotes(format_value(value)) : format_value(value);
+  return has_blanks ? name_in_quotes(format_value(value)) : format_value(value);
 }
 
 bool in_range(const ParameterFacts& facts, double value) {
@@ -185,7 +183,7 @@ std::string allowed_values(const ParameterDeclaration& parameter) {
   const std::vector<std::string>& choices = parameter.facts.choices;
   if (parameter.type == ParameterType::text && !choices.empty()) {
     std::vector<std::string> names;
-    std::transform(choices.begin(), choices.end(), std::back_inserter(names), in_quotes);
+    std::transform(choices.begin(), choices.end(), std::back_inserter(names), name_in_quotes);
     return (names.size() == 1 ? "" : "one of ") + joined(names, ", ");
   }
   const Type type = facts_of(parameter.type);

@@ -11,6 +11,7 @@
 namespace elsie::plugin {
 
 using base::joined;
+using base::name_in_quotes;
 using base::number_text;
 
 /// "behavior 'wander'".

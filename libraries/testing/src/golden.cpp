@@ -22,11 +22,11 @@ constexpr std::string_view kTitle = "# A golden trace of Elsie's test library.";
 constexpr std::string_view kNoEvents = "-";
 
 std::string joined(const std::vector<Event>& events) {
-  std::string text;
+  std::vector<std::string> names;
   for (const Event& event : events) {
-    text += (text.empty() ? "" : ",") + std::string(event.name);
+    names.emplace_back(event.name);
   }
-  return text;
+  return base::joined(names, ",");
 }
 
 /// Numbers that differ by rounding have the same text.

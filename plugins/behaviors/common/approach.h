@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <elsie/api/behavior.h>
+
+#include "two_values.h"
 
 /// The law, with theta the direction of the point (deg, positive to the left) and d its distance:
 ///
@@ -25,10 +26,9 @@ class Approach : public elsie::Behavior {
 
   void configured() override {
     if (stop_distance > far_distance) {
-      std::ostringstream text;
-      text << "stop_distance is " << stop_distance << " m and far_distance " << far_distance
-           << " m; it comes near before it stops, so stop_distance must not be the larger one";
-      throw std::invalid_argument(text.str());
+      throw std::invalid_argument(
+          two_values("stop_distance", stop_distance, "far_distance", far_distance, "m") +
+          "it comes near before it stops, so stop_distance must not be the larger one");
     }
   }
 

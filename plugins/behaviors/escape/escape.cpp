@@ -2,13 +2,13 @@
 // random side, and becomes inactive again.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <elsie/api/remember.h>
 
 #include "inactive.h"
 #include "stuck_watch.h"
+#include "two_values.h"
 
 namespace {
 
@@ -28,11 +28,9 @@ class Escape final : public elsie::Behavior, public elsie::Remembers {
 
   void configured() override {
     if (turn_min > turn_max) {
-      std::ostringstream text;
-      text
-          << "turn_min is " << turn_min << " deg and turn_max " << turn_max
-          << " deg; the turn is drawn from between the two, so turn_min must not be the larger one";
-      throw std::invalid_argument(text.str());
+      throw std::invalid_argument(
+          two_values("turn_min", turn_min, "turn_max", turn_max, "deg") +
+          "the turn is drawn from between the two, so turn_min must not be the larger one");
     }
     watch_.set(
         {patience, collision_patience, moving, least_speed, progress_distance, progress_time});

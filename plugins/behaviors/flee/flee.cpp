@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include <elsie/api/remember.h>
 
 #include "inactive.h"
+#include "two_values.h"
 
 namespace {
 
@@ -22,11 +22,10 @@ class Flee final : public elsie::Behavior, public elsie::Remembers {
 
   void configured() override {
     if (margin >= sphere) {
-      std::ostringstream text;
-      text << "margin is " << margin << " m and sphere " << sphere
-           << " m; repulsion grows from the sphere inwards up to the margin, so margin must be the "
-              "smaller one";
-      throw std::invalid_argument(text.str());
+      throw std::invalid_argument(
+          two_values("margin", margin, "sphere", sphere, "m") +
+          "repulsion grows from the sphere inwards up to the margin, so margin must be the smaller "
+          "one");
     }
   }
 

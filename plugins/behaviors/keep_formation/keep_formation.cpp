@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +11,7 @@
 
 #include "inactive.h"
 #include "stations.h"
+#include "two_values.h"
 
 namespace {
 
@@ -27,11 +27,10 @@ class KeepFormation final : public elsie::Behavior, public elsie::Remembers {
 
   void configured() override {
     if (dead_zone >= controlled_zone) {
-      std::ostringstream text;
-      text << "dead_zone is " << dead_zone << " m and controlled_zone " << controlled_zone
-           << " m; the speed grows from the edge of the one to the edge of the other, so dead_zone "
-              "must be the smaller one";
-      throw std::invalid_argument(text.str());
+      throw std::invalid_argument(
+          two_values("dead_zone", dead_zone, "controlled_zone", controlled_zone, "m") +
+          "the speed grows from the edge of the one to the edge of the other, so dead_zone must be "
+          "the smaller one");
     }
   }
 

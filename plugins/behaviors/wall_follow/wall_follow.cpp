@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include <elsie/api/remember.h>
+#include <elsie/base/number_text.h>
 
 #include "inactive.h"
+#include "two_values.h"
 #include "wall_sight.h"
 
 namespace {
@@ -31,11 +32,9 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
 
   void configured() override {
     if (reach <= distance) {
-      std::ostringstream text;
-      text << "reach is " << reach << " m and distance " << distance
-           << " m; a wall that is farther than reach counts as none, so reach must be the larger "
-              "one";
-      throw std::invalid_argument(text.str());
+      throw std::invalid_argument(
+          two_values("reach", reach, "distance", distance, "m") +
+          "a wall that is farther than reach counts as none, so reach must be the larger one");
     }
     sight_.set({side == "left", elsie::radians(front_angle)});
   }
@@ -43,10 +42,11 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
   void equipped(const elsie::Perception& example) override {
     const double corner = 0.5 * std::hypot(example.self().length_m, example.self().width_m);
     if (distance <= corner) {
-      std::ostringstream text;
-      text << "distance is " << distance << " m from the robot's middle to the wall, but the "
-           << "robot's own corners are " << corner << " m from there; give it a larger one";
-      throw std::invalid_argument(text.str());
+      throw std::invalid_argument("distance is " + elsie::base::number_text(distance, 6) +
+                                  " m from the robot's middle to the wall, but the robot's own "
+                                  "corners are " +
+                                  elsie::base::number_text(corner, 6) +
+                                  " m from there; give it a larger one");
     }
     bool ahead = false, aside = false;
     for (const auto& beam : example.readings<elsie::RangeReading>()) {
@@ -54,16 +54,16 @@ class WallFollow final : public elsie::Behavior, public elsie::Remembers {
       aside = aside || sight_.looks_aside(beam.azimuth_rad());
     }
     if (!ahead || !aside) {
-      std::ostringstream text;
-      text << "it needs a range sensor that looks ahead (yaw_deg from -" << front_angle << " to "
-           << front_angle << ") and one that looks to the " << side << " ("
-           << (side == "left" ? "" : "-") << front_angle << " to "
-           << (side == "left" ? "150" : "-150") << "), and the robot has none "
-           << (aside   ? "of the first"
-               : ahead ? "of the second"
-                       : "of either")
-           << "; add one";
-      throw std::invalid_argument(text.str());
+      const std::string angle = elsie::base::number_text(front_angle, 6);
+      throw std::invalid_argument(
+          "it needs a range sensor that looks ahead (yaw_deg from -" + angle + " to " + angle +
+          ") and one that looks to the " + side +
+          (side == "left" ? " (" + angle + " to 150" : " (-" + angle + " to -150") +
+          "), and the robot has none " +
+          (aside   ? "of the first"
+           : ahead ? "of the second"
+                   : "of either") +
+          "; add one");
     }
   }
 

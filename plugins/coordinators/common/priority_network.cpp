@@ -5,25 +5,19 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <elsie/base/words.h>
 #include <elsie/neural/training.h>
 
 #include "learning_curve.h"
 
 using namespace elsie::neural;
+using elsie::base::joined;
 
 namespace {
 
 constexpr const char* kTrainedHidden = "2 2";
 constexpr const char* kMetres = "metres";
 constexpr const char* kNormalised = "parts of the maximum range";
-
-std::string joined(const std::vector<std::string>& names, const char* between) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : between) + name;
-  }
-  return text;
-}
 
 std::string file_name(const elsie::FilePath& file) {
   return std::filesystem::path(file.path).filename().string();

@@ -1,7 +1,10 @@
 // The part of the arena that robots visited, in cells of a grid.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <elsie/base/number_text.h>
 
 #include "chosen_robots.h"
 
@@ -17,10 +20,10 @@ class Coverage final : public elsie::Measure, public ChosenRobots {
     width_ = start.arena_width_m;
     const double columns = cells_in(length_), rows = cells_in(width_);
     if (columns * rows > kMostCells) {
-      std::ostringstream text;
-      text << "its grid would have " << columns << " x " << rows
-           << " cells; make 'cell' larger, so that there are at most " << kMostCells;
-      throw std::invalid_argument(text.str());
+      const auto text = [](double value) { return elsie::base::number_text(value, 6); };
+      throw std::invalid_argument("its grid would have " + text(columns) + " x " + text(rows) +
+                                  " cells; make 'cell' larger, so that there are at most " +
+                                  text(kMostCells));
     }
     columns_ = static_cast<std::size_t>(columns);
     visited_.assign(columns_ * static_cast<std::size_t>(rows), false);

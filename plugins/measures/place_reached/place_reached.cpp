@@ -1,10 +1,10 @@
 // The time at which a robot reached a place, and its least distance from it.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <elsie/api/measure.h>
+#include <elsie/base/number_text.h>
 
 namespace {
 
@@ -30,12 +30,12 @@ class PlaceReached final : public elsie::Measure {
       reference_ = place_of(of);
     } else if (std::abs(x) > 0.5 * start.arena_length_m ||
                std::abs(y) > 0.5 * start.arena_width_m) {
-      std::ostringstream text;
-      text << "its place (" << x << ", " << y << ") is outside of the arena, which reaches from "
-           << -0.5 * start.arena_length_m << " to " << 0.5 * start.arena_length_m
-           << " in x and from " << -0.5 * start.arena_width_m << " to " << 0.5 * start.arena_width_m
-           << " in y";
-      throw std::invalid_argument(text.str());
+      const auto text = [](double value) { return elsie::base::number_text(value, 6); };
+      const auto range = [&](double size) { return text(-0.5 * size) + " to " + text(0.5 * size); };
+      throw std::invalid_argument("its place (" + text(x) + ", " + text(y) +
+                                  ") is outside of the arena, which reaches from " +
+                                  range(start.arena_length_m) + " in x and from " +
+                                  range(start.arena_width_m) + " in y");
     }
   }
   std::vector<elsie::Quantity> quantities() const override {

@@ -8,6 +8,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
 
 #include "colour_range.h"
@@ -59,9 +60,7 @@ struct Kind {
 std::string numbers(const std::vector<double>& values) {
   std::string text;
   for (const double value : values) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof(buffer), "%s%g", text.empty() ? "" : " ", value);
-    text += buffer;
+    text += (text.empty() ? "" : " ") + elsie::base::number_text(value, 6);
   }
   return text;
 }

@@ -63,7 +63,7 @@ void ModelBuilder::check_accumulation(std::size_t index) {
   if (is_linear) {  // each rule has its weight in the mean
     if (declared.accumulation_line && output.accumulation != Accumulation::normalized_sum) {
       problems_.add_note(declared.accumulation_line,
-                         "ACCU does not count for " + in_quotes(output.name) +
+                         "ACCU does not count for " + name_in_quotes(output.name) +
                              ", which has Linear terms: each rule has its weight. Remove it.");
     }
     output.accumulation = Accumulation::normalized_sum;
@@ -75,11 +75,12 @@ void ModelBuilder::check_accumulation(std::size_t index) {
   std::set<std::size_t> seen;
   for (const Conclusion& conclusion : conclusions_) {
     if (conclusion.output == index && !seen.insert(conclusion.term).second) {
-      problems_.add_note(declared.block_line,
-                         "Several rules conclude " +
-                             in_quotes(output.name + " IS " + output.terms[conclusion.term].name) +
-                             ", and there is no ACCU. The strongest counts, where fuzzylite adds "
-                             "them up. Write ACCU : MAX or ACCU : NSUM.");
+      problems_.add_note(
+          declared.block_line,
+          "Several rules conclude " +
+              name_in_quotes(output.name + " IS " + output.terms[conclusion.term].name) +
+              ", and there is no ACCU. The strongest counts, where fuzzylite adds "
+              "them up. Write ACCU : MAX or ACCU : NSUM.");
       return;
     }
   }
@@ -113,7 +114,7 @@ void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
       hedges.insert(0, conclusion.hedges + (hedges.empty() ? "" : " "));
       if (i + 1 < rule.conclusions.size()) {
         problems_.add_note(conclusion.term.line,
-                           "The hedge before " + in_quotes(conclusion.term.text) +
+                           "The hedge before " + name_in_quotes(conclusion.term.text) +
                                " holds for the conclusions after it too, as in fuzzylite. Write a "
                                "rule for each conclusion if that is not meant.");
       }
@@ -124,7 +125,7 @@ void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
     }
     if (!declared->output) {
       problems_.add(conclusion.variable.line,
-                    in_quotes(conclusion.variable.text) +
+                    name_in_quotes(conclusion.variable.text) +
                         " is an input. A rule concludes on outputs; correct the name.");
       continue;
     }
@@ -139,11 +140,11 @@ void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
       for (const Term& candidate : output.terms) {
         names.push_back(candidate.name);
       }
-      problems_.add(conclusion.term.line, "The output " + in_quotes(output.name) + " has no term " +
-                                              in_quotes(conclusion.term.text) + "." +
-                                              did_you_mean(conclusion.term.text, names) +
-                                              " Its terms are " + base::enumerated(names, "or") +
-                                              ".");
+      problems_.add(conclusion.term.line,
+                    "The output " + name_in_quotes(output.name) + " has no term " +
+                        name_in_quotes(conclusion.term.text) + "." +
+                        did_you_mean(conclusion.term.text, names) + " Its terms are " +
+                        base::enumerated(names, "or") + ".");
       continue;
     }
     conclusions_.push_back({model_->rules.size(), declared->index,
@@ -194,7 +195,7 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
   }
   if (declared->output) {
     problems_.add(condition.variable.line,
-                  in_quotes(condition.variable.text) +
+                  name_in_quotes(condition.variable.text) +
                       " is an output. A condition asks for inputs; correct the name. (Conditions "
                       "on outputs are an extension of fuzzylite and jFuzzyLogic, each in its own "
                       "sense, which is not supported.)");
@@ -213,9 +214,9 @@ bool ModelBuilder::comparison(const ast::Condition& condition, bool negated,
     }
     problems_.add(
         condition.term.line,
-        "The input " + in_quotes(input.name) + " has no term " + in_quotes(condition.term.text) +
-            "." + did_you_mean(condition.term.text, names) + " Its terms are " +
-            base::enumerated(names, "or") + "." +
+        "The input " + name_in_quotes(input.name) + " has no term " +
+            name_in_quotes(condition.term.text) + "." + did_you_mean(condition.term.text, names) +
+            " Its terms are " + base::enumerated(names, "or") + "." +
             (same_name(condition.term.text, "any") ? " (The hedge 'any' is a fuzzylite extension, "
                                                      "which is not supported.)"
                                                    : ""));

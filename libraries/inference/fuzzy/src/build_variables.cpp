@@ -19,8 +19,8 @@ void ModelBuilder::declare(const std::vector<ast::VariableDeclaration>& variable
     if (!is_new) {
       const ast::Name& first = place->second.declaration->name;
       problems_.add(declaration.name.line,
-                    "The variable " + in_quotes(declaration.name.text) +
-                        " is declared a second time; the first is " + in_quotes(first.text) +
+                    "The variable " + name_in_quotes(declaration.name.text) +
+                        " is declared a second time; the first is " + name_in_quotes(first.text) +
                         " in line " + std::to_string(first.line) +
                         ". Names are the same in any letter case: choose another one.");
       continue;
@@ -48,8 +48,8 @@ ModelBuilder::Declared* ModelBuilder::find(const ast::Name& name, const char* wa
   for (const auto& [key, declared] : variables_) {
     names.push_back(declared.declaration->name.text);
   }
-  problems_.add(name.line, "There is no " + std::string(wanted) + " " + in_quotes(name.text) + "." +
-                               did_you_mean(name.text, names) + " Declare it in " +
+  problems_.add(name.line, "There is no " + std::string(wanted) + " " + name_in_quotes(name.text) +
+                               "." + did_you_mean(name.text, names) + " Declare it in " +
                                (std::string_view(wanted) == "output" ? "VAR_OUTPUT" : "VAR_INPUT") +
                                " or correct the name.");
   return nullptr;
@@ -62,7 +62,7 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
     return;
   }
   if (declared->output != output) {
-    problems_.add(block.name.line, in_quotes(block.name.text) + " is an " +
+    problems_.add(block.name.line, name_in_quotes(block.name.text) + " is an " +
                                        (output ? "input" : "output") + ", so its block is " +
                                        (output ? "FUZZIFY" : "DEFUZZIFY") + ", not " + keyword +
                                        ".");
@@ -71,7 +71,7 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
   }
   if (declared->block_line) {
     problems_.add(block.name.line, "A second " + std::string(keyword) + " block of " +
-                                       in_quotes(block.name.text) + "; the first is in line " +
+                                       name_in_quotes(block.name.text) + "; the first is in line " +
                                        std::to_string(declared->block_line) +
                                        ". Put them together.");
     return;
@@ -80,19 +80,19 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
   Variable& target = variable(*declared);
   range(block, *declared, target);
   if (output && block.terms.empty()) {
-    problems_.add(block.name.line, "The variable " + in_quotes(block.name.text) +
+    problems_.add(block.name.line, "The variable " + name_in_quotes(block.name.text) +
                                        " has no terms. Write at least one TERM.");
   }
   std::map<std::string, const ast::Name*> seen;
   for (const ast::Term& term : block.terms) {
     const auto [place, is_new] = seen.try_emplace(lower(term.name.text), &term.name);
     if (!is_new) {
-      problems_.add(term.name.line,
-                    "The term " + in_quotes(term.name.text) + " of " + in_quotes(block.name.text) +
-                        " is defined a second time; the first is " +
-                        in_quotes(place->second->text) + " in line " +
-                        std::to_string(place->second->line) +
-                        ". Names are the same in any letter case: choose another one.");
+      problems_.add(
+          term.name.line,
+          "The term " + name_in_quotes(term.name.text) + " of " + name_in_quotes(block.name.text) +
+              " is defined a second time; the first is " + name_in_quotes(place->second->text) +
+              " in line " + std::to_string(place->second->line) +
+              ". Names are the same in any letter case: choose another one.");
       continue;
     }
     if (output && same_name(term.shape, "linear")) {
@@ -138,13 +138,13 @@ void ModelBuilder::range(const ast::VariableBlock& block, const Declared& declar
     const ast::RangeStatement& stated = **statement;
     if (!(stated.range.low < stated.range.high)) {
       problems_.add(stated.line, "The RANGE " + range_text(stated.range) + " of " +
-                                     in_quotes(block.name.text) +
+                                     name_in_quotes(block.name.text) +
                                      " is empty: its lower end must be below its upper end.");
       continue;
     }
     if (variable.range_given && !(variable.range == stated.range)) {
       problems_.add(stated.line, "The RANGE " + range_text(stated.range) + " of " +
-                                     in_quotes(block.name.text) + " contradicts " +
+                                     name_in_quotes(block.name.text) + " contradicts " +
                                      range_text(variable.range) + " in line " +
                                      std::to_string(first->line) + ". Remove one of the two.");
       continue;
@@ -190,7 +190,7 @@ std::vector<FuzzySet::Point> ModelBuilder::without_repetitions(const ast::Term& 
     at = end;
   }
   if (repeats) {
-    problems_.add_note(term.name.line, "The term " + in_quotes(term.name.text) +
+    problems_.add_note(term.name.line, "The term " + name_in_quotes(term.name.text) +
                                            " repeats points of one x. Write each once; a step has "
                                            "two.");
   }
@@ -200,7 +200,7 @@ std::vector<FuzzySet::Point> ModelBuilder::without_repetitions(const ast::Term& 
 bool ModelBuilder::check_points(const ast::Term& term) {
   const int line = term.name.line;
   if (term.points.size() == 1) {
-    problems_.add(line, "The term " + in_quotes(term.name.text) +
+    problems_.add(line, "The term " + name_in_quotes(term.name.text) +
                             " has one point only. Write a singleton as := " +
                             number_text(term.points[0].x) + ", or give at least two points.");
     return false;
@@ -209,7 +209,7 @@ bool ModelBuilder::check_points(const ast::Term& term) {
     const FuzzySet::Point& point = term.points[i];
     const std::string text = "(" + number_text(point.x) + ", " + number_text(point.degree) + ")";
     if (!(point.degree >= 0.0 && point.degree <= 1.0)) {
-      problems_.add(line, "The point " + text + " of the term " + in_quotes(term.name.text) +
+      problems_.add(line, "The point " + text + " of the term " + name_in_quotes(term.name.text) +
                               " has the degree " + number_text(point.degree) +
                               ". Degrees lie in 0 to 1.");
       return false;
@@ -219,14 +219,14 @@ bool ModelBuilder::check_points(const ast::Term& term) {
     }
     const FuzzySet::Point& before = term.points[i - 1];
     if (point.x < before.x) {
-      problems_.add(
-          line, "The points of the term " + in_quotes(term.name.text) + " do not ascend: " + text +
-                    " comes after x = " + number_text(before.x) + ". Put them in the order of x.");
+      problems_.add(line, "The points of the term " + name_in_quotes(term.name.text) +
+                              " do not ascend: " + text + " comes after x = " +
+                              number_text(before.x) + ". Put them in the order of x.");
       return false;
     }
     if (point.x == before.x &&
         (point.degree == before.degree || (i > 1 && term.points[i - 2].x == point.x))) {
-      problems_.add(line, "The points of the term " + in_quotes(term.name.text) +
+      problems_.add(line, "The points of the term " + name_in_quotes(term.name.text) +
                               " do not ascend: x = " + number_text(point.x) +
                               " occurs too often. A step has two points of one x, with different "
                               "degrees.");
@@ -240,10 +240,10 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
   if (term.singleton) {
     const double x = *term.singleton;
     if (variable.range_given && (x < variable.range.low || x > variable.range.high)) {
-      problems_.add(term.name.line, "The singleton " + in_quotes(term.name.text) + " at " +
-                                        number_text(x) + " lies outside the RANGE " +
-                                        range_text(variable.range) + " of " +
-                                        in_quotes(variable.name) + ". Correct one of the two.");
+      problems_.add(term.name.line,
+                    "The singleton " + name_in_quotes(term.name.text) + " at " + number_text(x) +
+                        " lies outside the RANGE " + range_text(variable.range) + " of " +
+                        name_in_quotes(variable.name) + ". Correct one of the two.");
       return std::nullopt;
     }
     return FuzzySet{{{x, 0.0}, {x, 1.0}, {x, 0.0}}};
@@ -254,8 +254,8 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
     return check_points(tidy) ? std::optional(FuzzySet{tidy.points}) : std::nullopt;
   }
   if (term.formula) {
-    problems_.add(term.name.line, "The term " + in_quotes(term.name.text) + " of the input " +
-                                      in_quotes(variable.name) +
+    problems_.add(term.name.line, "The term " + name_in_quotes(term.name.text) + " of the input " +
+                                      name_in_quotes(variable.name) +
                                       " is a formula, which says where a term of an output "
                                       "stands. Write points or a shape.");
     return std::nullopt;
@@ -264,8 +264,8 @@ std::optional<FuzzySet> ModelBuilder::term_set(const ast::Term& term, const Vari
     return make_shape(term.shape, term.parameters,
                       variable.range_given ? std::optional(variable.range) : std::nullopt);
   } catch (const std::invalid_argument& problem) {
-    problems_.add(term.name.line, "In the term " + in_quotes(term.name.text) + " of " +
-                                      in_quotes(variable.name) + ": " + problem.what());
+    problems_.add(term.name.line, "In the term " + name_in_quotes(term.name.text) + " of " +
+                                      name_in_quotes(variable.name) + ": " + problem.what());
     return std::nullopt;
   }
 }
@@ -275,8 +275,8 @@ void ModelBuilder::linear_term(const ast::Term& term, Variable& variable) {
   if (term.parameters.size() != model_->inputs.size() + 1) {
     problems_.add(term.name.line, "Linear needs a number for each input and one more, " +
                                       std::to_string(model_->inputs.size() + 1) +
-                                      " in all, but the term " + in_quotes(term.name.text) +
-                                      " of " + in_quotes(variable.name) + " has " +
+                                      " in all, but the term " + name_in_quotes(term.name.text) +
+                                      " of " + name_in_quotes(variable.name) + " has " +
                                       std::to_string(term.parameters.size()) + ".");
     variable.terms.push_back({term.name.text, FuzzySet{}, 0.0, {}, ""});
     return;
@@ -303,7 +303,7 @@ void ModelBuilder::formula_term(const ast::Term& term, std::size_t output) {
     const ast::Name& name = term.formula->variables[step.input];
     Declared* input = find(name, "input");
     if (input && input->output) {
-      problems_.add(name.line, in_quotes(name.text) +
+      problems_.add(name.line, name_in_quotes(name.text) +
                                    " is an output. A formula works on inputs; correct the name. "
                                    "(Formulas of outputs are a fuzzylite extension, which is not "
                                    "supported.)");
@@ -333,7 +333,7 @@ void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable&
                                            [](const Term& t) { return t.singleton.has_value(); });
   std::optional<Defuzzification> method = word(block.method, kMethod, "METHOD");
   if (all_singletons && method == Defuzzification::centroid) {
-    problems_.add_note(block.method->line, "The terms of " + in_quotes(output.name) +
+    problems_.add_note(block.method->line, "The terms of " + name_in_quotes(output.name) +
                                                " are singletons, whose centre of gravity is that "
                                                "of COGS. Write METHOD : COGS.");
     method = Defuzzification::centroid_of_singletons;
@@ -350,7 +350,7 @@ void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable&
     if (statement.value && output.range_given &&
         (*statement.value < output.range.low || *statement.value > output.range.high)) {
       problems_.add(statement.line, "The DEFAULT " + number_text(*statement.value) + " of " +
-                                        in_quotes(output.name) + " lies outside its RANGE " +
+                                        name_in_quotes(output.name) + " lies outside its RANGE " +
                                         range_text(output.range) + ". Correct one of the two.");
     }
   }
@@ -366,20 +366,21 @@ void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const Out
   const bool needs_area =
       output.method == Defuzzification::centroid || output.method == Defuzzification::bisector;
   if (singletons > 0 && singletons < static_cast<std::ptrdiff_t>(output.terms.size())) {
-    problems_.add(block.name.line, "The output " + in_quotes(output.name) +
+    problems_.add(block.name.line, "The output " + name_in_quotes(output.name) +
                                        " has both singletons and terms with an area. Make all its "
                                        "terms of one kind.");
     return;
   }
   if (needs_singletons && singletons == 0 && !output.terms.empty()) {
-    problems_.add(line, "COGS works on singletons, but the terms of " + in_quotes(output.name) +
+    problems_.add(line, "COGS works on singletons, but the terms of " +
+                            name_in_quotes(output.name) +
                             " have an area. Use COG, or write the terms as := value. (COGS of "
                             "sloping terms, Tsukamoto's method, is a fuzzylite extension, which "
                             "is not supported.)");
     return;
   }
   if (needs_area && singletons > 0) {
-    problems_.add(line, "The terms of " + in_quotes(output.name) +
+    problems_.add(line, "The terms of " + name_in_quotes(output.name) +
                             " are singletons, which have no area. Use METHOD : COGS.");
     return;
   }
@@ -395,7 +396,7 @@ void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const Out
           std::find_if(block.terms.begin(), block.terms.end(),
                        [&](const ast::Term& t) { return t.name.text == term.name; });
       problems_.add(written->name.line,
-                    "The term " + in_quotes(term.name) + " of " + in_quotes(output.name) +
+                    "The term " + name_in_quotes(term.name) + " of " + name_in_quotes(output.name) +
                         " has no area within " + range_text(output.range) +
                         ", so that nothing can be concluded from it. Correct the term or the "
                         "RANGE.");
@@ -408,7 +409,7 @@ void ModelBuilder::accumulate(Declared& declared, Accumulation accumulation, int
   if (declared.accumulation_line && output.accumulation != accumulation) {
     problems_.add(line, "This ACCU contradicts that of line " +
                             std::to_string(declared.accumulation_line) + " for the output " +
-                            in_quotes(output.name) +
+                            name_in_quotes(output.name) +
                             ". An output has one accumulation: make them "
                             "the same.");
     return;

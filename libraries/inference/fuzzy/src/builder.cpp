@@ -16,7 +16,7 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
     if (declared.block_line == 0 && declared.output) {
       const ast::Name& written = declared.declaration->name;
       problems_.add(written.line,
-                    "The variable " + in_quotes(written.text) +
+                    "The variable " + name_in_quotes(written.text) +
                         " has no DEFUZZIFY block. Write one, or remove the variable.");
     }
   }
@@ -58,7 +58,7 @@ void ModelBuilder::variable_blocks() {
       variable_block(block, false);
       continue;
     }
-    problems_.add_note(block.name.line, in_quotes(block.name.text) +
+    problems_.add_note(block.name.line, name_in_quotes(block.name.text) +
                                             " is an output, whose terms belong into its DEFUZZIFY "
                                             "block. Write them there.");
     rest->terms = block.terms;
@@ -80,7 +80,8 @@ void ModelBuilder::check_use(const Declared& declared) {
     } else {
       input.range = {-1.0, 1.0};
     }
-    const std::string lacks = "The variable " + in_quotes(written.text) + " has no FUZZIFY block";
+    const std::string lacks =
+        "The variable " + name_in_quotes(written.text) + " has no FUZZIFY block";
     if (declared.used) {
       problems_.add(written.line, lacks + ". Write one, or remove the variable.");
     } else if (!declared.in_formula) {
@@ -89,7 +90,7 @@ void ModelBuilder::check_use(const Declared& declared) {
     return;
   }
   if (!declared.output && declared.used && !declared.usable) {
-    problems_.add(declared.block_line, "The variable " + in_quotes(written.text) +
+    problems_.add(declared.block_line, "The variable " + name_in_quotes(written.text) +
                                            " has no terms. Write at least one TERM.");
     return;
   }
@@ -97,12 +98,13 @@ void ModelBuilder::check_use(const Declared& declared) {
     return;
   }
   if (!declared.output) {
-    problems_.add_note(written.line, "No rule asks for the variable " + in_quotes(written.text) +
+    problems_.add_note(written.line, "No rule asks for the variable " +
+                                         name_in_quotes(written.text) +
                                          ". Write one, or remove the variable.");
     return;
   }
   const OutputVariable& output = model_->outputs[declared.index];
-  const std::string undecided = "No rule decides the variable " + in_quotes(written.text);
+  const std::string undecided = "No rule decides the variable " + name_in_quotes(written.text);
   output.default_value || output.keeps_last
       ? problems_.add_note(written.line, undecided +
                                              ": it always has its DEFAULT. Write one, or "
@@ -122,7 +124,7 @@ void ModelBuilder::check_coverage() {
     }
     const int line = variables_.at(lower(output.name)).block_line;
     const std::string lacks =
-        "The output " + in_quotes(output.name) + " has no DEFAULT, but no rule " +
+        "The output " + name_in_quotes(output.name) + " has no DEFAULT, but no rule " +
         (gap->certain ? "decides it" : "could be shown to decide it") + " at " + gap->example;
     const std::string remedy =
         "Add DEFAULT := value to its DEFUZZIFY block, or a rule for this case.";

@@ -80,8 +80,8 @@ class ModelBuilder {
       known.emplace_back(candidate.word);
     }
     const char* const tool = tool_of(name->text);
-    problems_.add(name->line, "Found " + in_quotes(name->text) + " for " + keyword + ", expected " +
-                                  base::enumerated(known, "or") + "." +
+    problems_.add(name->line, "Found " + name_in_quotes(name->text) + " for " + keyword +
+                                  ", expected " + base::enumerated(known, "or") + "." +
                                   (tool ? " (This is a " + std::string(tool) +
                                               " extension, which is not supported.)"
                                         : ""));

@@ -10,12 +10,8 @@
 
 namespace elsie::fuzzy {
 
+using base::name_in_quotes;
 using base::number_text;
-
-/// Quotes a name of a model in full length.
-inline std::string in_quotes(std::string_view name) {
-  return base::in_quotes(name, std::string_view::npos);
-}
 
 /// ASCII letters in lower case, other characters unchanged.
 std::string lower(std::string_view text);

@@ -9,6 +9,7 @@
 #include "elsie/api/reading.h"
 #include "elsie/base/error.h"
 #include "elsie/output/base64.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/traces/trace_rows.h"
 #include "elsie/world/parts.h"
 
@@ -57,7 +58,7 @@ Json members_json(const RobotView& robot) {
                        {"asked", row.asked},
                        {"command", motion_json(row.command)},
                        {"inhibited_by", inhibitor ? inhibitor - robot.trace.data() : -1},
-                       {"reason", traces::one_line(row.reason)}});
+                       {"reason", output::one_line(row.reason)}});
   }
   return members;
 }

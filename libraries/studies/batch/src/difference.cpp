@@ -27,8 +27,6 @@ std::string hashes(const std::string& before, const std::string& now) {
   return "SHA-256 " + before.substr(0, kEnough) + ", now " + now.substr(0, kEnough);
 }
 
-std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
-
 // Rows of a query, as a map from first to second column.
 std::map<std::string, std::string> pairs(sqlite::Connection& connection, const std::string& query) {
   std::map<std::string, std::string> found;
@@ -54,8 +52,8 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
     const char* what = i < plan.program_files           ? "the program's library "
                        : file.kind == FileKind::library ? "the plugin library "
                                                         : "the data file ";
-    changes.push_back(what + in_quotes(file.path) + " (" + hashes(before->second, file.sha256) +
-                      ")");
+    changes.push_back(what + base::name_in_quotes(file.path) + " (" +
+                      hashes(before->second, file.sha256) + ")");
     named.insert(file.path);
   }
   // Libraries that have another path now.
@@ -68,7 +66,7 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
     for (const auto& [path, sha256] : known) {
       if (path != file.path && stem(path) == stem(file.path) && sha256 != file.sha256 &&
           named.insert(file.path).second) {
-        changes.push_back("the program's library " + in_quotes(file.path) + " (" +
+        changes.push_back("the program's library " + base::name_in_quotes(file.path) + " (" +
                           hashes(sha256, file.sha256) + ")");
       }
     }
@@ -84,8 +82,9 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
     }
     const PlannedFile& file = plan.files[*plugin.file];
     if (before->second != file.sha256 && named.insert(file.path).second) {
-      changes.push_back("the " + plugin.kind + " " + in_quotes(plugin.name) + ", which is from " +
-                        in_quotes(file.path) + " (" + hashes(before->second, file.sha256) + ")");
+      changes.push_back("the " + plugin.kind + " " + base::name_in_quotes(plugin.name) +
+                        ", which is from " + base::name_in_quotes(file.path) + " (" +
+                        hashes(before->second, file.sha256) + ")");
     }
   }
   const auto data = pairs(connection,
@@ -96,7 +95,7 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
       const PlannedFile& file = plan.files[one.file];
       const auto before = data.find(std::to_string(id) + '\n' + one.name);
       if (before != data.end() && before->second != file.sha256 && named.insert(file.path).second) {
-        changes.push_back("the data file " + in_quotes(file.path) + " (" +
+        changes.push_back("the data file " + base::name_in_quotes(file.path) + " (" +
                           hashes(before->second, file.sha256) + ")");
       }
     }
@@ -117,7 +116,8 @@ void compare_worlds(const StoredGrid& stored, const Matches& cells, Changes& cha
   }
   for (const auto& [file, what] : changed) {
     changes.push_back(
-        "the world " + in_quotes(file) + " or what the experiment sets in it (" + what.first +
+        "the world " + base::name_in_quotes(file) + " or what the experiment sets in it (" +
+        what.first +
         (what.second > 1 ? ", in the first of " + std::to_string(what.second) + " cells" : "") +
         ")");
   }
@@ -146,7 +146,7 @@ std::vector<std::string> losses(const StoredGrid& stored, const Plan& plan) {
   if (!gone.cells.empty()) {
     std::vector<std::string> quoted;
     for (const std::string& cell : gone.cells) {
-      quoted.push_back(in_quotes(cell));
+      quoted.push_back(base::name_in_quotes(cell));
     }
     changes.push_back((quoted.size() == 1 ? "the cell " : "the cells ") + base::listed(quoted) +
                       " (removed)");
@@ -200,7 +200,7 @@ std::string difference(sqlite::Connection& connection, const StoredGrid& stored,
   }
   if (const std::string text = connection.text("SELECT text FROM about");
       changes.empty() && text != plan.text) {
-    changes.push_back("the experiment file " + in_quotes(plan.file) + " (" +
+    changes.push_back("the experiment file " + base::name_in_quotes(plan.file) + " (" +
                       hashes(results::sha256(text), results::sha256(plan.text)) + ")");
   }
   std::string list;

@@ -4,20 +4,15 @@
 #include <sstream>
 #include <string_view>
 
+#include "elsie/output/clean_text.h"
 #include "elsie/process/run_process.h"
 
 namespace elsie::cluster {
 namespace {
 
 /// The end of a command's output, on one line.
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') {
-    text.pop_back();
-  }
-  for (char& c : text) {
-    c = c == '\n' ? ' ' : c;
-  }
-  return text;
+std::string end_of(std::string_view output) {
+  return output::one_line(output.substr(0, output.find_last_not_of('\n') + 1));
 }
 
 process::ProcessResult answer_of(const std::vector<std::string>& command) {
@@ -82,7 +77,7 @@ std::string submit(const ArrayRequest& request) {
   const std::string job = last.substr(0, last.find(';'));
   if (result.exit_code != 0 || job.empty() ||
       job.find_first_not_of("0123456789") != std::string::npos) {
-    throw ClusterRefused("Slurm does not take the job array: " + one_line(result.output));
+    throw ClusterRefused("Slurm does not take the job array: " + end_of(result.output));
   }
   return job;
 }
@@ -91,7 +86,7 @@ std::vector<Task> unfinished(const std::string& name) {
   const process::ProcessResult result =
       answer_of({"squeue", "--me", "--noheader", "--array", "--name=" + name, "--format=%K|%t|%r"});
   if (result.exit_code != 0) {
-    throw ClusterSilent("Slurm does not answer: " + one_line(result.output));
+    throw ClusterSilent("Slurm does not answer: " + end_of(result.output));
   }
   std::vector<Task> tasks;
   std::istringstream lines(result.output);
@@ -101,7 +96,8 @@ std::vector<Task> unfinished(const std::string& name) {
     const std::size_t second = line.find('|', first + 1);
     if (second == std::string::npos ||
         std::from_chars(line.data(), line.data() + first, task.number).ptr != line.data() + first) {
-      throw ClusterSilent("the output of squeue is not a task of a job array: " + one_line(line));
+      throw ClusterSilent("the output of squeue is not a task of a job array: " +
+                          output::one_line(line));
     }
     const std::string state = line.substr(first + 1, second - first - 1);
     task.running = state == "R" || state == "CG";

@@ -12,6 +12,7 @@
 
 #include <muParser.h>
 
+#include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
 
 namespace elsie::experiment {
@@ -100,9 +101,7 @@ std::vector<Formula::Name> scanned(const std::string& text) {
     } else if (std::string_view("+-*/^(), \t\r\n").find(text[at]) != std::string_view::npos) {
       ++at;
     } else {
-      do {
-        ++at;  // to the end of a character in UTF-8
-      } while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U);
+      at += std::max<std::size_t>(base::character_at(text, at).bytes, 1);
       fail(begin + 1, "unexpected " + base::in_quotes(text.substr(begin, at - begin)) +
                           "; a formula has numbers, names, + - * / ^ ( ) and \",\"");
     }

@@ -236,9 +236,4 @@ Margin margin_of(const Findings& findings, const Response& response, const Balan
   return margin;
 }
 
-Margin margin_of(const Findings& findings, const Response& response,
-                 const std::vector<std::size_t>& cells, bool with_interval) {
-  return margin_of(findings, response, balanced(findings, response, {cells}, {}), 0, with_interval);
-}
-
 }  // namespace elsie::report

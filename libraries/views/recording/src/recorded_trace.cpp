@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/output/rounded.h"
 #include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace_rows.h"
@@ -17,7 +18,7 @@
 namespace elsie::recording {
 namespace {
 
-using traces::one_line;
+using output::one_line;
 using traces::Trace;
 using traces::TraceMember;
 using traces::TraceNote;
@@ -239,9 +240,9 @@ traces::Trace read_trace(const std::filesystem::path& file) {
     for (TraceMember& member : robot.members) {
       auto& times = member.times;
       times.mean_s = times.answers > 0
-                         ? traces::shortened(times.mean_s / static_cast<double>(times.answers))
+                         ? traces::to_four_digits(times.mean_s / static_cast<double>(times.answers))
                          : 0.0;
-      times.longest_s = traces::shortened(times.longest_s);
+      times.longest_s = traces::to_four_digits(times.longest_s);
     }
   }
   return trace;

@@ -153,8 +153,6 @@ class Renderer::Impl {
 
 Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
 Renderer::~Renderer() = default;
-Renderer::Renderer(Renderer&&) noexcept = default;
-Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::render(const Scene& scene, std::span<const View> views,
                       std::span<Image* const> pictures) {

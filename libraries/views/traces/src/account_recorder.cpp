@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "elsie/output/clean_text.h"
 #include "elsie/output/csv_line.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/trace_rows.h"
@@ -153,7 +154,7 @@ class AccountRecorder::Impl {
   }
 
   std::uint32_t place_of(const char* reason) {
-    std::string text = one_line(reason);
+    std::string text = output::one_line(reason);
     if (text.empty()) {
       return 0;
     }

@@ -1,9 +1,9 @@
 #include "elsie/traces/trace_rows.h"
 
-#include <array>
 #include <charconv>
 #include <cstring>
 
+#include "elsie/base/number_text.h"
 #include "elsie/output/rounded.h"
 
 namespace elsie::traces {
@@ -21,31 +21,18 @@ Motion kept(const Motion& motion) {
           output::rounded(motion.turn, kMotionDecimals)};
 }
 
-double shortened(double value) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::general, kWeightDigits)
-                       .ptr;
+double to_four_digits(double value) {
+  const std::string digits = base::number_text(value, kWeightDigits);
   double result = 0.0;
-  std::from_chars(digits.data(), end, result);
+  std::from_chars(digits.data(), digits.data() + digits.size(), result);
   return result + 0.0;
-}
-
-std::string one_line(std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      c = ' ';
-    }
-  }
-  return line;
 }
 
 TraceRow kept(TraceRow row) {
   row.command = row.asked ? kept(row.command) : Motion{};
   row.activation = row.asked ? output::rounded(row.activation, kDecimals) : 0.0;
   row.strength = row.asked ? output::rounded(row.strength, kDecimals) : 0.0;
-  row.weight = shortened(row.weight);
+  row.weight = to_four_digits(row.weight);
   row.share = output::rounded(row.share, kDecimals);
   return row;
 }

@@ -24,5 +24,7 @@ std::string enumerated(const std::vector<std::string>& items, std::string_view l
 /// A piece of a file for a message, between single quotes: at most `most` bytes, whole characters,
 /// "?" for unprintable ones.
 std::string in_quotes(std::string_view word, std::size_t most = 40);
+/// A name in full length, likewise.
+inline std::string name_in_quotes(std::string_view name) { return in_quotes(name, name.npos); }
 
 }  // namespace elsie::base

@@ -76,8 +76,4 @@ struct Margin {
 Margin margin_of(const Findings& findings, const Response& response, const Balance& balance,
                  std::size_t group, bool with_interval = true);
 
-/// The margin of one group by itself: only its seeds have to be complete.
-Margin margin_of(const Findings& findings, const Response& response,
-                 const std::vector<std::size_t>& cells, bool with_interval = true);
-
 }  // namespace elsie::report

@@ -37,8 +37,6 @@ class Renderer {
   /// Throws RenderError without EGL or OpenGL 3.3.
   Renderer();
   ~Renderer();
-  Renderer(Renderer&&) noexcept;
-  Renderer& operator=(Renderer&&) noexcept;
 
   /// Takes a picture of each view into `pictures`, which has as many entries; they get the size of
   /// the camera and three channels. An image's memory is reused.

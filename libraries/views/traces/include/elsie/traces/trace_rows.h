@@ -14,10 +14,7 @@
 namespace elsie::traces {
 
 /// The number to four significant digits.
-double shortened(double value);
-
-/// The text without line breaks and other control characters.
-std::string one_line(std::string_view text);
+double to_four_digits(double value);
 
 /// A row as a trace keeps it: activation, strength and share to three decimals, the command to
 /// five, the weight to four significant digits. The first three are zero if the behaviour was not

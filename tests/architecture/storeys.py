@@ -1,0 +1,97 @@
+"""What each library, program, plugin and module may use, and how a file says what it uses: for check_storeys.py and scripts/library-table."""
+import re
+import subprocess
+from pathlib import Path
+
+# The C++ runtime, which everything may use; the sanitizers' libraries belong to it.
+RUNTIME = {"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64", "ld-linux-aarch64", "libasan", "libubsan", "libtsan"}
+
+# What each library and program may name in its link line, besides the runtime: other storeys, and libraries that are not Elsie's.
+MAY_NEED = {
+    "lib/libelsie-base.so": set(),
+    "lib/libelsie.so": {"libelsie-base", "libtinyxml2"},
+    "lib/libelsie-inference.so": {"libelsie-base"},
+    "lib/libelsie-workshop.so": {"libelsie-base", "libelsie", "libelsie-inference"},
+    "lib/libelsie-editing.so": {"libelsie-base", "libelsie"},
+    "lib/libelsie-views.so": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
+    "lib/libelsie-testing.so": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
+    "lib/libelsie-session.so": {"libelsie-base"},
+    "lib/libelsie-server.so": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-views", "libelsie-workshop"},
+    "lib/libelsie-studies.so": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto", "libmuparser"},
+    "lib/libelsie-vision.so": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
+    "lib/elsie/layouts.so": {"libelsie-base", "libelsie", "libpng16"},
+    "lib/elsie/engines/ode.so": {"libelsie-base", "libelsie", "libode"},
+    "lib/elsie/engines/planar.so": {"libelsie-base", "libelsie"},
+    "lib/elsie/elsie-program": {"libelsie-base", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
+    "lib/elsie/elsie-commands.so": {"libelsie-base", "libelsie", "libelsie-inference", "libelsie-workshop", "libelsie-editing", "libelsie-views",
+                                    "libelsie-testing", "libelsie-server", "libelsie-studies", "libspdlog", "libfmt"},
+    "bin/elsie": set(),
+    "bin/elsie-desktop": {"libelsie-base", "libelsie-inference", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
+}
+OPTIONAL = {"bin/elsie-desktop"}
+PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
+EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
+
+# The libraries that must come with no storey by a detour: those above, and these; and what some of them bring themselves.
+UNWANTED = {"libGL", "libEGL"}
+BROUGHT = {
+    "libcairo": {"libpng16"},
+    "libpng16": {"libz"},
+    "libopencv_core": {"libz"},
+    "libQt6Gui": {"libGL", "libEGL", "libpng16"},
+}
+
+# The modules of each storey, in the order of docs/architecture.md: none includes a header of a later one.
+MODULES = {
+    "libelsie-base": ["base", "files"],
+    "libelsie": ["api", "plugin", "world", "physics", "simulation"],
+    "libelsie-inference": ["fuzzy", "neural"],
+    "libelsie-workshop": ["process", "build", "reference"],
+    "libelsie-editing": ["editing"],
+    "libelsie-views": ["output", "render", "traces", "picture", "mcap", "recording"],
+    "libelsie-testing": ["testing"],
+    "libelsie-session": ["snapshots", "client"],
+    "libelsie-server": ["server"],
+    "libelsie-studies": ["experiment", "results", "batch", "cluster", "report"],
+}
+HEADERS_ALONE = {"snapshots": {"api"}}  # elsie/api/geometry.h has no code that is not inline
+
+
+def stem(name):
+    """"libode" for "libode.so.8"."""
+    return name.split(".so")[0].split(".")[0] if ".so" in name else name
+
+
+def needed(file):
+    text = subprocess.run(["readelf", "-d", str(file)], capture_output=True, text=True, check=True).stdout
+    return {stem(name) for name in re.findall(r"\(NEEDED\).*\[(.+)\]", text)} - RUNTIME
+
+
+def loaded_with(file):
+    text = subprocess.run(["ldd", str(file)], capture_output=True, text=True, check=True).stdout
+    return {stem(line.split()[0].rsplit("/", 1)[-1]) for line in text.splitlines() if line.strip()}
+
+
+MAY_NEED_BY_NAME = {stem(Path(path).name): allowed for path, allowed in MAY_NEED.items()}
+
+
+def closure(allowed):
+    """These libraries, those that they may need, and what they bring."""
+    found = set()
+    while allowed - found:
+        found |= allowed
+        allowed = set().union(*(MAY_NEED_BY_NAME.get(name, set()) | BROUGHT.get(name, set()) for name in found))
+    return found
+
+
+def sources(folder):
+    return sorted(file for file in folder.rglob("*") if file.suffix in (".h", ".cpp"))
+
+
+def folders_of_modules(root):
+    """The folder of each module, by its name."""
+    return {header.name: header.parents[2] for part in ("core", "libraries") for header in (root / part).glob("**/include/elsie/*")}
+
+
+def lines(files):
+    return sum(file.read_text().count("\n") for file in files)
