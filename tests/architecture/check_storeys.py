@@ -19,13 +19,16 @@ STOREYS = {
     "libelsie": {"libelsie-base", "libtinyxml2"},
     "libelsie-inference": {"libelsie-base"},
     "libelsie-workshop": {"libelsie-base", "libelsie", "libelsie-inference"},
-    "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libepoxy", "libzstd", "libz"},
+    "libelsie-render": {"libelsie-base", "libelsie", "libepoxy"},
+    "libelsie-views": {"libelsie-base", "libelsie", "libcairo", "libzstd", "libz"},
     "libelsie-editing": {"libelsie-base", "libelsie"},
     "libelsie-session": {"libelsie-base"},
-    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-views", "libelsie-workshop"},
-    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto", "libmuparser"},
+    "libelsie-server": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-render", "libelsie-views",
+                        "libelsie-workshop"},
+    "libelsie-studies": {"libelsie-base", "libelsie", "libelsie-render", "libelsie-views", "libelsie-workshop", "libsqlite3", "libcrypto",
+                         "libmuparser"},
     "libelsie-vision": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
-    "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-views", "libelsie-workshop"},
+    "libelsie-testing": {"libelsie-base", "libelsie", "libelsie-render", "libelsie-workshop"},
 }
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
 EXCEPTIONS = {}  # by plugin: the libraries of others that it may need
