@@ -37,20 +37,19 @@ TEST_CASE("An event has a name and a detail as text") {
   CHECK(events::facts_of(events::Collected{"gold"})->name == "collected");
 }
 
-TEST_CASE("The detail of a change is read back") {
-  const auto changed = events::Changed::from("robot[r1]/behavior[a]/@text=b/@c=d");
-  REQUIRE(changed);
-  CHECK(changed->element == "robot[r1]/behavior[a]");
-  CHECK(changed->attribute == "text");
-  CHECK(changed->value == "b/@c=d");
-  const auto element = events::Changed::from("robot[r1]/coordinator=<pick id=\"@c\"/>");
-  REQUIRE(element);
-  CHECK(element->element == "robot[r1]/coordinator");
-  CHECK(element->attribute.empty());
-  CHECK(element->value == "<pick id=\"@c\"/>");
-  for (const char* other : {"", "gold", "robot[r1]/@x", "sensor[eye]: vision", "a=b"}) {
-    CHECK_FALSE(events::Changed::from(other));
-  }
+TEST_CASE("A change has the element and the attribute of its path") {
+  const auto changed = events::Changed::of("robot[r1]/behavior[a]/@text", "b/@c=d");
+  CHECK(changed.element == "robot[r1]/behavior[a]");
+  CHECK(changed.attribute == "text");
+  CHECK(changed.value == "b/@c=d");
+  CHECK(changed.detail() == "robot[r1]/behavior[a]/@text=b/@c=d");
+  const auto of_world = events::Changed::of("@name", "maze");
+  CHECK(of_world.element.empty());
+  CHECK(of_world.detail() == "@name=maze");
+  const auto element = events::Changed::of("robot[r1]/coordinator", "<pick id=\"@c\"/>");
+  CHECK(element.element == "robot[r1]/coordinator");
+  CHECK(element.attribute.empty());
+  CHECK(element.detail() == "robot[r1]/coordinator=<pick id=\"@c\"/>");
   CHECK(events::Changed{"robot[r1]", "x", "3"}.moves_robot());
   CHECK(events::Changed{"robot[r1]", "", "<robot x=\"3\"/>"}.moves_robot());
   CHECK_FALSE(events::Changed{"robot[r1]/drive", "", "<car/>"}.moves_robot());

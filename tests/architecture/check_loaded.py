@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 ELSIE, WORLD, WORLD_WITH_CAMERAS, WORLD_WITH_LAYOUTS = sys.argv[1:]
-UNWANTED = ("libelsie-editing", "libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL",
+UNWANTED = ("libelsie-editing", "libelsie-render", "libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL",
             "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv", "layouts.so", "libpng")
 
 
@@ -31,7 +31,7 @@ found = loaded_by(WORLD, "--duration", "1")
 if found:
     sys.exit(f"a run of {WORLD}, which has no cameras, loads {', '.join(found)}")
 found = loaded_by(WORLD_WITH_CAMERAS, "--duration", "1")
-if not {"libelsie-views", "libepoxy"} <= set(found):
+if not {"libelsie-render", "libepoxy"} <= set(found):
     sys.exit(f"a run of {WORLD_WITH_CAMERAS} should load what takes pictures, but loads only: {', '.join(found) or 'nothing'}")
 found = loaded_by(WORLD_WITH_LAYOUTS, "--duration", "1")
 if found != ["layouts.so", "libpng"]:

@@ -262,5 +262,15 @@ TEST_CASE("New cells bring their plugins and files, and share those that are the
   CHECK(run->libraries.size() == 6);
   CHECK(run->data.size() == 2);
   CHECK(database.run(1)->libraries.size() == 5);
-  CHECK(run->program.size() == 9);
+  CHECK(run->program.size() == 5);
+}
+
+TEST_CASE("New cells may need libraries of the program that the old ones do not") {
+  Begun begun;
+  begun.experiment.factors[0].levels.push_back(
+      {"flat", {test::setting("physics/@engine", "planar")}, {}});
+  ResultsDatabase::extend(begun.file, plan_of(begun.experiment));
+  const auto program = ResultsDatabase::open(begun.file).run(1)->program;
+  REQUIRE(program.size() == 6);
+  CHECK_THAT(program.back().path, Catch::EndsWith("planar.so"));
 }

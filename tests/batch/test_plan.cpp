@@ -98,20 +98,50 @@ TEST_CASE("A cell's world is one text with all that is set in it, and names ever
   CHECK(plan.libraries(cell).size() == 5);
   CHECK(plan.files[0].kind == batch::FileKind::library);
   CHECK_THAT(plan.files[0].path, Contains("libelsie.so"));
-  // And all others that decide a run, each once.
-  REQUIRE(plan.program_files == 9);
-  for (std::size_t i = 1; i < plan.program_files; ++i) {
-    const char* const names[] = {"",
-                                 "engines/ode.so",
-                                 "engines/planar.so",
-                                 "layouts.so",
-                                 "libelsie-base",
-                                 "libelsie-inference",
-                                 "libelsie-views",
-                                 "libelsie-vision",
-                                 "libode"};
-    CHECK_THAT(plan.files[i].path, Contains(names[i]));
-  }
+}
+
+TEST_CASE("The libraries that decide a cell are those that its worlds need") {
+  const test::Folder folder;
+  using Names = std::vector<std::string>;
+  const auto program_of = [&](const std::vector<std::pair<std::string, std::string>>& edits) {
+    std::string text = test::kWorld;
+    for (const auto& [before, after] : edits) {
+      text.replace(text.find(before), before.size(), after);
+    }
+    auto experiment = test::small_experiment(folder);
+    folder.write("small.xml", text);
+    const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+    CHECK(plan.program() == plan.cells[0].program);
+    Names names;
+    for (const std::size_t file : plan.cells[0].program) {
+      CHECK(plan.files[file].kind == batch::FileKind::library);
+      const std::string name = std::filesystem::path(plan.files[file].path).filename().string();
+      names.push_back(name.substr(0, name.find('.')));
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  const Names plain{"libelsie", "libelsie-base", "libelsie-inference", "libode", "ode"};
+  CHECK(program_of({}) == plain);
+  CHECK(program_of({{"<limits", "<physics engine=\"planar\"/><limits"}}) ==
+        Names{"libelsie", "libelsie-base", "libelsie-inference", "planar"});
+  const Names cameras{"libelsie",
+                      "libelsie-base",
+                      "libelsie-inference",
+                      "libelsie-render",
+                      "libelsie-vision",
+                      "libode",
+                      "ode"};
+  CHECK(program_of({{"<sensors>", "<sensors><vision/>"}}) == cameras);
+  // A robot that an edit adds may have one.
+  CHECK(program_of({{"</world>",
+                     "<changes><change time=\"1\" path=\"robot[r1]/sensor[+]\" "
+                     "value=\"&lt;vision/>\"/></changes></world>"}}) == cameras);
+  CHECK(
+      program_of(
+          {{"</world>",
+            "<layouts><scatter id=\"s\" gap=\"0.3\"><static_box/></scatter></layouts></world>"}}) ==
+      Names{"layouts", "libelsie", "libelsie-base", "libelsie-inference", "libode", "ode"});
 }
 
 TEST_CASE("A world's measures are among its plugins, and in its text") {

@@ -146,9 +146,9 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK(run->data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
   CHECK(run->data[0].content.size() > 100);
   CHECK(run->libraries.size() == 5);
-  REQUIRE(run->program.size() == 9);
+  REQUIRE(run->program.size() == 5);
   CHECK_THAT(run->program[0].path, Contains("libelsie.so"));
-  CHECK_THAT(run->program[8].path, Contains("libode"));
+  CHECK_THAT(run->program[4].path, Contains("libode"));
   CHECK(run->record.state == batch::RunState::done);
   CHECK(run->record.state_hash == "0123456789abcdef");
   CHECK(run->record.solver_gave_up == 12U);
@@ -236,6 +236,7 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
                                          "' or what the experiment sets in it (SHA-256 " + before +
                                          ", now bbbbbbbb)"));
   batch::Plan program = plan;
+  program.cells[0].identity = "other";
   program.files[0].sha256 = std::string(64, 'c');
   CHECK_THAT(difference(program),
              Contains("the program's library '" + plan.files[0].path + "' (SHA-256 " +

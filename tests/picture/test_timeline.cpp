@@ -263,13 +263,14 @@ TEST_CASE("The priority that the user gave a behaviour stands beside its lane") 
 
 TEST_CASE("A priority that is changed in the run is drawn where it changes") {
   const Folder folder;
-  const auto changed = [&](const std::string& name, const std::string& detail) {
+  const auto changed = [&](const std::string& attribute) {
     TraceRobot robot = in_turn({{0, 0}});
-    robot.events = {{120, name, detail}};
+    const events::Changed edit{"robot[r1]/behavior[b]", attribute, "2"};
+    robot.events = {{120, "changed", edit.detail(), edit}};
     return drawn(folder, trace_of({robot}));
   };
-  const Bitmap with = changed("changed", "robot[r1]/behavior[b]/@priority=2");
-  const Bitmap without = changed("changed", "robot[r1]/behavior[b]/@speed=2");
+  const Bitmap with = changed("priority");
+  const Bitmap without = changed("speed");
   REQUIRE(with.height() == without.height());
   int least = with.width(), most = 0, differ = 0;
   for (int x = 0; x < with.width(); ++x) {

@@ -1,5 +1,6 @@
 // elsie batch --extend, formulas, excluded combinations, and recordings of chosen runs.
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -23,6 +24,42 @@ void write_grown(const Laboratory& here) {
 }
 
 }  // namespace
+
+TEST_CASE("A batch goes on with another build of what draws charts, not of what decides its runs") {
+  const Laboratory here;
+  // Elsie in a folder of its own. A byte more makes a library another one, which works as before.
+  fs::create_directory(here.file("bin"));
+  fs::copy(elsie::test::build_path("bin/elsie"), here.file("bin/elsie"));
+  fs::copy(elsie::test::build_path("lib"), here.file("lib"),
+           fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  fs::create_directory_symlink(elsie::test::build_path("share"), here.file("share"));
+  const auto batch = [&](const std::string& option) {
+    return here.sh("LD_LIBRARY_PATH=\"$PWD/lib\" bin/elsie batch small_experiment.xml --quiet " +
+                   option);
+  };
+  const auto rebuild = [&](const std::string& library) {
+    std::ofstream(here.file("lib/" + library), std::ios::app | std::ios::binary) << '\n';
+  };
+  REQUIRE(batch("").exit_code == 0);
+  for (const char* const library : {"libelsie-views.so", "libelsie-render.so", "libelsie-vision.so",
+                                    "elsie/layouts.so", "elsie/engines/planar.so"}) {
+    CAPTURE(library);
+    rebuild(library);
+    const auto resumed = batch("--resume");
+    CHECK(resumed.err.empty());
+    CHECK(resumed.exit_code == 0);
+  }
+  for (const char* const library : {"elsie/engines/ode.so", "libelsie.so"}) {
+    CAPTURE(library);
+    const std::string before = here.read(std::string("lib/") + library);
+    rebuild(library);
+    const auto resumed = batch("--resume");
+    CHECK(resumed.exit_code == 2);
+    CHECK_THAT(resumed.err, Contains("the program's library '") && Contains(library));
+    here.write(std::string("lib/") + library, before);
+    CHECK(batch("--resume").exit_code == 0);
+  }
+}
 
 TEST_CASE("An experiment grows in its database; old runs stay, new ones are what they would be") {
   const Laboratory here;

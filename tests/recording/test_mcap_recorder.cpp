@@ -234,6 +234,10 @@ TEST_CASE("Events are written when they happen, with the robot's place") {
   CHECK(events[0].content.at("level") == 3);  // a warning
   CHECK(events[0].content.at("x_m").get<double>() == Approx(0.35).margin(0.02));
   CHECK(events[1].content.at("detail") == "robot[r1]/@max_speed=0.3");
+  CHECK(events[1].content.at("element") == "robot[r1]");
+  CHECK(events[1].content.at("attribute") == "max_speed");
+  CHECK(events[1].content.at("value") == "0.3");
+  CHECK_FALSE(events[0].content.contains("element"));
   CHECK(events[1].content.at("level") == 2);
 }
 

@@ -41,14 +41,18 @@ TEST_CASE("A priority is what it was at first, and what the user made of it in t
   TraceRobot robot = traced_robot({"a", "b", "b/a"});
   robot.id = "r1";
   robot.members[2].priority = 0.75;
-  robot.events = {{0, "changed", "robot[r1]/behavior[a]/@priority=2"},
-                  {3, "changed", "robot[r1]/behavior[a]/@speed=4"},
-                  {4, "changed", "robot[r1]/behavior[b]/behavior[a]/@priority=0.5"},
-                  {5, "collected", "robot[r1]/behavior[a]/@priority=9"},
-                  {6, "changed", "robot[r1]/behavior[a]/@priority=-1e3"},
-                  {6, "changed", "robot[r1]/behavior[aa]/@priority=7"},
-                  {7, "changed", "robot[r1]/sensor[a]/@priority=7"},
-                  {8, "changed", "robot[r1]/behavior[a]/@priority=0"}};
+  const auto changed = [&](double time_s, const char* path, const char* value) {
+    const auto edit = events::Changed::of(std::string("robot[r1]/") + path, value);
+    robot.events.push_back({time_s, "changed", edit.detail(), edit});
+  };
+  changed(0, "behavior[a]/@priority", "2");
+  changed(3, "behavior[a]/@speed", "4");
+  changed(4, "behavior[b]/behavior[a]/@priority", "0.5");
+  robot.events.push_back({5, "collected", "robot[r1]/behavior[a]/@priority=9"});
+  changed(6, "behavior[a]/@priority", "-1e3");
+  changed(6, "behavior[aa]/@priority", "7");
+  changed(7, "sensor[a]/@priority", "7");
+  changed(8, "behavior[a]/@priority", "0");
   const auto priorities_of = [&](std::size_t member, double from_s, double to_s) {
     std::vector<std::pair<double, double>> list;
     for (const auto& from : traces::priorities(robot, robot.members[member], {from_s, to_s})) {

@@ -35,11 +35,11 @@ struct CheckOptions {
 };
 
 /// The line about a world without mistakes.
-std::string check_world(const std::string& file, const plugin::Host& host,
+std::string check_world(const std::string& text, const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
   // This asks the plugins whether they fit their robots.
   const simulation::Simulation simulation(
-      world::read_world(file, host, read_options(options.overrides, options.seed)), host,
+      world::parse_world(text, file, host, read_options(options.overrides, options.seed)), host,
       {.seed = options.seed,
        .data_directories = data_directories(),
        .cameras = render::world_cameras});
@@ -61,8 +61,8 @@ std::string check_world(const std::string& file, const plugin::Host& host,
          base::counted(world.boxes.size(), "box", "boxes");
 }
 
-std::string check_experiment(const std::string& file, const plugin::Host& host,
-                             const CheckOptions& options) {
+std::string check_experiment(const std::string& text, const std::string& file,
+                             const plugin::Host& host, const CheckOptions& options) {
   if (!options.overrides.empty()) {
     throw BadInput("--set is for worlds; '" + file +
                    "' is an experiment, which has elements <set> for that");
@@ -76,7 +76,7 @@ std::string check_experiment(const std::string& file, const plugin::Host& host,
   experiment::ReadOptions reading;
   reading.data_directories = data_directories();
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
-  const experiment::Experiment experiment = experiment::read_experiment(file, host, reading);
+  const experiment::Experiment experiment = experiment::parse_experiment(text, file, host, reading);
   for (const std::string& warning : experiment.warnings) {
     std::cerr << warning << '\n';
   }
@@ -86,8 +86,7 @@ std::string check_experiment(const std::string& file, const plugin::Host& host,
 }
 
 /// A world may have a hundred thousand robots: it is not parsed twice.
-bool is_experiment(const std::string& path) {
-  const std::string text = world::read_text(path);
+bool is_experiment(const std::string& text, const std::string& path) {
   return text.find("<experiment") != text.npos &&
          world::parse_markup(text, path).name == "experiment";
 }
@@ -105,8 +104,10 @@ int check(const CheckOptions& options) {
   for (const std::string& file : options.files) {
     try {
       const std::string path = world::find_document(file, data_directories());
-      const std::string found = is_experiment(path) ? check_experiment(path, host, options)
-                                                    : check_world(path, host, options);
+      const std::string text = world::read_text(path);
+      const std::string found = is_experiment(text, path)
+                                    ? check_experiment(text, path, host, options)
+                                    : check_world(text, path, host, options);
       if (!options.quiet && !options.expand) {
         out() << file << ": in order: " << found << '\n';
       }

@@ -69,14 +69,13 @@ RestoredRun::RestoredRun(const StoredRun& run, const PluginOptions& plugins,
   if (run.elsie_version != ELSIE_VERSION) {
     differences_.push_back("the run was done with Elsie " + run.elsie_version +
                            ", and this is " ELSIE_VERSION "; its result may differ");
-  } else {
-    compare_program(run);
   }
   compare_libraries(run);
   world::ReadOptions options = read_options();
   restore_data(run);
   options.files = files_;
   world_ = world::parse_world(run.job.world_text, run.job.world_file, host_, options);
+  if (run.elsie_version == ELSIE_VERSION) compare_program(run);
 }
 
 RestoredRun::~RestoredRun() {
@@ -91,7 +90,7 @@ void RestoredRun::compare_program(const StoredRun& run) {
     const std::string name = file.filename().string();
     return name.substr(0, name.find(".so"));
   };
-  for (const fs::path& file : batch::deciding_libraries()) {
+  for (const fs::path& file : batch::deciding_libraries(world_, host_)) {
     for (const StoredRun::Library& before : run.program) {
       const auto now = stem(before.path) == stem(file) ? hash_of(file) : std::nullopt;
       if (now && *now != before.sha256) {

@@ -32,18 +32,10 @@ std::string Changed::detail() const {
   return element + step + attribute + "=" + value;
 }
 
-std::optional<Changed> Changed::from(std::string_view detail) {
-  const std::size_t equals = detail.find('=');
-  if (equals == std::string_view::npos) return std::nullopt;
-  const std::string_view path = detail.substr(0, equals);
+Changed Changed::of(const std::string& path, std::string value) {
   const std::size_t at = path.rfind('@');
-  const std::string value(detail.substr(equals + 1));
-  if (at == std::string_view::npos) {
-    return value.starts_with('<') ? std::optional(Changed{std::string(path), "", value})
-                                  : std::nullopt;
-  }
-  return Changed{std::string(path.substr(0, at > 0 ? at - 1 : 0)), std::string(path.substr(at + 1)),
-                 value};
+  if (at == std::string::npos) return {path, "", std::move(value)};
+  return {path.substr(0, at > 0 ? at - 1 : 0), path.substr(at + 1), std::move(value)};
 }
 
 std::string_view name_of(const AnyEvent& event) {

@@ -44,7 +44,8 @@ Character character_at(std::string_view text, std::size_t at) {
 std::size_t first_invalid(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
-    const std::size_t bytes = character_at(text, at).bytes;
+    const bool is_ascii = static_cast<unsigned char>(text[at]) < 0x80;
+    const std::size_t bytes = is_ascii ? 1 : character_at(text, at).bytes;
     if (bytes == 0) return at;
     at += bytes;
   }

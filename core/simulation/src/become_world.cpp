@@ -2,6 +2,7 @@
 // comparing the two descriptions along the vocabulary.
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -56,24 +57,23 @@ NewPlace new_place(const world::Robot& was, const world::Robot& next, const Beco
           is_new("heading_deg", was.heading_deg, next.heading_deg)};
 }
 
-std::string text_of(std::span<const Change> edits) {
-  std::string text;
-  for (const Change& edit : edits) {
-    text += (text.empty() ? "" : ", ") + edit.text();
-  }
-  return text;
+std::vector<std::string> texts_of(std::span<const Change> edits) {
+  std::vector<std::string> texts(edits.size());
+  std::transform(edits.begin(), edits.end(), texts.begin(), std::mem_fn(&Change::text));
+  return texts;
 }
+std::string text_of(std::span<const Change> edits) { return base::joined(texts_of(edits)); }
 
-/// The problems of an edited description as text.
-std::string problem_of(const std::vector<base::Problem>& problems, const std::string& file) {
-  const std::size_t more = problems.size() - 1;
-  return world::without_lines(problems.front().message, file) +
-         (more == 0 ? ""
-                    : "; there " + std::string(more == 1 ? "is " : "are ") +
-                          base::counted(more, "more such problem"));
+/// The refusal of edits that make a description wrong.
+ChangeRefused refusal(std::span<const Change> edits, const world::WorldError& error,
+                      const std::string& file) {
+  const std::size_t more = error.problems().size() - 1;
+  return ChangeRefused(text_of(edits) + ": " +
+                       world::without_lines(error.problems().front().message, file) +
+                       (more == 0 ? ""
+                                  : "; there " + std::string(more == 1 ? "is " : "are ") +
+                                        base::counted(more, "more such problem")));
 }
-
-events::Changed event_of(const Change& edit) { return events::Changed::from(edit.text()).value(); }
 
 }  // namespace
 
@@ -81,9 +81,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   if (std::all_of(changes.begin(), changes.end(),
                   [&](const Change& one) { return changes_->is_live(one); })) {
     changes_->make(changes, stage(), events_);
-    for (const Change& one : changes) {
-      pending_.push_back(one.text());
-    }
+    std::ranges::move(texts_of(changes), std::back_inserter(pending_));
     take_stock();
     log_events();
     // Of edits in place, only those of speeds can cause warnings of the physics.
@@ -101,7 +99,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   } catch (const PluginFault&) {
     throw;  // from a running plugin; it ends the run
   } catch (const world::WorldError& error) {
-    throw ChangeRefused(text_of(changes) + ": " + problem_of(error.problems(), world_.file));
+    throw refusal(changes, error, world_.file);
   } catch (const std::exception& error) {
     throw ChangeRefused(text_of(changes) + ": " + error.what());
   }
@@ -162,9 +160,7 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
     } catch (const ChangeRefused& why) {
       refused.push_back(why.at(due.time_s, due.from));
     } catch (const world::WorldError& error) {
-      refused.push_back(
-          ChangeRefused(text_of(due.changes) + ": " + problem_of(error.problems(), world_.file))
-              .at(due.time_s, due.from));
+      refused.push_back(refusal(due.changes, error, world_.file).at(due.time_s, due.from));
     }
   }
   if (!needs_world) refuse_live();
@@ -183,15 +179,11 @@ world::World Simulation::Impl::tried(const world::World& from, std::span<const C
 /// The world after these edits, checked like a file. Throws ChangeRefused.
 world::World Simulation::Impl::edited(const world::World& from, std::span<const Change> edits,
                                       bool check_plugins) {
-  std::vector<std::string> texts;
-  for (const Change& edit : edits) {
-    texts.push_back(edit.text());
-  }
   try {
-    world::World next = reread(from, texts, check_plugins);
+    world::World next = reread(from, texts_of(edits), check_plugins);
     if (next.physics.engine == from.physics.engine) return next;
   } catch (const world::WorldError& error) {
-    throw ChangeRefused(text_of(edits) + ": " + problem_of(error.problems(), from.file));
+    throw refusal(edits, error, from.file);
   }
   throw ChangeRefused(text_of(edits) + ": " + world::kEngineStays);
 }
@@ -230,7 +222,7 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
       robots.emplace_back();  // an edit of the world
     }
     for (std::string& robot : robots) {
-      events_.push_back({time_s(), std::move(robot), event_of(edit)});
+      events_.push_back({time_s(), std::move(robot), events::Changed::of(edit.path, edit.value)});
     }
   }
   becoming.undo().keep(pending_);

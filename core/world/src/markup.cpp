@@ -122,14 +122,14 @@ std::string read_text(const std::string& file) {
 
 Element parse_markup(std::string_view text, const std::string& file, const std::string& kind,
                      std::vector<ElementSpan>* spans) {
-  std::vector<ElementSpan> places = check_text(text, file, kind);
-  if (spans) {
-    *spans = std::move(places);
-  }
+  std::vector<ElementSpan> places;
+  if (spans || !is_plain(text)) places = check_text(text, file, kind);
+  if (spans) *spans = std::move(places);
   tinyxml2::XMLDocument document;
   document.Parse(text.data(), text.size());
   const tinyxml2::XMLElement* root = document.RootElement();
-  if (document.Error() || !root) {
+  if (document.Error() || !root || root->NextSiblingElement()) {
+    check_text(text, file, kind);  // which knows more about most mistakes
     fail(file, document.ErrorLineNum(),
          document.ErrorID() == tinyxml2::XML_ERROR_PARSING_TEXT ? kTextOutside
          : document.ErrorID() == tinyxml2::XML_ERROR_PARSING_DECLARATION

@@ -7,15 +7,26 @@
 #include "elsie/world/error.h"
 
 namespace elsie::world {
-
 namespace {
-
 constexpr std::size_t kDeepest = 50;          // levels: all later steps use recursion
 constexpr std::size_t kMostAttributes = 500;  // of an element: each is compared with all others
 
 bool is_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          c == '-' || c == '.' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+std::size_t first_control(std::string_view text) {
+  const auto found = std::find_if(text.begin(), text.end(),
+                                  [](char c) { return c >= '\0' && c < ' ' && !is_blank(c); });
+  return static_cast<std::size_t>(found - text.begin());
+}
+
+std::size_t name_end(std::string_view text, std::size_t begin) {
+  while (begin < text.size() && is_name(text[begin])) ++begin;
+  return begin;
 }
 
 class Scanner {
@@ -29,16 +40,9 @@ class Scanner {
       if (text_[at_] != '<') {
         check_entity();
         ++at_;
-      } else if (starts("<!--")) {
-        skip_past("-->", "a comment");
-      } else if (starts("<![CDATA[")) {
-        skip_past("]]>", "a CDATA section");
-      } else if (starts("<?")) {
-        skip_past("?>", "a processing instruction");
-      } else if (starts("<!")) {
-        fail("document type declarations and entities are not allowed in this file; take out '" +
-             std::string(text_.substr(at_, word_length(at_ + 2) + 2)) + "'");
-      } else {
+      } else if (!skipped("<!--", "-->", "a comment") &&
+                 !skipped("<![CDATA[", "]]>", "a CDATA section") &&
+                 !skipped("<?", "?>", "a processing instruction")) {
         tag();
       }
     }
@@ -56,14 +60,6 @@ class Scanner {
 
  private:
   bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
-
-  std::size_t word_length(std::size_t from) const {
-    std::size_t end = from;
-    while (end < text_.size() && is_name(text_[end])) {
-      ++end;
-    }
-    return end - from;
-  }
 
   int line_of(std::size_t place) const {
     const auto begin = text_.begin();
@@ -84,21 +80,21 @@ class Scanner {
     if (const std::size_t bad = base::first_invalid(text_); bad < text_.size()) {
       fail("this is not UTF-8 text; save the file as UTF-8", bad);
     }
-    const auto control = std::find_if(text_.begin(), text_.end(), [](unsigned char c) {
-      return c < 0x20 && c != '\t' && c != '\n' && c != '\r';
-    });
-    if (control != text_.end()) {
-      fail("this is not an XML file: it holds the control character " + std::to_string(*control),
-           static_cast<std::size_t>(control - text_.begin()));
+    if (const std::size_t control = first_control(text_); control < text_.size()) {
+      fail("this is not an XML file: it holds the control character " +
+               std::to_string(static_cast<int>(text_[control])),
+           control);
     }
   }
 
-  void skip_past(std::string_view end, const std::string& what) {
-    const std::size_t found = text_.find(end, at_);
+  bool skipped(std::string_view begin, std::string_view end, const std::string& what) {
+    if (!starts(begin)) return false;
+    const std::size_t found = text_.find(end, at_ + begin.size());
     if (found == std::string_view::npos) {
       fail(what + " starts here and never ends; expected '" + std::string(end) + "'");
     }
     at_ = found + end.size();
+    return true;
   }
 
   void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
@@ -107,9 +103,8 @@ class Scanner {
   void check_entity() const {
     if (text_[at_] != '&') return;
     const std::size_t end = text_.find(';', at_);
-    const std::string_view entity = end == std::string_view::npos || end - at_ > 12
-                                        ? text_.substr(at_, 1)
-                                        : text_.substr(at_, end - at_ + 1);
+    const std::string_view entity =
+        text_.substr(at_, end == text_.npos || end - at_ > 12 ? 1 : end - at_ + 1);
     for (const std::string_view known : {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"}) {
       if (entity == known) return;
     }
@@ -125,17 +120,17 @@ class Scanner {
   }
 
   std::string_view name(const std::string& what) {
-    const std::size_t length = word_length(at_);
-    if (length == 0) {
-      fail("expected " + what + "; write a bare \"<\" as &lt;");
-    }
-    const std::string_view found = text_.substr(at_, length);
-    at_ += length;
-    return found;
+    const std::size_t begin = std::exchange(at_, name_end(text_, at_));
+    if (at_ == begin) fail("expected " + what + "; write a bare \"<\" as &lt;");
+    return text_.substr(begin, at_ - begin);
   }
 
   // Reads a start tag or an end tag.
   void tag() {
+    if (starts("<!")) {
+      fail("document type declarations and entities are not allowed in this file; take out '" +
+           std::string(text_.substr(at_, name_end(text_, at_ + 2) - at_)) + "'");
+    }
     ElementSpan span;
     span.begin = at_++;
     const bool is_end = starts("/");
@@ -164,11 +159,7 @@ class Scanner {
       attribute(name, span.attributes);
     }
     span.open_end = span.end = at_;
-    if (is_end) {
-      close(name, span.begin);
-    } else {
-      open(name, std::move(span));
-    }
+    is_end ? close(name, span.begin) : open(name, std::move(span));
   }
 
   void attribute(const std::string& element, std::vector<ElementSpan::Attribute>& known) {
@@ -177,26 +168,19 @@ class Scanner {
     const std::string of = " of <" + element + ">";
     const std::string_view name = this->name("the name of an attribute" + of);
     const std::string what = "the attribute '" + std::string(name) + "'" + of;
-    if (std::any_of(known.begin(), known.end(), [&](const auto& other) {
-          return text_.substr(other.begin, other.name_end - other.begin) == name;
-        })) {
-      fail(what + " is given twice");
+    for (const ElementSpan::Attribute& other : known) {
+      const auto other_name = text_.substr(other.begin, other.name_end - other.begin);
+      if (other_name == name) fail(what + " is given twice");
     }
     span.name_end = at_;
     skip_blanks();
-    if (at_ >= text_.size() || text_[at_] != '=') {
-      fail("expected =\"...\" after " + what);
-    }
+    if (!starts("=")) fail("expected =\"...\" after " + what);
     ++at_;
     skip_blanks();
     const char quote = at_ < text_.size() ? text_[at_] : '\0';
-    if (quote != '"' && quote != '\'') {
-      fail("the value of " + what + " must stand in quotes");
-    }
+    if (quote != '"' && quote != '\'') fail("the value of " + what + " must stand in quotes");
     const std::size_t end = text_.find(quote, at_ + 1);
-    if (end == std::string_view::npos) {
-      fail("the value of " + what + " has no closing quote");
-    }
+    if (end == text_.npos) fail("the value of " + what + " has no closing quote");
     span.value = at_ + 1;
     for (++at_; at_ < end; ++at_) {
       if (text_[at_] == '<') {
@@ -218,12 +202,8 @@ class Scanner {
     if (open_.empty() && !spans_.empty()) {
       fail("a second root element, <" + name + ">; a file holds one", span.begin);
     }
-    if (!open_.empty()) {
-      span.parent = open_.back();
-    }
-    if (!span.empty) {
-      open_.push_back(spans_.size());
-    }
+    if (!open_.empty()) span.parent = open_.back();
+    if (!span.empty) open_.push_back(spans_.size());
     if (open_.size() > kDeepest) {
       fail("elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " + kind_ +
                " needs that many",
@@ -234,9 +214,7 @@ class Scanner {
 
   // Checks that every element is closed by its own tag.
   void close(const std::string& name, std::size_t begin) {
-    if (open_.empty()) {
-      fail("</" + name + "> closes nothing", begin);
-    }
+    if (open_.empty()) fail("</" + name + "> closes nothing", begin);
     const std::string expected = name_of(open_.back());
     ElementSpan& span = spans_[open_.back()];
     if (name != expected) {
@@ -256,8 +234,40 @@ class Scanner {
   std::vector<ElementSpan> spans_;
   std::vector<std::size_t> open_;  // elements, outermost first
 };
-
 }  // namespace
+
+bool is_plain(std::string_view text) {
+  if (base::first_invalid(text) < text.size() || first_control(text) < text.size()) return false;
+  bool in_value = false;
+  std::size_t values = 0;  // since the last "<"
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+    if (c == '"') {
+      in_value = !in_value;
+      const bool is_apart = in_value || is_blank(next) || next == '/' || next == '>';
+      if (!is_apart || (!in_value && ++values > kMostAttributes)) return false;
+    } else if (c == '&' || (c == '<' && in_value) || (c == '\'' && !in_value)) {
+      return false;
+    } else if (c == '/' && next == '>' && !in_value) {
+      if (depth-- == 0) return false;
+    } else if (c == '<') {
+      values = 0;
+      const bool is_comment = text.substr(at).starts_with("<!--");
+      if (is_comment || next == '?') {
+        at = is_comment ? text.find("-->", at + 4) : text.find("?>", at + 2);
+        if (at == text.npos) return false;
+      } else if (next == '/') {
+        at = text.find_first_not_of(" \t\r\n", name_end(text, at + 2));
+        if (at == text.npos || text[at] != '>' || depth-- == 0) return false;
+      } else if (!is_name(next) || ++depth > kDeepest) {
+        return false;
+      }
+    }
+  }
+  return !in_value;
+}
 
 std::vector<ElementSpan> check_text(std::string_view text, const std::string& file,
                                     const std::string& kind) {

@@ -175,8 +175,7 @@ Plan plan_of(std::span<const Change> changes, const world::World& world,
     try {
       for (const world::AttributePlace& place : attributes.find(change.path)) {
         const ParameterValue value = attributes.read(place, change.value);
-        const events::Changed event{place.path.substr(0, place.path.rfind("/@")), place.field.name,
-                                    change.value};
+        const auto event = events::Changed::of(place.path, change.value);
         plan.begin(*place.robot, event.detail());
         place.field.change(plan, place, value);
         plan.events.push_back({stage.time_s, place.robot->id, event});

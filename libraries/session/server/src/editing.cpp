@@ -27,7 +27,8 @@ std::filesystem::path folder_of(const std::string& file) {
   return std::filesystem::path(file).parent_path();
 }
 
-/// Whether reading this text may have created plugins, which can leave threads behind.
+/// Whether reading this text, which was refused, may have created plugins, which can leave threads
+/// behind.
 bool may_make_plugins(const std::string& text) {
   try {
     const world::Element root = world::parse_markup(text, "");
@@ -50,8 +51,14 @@ world::ReadOptions Server::Impl::reading(std::uint64_t seed) const {
 void Server::Impl::open(const Json& message, Json& answer) {
   const std::uint64_t seed = message.value("seed", seed_);
   const auto text = message.at("text").get<std::string>();
-  answer["made_plugins"] = may_make_plugins(text);
-  editing::Document document(text, message.value("file", std::string()), host(), reading(seed));
+  auto document = [&] {
+    try {
+      return editing::Document(text, message.value("file", std::string()), host(), reading(seed));
+    } catch (const world::WorldError&) {
+      answer["made_plugins"] = may_make_plugins(text);
+      throw;
+    }
+  }();
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
   inverses_.clear();

@@ -1,57 +1,97 @@
+#include <exception>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <link.h>
 
+#include "elsie/api/sensor.h"
 #include "elsie/batch/plan.h"
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/error.h"
+#include "elsie/plugin/host.h"
 #include "elsie/plugin/own_library.h"
+#include "elsie/plugin/parameters.h"
 
 namespace elsie::batch {
+namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> deciding_libraries() {
-  const fs::path own = plugin::file_of_this_library();
-  // A library that is not loaded yet is in the same folder as this one.
-  std::map<std::string, fs::path> files;  // by the name without its version
-  const std::string version = own.filename().string().substr(std::string("libelsie").size());
-  for (const std::string& name : {"libelsie-inference" + version, "libelsie-views" + version,
-                                  std::string("libelsie-vision.so")}) {
-    if (const fs::path file = own.parent_path() / name; fs::exists(file)) {
-      files[name.substr(0, name.find('.'))] = file;
+/// What an engine links to besides libelsie.
+constexpr std::pair<const char*, const char*> kOfEngines[] = {{"ode", "libode"}};
+
+bool has_camera(const world::PluginUse& use, const plugin::Host& host) {
+  try {
+    const auto sensor = host.create<Sensor>(PluginKind::sensor, use.plugin);
+    plugin::apply_parameters(*host.find(PluginKind::sensor, use.plugin), *sensor, use.parameters,
+                             {use.elements.begin(), use.elements.end()});
+    return sensor->camera().has_value();
+  } catch (const std::exception&) {
+    return true;  // it may have one in its robot
+  }
+}
+
+bool has_cameras(const world::World& world, const plugin::Host& host) {
+  std::set<std::pair<std::string, std::map<std::string, ParameterValue>>> known;
+  for (const world::Robot& robot : world.robots) {
+    for (const world::SensorUse& use : robot.sensors) {
+      const bool is_new = known.emplace(use.plugin, use.parameters).second;
+      if ((is_new || !use.elements.empty()) && has_camera(use, host)) return true;
     }
   }
+  return false;
+}
+
+}  // namespace
+
+void load_engines() {
   for (const std::string& engine : plugin::engine_names()) {
     try {
       plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
     } catch (const plugin::PluginError&) {
-      continue;  // an engine that cannot be loaded affects no run
+      continue;  // it affects no run
     }
-    files["engine " + engine] = plugin::engine_file(engine);
   }
-  if (fs::exists(plugin::layouts_file())) {
-    files["layouts"] = plugin::layouts_file();
+}
+
+std::vector<fs::path> deciding_libraries(const world::World& world, const plugin::Host& host) {
+  const std::string& engine = world.physics.engine;
+  plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
+  const fs::path own = plugin::file_of_this_library();
+  // By the name without its version. A library that is not loaded yet is in the same folder as this
+  // one.
+  std::map<std::string, fs::path> files{{"engine " + engine, plugin::engine_file(engine)}};
+  const std::string version = own.filename().string().substr(std::string("libelsie").size());
+  const auto add = [&](const std::string& name, const std::string& suffix) {
+    files[name] = own.parent_path() / (name + suffix);
+  };
+  add("libelsie-base", version);
+  add("libelsie-inference", version);
+  if (has_cameras(world, host)) {
+    add("libelsie-render", version);
+    add("libelsie-vision", ".so");
   }
+  for (const auto& [name, library] : kOfEngines) {
+    if (name == engine) files[library];
+  }
+  if (world.drawn) files["layouts"] = plugin::layouts_file();
   dl_iterate_phdr(
-      [](dl_phdr_info* library, std::size_t, void* found) {
+      [](dl_phdr_info* library, std::size_t, void* wanted) {
         const fs::path file(library->dlpi_name);
         const std::string name = file.filename().string();
-        for (const char* const wanted :
-             {"libelsie-base", "libelsie-inference", "libelsie-views", "libode"}) {
-          if (name.starts_with(std::string(wanted) + '.')) {
-            (*static_cast<std::map<std::string, fs::path>*>(found))[wanted] = file;
-          }
-        }
+        auto& of = *static_cast<std::map<std::string, fs::path>*>(wanted);
+        const auto known = of.find(name.substr(0, name.find('.')));
+        if (known != of.end()) known->second = file;
         return 0;
       },
       &files);
   std::vector<fs::path> all{own};
   for (const auto& [name, file] : files) {
-    all.push_back(file);
+    if (fs::exists(file)) all.push_back(file);
   }
   return all;
 }

@@ -42,6 +42,7 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
                    Changes& changes) {
   const auto known =
       pairs(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world' ORDER BY id");
+  const std::set<std::size_t> program = plan.program();
   std::set<std::string> named;
   for (std::size_t i = 0; i < plan.files.size(); ++i) {
     const PlannedFile& file = plan.files[i];
@@ -49,7 +50,7 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
     if (file.kind == FileKind::world || before == known.end() || before->second == file.sha256) {
       continue;
     }
-    const char* what = i < plan.program_files           ? "the program's library "
+    const char* what = program.contains(i)              ? "the program's library "
                        : file.kind == FileKind::library ? "the plugin library "
                                                         : "the data file ";
     changes.push_back(what + base::name_in_quotes(file.path) + " (" +
@@ -61,8 +62,8 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
     const std::string name = std::filesystem::path(path).filename().string();
     return name.substr(0, name.find(".so"));
   };
-  for (std::size_t i = 0; i < plan.program_files; ++i) {
-    const PlannedFile& file = plan.files[i];
+  for (const std::size_t place : program) {
+    const PlannedFile& file = plan.files[place];
     for (const auto& [path, sha256] : known) {
       if (path != file.path && stem(path) == stem(file.path) && sha256 != file.sha256 &&
           named.insert(file.path).second) {

@@ -68,10 +68,6 @@ class Planner {
     for (const experiment::Factor& factor : experiment_.factors) {
       plan_.factors.push_back(factor.name);
     }
-    for (const std::filesystem::path& library : deciding_libraries()) {
-      add_file(FileKind::library, absolute(library.string()));
-    }
-    plan_.program_files = plan_.files.size();
     for (const auto& directory : host_.report().directories) {
       for (const auto& file : directory.files) {
         ranks_.try_emplace(absolute_name(file.path), ranks_.size() + 1);
@@ -90,8 +86,9 @@ class Planner {
       planned.levels.push_back(
           {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
     }
-    add_file(FileKind::world, planned.world_file);
     world::World world = world_of(cell, experiment_.seeds.front());
+    add_program(world, planned);
+    add_file(FileKind::world, planned.world_file);
     Names names;
     std::vector<std::size_t> plugins;
     const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
@@ -102,6 +99,7 @@ class Planner {
     std::vector<world::World> ahead = changed_worlds(world, found);
     experiment::for_each_use(world, see);
     for (world::World& later : ahead) {
+      add_program(later, planned);
       experiment::for_each_use(later, see);
     }
     for (const auto& [name, path] : found) {
@@ -131,6 +129,12 @@ class Planner {
     }
     planned.identity = identity(planned, of);
     plan_.cells.push_back(std::move(planned));
+  }
+
+  void add_program(const world::World& world, PlannedCell& planned) {
+    for (const std::filesystem::path& library : deciding_libraries(world, host_)) {
+      planned.program.insert(add_file(FileKind::library, absolute(library.string())));
+    }
   }
 
   struct Names;
@@ -299,6 +303,14 @@ class Planner {
       }
     }
     all += ";\n";
+    std::set<std::string> program;
+    for (const std::size_t place : cell.program) {
+      program.insert(plan_.files[place].sha256);
+    }
+    for (const std::string& hash : program) {
+      add(hash);
+    }
+    all += ";\n";
     for (const auto& [name, hash] : of.data) {
       add(name);
       add(hash);
@@ -343,6 +355,14 @@ std::optional<Shard> parse_shard(std::string_view text) {
     return std::nullopt;
   }
   return shard;
+}
+
+std::set<std::size_t> Plan::program() const {
+  std::set<std::size_t> all;
+  for (const PlannedCell& cell : cells) {
+    all.insert(cell.program.begin(), cell.program.end());
+  }
+  return all;
 }
 
 std::vector<std::string> Plan::libraries(const PlannedCell& cell) const {
@@ -419,9 +439,9 @@ bool FileCheck::is_changed(std::size_t place) {
 
 std::optional<std::string> FileCheck::changed(std::size_t cell) {
   const PlannedCell& planned = plan_.cells[cell];
-  for (std::size_t i = 0; i < plan_.program_files; ++i) {
-    if (is_changed(i)) {
-      return plan_.files[i].path;
+  for (const std::size_t place : planned.program) {
+    if (is_changed(place)) {
+      return plan_.files[place].path;
     }
   }
   for (const std::size_t place : planned.plugins) {

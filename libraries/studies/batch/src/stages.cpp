@@ -80,10 +80,6 @@ std::string fingerprint_of(const Plan& plan, std::size_t stages) {
     all.add(factor);
   }
   all.end_list();
-  for (std::size_t i = 0; i < plan.program_files; ++i) {
-    all.add(plan.files[i].sha256);
-  }
-  all.end_list();
   for (std::size_t i = 0; i < plan.stages[stages - 1].cells; ++i) {
     all.add(plan.cells[i].identity);
   }

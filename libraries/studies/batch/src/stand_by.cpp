@@ -257,7 +257,7 @@ void stand_by() {
   handle_requests_to_end();  // SIGTERM stays blocked, here and in copies until they begin a run
   Original original(getppid());
   const Job example = job_on_input();
-  deciding_libraries();  // loads the engines
+  load_engines();
   rehearse();
   original.load(example);
   original.serve();

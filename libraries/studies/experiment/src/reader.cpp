@@ -77,10 +77,12 @@ struct Worlds {
 };
 
 // The line on which an experiment begins in a file; 0 if the file is something else: reading it as
-// a world then finds the error.
+// a world then finds the error. Large worlds are not parsed for this.
 int line_of_experiment(const std::string& file) {
   try {
-    const Element root = world::parse_markup(world::read_text(file), file);
+    const std::string text = world::read_text(file);
+    if (text.find("<experiment") == text.npos) return 0;
+    const Element root = world::parse_markup(text, file);
     return root.name == "experiment" ? root.where.line : 0;
   } catch (const world::WorldError&) {
     return 0;

@@ -210,6 +210,11 @@ Json event_message(std::uint64_t time_ns, const simulation::EventRecord& event, 
                {"line", 0},
                {"event", name},
                {"detail", detail}};
+  if (const auto* const edit = event.as<events::Changed>()) {
+    message["element"] = edit->element;
+    message["attribute"] = edit->attribute;
+    message["value"] = edit->value;
+  }
   if (where) {
     message["x_m"] = where->x;
     message["y_m"] = where->y;

@@ -63,6 +63,11 @@ std::pair<std::string, std::string> robot_and_kind(const mcap::Channel& channel)
              : std::pair<std::string, std::string>();
 }
 
+std::optional<events::Changed> edit_of(const Json& event) {
+  if (event.at("event") != events::Changed::kFacts.name) return std::nullopt;
+  return events::Changed{event.at("element"), event.at("attribute"), event.at("value")};
+}
+
 void read_file(const std::filesystem::path& file, RecordedRun& run, Visitor& visitor) {
   mcap::Reader reader(file);
   std::map<std::uint16_t, std::uint64_t> counts;  // of messages, by channel

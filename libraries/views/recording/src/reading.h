@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "elsie/api/simulator_events.h"
 #include "elsie/mcap/records.h"
 #include "elsie/recording/recorded_run.h"
 
@@ -23,6 +25,9 @@ class Unexpected : public std::runtime_error {
 
 /// Robot and kind of a channel "/robots/ROBOT/KIND"; both empty for others.
 std::pair<std::string, std::string> robot_and_kind(const mcap::Channel& channel);
+
+/// The edit of an event `changed`; none for other events.
+std::optional<events::Changed> edit_of(const Json& event);
 
 /// Takes what it needs from a file. Json::exception and Unexpected become errors of the file.
 class Visitor {

@@ -174,9 +174,8 @@ class Follower final : public Visitor {
         memory.touched_ns != time_ns) {
       memory.touched_ns = time_ns;
       track_of(robot).touches.push_back({number(event, "x_m"), number(event, "y_m")});
-    } else if (name == events::Changed::kFacts.name && !track_of(robot).path.empty()) {
-      const auto changed = events::Changed::from(event.at("detail").get<std::string>());
-      memory.placed = memory.placed || (changed && changed->moves_robot());
+    } else if (const auto edit = edit_of(event); edit && !track_of(robot).path.empty()) {
+      memory.placed = memory.placed || edit->moves_robot();
     }
   }
 

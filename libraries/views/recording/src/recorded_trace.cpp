@@ -149,7 +149,8 @@ class TraceBuilder final : public Visitor {
                      [&](const std::size_t place) { return trace_.robots[place].from_s > time_s; });
     const std::size_t place = after == namesakes.begin() ? namesakes.back() : *std::prev(after);
     trace_.robots[place].events.push_back({time_s, one_line(event.at("event").get<std::string>()),
-                                           one_line(event.at("detail").get<std::string>())});
+                                           one_line(event.at("detail").get<std::string>()),
+                                           edit_of(event)});
   }
 
   void read_decision(TraceRobot& robot, const Json& decision, double time_s) {

@@ -100,6 +100,9 @@ std::string log() {
                                  {"line", integer("0")},
                                  {"event", text("its name, such as collision")},
                                  {"detail", text("with what, which resource, what was changed...")},
+                                 {"element", text("that an edit changes"), false},
+                                 {"attribute", text("empty: the element as a whole"), false},
+                                 {"value", text("that it gets"), false},
                                  {"x_m", number("where the robot was"), false},
                                  {"y_m", number(), false}})
       .dump();

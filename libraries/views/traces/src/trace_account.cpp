@@ -7,8 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "elsie/api/simulator_events.h"
-
 #include "trace_tally.h"
 
 namespace elsie::traces {
@@ -17,9 +15,7 @@ namespace {
 /// The new priority of the behaviour at `path`, which starts at the robot; none if the event is
 /// about something else.
 std::optional<double> new_priority(const TraceEvent& event, const std::string& path) {
-  const auto changed = event.name == events::Changed::kFacts.name
-                           ? events::Changed::from(event.detail)
-                           : std::nullopt;
+  const std::optional<events::Changed>& changed = event.changed;
   if (!changed || changed->attribute != "priority" ||
       changed->element.substr(std::min(changed->element.find('/'), changed->element.size())) !=
           path) {

@@ -5,7 +5,6 @@
 // plugins follow from that.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -72,8 +71,8 @@ struct Changed {
   std::string attribute;  // "": the element as a whole
   std::string value;
   std::string detail() const;
-  /// The event with this detail; none if the text is not such a detail.
-  static std::optional<Changed> from(std::string_view detail);
+  /// The edit that sets what a path leads to: "robot[r1]/@max_speed", "robot[r1]/coordinator".
+  static Changed of(const std::string& path, std::string value);
   /// Returns whether it moves the robot to another place.
   bool moves_robot() const {
     return element.find('/') == std::string::npos &&

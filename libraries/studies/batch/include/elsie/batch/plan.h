@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -66,6 +67,7 @@ struct PlannedCell {
   std::string world_file;  // absolute
   std::string sha256;      // of world_text
   std::vector<PlannedLevel> levels;
+  std::set<std::size_t> program;     // deciding_libraries(): indices into Plan::files
   std::vector<std::size_t> plugins;  // indices into Plan::plugins, ascending
   struct Data {
     std::string name;      // name of the file in world_text
@@ -74,8 +76,8 @@ struct PlannedCell {
   std::vector<Data> data;  // sorted by name
   bool goals = true;       // the world has goals
   std::size_t place = 0;   // in the order of the experiment's grid
-  /// SHA-256 over everything that affects its results: levels, world, data, plugins. Layouts that
-  /// follow the seeds of the runs are not included; see Layout::identity.
+  /// SHA-256 over everything that affects its results: levels, world, data, plugins, libraries.
+  /// Layouts that follow the seeds of the runs are not included; see Layout::identity.
   std::string identity;
   /// From which its layouts are drawn; none: it has none, or they follow the seeds of the runs.
   std::optional<std::uint64_t> layout_seed;
@@ -112,8 +114,7 @@ struct Plan {
   std::string file;                  // the experiment file
   std::string text;                  // its text
   std::vector<std::string> factors;  // the first one is "world"
-  std::vector<PlannedFile> files;    // first those of the program, libelsie before all others
-  std::size_t program_files = 0;     // the number of those: deciding_libraries()
+  std::vector<PlannedFile> files;    // libelsie before all others
   std::vector<PlannedPlugin> plugins;
   std::vector<PlannedCell> cells;
   std::vector<Stage> stages;     // at least one
@@ -122,10 +123,12 @@ struct Plan {
   Shard shard;
   double wall_limit_s = 600.0;
   double trajectory_period_s = 0.5;
-  /// SHA-256 over everything that affects the results: worlds, data, plugins, the program's
-  /// libraries, seeds. Paths of files and the shard are not included.
+  /// SHA-256 over everything that affects the results: worlds, data, plugins, libraries of the
+  /// program, seeds. Paths of files and the shard are not included.
   std::string fingerprint;
 
+  /// The libraries of the program that affect any of its cells: indices into `files`.
+  std::set<std::size_t> program() const;
   /// The libraries of a cell's plugins, in the order in which the host found them.
   std::vector<std::string> libraries(const PlannedCell& cell) const;
 };
@@ -151,10 +154,16 @@ Plan make_plan(const experiment::Experiment& experiment, const plugin::Host& hos
 /// whole seeds. Throws std::out_of_range for a number that the plan does not have.
 std::vector<PlannedRun> in_order(const Plan& plan, const std::vector<std::int64_t>& runs);
 
-/// The libraries that affect the result of a run, in addition to those of its plugins: first
-/// libelsie, then the libraries that it and its plugins use (the base; inference; the views, which
-/// take the pictures of cameras; libelsie-vision, which processes them; the engines; ODE).
-std::vector<std::filesystem::path> deciding_libraries();
+/// The libraries that affect the runs of a world, in addition to those of its plugins: first
+/// libelsie, then what it and its plugins use: the base, inference, the world's engine and what
+/// that links to; if a robot has a camera, libelsie-render, which takes the pictures, and
+/// libelsie-vision, which processes them; the library of layouts if the world has some. Throws
+/// plugin::PluginError if the engine cannot be loaded.
+std::vector<std::filesystem::path> deciding_libraries(const world::World& world,
+                                                      const plugin::Host& host);
+
+/// Loads all engines that can be loaded, and what they link to.
+void load_engines();
 
 /// Checks whether a cell's files have changed since the plan was made.
 class FileCheck {

@@ -77,7 +77,7 @@ struct StoredRun {
     std::vector<std::string> plugins;  // "behavior wander 1.0"
   };
   std::vector<Library> libraries;  // of plugins, in the order in which to load them
-  std::vector<Library> program;    // deciding_libraries() when the batch began
+  std::vector<Library> program;    // those of all cells when the batch began
   std::string elsie_version;
   std::string experiment;
   std::string cell;

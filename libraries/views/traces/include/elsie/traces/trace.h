@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "elsie/api/motion.h"
+#include "elsie/api/simulator_events.h"
 
 namespace elsie::traces {
 
@@ -51,6 +53,7 @@ struct TraceEvent {
   double time_s = 0.0;
   std::string name;
   std::string detail;
+  std::optional<events::Changed> changed{};  // the edit, for `changed`
 };
 
 /// A robot with its behaviours during a time. If an edit changes the behaviours, another TraceRobot
