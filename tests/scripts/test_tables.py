@@ -240,6 +240,20 @@ class Deciding(unittest.TestCase):
         self.assertEqual(held["1, second half"], {None})  # all networks learned
         self.assertEqual([held[key] for key in ("2", "3, first half", "3, second half")], [{False}, {False}, {False}])
 
+    def test_exactly_a_tenth_of_the_runs_counts_whatever_the_rates(self):
+        for runs in (20, 80):
+            for won in range(runs - runs // 10 + 1):
+                self.assertTrue(deciding.more_often((won + runs // 10, runs), (won, runs)), (won, runs))
+                self.assertFalse(deciding.more_often((won + runs // 10 - 1, runs), (won, runs)), (won, runs))
+        # 6 of 20 runs are 10 % more than 4 of 20; in floating point, 0.3 - 0.2 is less than 0.1.
+        share = {"fusion": 6, "arbitration": 4}
+        held = self.holds(made_up_study(lambda scheme, layers, search, avoidance, seed: (seed <= share[scheme], 30.0, 60.0, 1e-5), seeds=20))
+        self.assertEqual(held["3, second half"], {True})
+        # The same for networks: with four neurons a layer fusion succeeds in 6 of 20, with two in 4.
+        held = self.holds(made_up_study(lambda scheme, layers, search, avoidance, seed: (
+            seed <= (6 if scheme == "fusion" and "4" in layers else 4), 30.0, 60.0, 1e-5), seeds=20))
+        self.assertEqual((held["4, wider"], held["4, deeper"]), ({True}, {False}))
+
     def test_what_never_succeeds_twice_says_nothing_about_paths(self):
         held = self.holds(made_up_study(lambda scheme, *_: (scheme == "fusion", 30.0, 60.0, 1e-5)))
         self.assertEqual((held["2"], held["3, first half"], held["3, second half"]), ({None}, {None}, {True}))
