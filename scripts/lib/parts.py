@@ -143,17 +143,38 @@ def groups(results):
                   "out of coverage", "they moved by at most m", "s", "collisions a run"], rows)
 
 
+def build_in_words(build):
+    """The build that did runs: its version, the commits of its sources and of the experiments' files, and its library's hash."""
+    commit, files = build.get("commit"), build.get("files")
+    told = f"commit {commit}" if commit else "commit not noted"
+    if files:
+        told += f" with the files of experiments, worlds and models that were committed later, in {files}"
+    return f"Elsie {build['elsie']}, {told}, `libelsie` {build['libelsie'][:12]} (SHA-256)"
+
+
+def repeated(every):
+    """Which of the runs were done again by another build; "" if none were."""
+    found = {}
+    for results in every.values():
+        again = results.build.get("repeated")
+        if again:
+            runs, same_ = found.get(again["commit"], (0, 0))
+            found[again["commit"]] = runs + again["runs"], same_ + again["same"]
+    return "".join(f" Of these runs {runs}, chosen at random, were repeated by commit {commit}: "
+                   f"{'all' if runs == same_ else same_} have the same state hash and outcome." for commit, (runs, same_) in found.items())
+
+
 def builds(every):
-    """The runs of each build, identified by its library's hash and by the commit of its sources."""
+    """The runs of each build, and how many of them were repeated."""
     runs = sum(len(results.runs) for results in every.values())
     found = {}
     for name, results in every.items():
-        found.setdefault((results.build["elsie"], results.build["libelsie"], results.build.get("commit")), []).append(name)
-    told = [f"{', '.join(f'`{name}.xml`' for name in names)}: Elsie {version}, {f'commit {commit}' if commit else 'commit not noted'}, `libelsie` {program[:12]} (SHA-256)"
-            for (version, program, commit), names in found.items()]
-    one = len(told) == 1
-    build = ("one build, " + told[0].partition(": ")[2]) if one else f"{len(told)} builds: " + "; ".join(told)
-    return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}."
+        found.setdefault(build_in_words(results.build), []).append(name)
+    if len(found) == 1:
+        build = "one build, " + next(iter(found))
+    else:
+        build = f"{len(found)} builds: " + "; ".join(f"{', '.join(f'`{name}.xml`' for name in names)}: {told}" for told, names in found.items())
+    return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}.{repeated(every)}"
 
 
 def provenance(every):
