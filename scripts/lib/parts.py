@@ -143,6 +143,26 @@ def groups(results):
                   "out of coverage", "they moved by at most m", "s", "collisions a run"], rows)
 
 
+# The worlds of experiments/scattered.xml: what they are, and the published runs of the same kind with this scheme.
+SCATTERED = [("resources", "cases 1 to 4, four resources", lambda every, scheme: every["four_resources"].of(coordinator=scheme, layers="4 4")),
+             ("obstacles", "cases 5 and 6, two obstacles", lambda every, scheme: every["obstacles"].of(coordinator=scheme, search="left")),
+             ("clutter", "case 7", lambda every, scheme: every["clutter"].of(coordinator=scheme)),
+             ("gathering", "groups, the leader stands", lambda every, _: every["groups"].of(world="within_1.5_m")),
+             ("group_to_resource", "groups, to a resource", None)]  # has another goal than the published ones
+
+
+def scattered(results, every):
+    """Twenty layouts of each kind, next to the published ones. every: the published experiments."""
+    rows = []
+    for world, what, published_ in SCATTERED:
+        for scheme in dict.fromkeys(run.levels["coordinator"] for run in results.of(world=world)):
+            runs = results.of(world=world, coordinator=scheme)
+            won = successes(runs)
+            rows.append([what, scheme if scheme in SCHEMES else "-", share(runs), short_spread((run.path_m for run in won), 1), short_spread((run.time_s for run in won), 1),
+                         f"{mean(run.collisions for run in runs):.1f}", share(published_(every, scheme)) if published_ else "-"])
+    return table(["", "scheme", "success", "m, successes", "s, successes", "collisions a run", "success above"], rows)
+
+
 def build_in_words(build):
     """The build that did runs: its version, the commits of its sources and of the experiments' files, and its library's hash."""
     commit, files = build.get("commit"), build.get("files")
