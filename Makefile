@@ -102,7 +102,6 @@ four-resources: all
 # docs/every-coordinator.md. Goes on where it was stopped; SEEDS of the deciding experiment, at most 20, take two and a half hours in all.
 SEEDS ?= 20
 tables: configure
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/tables $(BUILD) --seeds $(SEEDS)
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
