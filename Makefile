@@ -93,6 +93,7 @@ pictures: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
 	scripts/layout-pictures $(BUILD)
+	scripts/report-pictures $(BUILD)
 
 # The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
 four-resources: all
