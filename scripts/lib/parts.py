@@ -178,10 +178,14 @@ def repeated(every):
     for results in every.values():
         again = results.build.get("repeated")
         if again:
-            runs, same_ = found.get(again["commit"], (0, 0))
-            found[again["commit"]] = runs + again["runs"], same_ + again["same"]
-    return "".join(f" Of these runs {runs}, chosen at random, were repeated by commit {commit}: "
-                   f"{'all' if runs == same_ else same_} have the same state hash and outcome." for commit, (runs, same_) in found.items())
+            before = found.get(again["commit"], (0, 0, 0))
+            found[again["commit"]] = [count + again[what] for count, what in zip(before, ("runs", "same_outcome", "same"))]
+
+    def share_in_words(part, whole):
+        return "all" if part == whole else str(part)
+
+    return "".join(f" Of these runs {runs}, chosen at random, were repeated by commit {commit}: {share_in_words(outcomes, runs)} have the same outcome, and "
+                   f"{share_in_words(same_, runs)} the same state at the end, bit for bit." for commit, (runs, outcomes, same_) in found.items())
 
 
 def builds(every):

@@ -22,7 +22,7 @@ def key(run):
 
 
 def compare(archived, again):
-    """How many of the runs that were done again are in the archive, and those that differ there, a sentence each."""
+    """Of the runs that were done again and are in the archive: their number, how many have the same outcome, and those that differ, a sentence each."""
     known = {key(run): run for run in archived}
     both = [(known[key(run)], run) for run in again if key(run) in known]
     different = []
@@ -31,4 +31,4 @@ def compare(archived, again):
         if old_is != new_is:
             where = ", ".join(f"{factor} {level}" for factor, level in new.levels.items())
             different.append(f"{where}, seed {new.seed}: {' '.join(new_is)}, in the archive {' '.join(old_is)}")
-    return len(both), different
+    return len(both), sum(old.outcome == new.outcome for old, new in both), different

@@ -181,13 +181,14 @@ class Conclusions(WithFolder):
 
     def test_the_page_says_where_the_files_are_and_what_was_repeated(self):
         one = self.read(self.made_up().cell(0, "maze", "fusion").run(0, 1))
-        one.build.update(commit="abc", files="def", repeated={"commit": "123", "runs": 5, "same": 5})
-        other = results.Runs(one.runs, {**one.build, "repeated": {"commit": "123", "runs": 3, "same": 3}})
+        one.build.update(commit="abc", files="def", repeated={"commit": "123", "runs": 5, "same_outcome": 5, "same": 5})
+        other = results.Runs(one.runs, {**one.build, "repeated": {"commit": "123", "runs": 3, "same_outcome": 3, "same": 3}})
         told = parts.builds({"x": one, "y": other})
         self.assertIn("commit abc with the files of experiments, worlds and models that were committed later, in def, `libelsie`", told)
-        self.assertTrue(told.endswith(" Of these runs 8, chosen at random, were repeated by commit 123: all have the same state hash and outcome."), told)
+        self.assertTrue(told.endswith(" Of these runs 8, chosen at random, were repeated by commit 123: all have the same outcome, and all the same state at the "
+                                      "end, bit for bit."), told)
         other.build["repeated"]["same"] = 2
-        self.assertIn("by commit 123: 7 have the same", parts.builds({"x": one, "y": other}))
+        self.assertIn("all have the same outcome, and 7 the same state", parts.builds({"x": one, "y": other}))
 
 
 class Repeats(unittest.TestCase):
@@ -207,9 +208,9 @@ class Repeats(unittest.TestCase):
     def test_runs_are_compared_with_those_of_the_same_cell_and_seed(self):
         archived = [self.run_of(1, "01234567"), self.run_of(2, "01234567"), self.run_of(1, "89abcdef", world="hall")]
         again = [self.run_of(1), self.run_of(1, "89abcdef0123", world="hall"), self.run_of(7)]  # of the last one nothing is known
-        self.assertEqual(repeats.compare(archived, again), (2, []))
-        count, [other_hash, other_outcome] = repeats.compare(archived, [self.run_of(2, "ff"), self.run_of(1, outcome="failure")])
-        self.assertEqual(count, 2)
+        self.assertEqual(repeats.compare(archived, again), (2, 2, []))
+        count, outcomes, [other_hash, other_outcome] = repeats.compare(archived, [self.run_of(2, "ff"), self.run_of(1, outcome="failure")])
+        self.assertEqual((count, outcomes), (2, 1))
         self.assertEqual(other_hash, "world maze, coordinator fusion, seed 2: ff success, in the archive 01234567 success")
         self.assertIn("seed 1: 01234567 failure, in the archive 01234567 success", other_outcome)
 
