@@ -101,6 +101,7 @@ pictures: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
 	scripts/layout-pictures $(BUILD)
+	scripts/report-pictures $(BUILD)
 
 # The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
 four-resources: all
@@ -110,7 +111,6 @@ four-resources: all
 # docs/every-coordinator.md. Goes on where it was stopped; SEEDS of the deciding experiment, at most 20, take two and a half hours in all.
 SEEDS ?= 20
 tables: configure
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	scripts/tables $(BUILD) --seeds $(SEEDS)
 
 # The generated parts of the plugins' pages in docs/, from their declarations.

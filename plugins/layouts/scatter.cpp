@@ -44,6 +44,8 @@ class Scattering {
     if (!check() || !places_.is_right() || !count_things()) {
       return;
     }
+    // Of none at all, one is made to check what it says.
+    if (count_ == 0 && !make(1)) return;
     places_.expect(count_);
     for (std::size_t i = 0; i < count_; ++i) {
       if (!place(i)) return;
@@ -165,10 +167,6 @@ class Scattering {
       if (!count_by_density()) return false;
     } else {
       count_ = static_cast<std::size_t>(scatter_.count.value_or(1));
-    }
-    if (count_ == 0) {
-      return refuse("has a density of " + number_text(*scatter_.density) +
-                    ", which is less than one thing; raise it, or give a count");
     }
     if (places_.most() && count_ > *places_.most()) {
       return refuse("has " + base::counted(count_, "thing") + ", but its grid has " +

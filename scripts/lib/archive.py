@@ -60,8 +60,17 @@ def run_from(row):
                row["state_hash"], float(row["training_error"]) if row["training_error"] else None, plateau != "", outputs, robots_from_text(row["robots"]))
 
 
+def builds(folder):
+    """What is noted about each experiment's runs; nothing before the first archive."""
+    file = folder / "builds.json"
+    return json.loads(file.read_text()) if file.exists() else {}
+
+
+def write_builds(folder, every):
+    (folder / "builds.json").write_text(json.dumps(every, indent=2) + "\n")
+
+
 def read(folder, name):
     """The runs of an experiment."""
-    builds = json.loads((folder / "builds.json").read_text())
     text = gzip.decompress((folder / f"{name}.csv.gz").read_bytes()).decode()
-    return Runs([run_from(row) for row in csv.DictReader(io.StringIO(text))], builds[name])
+    return Runs([run_from(row) for row in csv.DictReader(io.StringIO(text))], builds(folder)[name])

@@ -15,7 +15,7 @@ RESAMPLES = 400
 # What "holds" means, fixed before the runs.
 COMPLETES = 0.9  # of the runs
 FAILS = 0.1  # of the runs
-DIFFERENT = 0.1  # of the runs: two success rates that are at least so far apart
+DIFFERENT = 10  # two success rates that are at least one run in so many apart
 SHORTER = 0.75  # of the other path
 FASTER = 0.9  # of the other time
 ENOUGH = 3  # pairs of runs, or networks
@@ -95,10 +95,19 @@ class Study:
     def level(self, setup, factor):
         return setup[self.factors.index(factor)]
 
-    def rate(self, counts, scheme, layers=None):
-        """The success rate of a scheme with networks of these sizes; by default of all."""
+    def won(self, counts, scheme, layers=None):
+        """The successes and the runs of a scheme with networks of these sizes; by default of all."""
         keys = [(scheme, each) for each in layers or self.layers]
-        return counts.sum(*(("successes", *key) for key in keys)) / counts.sum(*(("runs", *key) for key in keys))
+        return counts.sum(*(("successes", *key) for key in keys)), counts.sum(*(("runs", *key) for key in keys))
+
+    def rate(self, counts, scheme, layers=None):
+        """The success rate of a scheme with networks of these sizes."""
+        successes, runs = self.won(counts, scheme, layers)
+        return successes / runs
+
+    def succeeds_more(self, counts, scheme, other):
+        """Whether the first of two schemes succeeds more often."""
+        return more_often(self.won(counts, scheme), self.won(counts, other))
 
     def resampled(self, setups):
         """The counts of these set-ups with resampled seeds, the same in each of them: {set-up: counts} once for each resample."""
@@ -138,17 +147,24 @@ def faster(_, counts):
     return None if ratio is None else ratio < 1
 
 
+def more_often(first, second):
+    """Whether the first of two success rates, each as (successes, runs), is the higher one by DIFFERENT. In whole numbers: the difference of two
+    quotients may be rounded to either side of a tenth."""
+    (won, runs), (other_won, other_runs) = first, second
+    return DIFFERENT * (won * other_runs - other_won * runs) >= runs * other_runs
+
+
 def trades(study, counts):
-    return study.rate(counts, "fusion") - study.rate(counts, "arbitration") >= DIFFERENT
+    return study.succeeds_more(counts, "fusion", "arbitration")
 
 
 def helps(study, counts, scheme, sizes):
     """Whether networks of the second sizes do better than those of the first: they succeed more often, or as often in less time."""
-    small, large = ([study.rate(counts, scheme, layers), counts.sum(*(("successes", scheme, each) for each in layers)),
-                     counts.sum(*(("time", scheme, each) for each in layers))] for layers in sizes)
-    if abs(large[0] - small[0]) >= DIFFERENT:
-        return large[0] > small[0]
-    return bool(small[1] and large[1]) and large[2] / large[1] <= FASTER * small[2] / small[1]
+    small, large = (study.won(counts, scheme, layers) for layers in sizes)
+    if more_often(large, small) or more_often(small, large):
+        return more_often(large, small)
+    small_s, large_s = (counts.sum(*(("time", scheme, each) for each in layers)) for layers in sizes)
+    return bool(small[0] and large[0]) and large_s / large[0] <= FASTER * small_s / small[0]
 
 
 def helps_fusion_only(sizes):

@@ -9,7 +9,7 @@ from parts import ORIGINAL
 from results import of
 from statements import statements
 
-EXPERIMENTS = ["four_resources", "obstacles", "clutter", "groups", "decision_period", "backing_off", "every_coordinator"]
+EXPERIMENTS = ["four_resources", "obstacles", "clutter", "groups", "decision_period", "backing_off", "every_coordinator", "scattered"]
 DECIDING = ["original_step", "original_clutter"]
 PAGES = ["experiments.md", "every-coordinator.md", "original-step.md"]
 ARENA, CLUTTER = "cases 1 to 4", "case 7"
@@ -50,6 +50,7 @@ class Published:
                 "case 7": parts.case_7(every["clutter"]),
                 "decision period": parts.decision_period(every["decision_period"], parts.published(every)),
                 "groups": parts.groups(every["groups"]),
+                "scattered": parts.scattered(every["scattered"], every),
             },
             "every-coordinator.md": {"builds": parts.builds(every), "every coordinator": parts.every_coordinator(every)},
             "original-step.md": {

@@ -143,17 +143,62 @@ def groups(results):
                   "out of coverage", "they moved by at most m", "s", "collisions a run"], rows)
 
 
+# The worlds of experiments/scattered.xml: what they are, and the published runs of the same kind with this scheme.
+SCATTERED = [("resources", "cases 1 to 4, four resources", lambda every, scheme: every["four_resources"].of(coordinator=scheme, layers="4 4")),
+             ("obstacles", "cases 5 and 6, two obstacles", lambda every, scheme: every["obstacles"].of(coordinator=scheme, search="left")),
+             ("clutter", "case 7", lambda every, scheme: every["clutter"].of(coordinator=scheme)),
+             ("gathering", "groups, the leader stands", lambda every, _: every["groups"].of(world="within_1.5_m")),
+             ("group_to_resource", "groups, to a resource", None)]  # has another goal than the published ones
+
+
+def scattered(results, every):
+    """Twenty layouts of each kind, next to the published ones. every: the published experiments."""
+    rows = []
+    for world, what, published_ in SCATTERED:
+        for scheme in dict.fromkeys(run.levels["coordinator"] for run in results.of(world=world)):
+            runs = results.of(world=world, coordinator=scheme)
+            won = successes(runs)
+            rows.append([what, scheme if scheme in SCHEMES else "-", share(runs), short_spread((run.path_m for run in won), 1), short_spread((run.time_s for run in won), 1),
+                         f"{mean(run.collisions for run in runs):.1f}", share(published_(every, scheme)) if published_ else "-"])
+    return table(["", "scheme", "success", "m, successes", "s, successes", "collisions a run", "success above"], rows)
+
+
+def build_in_words(build):
+    """The build that did runs: its version, the commits of its sources and of the experiments' files, and its library's hash."""
+    commit, files = build.get("commit"), build.get("files")
+    told = f"commit {commit}" if commit else "commit not noted"
+    if files:
+        told += f" with the files of experiments, worlds and models that were committed later, in {files}"
+    return f"Elsie {build['elsie']}, {told}, `libelsie` {build['libelsie'][:12]} (SHA-256)"
+
+
+def repeated(every):
+    """Which of the runs were done again by another build; "" if none were."""
+    found = {}
+    for results in every.values():
+        again = results.build.get("repeated")
+        if again:
+            before = found.get(again["commit"], (0, 0, 0))
+            found[again["commit"]] = [count + again[what] for count, what in zip(before, ("runs", "same_outcome", "same"))]
+
+    def share_in_words(part, whole):
+        return "all" if part == whole else str(part)
+
+    return "".join(f" Of these runs {runs}, chosen at random, were repeated by commit {commit}: {share_in_words(outcomes, runs)} have the same outcome, and "
+                   f"{share_in_words(same_, runs)} the same state at the end, bit for bit." for commit, (runs, outcomes, same_) in found.items())
+
+
 def builds(every):
-    """The runs of each build, identified by its library's hash and by the commit of its sources."""
+    """The runs of each build, and how many of them were repeated."""
     runs = sum(len(results.runs) for results in every.values())
     found = {}
     for name, results in every.items():
-        found.setdefault((results.build["elsie"], results.build["libelsie"], results.build.get("commit")), []).append(name)
-    told = [f"{', '.join(f'`{name}.xml`' for name in names)}: Elsie {version}, {f'commit {commit}' if commit else 'commit not noted'}, `libelsie` {program[:12]} (SHA-256)"
-            for (version, program, commit), names in found.items()]
-    one = len(told) == 1
-    build = ("one build, " + told[0].partition(": ")[2]) if one else f"{len(told)} builds: " + "; ".join(told)
-    return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}."
+        found.setdefault(build_in_words(results.build), []).append(name)
+    if len(found) == 1:
+        build = "one build, " + next(iter(found))
+    else:
+        build = f"{len(found)} builds: " + "; ".join(f"{', '.join(f'`{name}.xml`' for name in names)}: {told}" for told, names in found.items())
+    return f"Written by `make tables`: {runs} runs of {len(every)} experiment files, of {build}.{repeated(every)}"
 
 
 def provenance(every):

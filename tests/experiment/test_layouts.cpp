@@ -80,3 +80,29 @@ TEST_CASE("Every seed must have room for its layout, and the first that has none
   CHECK_THAT(problems(kScattered + "<seeds from='1' to='200000'/>"),
              Contains("the layouts follow the seeds, which makes more than 100000 worlds"));
 }
+
+TEST_CASE("Levels are the same only if they draw the same with every seed") {
+  const auto with = [](const std::string& levels, const std::string& seeds) {
+    return problems(kScattered + "<set path='scatter[c]/@count' value='6'/>" + levels +
+                    "<seeds " + seeds + "/>");
+  };
+  // Places that keep 0.1 m from each other may keep 0.15 m, too.
+  const std::string gaps = "<vary path='scatter[c]/@gap' values='0.1; 0.15; 0.3'/>";
+  CHECK_THAT(with(gaps, "list='1'"), Contains("the level '0.15' of 'gap' is the same as '0.1'"));
+  CHECK(with(gaps, "from='1' to='20'").empty());
+  CHECK_THAT(with("<vary path='scatter[c]/@tries' values='1000; 2000'/>", "from='1' to='8'"),
+             Contains("the level '2000' of 'tries' is the same as '1000'"));
+  // The third level is the second one again, although all begin with the same world.
+  CHECK_THAT(with("<vary path='scatter[c]/@gap' values='0.1; 0.15; 0.150'/>", "from='1' to='20'"),
+             Contains("the level '0.150' of 'gap' is the same as '0.15'"));
+}
+
+TEST_CASE("What is wrong with layouts is not blamed on the time limit") {
+  const std::string limits = "\n<limits time='15'/>";
+  CHECK_THAT(problems(kArena + "<layouts rule='nested'/>" + limits),
+             Contains("the world has no <layouts>") && !Contains("time limit"));
+  const std::string crowded =
+      "<set path='scatter[c]/@count' value='18'/><set path='scatter[c]/@tries' value='60'/>";
+  CHECK_THAT(problems(kScattered + crowded + "<seeds from='1' to='60'/>" + limits),
+             Contains("(with the seed ") && !Contains("time limit"));
+}

@@ -245,6 +245,25 @@ TEST_CASE("A formula is a measure where the runs have all that it names") {
       "expected a number, a name or \"(\"");
 }
 
+TEST_CASE("Formulas know the robots and the minutes of every run, and no other meaning of them") {
+  const auto with = [](const std::string& formula, const std::string& more = "") {
+    return problems(kArena + more + "\n<measures>" + formula + "</measures>");
+  };
+  CHECK(with("<measure name='rate' formula='collisions / robots / minute'/>"
+             "<measure name='length' formula='minutes'/>") == "");
+  CHECK_THAT(with("<measure name='rate' formula='collisions / robot'/>"),
+             Catch::Contains("did you mean 'robots'?"));
+  CHECK(with("<measure name='minutes' formula='time_s / 60'/>") ==
+        "experiment.xml:2: a formula cannot be called 'minutes', which formulas may use of every "
+        "run; give it another name");
+  const std::string factor =
+      "<vary name='robots' path='robot[r1]/@max_speed' values='0.1; 0.2'/>";
+  CHECK(with("", factor) == "");
+  CHECK(with("<measure name='rate' formula='collisions / robots'/>", factor) ==
+        "experiment.xml:2: formula=\"collisions / robots\" of <measure>: column 14: 'robots' is a "
+        "factor, and what formulas may use of every run; give the factor another name");
+}
+
 TEST_CASE("Formulas are shown in their place, and alone after all measures") {
   const auto shown = [](const std::string& measures) {
     return experiment::shown_measures(

@@ -43,8 +43,8 @@ struct Seen {
 };
 
 Seen seen(const std::vector<std::pair<std::string, std::string>>& formulas,
-          const Questions& questions = {}) {
-  const Made made(study());
+          const Questions& questions = {}, const MadeExperiment& made_up = study()) {
+  const Made made(made_up);
   Results results = ResultsFile(made.path).results();
   std::vector<elsie::experiment::MeasureUse> uses;
   for (const auto& [name, formula] : formulas) {
@@ -94,6 +94,24 @@ TEST_CASE("A formula of the time that does not rise has no value where the time 
   CHECK_THAT(all.sentences[0], Contains("'hurry' has no value in 2 runs without success") &&
                                    Contains("does not rise with time_s"));
   CHECK_THAT(all.findings.results.measures.back().meaning, Contains("no value in 2 runs"));
+}
+
+TEST_CASE("A rate by robots and minutes compares worlds of any size, whatever ended their runs") {
+  MadeExperiment made_up = study();
+  for (auto& run : made_up.cells[0].runs) {
+    run.robots.clear();
+    for (const char* id : {"r1", "r2", "r3"}) {
+      run.robots.emplace_back().id = id;
+      run.robots.back().end.emplace();
+    }
+  }
+  const Seen all = seen({{"rate", "path_length_m / robots / minute"}, {"length", "minutes"}},
+                        {}, made_up);
+  CHECK(all.of("rate").all->count == 10);
+  CHECK(all.of("rate").all->largest == Approx(6.0 / 3.0 / (2.0 / 60.0)));
+  REQUIRE(all.of("length").censoring);  // as of time_s
+  CHECK(all.of("length").censoring->limit == Approx(40.0 / 60.0));
+  CHECK(all.sentences.empty());
 }
 
 TEST_CASE("A rate describes the time that a run took, and keeps its value") {

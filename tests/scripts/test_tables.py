@@ -4,6 +4,9 @@ import contextlib
 import importlib.machinery
 import importlib.util
 import io
+import math
+import random
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -21,6 +24,7 @@ import deciding_figures  # noqa: E402
 import pages  # noqa: E402
 import pairs  # noqa: E402
 import parts  # noqa: E402
+import repeats  # noqa: E402
 import results  # noqa: E402
 import trajectories  # noqa: E402
 from made_up import MadeUp  # noqa: E402
@@ -175,6 +179,63 @@ class Conclusions(WithFolder):
         self.assertTrue(parts.provenance({"x": one}).startswith("Written by `make tables`: 1 runs of 1 experiment files, of one build, "))
 
 
+    def test_the_page_says_where_the_files_are_and_what_was_repeated(self):
+        one = self.read(self.made_up().cell(0, "maze", "fusion").run(0, 1))
+        one.build.update(commit="abc", files="def", repeated={"commit": "123", "runs": 5, "same_outcome": 5, "same": 5})
+        other = results.Runs(one.runs, {**one.build, "repeated": {"commit": "123", "runs": 3, "same_outcome": 3, "same": 3}})
+        told = parts.builds({"x": one, "y": other})
+        self.assertIn("commit abc with the files of experiments, worlds and models that were committed later, in def, `libelsie`", told)
+        self.assertTrue(told.endswith(" Of these runs 8, chosen at random, were repeated by commit 123: all have the same outcome, and all the same state at the "
+                                      "end, bit for bit."), told)
+        other.build["repeated"]["same"] = 2
+        self.assertIn("all have the same outcome, and 7 the same state", parts.builds({"x": one, "y": other}))
+
+
+class Repeats(unittest.TestCase):
+    def run_of(self, seed, state_hash="0123456789ab", outcome="success", world="maze"):
+        return results.Run({"world": world, "coordinator": "fusion"}, seed, outcome, dict.fromkeys(archive.MEASURES, 0), state_hash)
+
+    def test_a_sample_has_as_many_runs_as_asked_for_of_each_experiment_its_part(self):
+        runs = {"small": 40, "middle": 1100, "large": 25600}
+        found = repeats.sample(runs, 200, random.Random(1))
+        counts = {name: len(range(first - 1, runs[name], step)) for name, (first, step) in found.items()}
+        self.assertAlmostEqual(sum(counts.values()), 200, delta=5)
+        self.assertGreaterEqual(counts["small"], 1)
+        for name, (first, step) in found.items():
+            self.assertEqual(math.gcd(step, runs[name]), 1)
+            self.assertTrue(1 <= first <= step)
+
+    def test_runs_are_compared_with_those_of_the_same_cell_and_seed(self):
+        archived = [self.run_of(1, "01234567"), self.run_of(2, "01234567"), self.run_of(1, "89abcdef", world="hall")]
+        again = [self.run_of(1), self.run_of(1, "89abcdef0123", world="hall"), self.run_of(7)]  # of the last one nothing is known
+        self.assertEqual(repeats.compare(archived, again), (2, 2, []))
+        count, outcomes, [other_hash, other_outcome] = repeats.compare(archived, [self.run_of(2, "ff"), self.run_of(1, outcome="failure")])
+        self.assertEqual((count, outcomes), (2, 1))
+        self.assertEqual(other_hash, "world maze, coordinator fusion, seed 2: ff success, in the archive 01234567 success")
+        self.assertIn("seed 1: 01234567 failure, in the archive 01234567 success", other_outcome)
+
+
+class Commits(WithFolder):
+    """Which commit the runs are noted with."""
+
+    def git(self, *words):
+        subprocess.run(["git", "-c", "user.name=n", "-c", "user.email=e", *words], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+
+    def test_a_file_that_is_not_in_the_commit_marks_it(self):
+        commit = load_script().commit
+        self.assertEqual(commit(self.folder), "")
+        self.git("init", "--quiet")
+        (self.folder / "experiments").mkdir()
+        (self.folder / "experiments" / "a.xml").touch()
+        self.git("add", ".")
+        self.git("commit", "--quiet", "-m", "a")
+        self.assertRegex(commit(self.folder), "^[0-9a-f]{12}$")
+        (self.folder / "notes.txt").touch()  # makes no run
+        self.assertRegex(commit(self.folder), "^[0-9a-f]{12}$")
+        (self.folder / "experiments" / "b.xml").touch()
+        self.assertRegex(commit(self.folder), "^[0-9a-f]{12}-dirty$")
+
+
 class Archives(WithFolder):
     def test_runs_that_are_read_back_are_those_that_were_written(self):
         made_up = self.made_up().cell(0, "maze", "fusion").cell(1, "maze; or not", "arbitration")
@@ -239,6 +300,20 @@ class Deciding(unittest.TestCase):
         self.assertEqual(held["1, first half"], {True})
         self.assertEqual(held["1, second half"], {None})  # all networks learned
         self.assertEqual([held[key] for key in ("2", "3, first half", "3, second half")], [{False}, {False}, {False}])
+
+    def test_exactly_a_tenth_of_the_runs_counts_whatever_the_rates(self):
+        for runs in (20, 80):
+            for won in range(runs - runs // 10 + 1):
+                self.assertTrue(deciding.more_often((won + runs // 10, runs), (won, runs)), (won, runs))
+                self.assertFalse(deciding.more_often((won + runs // 10 - 1, runs), (won, runs)), (won, runs))
+        # 6 of 20 runs are 10 % more than 4 of 20; in floating point, 0.3 - 0.2 is less than 0.1.
+        share = {"fusion": 6, "arbitration": 4}
+        held = self.holds(made_up_study(lambda scheme, layers, search, avoidance, seed: (seed <= share[scheme], 30.0, 60.0, 1e-5), seeds=20))
+        self.assertEqual(held["3, second half"], {True})
+        # The same for networks: with four neurons a layer fusion succeeds in 6 of 20, with two in 4.
+        held = self.holds(made_up_study(lambda scheme, layers, search, avoidance, seed: (
+            seed <= (6 if scheme == "fusion" and "4" in layers else 4), 30.0, 60.0, 1e-5), seeds=20))
+        self.assertEqual((held["4, wider"], held["4, deeper"]), ({True}, {False}))
 
     def test_what_never_succeeds_twice_says_nothing_about_paths(self):
         held = self.holds(made_up_study(lambda scheme, *_: (scheme == "fusion", 30.0, 60.0, 1e-5)))
@@ -314,6 +389,19 @@ class Published(unittest.TestCase):
 
     def test_every_figure_in_the_prose_is_that_of_the_archive(self):
         self.assertEqual(self.published.problems(SOURCE / "docs"), [])
+
+    def test_the_files_of_every_experiment_are_in_the_commit_that_its_page_names(self):
+        experiments = {**self.published.every, **self.published.deciding}
+        text = "".join((SOURCE / "docs" / page).read_text() for page in pages.PAGES)
+        for name, runs in experiments.items():
+            commit, file = runs.build.get("files", runs.build["commit"]), SOURCE / "experiments" / f"{name}.xml"
+            self.assertIn(commit, text)
+            if subprocess.run(["git", "cat-file", "-e", commit], cwd=SOURCE, capture_output=True, check=False).returncode != 0:
+                self.skipTest("this is no repository with the history of the runs")
+            worlds = [(file.parent / world.get("file")).resolve() for world in xml.etree.ElementTree.parse(file).iter("world") if world.get("file")]
+            for path in [file, *worlds]:
+                with self.subTest(path=path):
+                    subprocess.run(["git", "cat-file", "-e", f"{commit}:{path.relative_to(SOURCE)}"], cwd=SOURCE, check=True)
 
     def test_every_set_up_and_scheme_has_the_same_seeds(self):
         for study in (self.published.arena, self.published.clutter):

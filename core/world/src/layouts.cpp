@@ -118,7 +118,7 @@ ElementSpec with_layouts(ElementSpec world) {
       "layouts", "What is drawn from a seed, before the world runs",
       {given("seed", kNoCount, range("", 0, 9007199254740992.0, "by default the run's"))},
       {element("scatter", "Things of one kind at random places: what, and where",
-               {id, given("count", kNoCount, range("", 1, 999999, "how many; by default 1")),
+               {id, given("count", kNoCount, range("", 0, 999999, "how many; by default 1")),
                 given("density", kNone,
                       {.above = 0,
                        .max = 0.9,

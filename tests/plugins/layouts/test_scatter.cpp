@@ -292,12 +292,9 @@ TEST_CASE("What cannot be scattered is refused in a sentence, at its line") {
         "reaches to (5, 5); make it smaller, or move it");
   CHECK(
       refusal(scattered("count='-1'", "<static_box/>")) ==
-      "w.xml:2: count=\"-1\" of <scatter>: expected a whole number at least 1 and at most 999999");
-  CHECK_THAT(refusal(scattered("count='0'", "<static_box/>")), Contains("at least 1"));
+      "w.xml:2: count=\"-1\" of <scatter>: expected a whole number at least 0 and at most 999999");
   CHECK_THAT(refusal(scattered("density='0.95'", "<static_box/>")), Contains("at most 0.9"));
   CHECK_THAT(refusal(scattered("density='0.8'", "<static_box/>")), Contains("lower the density"));
-  CHECK_THAT(refusal(scattered("density='1e-9'", "<static_box/>")),
-             Contains("less than one thing"));
   CHECK_THAT(refusal(scattered("density='0.1' count='3'", "<static_box/>")),
              Contains("has a count and a density; expected one of them"));
   CHECK_THAT(refusal(scattered("density='0.1'", "<static_box/><gaussian/>")),
@@ -326,6 +323,22 @@ TEST_CASE("What cannot be scattered is refused in a sentence, at its line") {
   CHECK_THAT(refusal(kClutter, 1, {"obstacle[clutter31]/@x=0"}),
              Contains("there is no obstacle[clutter31]"));
   CHECK_THAT(refusal(kClutter, 1, {"scatter[cluter]/@count=3"}), Contains("there are: clutter"));
+}
+
+TEST_CASE("There may be none of what is scattered, by count or by density") {
+  const std::string other = "<layouts><scatter id='o'><static_box/></scatter>";
+  for (const char* number : {"count='0'", "density='1e-9'"}) {
+    CAPTURE(number);
+    const std::string none = "<scatter id='c' " + std::string(number) + "><static_box/>";
+    CHECK(text_of(other + none + "</scatter></layouts>") == text_of(other + "</layouts>"));
+    // What it would scatter is checked, and found by the draws of the world.
+    CHECK_THAT(refusal(scattered(number, "<static_box lenth='1'/>")),
+               Contains("did you mean 'length'?"));
+    CHECK(refusal("<layouts>" + none + "</scatter><draw path='obstacle[*]/@length' from='0.1' "
+                                       "to='0.2'/></layouts>") == "");
+  }
+  CHECK_THAT(refusal("<goals><collect/></goals>" + scattered("count='0'", "<resource/>")),
+             Contains("<collect> has nothing to collect"));
 }
 
 TEST_CASE("A mistake in the thing itself is said once, however many there are") {

@@ -60,6 +60,8 @@ base::Problem problem_of(const world::World& world, const simulation::ChangeRefu
 struct Complaint {
   Location where;
   std::string message;
+  base::Problem problem;           // as it was found, with this seed
+  std::uint64_t seed = 1;
   bool is_setting = false;         // in this experiment; else in a world's file
   std::vector<std::size_t> cells;  // the cells that have it
 };
@@ -130,7 +132,7 @@ class CellCheck {
         measures_.warnings.push_back(std::move(warning));
       }
     }
-    compare(cell, found.text);
+    compare(cell, found);
     check_layouts(cell, found.drawn);
   }
 
@@ -165,9 +167,8 @@ class CellCheck {
           read(experiment_, cell, files_[cell.world], host_, options_, seed, false);
         }
       } catch (const world::WorldError& error) {
-        for (base::Problem problem : error.problems()) {
-          problem.message += " (with the seed " + std::to_string(seed) + ")";
-          complain(cell, problem);
+        for (const base::Problem& problem : error.problems()) {
+          complain(cell, problem, seed);
         }
         return;
       }
@@ -248,15 +249,40 @@ class CellCheck {
     }
   }
 
-  // Two cells with the same world are an error: a level changes nothing, or a later setting undoes
+  // Two cells with the same worlds are an error: a level changes nothing, or a later setting undoes
   // it.
-  void compare(const Cell& cell, const std::string& text) {
-    const auto [known, is_new] = cells_by_text_.emplace(std::hash<std::string>()(text), cell.index);
-    const Cell& other = grid_[known->second];
-    if (is_new || world::write_world(read(experiment_, other, files_[other.world], host_, options_,
-                                          first_seed())) != text) {
-      return;
+  void compare(const Cell& cell, const Found& found) {
+    const bool by_run = found.drawn && found.drawn->by_run;
+    std::vector<std::size_t>& alike = cells_by_text_[std::hash<std::string>()(found.text)];
+    const auto twin = std::find_if(alike.begin(), alike.end(), [&](std::size_t index) {
+      return text_of(grid_[index], first_seed()) == found.text &&
+             (!by_run || are_same(cell, grid_[index]));
+    });
+    if (twin == alike.end()) {
+      alike.push_back(cell.index);
+    } else {
+      report_twins(cell, grid_[*twin]);
     }
+  }
+
+  // Whether two cells have the same world with every seed.
+  bool are_same(const Cell& one, const Cell& other) const {
+    return std::all_of(experiment_.seeds.begin(), experiment_.seeds.end(), [&](std::uint64_t seed) {
+      return seed == first_seed() || text_of(one, seed) == text_of(other, seed);
+    });
+  }
+
+  // "" if the world cannot be read.
+  std::string text_of(const Cell& cell, std::uint64_t seed) const {
+    try {
+      return world::write_world(
+          read(experiment_, cell, files_[cell.world], host_, options_, seed, false));
+    } catch (const world::WorldError&) {
+      return "";
+    }
+  }
+
+  void report_twins(const Cell& cell, const Cell& other) {
     Location where = experiment_.worlds[cell.world].location;
     std::string what = "'" + experiment_.worlds[cell.world].id + "'";
     std::string of = experiment_.worlds[other.world].id;
@@ -277,7 +303,15 @@ class CellCheck {
   }
 
   void complain(const Cell& cell, const base::Problem& problem) {
-    Complaint complaint{{problem.file, problem.line}, problem.message, false, {}};
+    complain(cell, problem, first_seed());
+  }
+
+  void complain(const Cell& cell, const base::Problem& problem, std::uint64_t seed) {
+    Complaint complaint{
+        {problem.file, problem.line}, problem.message, problem, seed, false, {}};
+    if (seed != first_seed()) {
+      complaint.message += " (with the seed " + std::to_string(seed) + ")";
+    }
     for (const Setting& setting : settings_of(experiment_, cell)) {
       if (setting.at_s
               ? problem.file == setting.location.file && problem.line == setting.location.line
@@ -355,19 +389,28 @@ class CellCheck {
       return "";
     }
     Cell cell = grid_[complaint.cells.front()];
+    const bool with_limit = has_problem(cell, complaint);
     cell.overrides.erase(cell.overrides.begin());  // the time limit is the first one
-    try {
-      read(experiment_, cell, files_[cell.world], host_, options_, first_seed());
-    } catch (const world::WorldError& error) {
-      for (const base::Problem& problem : error.problems()) {
-        if (problem.file == complaint.where.file && problem.line == complaint.where.line &&
-            problem.message == complaint.message) {
-          return "";
-        }
-      }
+    if (!with_limit || has_problem(cell, complaint)) {
+      return "";
     }
     const Location& limits = experiment_.limits_location;
     return "; that time limit is set in " + limits.file.text() + ":" + std::to_string(limits.line);
+  }
+
+  // Whether the problem is found when the world is read; else a plugin or the experiment has it.
+  bool has_problem(const Cell& cell, const Complaint& complaint) const {
+    try {
+      read(experiment_, cell, files_[cell.world], host_, options_, complaint.seed);
+    } catch (const world::WorldError& error) {
+      return std::any_of(error.problems().begin(), error.problems().end(),
+                         [&](const base::Problem& problem) {
+                           return problem.file == complaint.problem.file &&
+                                  problem.line == complaint.problem.line &&
+                                  problem.message == complaint.problem.message;
+                         });
+    }
+    return false;
   }
 
   const Experiment& experiment_;
@@ -378,7 +421,7 @@ class CellCheck {
   const ReadOptions& options_;
   CellMeasures measures_;
   std::map<std::tuple<std::string, int, std::string>, Complaint> complaints_;
-  std::map<std::size_t, std::size_t> cells_by_text_;  // hash of the text to its first cell
+  std::map<std::size_t, std::vector<std::size_t>> cells_by_text_;  // by the hash of the text
   std::vector<world::PluginUse> begun_;
   std::uint64_t layouts_ = 0;  // that follow the seeds
   std::set<std::string> reported_;

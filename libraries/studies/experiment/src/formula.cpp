@@ -206,6 +206,10 @@ std::optional<double> Formula::value(std::span<const double> values) const {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+bool is_of_every_run(const std::string& name) {
+  return name == "robots" || name == "minute" || name == "minutes";
+}
+
 std::optional<double> number_in(const std::string& label) {
   double number = 0.0;
   const char* const end = label.data() + label.size();

@@ -46,6 +46,10 @@ std::string mistake(const MeasureDraft& draft, const std::vector<Factor>& factor
     return "a formula cannot be called '" + draft.name +
            "'; expected a letter or \"_\", then letters, digits, \"_\" and \".\"";
   }
+  if (is_of_every_run(draft.name)) {
+    return "a formula cannot be called '" + draft.name +
+           "', which formulas may use of every run; give it another name";
+  }
   if (std::any_of(factors.begin(), factors.end(),
                   [&](const Factor& factor) { return factor.name == draft.name; })) {
     return "the formula '" + draft.name + "' is called like a factor; give it another name";
@@ -69,8 +73,12 @@ class Known {
   // What is wrong with a name of a formula; "" if nothing.
   std::string mistake(const std::string& name) const {
     const auto factor = factor_called(name);
-    if (is_measure(name)) {
+    if (is_measure(name) || (is_of_every_run(name) && !factor)) {
       return "";
+    }
+    if (is_of_every_run(name)) {
+      return "'" + name + "' is a factor, and what formulas may use of every run; give the factor " +
+             "another name";
     }
     if (!factor) {
       return "there is no measure or factor '" + name + "'" +
@@ -123,6 +131,7 @@ class Known {
     for (const Factor& factor : experiment_.factors) {
       names.push_back(factor.name);
     }
+    names.insert(names.end(), {"robots", "minutes"});
     return names;
   }
 
@@ -150,7 +159,8 @@ std::vector<std::size_t> lists_for(const MeasureUse& use, const Known& known,
     const bool complete =
         !formula || std::all_of(formula->names().begin(), formula->names().end(),
                                 [&](const Formula::Name& name) {
-                                  return has_measure(list, name.text) || known.is_factor(name.text);
+                                  return has_measure(list, name.text) ||
+                                         known.is_factor(name.text) || is_of_every_run(name.text);
                                 });
     if (complete) {
       fit.push_back(i);

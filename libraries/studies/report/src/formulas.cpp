@@ -17,10 +17,12 @@ namespace elsie::report {
 
 namespace {
 
-// Where a formula finds the value of a name.
+// Where a formula finds the value of a name: in a measure, a factor or, with neither, the number of
+// robots.
 struct Source {
-  std::optional<std::size_t> measure;  // index into Results::measures; none: a factor
-  std::size_t factor = 0;              // index into Results::factors
+  std::optional<std::size_t> measure;  // index into Results::measures
+  std::optional<std::size_t> factor;   // index into Results::factors
+  double unit = 1.0;                   // of the measure
 };
 
 template <class List>
@@ -35,12 +37,14 @@ std::optional<std::size_t> place_in(const List& list, const std::string& name) {
 std::vector<Source> sources_of(const experiment::Formula& formula, const Results& results) {
   std::vector<Source> sources;
   for (const experiment::Formula::Name& name : formula.names()) {
-    const auto measure = place_in(results.measures, name.text);
-    const auto factor = place_in(results.factors, name.text);
-    if (!measure && !factor) {
-      return {};
+    Source source{place_in(results.measures, name.text), place_in(results.factors, name.text)};
+    if (!source.measure && !source.factor && name.text != "robots") {
+      source = {place_in(results.measures, kTime), {}, 60.0};
+      if (!source.measure || !experiment::is_of_every_run(name.text)) {
+        return {};
+      }
     }
-    sources.push_back({measure, factor.value_or(0)});
+    sources.push_back(source);
   }
   return sources;
 }
@@ -49,16 +53,18 @@ using Values = std::vector<std::optional<double>>;
 
 // The values of the names of a formula; none when one is lacking.
 std::optional<std::vector<double>> values_of(const std::vector<Source>& sources,
-                                             const Values& measures, const CellInfo& cell) {
+                                             const Values& measures, const CellInfo& cell,
+                                             const Run& run) {
   std::vector<double> values;
   for (const Source& source : sources) {
-    const std::optional<double> value = source.measure
-                                            ? measures[*source.measure]
-                                            : experiment::number_in(cell.levels[source.factor]);
+    const std::optional<double> value =
+        source.measure  ? measures[*source.measure]
+        : source.factor ? experiment::number_in(cell.levels[*source.factor])
+                        : run.robots;
     if (!value) {
       return std::nullopt;
     }
-    values.push_back(*value);
+    values.push_back(*value / source.unit);
   }
   return values;
 }
@@ -77,10 +83,10 @@ class Longer {
 
   // How a formula depends on the time. Adds its values.
   Course add(const experiment::Formula& formula, const std::vector<Source>& sources,
-             const CellInfo& cell) {
+             const CellInfo& cell, const Run& run) {
     bool rises = false, falls = false, unknown = false;
     for (Values& values : cases_) {
-      const auto found = values_of(sources, values, cell);
+      const auto found = values_of(sources, values, cell, run);
       values.push_back(found ? formula.value(*found) : std::nullopt);
       const auto& before = cases_.front().back();
       unknown |= !values.back();
@@ -137,7 +143,7 @@ class Bounds {
     std::uint64_t dropped = 0;
     for (auto& [place, longer] : longer_) {
       Run& run = results.runs[place];
-      const Longer::Course course = longer.add(formula, sources, results.cells[run.cell]);
+      const Longer::Course course = longer.add(formula, sources, results.cells[run.cell], run);
       if (course == Longer::Course::rising) {
         run.bounds.push_back(run.values.size() - 1);
       } else if (run.values.back() && (course == Longer::Course::other ||
@@ -177,7 +183,7 @@ std::vector<std::string> add_formulas(Results& results,
     }
     std::uint64_t undefined = 0;
     for (Run& run : results.runs) {
-      const auto values = values_of(sources, run.values, results.cells[run.cell]);
+      const auto values = values_of(sources, run.values, results.cells[run.cell], run);
       run.values.push_back(values ? formula.value(*values) : std::nullopt);
       undefined += values && !run.values.back() ? 1 : 0;
     }

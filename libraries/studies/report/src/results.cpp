@@ -98,6 +98,10 @@ void read_runs(sqlite::Connection& connection, const Places& cells, Results& res
     places[run.id] = results.runs.size();
     results.runs.push_back(std::move(run));
   }
+  sqlite::Statement robots(connection, "SELECT run_id, count(*) FROM run_robots GROUP BY run_id");
+  while (robots.next()) {
+    results.runs[places.at(robots.integer(0))].robots = robots.number(1);
+  }
   sqlite::Statement values(connection, "SELECT run_id, measure, value FROM run_measures");
   while (values.next()) {
     Run& run = results.runs[places.at(values.integer(0))];

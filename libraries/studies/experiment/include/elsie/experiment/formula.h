@@ -1,4 +1,4 @@
-// A measure that is computed from others: "collisions / robots / (time_s / 60)".
+// A measure that is computed from others: "collisions / robots / minute".
 #pragma once
 
 #include <cstddef>
@@ -38,6 +38,10 @@ class Formula {
   struct Parser;
   std::unique_ptr<Parser> parser_;
 };
+
+/// Whether a formula may use this name whatever is measured: `robots`, those of the run at its end,
+/// and `minute` or `minutes`, the simulated time of the run by 60 s.
+bool is_of_every_run(const std::string& name);
 
 /// The number that a label is: "0.25"; none for any other text.
 std::optional<double> number_in(const std::string& label);

@@ -47,6 +47,7 @@ struct Run : results::RunFields {
   std::size_t cell = 0;  // index into Results::cells
   std::uint64_t seed = 0;
   int repetition = 1;
+  double robots = 0.0;  // at its end
   /// In the order of Results::measures; none for a measure without a value in this run.
   std::vector<std::optional<double>> values;
   /// The formulas that rise with the time of this run, which never reached its goals: indices into
