@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "elsie/client/connection.h"
 
@@ -19,5 +20,6 @@ double number_of(const Json& object, const char* name);
 int integer_of(const Json& object, const char* name, int otherwise);
 /// A value as a file has it: a text without its quotation marks.
 QString written(const Json& value);
+Json list_of(const QStringList& texts);
 
 }  // namespace elsie::desktop

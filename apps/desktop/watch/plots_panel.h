@@ -7,9 +7,11 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "paint/axes.h"
 #include "paint/figures.h"
 
 class QPainter;
@@ -35,18 +37,21 @@ class PlotsPanel : public QWidget {
   void add(const nlohmann::ordered_json& state);
   /// What is chosen stays, without its past.
   void begin();
-  /// Of another world: nothing is known.
+  /// Of another world: nothing is known. The choice stays, for numbers of the same names.
   void clear();
 
   /// The numbers known, such as "r1/speed" or "r1/explore/avoid/share", sorted.
   QStringList names() const;
   QStringList chosen() const;
+  /// What was chosen, also what is not known yet: for the next start.
+  QStringList choice() const { return {chosen_.begin(), chosen_.end()}; }
+  void set_choice(const QStringList& names);
   /// The robots of those, also of those that are not known yet.
   QStringList chosen_robots() const;
   void choose(const QString& name, bool on);
   /// The chosen numbers: now, and between which values they were.
   Figures figures() const;
-  /// Draws axes, curves and legend, as on the screen.
+  /// Draws axes, curves and legend, as on the screen: a strip for each unit.
   void draw(QPainter& painter, const QRectF& area) const;
   /// How far the samples lie apart: a fast run sends fewer of them.
   QString sampling() const;
@@ -63,7 +68,16 @@ class PlotsPanel : public QWidget {
   void record(const QString& path, const nlohmann::ordered_json& value, double time);
   QTreeWidgetItem* item_of(const QString& name) const;
   void add_item(const QString& name);
-  picture::LineChart chart() const;
+  /// The chosen numbers that share an axis.
+  struct Strip {
+    QString title;  // the unit, or what it is of those without
+    QStringList names;
+  };
+  std::vector<Strip> strips() const;
+  void fit();
+  void draw_strip(QPainter& painter, const QRectF& area, double legend, const Strip& strip,
+                  const Span& x, int& n) const;
+  picture::LineChart chart(const Strip& strip) const;
   std::string table() const;
 
   std::set<QString> chosen_;

@@ -43,6 +43,7 @@ class Form : public QWidget {
   void show_problem(const QString& name, const QString& sentence);
   /// What the value is in the run, behind the row; "" takes it away.
   void show_live(const QString& name, const QString& text);
+  void clear_live();
   /// The widget that the value is entered in: its object name is the field's.
   QWidget* editor(const QString& name) const;
   /// Hides all rows whose name and meaning have none of it.

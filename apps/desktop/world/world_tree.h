@@ -78,7 +78,7 @@ class WorldTree : public QWidget {
   bool is_showing_ = false;
 };
 
-/// The names of all teams that a world has robots of, those that are always there first.
+/// The names of all teams that a world declares or has robots of.
 QStringList teams_of(const Json& world);
 
 }  // namespace elsie::desktop
