@@ -114,7 +114,8 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
       "becoming_another", "killing", "crashing_beside", "leaving_a_thread", "forking_and_crashing",
       "forking", "starting", "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap",
       "rounding_when_made", "leaving_when_destroyed", "crashes_when_destroyed",
-      "leaving_at_the_end");
+      "leaving_at_the_end", "segfaulting_beside", "aborting_beside", "exiting_beside",
+      "looping_beside", "sleeping");
   const QString plugin = QString::fromStdString(name);
   CAPTURE(name);
   run_with(window, plugin);
@@ -272,6 +273,40 @@ TEST_CASE("A library that never finishes loading is named once the user ends the
   CHECK(report.contains("trespassers"));
   window.workbench().open_text(kRoom, {}, true);
   CHECK(wait_for([&] { return window.workbench().is_right(); }));
+}
+
+TEST_CASE("A library that changes the rounding of numbers while it is loaded changes no run") {
+  qputenv("TRESPASS_WHILE_LOADED", "round");
+  Window window({}, options());
+  qunsetenv("TRESPASS_WHILE_LOADED");
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+TEST_CASE("A world at the ends of what is allowed is refused, or has an end that is said") {
+  const auto [from, to] = GENERATE(table<const char*, const char*>(
+      {{"<sensors>", R"(<body height="8" mass="12" wheel_torque="9000"/><sensors>)"},
+       {"<sensors>", R"(<body mass="1e-12" wheel_mass="1e-300"/><sensors>)"},
+       {"x=\"-1\">", R"(x="-1" max_speed="90"><body wheel_torque="9000"/>)"},
+       {"<obstacles>", R"(<physics cfm="0" friction="900"/><obstacles>)"},
+       {"<obstacles>", R"(<physics erp="1"/><obstacles>)"},
+       {"<static_box id=\"crate\"",
+        R"(<dynamic_box id="crate" length="1e-300" width="1e-300" height="1e-300" mass="1e-300")"},
+       {"<static_box id=\"crate\" x=\"1\" y=\"1\"/>",
+        R"(<moving_box id="crate" length="1" width="3" speed="90"><waypoint x="1.9"/></moving_box>)"}}));
+  CAPTURE(to);
+  const QString text =
+      QString(kRoom).replace(from, to).replace("time=\"60\"", "time=\"10\"");
+  REQUIRE(text.contains(to));
+  Window window;
+  const Outcome outcome = run_world(window, text);
+  CHECK_FALSE(outcome.is_lost);
+  CHECK_FALSE(outcome.named.isEmpty());
+  CHECK(window.bench().text() == text);
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
 }
 
 TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
