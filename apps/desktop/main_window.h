@@ -147,7 +147,7 @@ class MainWindow : public QMainWindow {
   ControlBar* control_bar_;
   WorldTree* world_tree_;
   QHash<QString, WorldTree*> teams_;
-  QStringList teams_shown_;  // in their order
+  QStringList teams_shown_;   // in their order
   QSet<QString> idle_teams_;  // usual ones whose windows give way
   QHash<QString, QDockWidget*> docks_;
   Properties* properties_;
@@ -172,7 +172,7 @@ class MainWindow : public QMainWindow {
   RunReader* runs_;
   std::unique_ptr<Recorded> recorded_;
   Problems problems_shown_;
-  QString failure_;  // of the run
+  QString failure_;        // of the run
   bool is_stuck_ = false;  // the engine does not answer
   bool is_seed_asked_ = false;
   QByteArray default_state_;

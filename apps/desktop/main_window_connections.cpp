@@ -291,8 +291,9 @@ void MainWindow::show_problems() {
 
 /// What the view says instead of a world.
 QString MainWindow::notice() const {
-  const auto count = std::count_if(problems_shown_.begin(), problems_shown_.end(),
-                                   [](const Problem& each) { return !each.is_warning; });
+  const auto count =
+      std::count_if(problems_shown_.begin(), problems_shown_.end(),
+                    [](const Problem& each) { return !each.is_warning && each.line > 0; });
   if (workbench_.tree().is_object() || count == 0) {
     return {};
   }
@@ -338,9 +339,9 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
            ? tr("Your world and its unsaved changes are here as a text; it is opened again when "
                 "you change it.")
            : tr("Your world and its unsaved changes are here; the run starts again.")) +
-      (not_made.isEmpty() ? QString()
-                          : ' ' + tr("This was not made, and may have ended it: %1.")
-                                      .arg(not_made.join(", "))));
+      (not_made.isEmpty()
+           ? QString()
+           : ' ' + tr("This was not made, and may have ended it: %1.").arg(not_made.join(", "))));
   box->setInformativeText(cause_in(report));
   box->setDetailedText(report);
   box->open();

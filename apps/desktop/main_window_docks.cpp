@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QStyle>
+#include <algorithm>
 
 #include "authoring/authoring.h"
 #include "main_window.h"
@@ -178,7 +179,7 @@ QDockWidget* MainWindow::make_team(const QString& team) {
   return new_dock(("team_" + team).toUtf8().constData(), team, tree);
 }
 
-// The windows of the two usual teams give way to those of a world that has others and not them;
+// The windows of the usual teams are put away in a world that has others, and no robot in them;
 // those of others come and go with the worlds that have them.
 void MainWindow::show_teams() {
   if (!workbench_.tree().is_object()) {
@@ -205,8 +206,10 @@ void MainWindow::show_teams() {
       bring_back(made);
     }
   }
+  const bool has_others = std::any_of(
+      teams.begin(), teams.end(), [](const QString& team) { return !kUsualTeams.contains(team); });
   for (const QString& team : kUsualTeams) {
-    const bool is_idle = !teams.isEmpty() && !teams.contains(team);
+    const bool is_idle = has_others && !teams.contains(team);
     QDockWidget* window = docks_["team_" + team];
     if (is_idle && !window->isHidden()) {
       window->hide();

@@ -296,8 +296,7 @@ TEST_CASE("A world at the ends of what is allowed is refused, or has an end that
        {"<static_box id=\"crate\" x=\"1\" y=\"1\"/>",
         R"(<moving_box id="crate" length="1" width="3" speed="90"><waypoint x="1.9"/></moving_box>)"}}));
   CAPTURE(to);
-  const QString text =
-      QString(kRoom).replace(from, to).replace("time=\"60\"", "time=\"10\"");
+  const QString text = QString(kRoom).replace(from, to).replace("time=\"60\"", "time=\"10\"");
   REQUIRE(text.contains(to));
   Window window;
   const Outcome outcome = run_world(window, text);

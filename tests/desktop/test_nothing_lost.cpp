@@ -226,7 +226,7 @@ TEST_CASE("A text with mistakes is there again after what another program wrote 
   CHECK(window.bench().text().toUtf8() == theirs);
   window.act("undo");
   REQUIRE(wait_for([&] { return window.bench().text() == typed; }));
-  CHECK(window->isWindowModified());
+  CHECK(wait_for([&] { return window->isWindowModified(); }));
   window.bench().give_up_unsaved();
 }
 

@@ -94,11 +94,11 @@ TEST_CASE("A world with errors shows its text, at the first of them, and the vie
   CHECK(window.get<WorldEditor>("world_editor")->textCursor().blockNumber() + 1 == 3);
   CHECK(window->scene().notice().contains("2 errors"));
   window.open(window.file(kRoom, "right.xml"));
-  CHECK(window->scene().notice().isEmpty());
+  CHECK(wait_for([&] { return window->scene().notice().isEmpty(); }));
 }
 
 TEST_CASE("Why a run failed is in the list of errors until the next run") {
-  const QString reason = QString("the body 'r1' is lost, ").repeated(30);
+  const QString reason = QString("the body of r1 is lost, ").repeated(30);
   ScriptedEngine elsie(QString(kOpens) + R"(run) say "{\"answer\":$id}"
       say '{"event":"ended","outcome":"stopped","reason":")" +
                        reason + R"("}' ;;
@@ -134,8 +134,7 @@ TEST_CASE("No letter with Alt leads to two things of the window, or of a menu") 
 TEST_CASE("Bars are hidden by the menu View, and stay so") {
   const auto bars = [](Window& window) {
     return std::vector<const QWidget*>{window.get<QToolBar>("tools"),
-                                       window.get<QToolBar>("environment"),
-                                       window->statusBar()};
+                                       window.get<QToolBar>("environment"), window->statusBar()};
   };
   const std::vector<const char*> toggles{"show_control_bar", "show_environment_bar",
                                          "show_status_bar"};
@@ -180,7 +179,9 @@ TEST_CASE("The numbers that are plotted are plotted again in the next window") {
 
 TEST_CASE("Usual teams that a world does not use give way to its own") {
   Window window;
-  const QString others = QString(kRoom).replace("team=\"red\"", "team=\"green\"");
+  const QString others = QString(kRoom)
+                             .replace("team=\"red\"", "team=\"green\"")
+                             .replace("<robots>", "<teams><team id=\"green\"/></teams><robots>");
   window.open(window.file(others.toUtf8(), "others.xml"));
   CHECK(wait_for([&] { return window->findChild<QDockWidget*>("dock_team_green") != nullptr; }));
   CHECK(window.get<QDockWidget>("dock_team_red")->isHidden());
@@ -188,10 +189,11 @@ TEST_CASE("Usual teams that a world does not use give way to its own") {
   window.act("layout_author");
   CHECK(window.get<QDockWidget>("dock_team_red")->isHidden());
   window.open(window.file(kRoom));
+  CHECK(wait_for([&] { return !window.get<QDockWidget>("dock_team_red")->isHidden(); }));
+  window.open(
+      window.file("<world format=\"1\"><arena length=\"4\" width=\"4\"/></world>", "e.xml"));
+  CHECK(wait_for([&] { return !window.get<QDockWidget>("dock_team_blue")->isHidden(); }));
   CHECK_FALSE(window.get<QDockWidget>("dock_team_red")->isHidden());
-  window.open(window.file("<world format=\"1\"><arena length=\"4\" width=\"4\"/></world>", "e.xml"));
-  CHECK_FALSE(window.get<QDockWidget>("dock_team_red")->isHidden());
-  CHECK_FALSE(window.get<QDockWidget>("dock_team_blue")->isHidden());
 }
 
 TEST_CASE("Nested behaviours are in the tree, and their coordinator is edited where it is") {

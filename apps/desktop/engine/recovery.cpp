@@ -110,8 +110,8 @@ std::vector<Recovered> Recovery::left_behind() {
     const auto text = member("text");
     const bool is_borrowed = json.is_object() && json.contains("borrowed") &&
                              json["borrowed"].is_boolean() && json["borrowed"].get<bool>();
-    all.push_back(
-        {member("file").value_or(QString()), text.value_or(QString()), path, is_borrowed, !text, waiting_in(json)});
+    all.push_back({member("file").value_or(QString()), text.value_or(QString()), path, is_borrowed,
+                   !text, waiting_in(json)});
   }
   return all;
 }

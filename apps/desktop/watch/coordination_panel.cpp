@@ -241,12 +241,12 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     painter.drawRect(bar);
     const QString activation = tr("activation %1  ")  // the bar is this
                                    .arg(number_text(std::round(100.0 * row.activation) / 100.0));
-    const QString numbers = (row.asked ? activation : QString()) +
-                            (row.asked ? tr("priority %1  share %2 %  (%3)")
-                                             .arg(number_text(row.priority),
-                                                  number_text(std::round(100.0 * row.share)),
-                                                  row.command)
-                                       : tr("priority %1  not asked").arg(number_text(row.priority)));
+    const QString numbers =
+        (row.asked ? activation : QString()) +
+        (row.asked ? tr("priority %1  share %2 %  (%3)")
+                         .arg(number_text(row.priority), number_text(std::round(100.0 * row.share)),
+                              row.command)
+                   : tr("priority %1  not asked").arg(number_text(row.priority)));
     const int beside = em * 5;
     painter.drawText(text.adjusted(beside, 1, 0, 0), Qt::AlignTop,
                      font.elidedText(numbers, Qt::ElideRight, text.width() - beside));

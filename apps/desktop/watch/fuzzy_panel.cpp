@@ -202,8 +202,7 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
   void draw_variable(QPainter& painter, const fuzzy::Variable& variable, int top, double value,
                      const FuzzySet* cut, std::optional<double> centre) const {
     const double line = fontMetrics().height();
-    const Axes axes(painter,
-                    QRectF(0, top + names_height(variable), width(), 10.0 * line),
+    const Axes axes(painter, QRectF(0, top + names_height(variable), width(), 10.0 * line),
                     {variable.range.low, std::max(variable.range.high, variable.range.low + 1e-9)},
                     {0.0, 1.05});
     QString title =
@@ -230,7 +229,7 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
                       QPen(curve_colour(n, palette()), 1.5, pen_style(n)));
       painter.setPen(curve_colour(n, palette()));
       const Name& name = names[static_cast<std::size_t>(n)];
-      painter.drawText(name.place.translated(0.0, axes.area().top()),
+      painter.drawText(name.place.translated(0.0, axes.area().top() - 2.0),
                        Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, name.text);
       ++n;
     }

@@ -259,7 +259,6 @@ Form::Row Form::make_row(const Field& field) {
   row.live->setObjectName(name + "_live");
   row.live->setIndent(fontMetrics().averageCharWidth());
   row.live->hide();
-  line->addWidget(row.live);
   row.reset = new QToolButton;
   row.reset->setText("\u21ba");
   row.reset->setAutoRaise(true);
@@ -275,6 +274,8 @@ Form::Row Form::make_row(const Field& field) {
     Q_EMIT taken_back(name);
   });
   line->addWidget(row.reset);
+
+  column->addWidget(row.live);  // below: beside, it takes the field's room
 
   row.problem = new WarningLabel;
   row.problem->setObjectName(name + "_problem");

@@ -41,7 +41,7 @@ class Form : public QWidget {
   void drop_typed();
   /// A sentence below the row, until its next change; "" takes it away.
   void show_problem(const QString& name, const QString& sentence);
-  /// What the value is in the run, behind the row; "" takes it away.
+  /// What the value is in the run, below the row; "" takes it away.
   void show_live(const QString& name, const QString& text);
   void clear_live();
   /// The widget that the value is entered in: its object name is the field's.
