@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTextBlock>
 #include <QToolBar>
 
@@ -188,6 +189,13 @@ TEST_CASE("Usual teams that a world does not use give way to its own") {
   CHECK(window.get<QDockWidget>("dock_team_blue")->isHidden());
   window.act("layout_author");
   CHECK(window.get<QDockWidget>("dock_team_red")->isHidden());
+  QString tip;  // of a tab whose name may be cut off
+  for (const QTabBar* tabs : window->findChildren<QTabBar*>()) {
+    for (int i = 0; i < tabs->count(); ++i) {
+      if (tabs->tabText(i) == "green") tip = tabs->tabToolTip(i);
+    }
+  }
+  CHECK(tip == "green");
   window.open(window.file(kRoom));
   CHECK(wait_for([&] { return !window.get<QDockWidget>("dock_team_red")->isHidden(); }));
   window.open(
