@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 a second
 constexpr int kName = Qt::UserRole;
-constexpr int kStrip_lines = 8;  // the least height of a strip
+constexpr int kStrip_lines = 7;  // the least height of a strip
 
 class Plot : public QWidget, public ShowsFigures {
  public:
