@@ -21,6 +21,7 @@
 #include "main_window_recorded.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
+#include "watch/plots_panel.h"
 #include "world/properties.h"
 #include "world/world_tree.h"
 
@@ -94,6 +95,8 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
     resize(first);
   }
   restoreState(settings.value("layout").toByteArray());
+  plots_->set_choice(settings.value("plots").toStringList());
+  findChild<QAction*>("show_status_bar")->setChecked(settings.value("status_bar", true).toBool());
   show_recent();
   show_state();
   show_title();

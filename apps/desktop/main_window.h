@@ -124,7 +124,9 @@ class MainWindow : public QMainWindow {
   /// Whether a problem's file is the text of the world.
   bool is_of_world(const QString& file) const;
   void show_problems();
-  void say_that_the_engine_ended(const QString& report, bool was_stopped);
+  QString notice() const;
+  void say_that_the_engine_ended(const QString& report, bool was_stopped,
+                                 const QStringList& not_made);
   void go_to(const QString& file, int line);
   void say(const QString& text);
   void warn(const QString& title, const QString& sentence);
@@ -145,7 +147,8 @@ class MainWindow : public QMainWindow {
   ControlBar* control_bar_;
   WorldTree* world_tree_;
   QHash<QString, WorldTree*> teams_;
-  QStringList teams_shown_;  // in their order
+  QStringList teams_shown_;   // in their order
+  QSet<QString> idle_teams_;  // usual ones whose windows give way
   QHash<QString, QDockWidget*> docks_;
   Properties* properties_;
   WorldEditor* editor_;
@@ -169,6 +172,7 @@ class MainWindow : public QMainWindow {
   RunReader* runs_;
   std::unique_ptr<Recorded> recorded_;
   Problems problems_shown_;
+  QString failure_;        // of the run
   bool is_stuck_ = false;  // the engine does not answer
   bool is_seed_asked_ = false;
   QByteArray default_state_;

@@ -57,7 +57,7 @@ void MainWindow::make_actions() {
   action("save", tr("&Save"), QKeySequence::Save, [this] { save(false); });
   action("save_as", tr("Save &as..."), key("Ctrl+Shift+S"), [this] { save(true); });
   action("start_page", tr("Start &page"), {}, [this] { show_start(); });
-  action("export_picture", tr("Export &picture..."), {}, [this] { exporter_->export_picture(); });
+  action("export_picture", tr("Export p&icture..."), {}, [this] { exporter_->export_picture(); });
   action(
       "export_film", tr("Export &film..."), {}, [this] { exporter_->export_film(); },
       tr("Writes the run, from its start to now, as a film"));
@@ -107,7 +107,7 @@ void MainWindow::make_actions() {
       [this] { authoring_->edit_behaviors(authoring_->robot()); },
       tr("Choose the behaviours of the selected robot"));
   action(
-      "coordinator", tr("Coor&dinator..."), {},
+      "coordinator", tr("C&oordinator..."), {},
       [this] { authoring_->edit_coordinator(authoring_->robot()); },
       tr("Choose or edit the coordinator of the selected robot"));
   action("add_static", tr("&Static box..."), {}, [this] {
@@ -129,7 +129,7 @@ void MainWindow::make_actions() {
          [this] { authoring_->add_element({}, "resources"); });
   action("add_charger", tr("&Charger..."), {}, [this] { authoring_->add_element({}, "chargers"); });
   action("add_goal", tr("&Goal..."), {}, [this] { authoring_->add_element({}, "goals"); });
-  action("add_measure", tr("Mea&sure..."), {}, [this] { authoring_->add_element({}, "measures"); });
+  action("add_measure", tr("Meas&ure..."), {}, [this] { authoring_->add_element({}, "measures"); });
   action("add_team", tr("&Team..."), {}, [this] { authoring_->add_element({}, "teams"); });
 
   action("run", tr("&Run or pause"), key("F5"), [this] { run_or_pause(); });
@@ -144,7 +144,7 @@ void MainWindow::make_actions() {
   action("arena", tr("&Arena..."), {}, [this] { authoring_->edit_element("arena"); });
   action("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
   action(
-      "stop_engine", tr("Stop the engine &now"), {}, [this] { workbench_.stop_engine(); },
+      "stop_engine", tr("S&top the engine now"), {}, [this] { workbench_.stop_engine(); },
       tr("For a plugin that does not return: the engine starts again, and the world stays"));
 
   action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
@@ -175,13 +175,13 @@ void MainWindow::make_actions() {
     made->setCheckable(true);
     made->setChecked(scene_->overlays().*which);
   };
-  overlay("show_trails", tr("&Trajectories"), &SceneView::Overlays::trails);
+  overlay("show_trails", tr("Tra&jectories"), &SceneView::Overlays::trails);
   overlay("show_beams", tr("&Beams"), &SceneView::Overlays::beams);
   overlay("show_views", tr("Fields of &view"), &SceneView::Overlays::views);
-  overlay("show_names", tr("&Names"), &SceneView::Overlays::names);
+  overlay("show_names", tr("Nam&es"), &SceneView::Overlays::names);
   overlay("show_grid", tr("&Grid"), &SceneView::Overlays::grid);
   action("clear_trails", tr("&Clear trajectories"), {}, [this] { scene_->clear_trails(); });
-  for (const auto& [layout, text] : {std::pair{"author", tr("Layout: &author")},
+  for (const auto& [layout, text] : {std::pair{"author", tr("Layout: aut&hor")},
                                      {"watch", tr("Layout: &watch")},
                                      {"train", tr("Layout: t&rain")}}) {
     action((std::string("layout_") + layout).c_str(), text, {},
@@ -264,7 +264,7 @@ void MainWindow::make_actions() {
     box.exec();
   });
   action(
-      "shortcuts", tr("Change &keys..."), {},
+      "shortcuts", tr("C&hange keys..."), {},
       [this] { (new ShortcutsDialog(actions_, this))->show(); }, tr("The keys of all commands"));
   action("about", tr("&About"), {}, [this] { about(); });
   load_shortcuts(actions_);
@@ -293,7 +293,8 @@ void MainWindow::make_menus() {
   fill(view,
        {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure", "",
         "show_trails", "show_beams", "show_views", "show_names", "show_grid", "clear_trails", ""});
-  windows_ = view->addMenu(tr("&Windows"));
+  QAction* const before = view->addSeparator();
+  windows_ = view->addMenu(tr("Win&dows"));
   connect(windows_, &QMenu::aboutToShow, this, [this] {
     windows_->clear();
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
@@ -323,6 +324,18 @@ void MainWindow::make_menus() {
   bar->addWidget(control_bar_);
   QToolBar* environment = addToolBar(tr("Environment"));
   environment->setObjectName("environment");
+  const auto offer = [view, before](const char* name, const QString& text, QAction* toggle) {
+    toggle->setObjectName(name);
+    toggle->setText(text);
+    view->insertAction(before, toggle);
+  };
+  offer("show_control_bar", tr("Contro&l bar"), bar->toggleViewAction());
+  offer("show_environment_bar", tr("Env&ironment bar"), environment->toggleViewAction());
+  auto* status = new QAction(this);
+  status->setCheckable(true);
+  status->setChecked(true);
+  connect(status, &QAction::toggled, statusBar(), &QStatusBar::setVisible);
+  offer("show_status_bar", tr("Stat&us bar"), status);
   for (const char* name : {"add_robot", "add_sensor", "behaviors", "coordinator"}) {
     environment->addAction(actions_[name]);
   }

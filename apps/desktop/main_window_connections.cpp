@@ -44,6 +44,8 @@ void MainWindow::connect_workbench() {
       statusBar()->clearMessage();
     }
     scene_->set_scene(workbench_.scene(), workbench_.epoch());
+    scene_->set_notice(notice());
+    show_pose();
     world_tree_->show_world();
     show_teams();
     for (WorldTree* each : std::as_const(teams_)) each->show_world();
@@ -97,6 +99,8 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::run_changed, this, [this] {
     if (workbench_.run_state() == Workbench::Run::ready) {
       outcome_.clear();
+      failure_.clear();
+      show_problems();
       scene_->clear_trails();
       time_line_->clear();
       coordination_->clear();
@@ -119,6 +123,10 @@ void MainWindow::connect_workbench() {
             .arg(reason, QString::fromStdString(end.value("state_hash", std::string()))));
     say(reason.isEmpty() ? tr("The run has ended: %1").arg(outcome_)
                          : tr("The run has ended: %1, %2").arg(outcome_, reason));
+    if (outcome_ == "stopped") {
+      failure_ = reason;
+      show_problems();  // where it can be read whole
+    }
     show_state();
   });
   connect(&workbench_, &Workbench::raised, this, [this](const Json& event) {
@@ -254,6 +262,9 @@ void MainWindow::show_problems() {
   Problems all = workbench_.problems();
   const Problems remarks = workbench_.remarks();
   all.insert(all.end(), remarks.begin(), remarks.end());
+  if (!failure_.isEmpty()) {
+    all.push_back({{}, 0, tr("The run failed: %1").arg(failure_)});
+  }
   if (all == problems_shown_) {
     return;
   }
@@ -267,10 +278,28 @@ void MainWindow::show_problems() {
                                                  : tr("Errors (%1)").arg(all.size()));
   std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
   editor_->set_problems(all);
+  scene_->set_notice(notice());
   if (has_news && !editor_->hasFocus()) {
     docks_["problems"]->show();
     docks_["problems"]->raise();
+    if (workbench_.tree().is_null()) {  // it is mended in its text
+      docks_["text"]->show();
+      docks_["text"]->raise();
+      if (!all.empty() && all.front().line > 0) editor_->go_to(all.front().line);
+    }
   }
+}
+
+/// What the view says instead of a world.
+QString MainWindow::notice() const {
+  const auto count =
+      std::count_if(problems_shown_.begin(), problems_shown_.end(),
+                    [](const Problem& each) { return !each.is_warning && each.line > 0; });
+  if (workbench_.tree().is_object() || count == 0) {
+    return {};
+  }
+  return count == 1 ? tr("The text is not a world yet: it has an error.")
+                    : tr("The text is not a world yet: it has %1 errors.").arg(count);
 }
 
 void MainWindow::go_to(const QString& file, int line) {
@@ -284,7 +313,8 @@ void MainWindow::go_to(const QString& file, int line) {
 }
 
 /// There is only one box, however often the engine ends.
-void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopped) {
+void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopped,
+                                           const QStringList& not_made) {
   auto* box = findChild<QMessageBox*>("engine_lost");
   if (!box) {
     box = new QMessageBox(this);
@@ -297,8 +327,9 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
   box->setWindowTitle(!is_there     ? tr("There is no engine")
                       : was_stopped ? tr("The engine was stopped")
                                     : tr("The engine was started again"));
-  const QString what =
-      was_stopped ? tr("You stopped the engine.") : tr("A plugin ended the engine.");
+  const QString what = was_stopped            ? tr("You stopped the engine.")
+                       : names_plugin(report) ? tr("A plugin ended the engine.")
+                                              : tr("The engine ended.");
   box->setText(
       what + ' ' +
       (!is_there
@@ -308,7 +339,10 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
        : workbench_.tree().is_null() && !workbench_.problems().empty()
            ? tr("Your world and its unsaved changes are here as a text, which is opened again "
                 "when you change it.")
-           : tr("Your world and its unsaved changes are here; the run starts again.")));
+           : tr("Your world and its unsaved changes are here; the run starts again.")) +
+      (not_made.isEmpty()
+           ? QString()
+           : ' ' + tr("This was not made, and may have ended it: %1.").arg(not_made.join(", "))));
   box->setInformativeText(cause_in(report));
   box->setDetailedText(report);
   box->open();

@@ -3,7 +3,9 @@
 #include <QDockWidget>
 #include <QScreen>
 #include <QSettings>
+#include <QStatusBar>
 #include <QStyle>
+#include <algorithm>
 
 #include "authoring/authoring.h"
 #include "main_window.h"
@@ -112,7 +114,9 @@ void MainWindow::arrange(const QString& layout) {
     if (first) first->raise();
   };
   QStringList trees{"world"};
-  for (const QString& team : std::as_const(teams_shown_)) trees << "team_" + team;
+  for (const QString& team : std::as_const(teams_shown_)) {
+    if (!idle_teams_.contains(team)) trees << "team_" + team;
+  }
   put(Qt::LeftDockWidgetArea, trees);
   if (layout == "watch") {
     put(Qt::RightDockWidgetArea, {"vision", "fuzzy", "sensors"});
@@ -143,7 +147,7 @@ void MainWindow::arrange(const QString& layout) {
   QDockWidget* right = docks_.value(layout == "watch" ? "vision" : "properties");
   if (right) {
     columns << right;
-    widths << 280;
+    widths << (layout == "watch" ? std::max(420, width() / 4) : 280);
   }
   resizeDocks(columns, widths, Qt::Horizontal);
   if (QDockWidget* bottom = docks_.value("coordination")) {
@@ -175,7 +179,8 @@ QDockWidget* MainWindow::make_team(const QString& team) {
   return new_dock(("team_" + team).toUtf8().constData(), team, tree);
 }
 
-// The windows of the two usual teams stay; others exist only for worlds that have those teams.
+// The windows of the two usual teams are hidden in a world that has other teams and no robot in
+// them; those of other teams exist only for worlds that have them.
 void MainWindow::show_teams() {
   if (!workbench_.tree().is_object()) {
     return;
@@ -201,6 +206,18 @@ void MainWindow::show_teams() {
       bring_back(made);
     }
   }
+  const bool has_others = std::any_of(
+      teams.begin(), teams.end(), [](const QString& team) { return !kUsualTeams.contains(team); });
+  for (const QString& team : kUsualTeams) {
+    const bool is_idle = has_others && !teams.contains(team);
+    QDockWidget* window = docks_["team_" + team];
+    if (is_idle && !window->isHidden()) {
+      window->hide();
+      idle_teams_ << team;
+    } else if (!is_idle && idle_teams_.remove(team)) {
+      window->show();
+    }
+  }
 }
 
 // Moves a window that was left on a screen that no longer exists.
@@ -222,7 +239,12 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::keep_layout() const {
+  for (const QString& team : idle_teams_) {
+    docks_["team_" + team]->show();  // it is not the user who closed it
+  }
   QSettings settings;
+  settings.setValue("plots", plots_->choice());
+  settings.setValue("status_bar", !statusBar()->isHidden());
   settings.setValue("geometry", saveGeometry());
   settings.setValue("layout", saveState());
 }

@@ -218,8 +218,8 @@ void MainWindow::ask_about_disk() {
   auto* box = new QMessageBox(
       QMessageBox::Question, tr("The file has changed"),
       workbench_.is_modified()
-          ? tr("Another program has changed '%1'. Read it again? Your unsaved changes would be "
-               "lost.")
+          ? tr("Another program has changed '%1'. Read it again? Undo leads back to your unsaved "
+               "changes.")
                 .arg(workbench_.file())
           : tr("Another program has changed '%1'. Read it again?").arg(workbench_.file()),
       QMessageBox::NoButton, this);
@@ -230,10 +230,11 @@ void MainWindow::ask_about_disk() {
   QPushButton* keep = box->addButton(tr("&Keep mine"), QMessageBox::RejectRole);
   keep->setObjectName("keep_mine");
   box->setEscapeButton(keep);
+  box->setDefaultButton(workbench_.is_modified() ? keep : again);  // it comes while one types
   const QString file = workbench_.file();
   connect(again, &QPushButton::clicked, this, [this, file] {
     QString why;
-    if (file == workbench_.file() && !workbench_.open(file, why)) warn(tr("Not read"), why);
+    if (file == workbench_.file() && !workbench_.read_again(why)) warn(tr("Not read"), why);
   });
   box->open();
 }
@@ -268,6 +269,9 @@ void MainWindow::offer_recovered() {
     const int answer = box.exec();
     if (answer == QMessageBox::Yes) {
       workbench_.open_text(each.text, each.file, false, each.is_borrowed);
+      for (const WaitingEdits& waiting : each.waiting) {
+        workbench_.edit(waiting.edits, waiting.name);
+      }
       if (workbench_.is_kept()) {
         Recovery::discard(each);
       }

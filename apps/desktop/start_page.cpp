@@ -55,7 +55,7 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
   auto* buttons = new QHBoxLayout;
   auto* fresh = new QPushButton(tr("&New world..."));
   fresh->setObjectName("new_world");
-  auto* empty = new QPushButton(tr("&Empty world"));
+  auto* empty = new QPushButton(tr("E&mpty world"));
   empty->setObjectName("empty_world");
   empty->setToolTip(tr("Four walls, 5 m by 5 m, and nothing in them"));
   auto* browse = new QPushButton(tr("&Open..."));
@@ -86,7 +86,7 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
     });
     return made;
   };
-  examples_ = list("examples", tr("&Examples"), 3);
+  examples_ = list("examples", tr("E&xamples"), 3);
   examples_->setIconSize(QSize(kIcon_em, kIcon_em * 3 / 4) * fontMetrics().averageCharWidth());
   recent_ = list("recent", tr("Recent&ly opened"), 2);
   const QDir folder(worlds);

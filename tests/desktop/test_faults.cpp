@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QStatusBar>
+#include <csignal>
 
 #include <catch2/catch.hpp>
 
@@ -28,6 +29,7 @@ QString world_with(const QString& behavior) {
 struct Outcome {
   QString named;  // in the report of the engine's end, or the reason for the run's
   bool is_lost = false;
+  QString box;  // what the user reads of its end
 };
 
 Outcome run_world(Window& window, const QString& text) {
@@ -36,7 +38,7 @@ Outcome run_world(Window& window, const QString& text) {
   bool has_ended = false;
   QObject here;
   QObject::connect(&window.bench(), &Workbench::engine_lost, &here, [&](const QString& report) {
-    outcome = {report, true};
+    outcome = {report, true, {}};
   });
   QObject::connect(&window.bench(), &Workbench::ended, &here, [&](const Json& end) {
     has_ended = true;
@@ -63,6 +65,7 @@ Outcome run_world(Window& window, const QString& text) {
     }
   }
   for (QMessageBox* box : window->findChildren<QMessageBox*>("engine_lost")) {
+    outcome.box = box->text();
     box->close();
   }
   return outcome;
@@ -91,6 +94,8 @@ TEST_CASE("With any fault of a plugin the window goes on, and names it") {
   const Outcome outcome = run_with(window, plugin);
   CAPTURE(outcome.named.toStdString());
   CHECK(outcome.named.contains(plugin));
+  CHECK(outcome.is_lost == (outcome.box.startsWith("A plugin ended the engine.") ||
+                            outcome.box.startsWith("You stopped the engine.")));
   CHECK(window.bench().text() == world_with(plugin));
   CHECK(window->isWindowModified());
 
@@ -109,7 +114,8 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
       "becoming_another", "killing", "crashing_beside", "leaving_a_thread", "forking_and_crashing",
       "forking", "starting", "writing_to_a_broken_pipe", "printing", "blocking", "smashing_heap",
       "rounding_when_made", "leaving_when_destroyed", "crashes_when_destroyed",
-      "leaving_at_the_end");
+      "leaving_at_the_end", "segfaulting_beside", "aborting_beside", "exiting_beside",
+      "looping_beside", "sleeping");
   const QString plugin = QString::fromStdString(name);
   CAPTURE(name);
   run_with(window, plugin);
@@ -182,6 +188,61 @@ TEST_CASE("While a plugin does not return, the window says so") {
   CHECK(window->findChild<QMessageBox*>("engine_lost")->text().startsWith("You stopped"));
 }
 
+TEST_CASE("An edit that waits for an engine that hangs is made by the next one") {
+  Window window({}, options());
+  auto& bench = window.bench();
+  const bool is_step = GENERATE(false, true);
+  CAPTURE(is_step);
+  const QString text = world_with(is_step ? "looping_at_once" : "looping");
+  window.open(window.file(text.toUtf8()));
+  bench.set_speed(0.0);
+  is_step ? bench.step() : bench.run();
+  REQUIRE(wait_for([&] { return bench.engine().waiting_ms() > 1000; }));
+  bench.edit({"robot[r1]/@x=-1.5"}, "move r1");
+  bench.edit({"robot[r1]/@y=0.5"}, "and again");
+  CHECK(window->isWindowModified());
+  window.act("stop_engine");
+  REQUIRE(wait_for([&] { return bench.undo_name() == "and again"; }));
+  CHECK(bench.text().contains("x=\"-1.5\""));
+  CHECK(bench.text().contains("y=\"0.5\""));
+  CHECK(window->isWindowModified());
+  CHECK_FALSE(window->findChild<QMessageBox*>("engine_lost")->text().contains("not made"));
+  window.after([&] { bench.undo(); });
+  window.after([&] { bench.undo(); });
+  CHECK(bench.text() == text);
+  CHECK_FALSE(window->isWindowModified());
+}
+
+TEST_CASE("An edit that hangs the engine is given up and named; those after it are made") {
+  Window window({}, options());
+  auto& bench = window.bench();
+  window.open(window.file(kRoom));
+  bench.edit({"robot[r1]/behavior[+]=<loops_when_made/>"}, "add what hangs");
+  bench.edit({"robot[r1]/@x=0.5"}, "move r1");
+  REQUIRE(wait_for([&] { return bench.engine().waiting_ms() > 500; }));
+  window.act("stop_engine");
+  REQUIRE(wait_for([&] { return bench.undo_name() == "move r1"; }));
+  CHECK(bench.text() == QString(kRoom).replace("x=\"-1\"", "x=\"0.5\""));
+  const QString said = window->findChild<QMessageBox*>("engine_lost")->text();
+  CHECK(said.contains("add what hangs"));
+  CHECK_FALSE(said.contains("move r1"));
+}
+
+TEST_CASE("An engine that is killed from outside is laid at no plugin's door") {
+  Window window;
+  window.open(window.file(kRoom));
+  QProcess children;  // the only child that is an engine
+  children.start("pgrep", {"-P", QString::number(QApplication::applicationPid()), "-x", "elsie"});
+  REQUIRE(children.waitForFinished(kPatience_ms));
+  const QList<QByteArray> found = children.readAllStandardOutput().split('\n');
+  REQUIRE(found.size() == 2);  // one, and the end of its line
+  REQUIRE(::kill(found.front().toInt(), SIGKILL) == 0);
+  auto* box = window.dialog<QMessageBox>("engine_lost");
+  CHECK(box->text().startsWith("The engine ended."));
+  CHECK(box->informativeText().contains("killed from outside"));
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+}
+
 TEST_CASE(
     "A library that ends the engine while it is loaded is named, and the text can be edited") {
   qputenv("TRESPASS_WHILE_LOADED", "leave");
@@ -214,6 +275,39 @@ TEST_CASE("A library that never finishes loading is named once the user ends the
   CHECK(wait_for([&] { return window.workbench().is_right(); }));
 }
 
+TEST_CASE("A library that changes the rounding of numbers while it is loaded changes no run") {
+  qputenv("TRESPASS_WHILE_LOADED", "round");
+  Window window({}, options());
+  qunsetenv("TRESPASS_WHILE_LOADED");
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
+TEST_CASE("A world at the ends of what is allowed is refused, or has an end that is said") {
+  const auto [from, to] = GENERATE(table<const char*, const char*>(
+      {{"<sensors>", R"(<body height="8" mass="12" wheel_torque="9000"/><sensors>)"},
+       {"<sensors>", R"(<body mass="1e-12" wheel_mass="1e-300"/><sensors>)"},
+       {"x=\"-1\">", R"(x="-1" max_speed="90"><body wheel_torque="9000"/>)"},
+       {"<obstacles>", R"(<physics cfm="0" friction="900"/><obstacles>)"},
+       {"<obstacles>", R"(<physics erp="1"/><obstacles>)"},
+       {"<static_box id=\"crate\"",
+        R"(<dynamic_box id="crate" length="1e-300" width="1e-300" height="1e-300" mass="1e-300")"},
+       {"<static_box id=\"crate\" x=\"1\" y=\"1\"/>",
+        R"(<moving_box id="crate" length="1" width="3" speed="90"><waypoint x="1.9"/></moving_box>)"}}));
+  CAPTURE(to);
+  const QString text = QString(kRoom).replace(from, to).replace("time=\"60\"", "time=\"10\"");
+  REQUIRE(text.contains(to));
+  Window window;
+  const Outcome outcome = run_world(window, text);
+  CHECK_FALSE(outcome.is_lost);
+  CHECK_FALSE(outcome.named.isEmpty());
+  CHECK(window.bench().text() == text);
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+}
+
 TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
   ScriptedEngine elsie(QString(kOpens).replace(";;", "; (sleep 0.3; kill -9 $$) & ;;"));
   MainWindow window(elsie.program(), {});
@@ -226,7 +320,10 @@ TEST_CASE("An engine that ends again and again is not started for ever, and is s
   CHECK(wait_for([&] { return elsie.starts() == 4; }));  // the last one has no world
   CHECK(window.findChildren<QMessageBox*>("engine_lost").size() == 1);
   CHECK(window.findChild<QMessageBox*>("engine_lost")->text().contains("as a text"));
-  CHECK(window.findChild<QMessageBox*>("engine_lost")->text().startsWith("A plugin ended"));
+  CHECK(window.findChild<QMessageBox*>("engine_lost")->text().startsWith("The engine ended."));
+  CHECK(window.findChild<QMessageBox*>("engine_lost")
+            ->informativeText()
+            .contains("killed from outside"));
   CHECK(window.workbench().text() == "<world/>");
   CHECK(window.workbench().engine().is_there());
 

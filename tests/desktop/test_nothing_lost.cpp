@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QTimer>
 #include <csignal>
 
@@ -120,7 +121,7 @@ TEST_CASE("What waits when the engine ends is answered once, and what was typed 
   QString why;
   const auto hear = [&](const Problems& problems) {
     ++answers;
-    why = problems.empty() ? QString() : problems.front().message;
+    if (why.isEmpty() && !problems.empty()) why = problems.front().message;  // the first
   };
   auto gone = std::make_unique<QObject>();
   bench.edit({"robot[r1]/behavior[+]=<loops_when_made/>"}, "stuck", {}, &window.window(), hear);
@@ -184,11 +185,22 @@ TEST_CASE("A file that another program has changed is asked about, and never wri
   auto* box = window.dialog<QMessageBox>("changed_on_disk");
   CHECK(box->text().contains("unsaved"));
 
-  SECTION("and read again if the user wishes") {
+  SECTION("and read again if the user wishes, and undo leads back") {
     window.after(
         [&] { QTest::mouseClick(box->findChild<QPushButton*>("read_again"), Qt::LeftButton); });
     CHECK(window.bench().text().toUtf8() == theirs);
     CHECK_FALSE(window->isWindowModified());
+    CHECK_FALSE(window.bench().is_changed_on_disk());
+    window.after([&] { window.act("undo"); });
+    CHECK(window.bench().text().toUtf8() == mine);
+    CHECK(window->isWindowModified());
+    CHECK(saved(window, file).isEmpty());
+    CHECK(bytes_of(file) == mine);
+  }
+  SECTION("and Enter, which one may be typing, keeps what is unsaved") {
+    QTest::keyClick(box, Qt::Key_Return);
+    REQUIRE(wait_for([&] { return !window->findChild<QMessageBox*>("changed_on_disk"); }));
+    CHECK(window.bench().text().toUtf8() == mine);
   }
   SECTION("and stays as it is until the user saves once more") {
     QTest::mouseClick(box->findChild<QPushButton*>("keep_mine"), Qt::LeftButton);
@@ -196,6 +208,75 @@ TEST_CASE("A file that another program has changed is asked about, and never wri
     CHECK(bytes_of(file) == theirs);
     CHECK(window->isWindowModified());
   }
+}
+
+TEST_CASE("A text with mistakes is there again after what another program wrote was read") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  const QString typed = QString(kRoom).replace("<limits", "<limit");
+  window.bench().type(typed);
+  REQUIRE(wait_for([&] { return !window.bench().problems().empty(); }));
+  const QByteArray theirs = QByteArray(kRoom).replace("a room", "their room");
+  write(file, theirs);
+  auto* box = window.dialog<QMessageBox>("changed_on_disk");
+  QTest::mouseClick(box->findChild<QPushButton*>("read_again"), Qt::LeftButton);
+  REQUIRE(wait_for([&] { return !window->isWindowModified(); }));
+  CHECK(window.bench().is_right());
+  CHECK(window.bench().text().toUtf8() == theirs);
+  window.act("undo");
+  REQUIRE(wait_for([&] { return window.bench().text() == typed; }));
+  CHECK(wait_for([&] { return window->isWindowModified(); }));
+  window.bench().give_up_unsaved();
+}
+
+TEST_CASE("A world whose file is taken away is unsaved until it is back, or saved") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  CHECK_FALSE(window->isWindowModified());
+  REQUIRE(QFile::remove(file));
+  REQUIRE(wait_for([&] { return window->isWindowModified(); }));
+  CHECK(window->statusBar()->currentMessage().contains("not on disk any more"));
+  SECTION("closing asks") {
+    window.answer = MainWindow::Answer::cancel;
+    CHECK_FALSE(window->close());
+    CHECK(window.asked == 1);
+    window.answer = MainWindow::Answer::save;
+    CHECK(window->close());
+    CHECK(bytes_of(file) == kRoom);
+  }
+  SECTION("it comes back as it was") {
+    write(file, kRoom);
+    REQUIRE(wait_for([&] { return !window->isWindowModified(); }));
+    CHECK(window->findChild<QMessageBox*>("changed_on_disk") == nullptr);
+    CHECK(window->close());
+    CHECK(window.asked == 0);
+  }
+  SECTION("a crash does not take it") {
+    bool is_kept = false;
+    for (const QString& name : kept_work().entryList({"*.json"}, QDir::Files)) {
+      is_kept |= bytes_of(kept_work().filePath(name)).contains(file.toUtf8());
+    }
+    CHECK(is_kept);
+  }
+}
+
+TEST_CASE("A file that a program replaces in two steps is not missed") {
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  bool was_missed = false;
+  QObject::connect(&window.bench(), &Workbench::history_changed, &window.window(),
+                   [&] { was_missed |= window.bench().is_gone_from_disk(); });
+  QFileSystemWatcher watcher({file});
+  bool is_seen = false;
+  QObject::connect(&watcher, &QFileSystemWatcher::fileChanged, &watcher, [&] { is_seen = true; });
+  REQUIRE(QFile::remove(file));
+  REQUIRE(wait_for([&] { return is_seen; }));
+  write(file, QByteArray(kRoom).replace("a room", "their room"));
+  window.dialog<QMessageBox>("changed_on_disk");
+  CHECK_FALSE(was_missed);
 }
 
 TEST_CASE("The same text on disk again asks nothing") {
@@ -530,6 +611,36 @@ TEST_CASE("A window with unsaved work is killed", "[.killed]") {
   window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
   window.after([&] { window.bench().edit({"robot[r1]/@x=0.25"}, "move"); });
   ::raise(SIGKILL);
+}
+
+// As the one before.
+TEST_CASE("A window with an edit that waits is killed", "[.killed_waiting]") {
+  Window window({}, {"--plugin-path", build_file("../tests/program/plugins")});
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/waiting.xml");
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().engine().waiting_ms() > 1000; }));
+  window.bench().edit({"robot[r1]/@x=0.25"}, "move");
+  ::raise(SIGKILL);
+}
+
+TEST_CASE("An edit that waited when its window was killed is made in the next one") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/waiting.xml").toStdString())
+      << QString(kRoom).replace("<wander/>", "<looping/>").toStdString();
+  QProcess killed;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("ELSIE_TEST_HOME", home);
+  killed.setProcessEnvironment(environment);
+  killed.start(QApplication::applicationFilePath(), {"[.killed_waiting]"});
+  REQUIRE(killed.waitForFinished(kPatience_ms));
+  REQUIRE(killed.exitStatus() == QProcess::CrashExit);
+  Window window({}, {"--plugin-path", build_file("../tests/program/plugins")});
+  at_dialog("recovered", press_yes);
+  window->offer_recovered();
+  REQUIRE(wait_for([&] { return window.bench().undo_name() == "move"; }));
+  CHECK(window.bench().text().contains("x=\"0.25\""));
+  CHECK(window->isWindowModified());
 }
 
 TEST_CASE("The unsaved work of a window that was killed is offered by the next one") {

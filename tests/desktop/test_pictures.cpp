@@ -4,6 +4,8 @@
 #include <QDockWidget>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTreeWidget>
 
@@ -11,8 +13,11 @@
 
 #include "control_bar.h"
 #include "engine/recovery.h"
+#include "export/exporter.h"
 #include "hands.h"
+#include "paint/figures.h"
 #include "scene/scene_view.h"
+#include "training/learning_curve.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
@@ -61,6 +66,20 @@ void keep_dialog(Window& window, const char* action, const QString& name) {
   }
   dialog->reject();
   REQUIRE(wait_for([&] { return window->findChildren<QDialog*>().isEmpty(); }));
+}
+
+/// A picture of the modal dialog that comes next, which is then closed.
+void keep_modal(const QString& name, const std::function<void(QDialog*)>& close) {
+  auto* waiting = new QTimer(qApp);
+  QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
+    if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+      waiting->stop();
+      waiting->deleteLater();
+      keep(*dialog, name);
+      close(dialog);
+    }
+  });
+  waiting->start(20);
 }
 
 }  // namespace
@@ -177,6 +196,110 @@ TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictu
   window->offer_recovered();
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   keep(window.window(), "recovered_window");
+}
+
+TEST_CASE("Pictures: keys, commands and About", "[.pictures]") {
+  Window window(world_file("clutter"));
+  resize(window);
+  for (const auto& [action, name] :
+       {std::pair{"keys", "box_keys"}, {"about", "box_about"}, {"commands", "box_commands"}}) {
+    keep_modal(name, [](QDialog* dialog) { dialog->reject(); });
+    window.act(action);
+  }
+}
+
+TEST_CASE("Pictures: questions about unsaved work and files", "[.pictures]") {
+  {
+    MainWindow plain(build_file("elsie"), {});
+    plain.show();
+    plain.workbench().open_text(kRoom, {}, false);
+    REQUIRE(wait_for([&] { return plain.workbench().is_right(); }));
+    keep_modal("box_unsaved", [](QDialog* dialog) { dialog->reject(); });
+    CHECK_FALSE(plain.close());
+    plain.workbench().give_up_unsaved();
+  }
+  Window window;
+  const QString file = window.file(kRoom);
+  window.open(file);
+  resize(window);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.3"}, "move r1"); });
+  window.file(QByteArray(kRoom).replace("a room", "their room"));
+  keep(*window.dialog<QMessageBox>("changed_on_disk"), "box_changed_on_disk");
+  window.dialog<QMessageBox>("changed_on_disk")->reject();
+  keep_modal("box_write_over", [](QDialog* dialog) { dialog->reject(); });
+  window.act("save");
+  window.bench().type(QString(kRoom).replace("<limits", "<limit"));
+  REQUIRE(wait_for([&] { return !window.bench().problems().empty(); }));
+  keep_modal("box_mistakes", [](QDialog* dialog) { dialog->reject(); });
+  window.act("save");
+  REQUIRE(QFile::remove(file));
+  REQUIRE(wait_for([&] { return window.bench().is_gone_from_disk(); }));
+  keep(window.window(), "gone_from_disk");
+}
+
+TEST_CASE("Pictures: a weight that is learned, a control surface, and figures as a table",
+          "[.pictures]") {
+  Window window(world_file("learned_priorities"));
+  resize(window);
+  QString behavior;
+  visit(window.bench().tree(), [&](const ElementPlace& place) {
+    if (behavior.isEmpty() && place.path.contains("/behavior[")) behavior = place.path;
+    return behavior.isEmpty();
+  });
+  window.choose(behavior);
+  run_until(window, 2.0);
+  keep(window.window(), "live_weight");
+
+  window.open(world_file("clutter"));
+  window->arrange("watch");
+  window.get<QDockWidget>("dock_fuzzy")->raise();
+  auto* fuzzy = window->findChild<FuzzyPanel*>();
+  window.bench().run();
+  REQUIRE(wait_for([&] { return !fuzzy->now().degrees.empty(); }));
+  window.bench().pause();
+  auto* bar = fuzzy->findChild<QScrollArea*>()->verticalScrollBar();
+  REQUIRE(wait_for([&] {
+    bar->setValue(bar->maximum());
+    return bar->value() > 0;
+  }));
+  keep(window.window(), "control_surface");
+  show_figures(window.get<QWidget>("fuzzy_page"));
+  keep(*window.dialog("figures_dialog"), "as_a_table");
+}
+
+TEST_CASE("Pictures: a network that learns, a film that is written, and runs to choose from",
+          "[.pictures]") {
+  Window window(world_file("four_resources"));
+  resize(window);
+  window.choose(window->scene().stage().bodies().front().path);
+  LearningCurve curve;
+  curve.resize(640, 400);
+  for (double n = 1.0; n < 1e5; n *= 1.3) curve.add(n, 1e5, 0.5 / std::sqrt(n));
+  curve.show();
+  keep(curve, "learning_curve");
+
+  run_until(window, 4.0);
+  window->findChild<Exporter*>()->write_film(window.folder() + "/run.avi");
+  auto* progress = window.dialog("film_progress");
+  progress->show();  // it waits some seconds, and goes with a film that is ready
+  CHECK(progress->grab().save(qEnvironmentVariable("ELSIE_PICTURES", ".") + "/film_progress.png"));
+  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("film_progress"); }));
+
+  window.file(kRoom);
+  const QString study = window.file(R"(<experiment format="1" name="study">
+  <worlds><world file="room.xml"/></worlds>
+  <set path="limits/@time" value="3"/>
+  <seeds from="1" to="6"/>
+</experiment>
+)",
+                                    "study.xml");
+  const QString database = window.folder() + "/study.sqlite";
+  QProcess batch;
+  batch.start(build_file("elsie"), {"batch", study, "--database", database});
+  REQUIRE(batch.waitForFinished(kPatience_ms));
+  REQUIRE(window->open(database));
+  keep(*window.dialog("run_dialog"), "runs_of_a_database");
+  window.dialog("run_dialog")->reject();
 }
 
 TEST_CASE("Pictures: a recording, a network that has learned, a list and a lock", "[.pictures]") {

@@ -56,7 +56,8 @@ inline void at_dialog(const QString& name, const std::function<void(QDialog*)>& 
 }
 
 /// Types a file into Qt's own file dialog and presses Save. The dialog selects the file that
-/// it began with once it has read the folder, and takes what is selected before what is typed.
+/// it began with once it has read the folder, and takes what is selected before what is typed; it
+/// selects less again only while the line has the focus.
 inline void save_as_file(QDialog* dialog, const QString& file) {
   auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
   auto* list = dialog->findChild<QAbstractItemView*>("listView");
@@ -70,6 +71,8 @@ inline void save_as_file(QDialog* dialog, const QString& file) {
                      : list->model()->rowCount(list->rootIndex()) > 0;
   });
   wait_for([&] {
+    dialog->activateWindow();
+    name->setFocus();
     name->selectAll();
     QTest::keyClicks(name, file);
     if (name->completer()) name->completer()->popup()->hide();

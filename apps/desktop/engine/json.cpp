@@ -36,4 +36,12 @@ QString written(const Json& value) {
                            : QString::fromStdString(value.dump());
 }
 
+Json list_of(const QStringList& texts) {
+  Json list = Json::array();
+  for (const QString& each : texts) {
+    list.push_back(each.toStdString());
+  }
+  return list;
+}
+
 }  // namespace elsie::desktop

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "elsie/client/connection.h"
 
@@ -21,5 +22,6 @@ double number_of(const Json& object, const char* name);
 int integer_of(const Json& object, const char* name, int otherwise);
 /// A value as written in a file: a text without its quotation marks.
 QString written(const Json& value);
+Json list_of(const QStringList& texts);
 
 }  // namespace elsie::desktop

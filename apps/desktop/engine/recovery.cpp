@@ -12,7 +12,7 @@
 
 #include "elsie/files/write_whole.h"
 
-#include "engine/elements.h"
+#include "engine/json.h"
 
 namespace elsie::desktop {
 namespace {
@@ -46,6 +46,18 @@ bool is_open_in_a_window(const QString& kept_in) {
   return is_held;
 }
 
+std::vector<WaitingEdits> waiting_in(const Json& kept) {
+  std::vector<WaitingEdits> all;
+  for (const Json& change : member(kept, "waiting")) {
+    WaitingEdits edits{text_of(change, "name"), {}};
+    for (const Json& each : member(change, "edits")) {
+      edits.edits << written(each);
+    }
+    all.push_back(std::move(edits));
+  }
+  return all;
+}
+
 }  // namespace
 
 Recovery::Recovery()
@@ -60,13 +72,20 @@ Recovery::~Recovery() {
   }
 }
 
-bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed) {
+bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed,
+                    const std::vector<WaitingEdits>& waiting) {
   folder().mkpath(".");
   if (lock_ < 0) {
     lock_ = locked(kept_in_, O_CREAT);
   }
-  const Json json{
-      {"file", file.toStdString()}, {"text", text.toStdString()}, {"borrowed", is_borrowed}};
+  Json changes = Json::array();
+  for (const WaitingEdits& each : waiting) {
+    changes.push_back({{"name", each.name.toStdString()}, {"edits", list_of(each.edits)}});
+  }
+  const Json json{{"file", file.toStdString()},
+                  {"text", text.toStdString()},
+                  {"borrowed", is_borrowed},
+                  {"waiting", std::move(changes)}};
   return files::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
 
@@ -91,8 +110,8 @@ std::vector<Recovered> Recovery::left_behind() {
     const auto text = member("text");
     const bool is_borrowed = json.is_object() && json.contains("borrowed") &&
                              json["borrowed"].is_boolean() && json["borrowed"].get<bool>();
-    all.push_back(
-        {member("file").value_or(QString()), text.value_or(QString()), path, is_borrowed, !text});
+    all.push_back({member("file").value_or(QString()), text.value_or(QString()), path, is_borrowed,
+                   !text, waiting_in(json)});
   }
   return all;
 }

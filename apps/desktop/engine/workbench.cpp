@@ -2,6 +2,8 @@
 
 #include <QFileSystemWatcher>
 #include <algorithm>
+#include <csignal>
+#include <iterator>
 #include <utility>
 
 #include "elsie/base/error.h"
@@ -12,6 +14,8 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kMostDeaths = 3;
+constexpr int kKilled = 128 + SIGKILL;
+constexpr int kGone_ms = 300;
 constexpr std::size_t kMostListed = 200;  // a user fixes the first ones first
 
 Problems listed(const Json& object, const char* list, bool are_warnings) {
@@ -56,6 +60,8 @@ QString cause_in(const QString& report) {
   return lines.front();
 }
 
+bool names_plugin(const QString& report) { return cause_in(report).startsWith("plugin "); }
+
 Workbench::Workbench(QString elsie, QStringList options, QObject* parent)
     : QObject(parent),
       engine_(std::move(elsie), std::move(options)),
@@ -70,6 +76,9 @@ Workbench::Workbench(QString elsie, QStringList options, QObject* parent)
       Q_EMIT snapshot(taken);
     }
   });
+  gone_timer_.setSingleShot(true);
+  gone_timer_.setInterval(kGone_ms);
+  connect(&gone_timer_, &QTimer::timeout, this, [this] { set_gone(true); });
   connect(on_disk_watcher_.get(), &QFileSystemWatcher::fileChanged, this, &Workbench::look_at_disk);
   connect(on_disk_watcher_.get(), &QFileSystemWatcher::directoryChanged, this, [this] {
     if (on_disk_watcher_->files().isEmpty()) {  // the file was missing
@@ -88,7 +97,7 @@ Workbench::~Workbench() {
 }
 
 void Workbench::start_engine() {
-  is_stopping_ = false;
+  is_stopping_ = is_stepping_ = false;
   engine_.start();
   had_world_ = false;
   epoch_ = 0;  // each engine has its own count
@@ -221,10 +230,20 @@ void Workbench::lost(int exit_code, const QString& report) {
   const bool was_stopped = std::exchange(is_stopping_, false);
   const QString said = !report.trimmed().isEmpty() ? report.trimmed()
                        : was_stopped               ? tr("No plugin was active.")
-                                     : tr("The engine ended with exit code %1.").arg(exit_code);
+                       : exit_code == kKilled
+                           ? tr("It was killed from outside, for example for lack of memory.")
+                           : tr("The engine ended with exit code %1.").arg(exit_code);
   const QString deadly = under_way_;
+  const bool was_busy = is_busy();
   const bool is_deadly = !had_world_ && !deadly.isEmpty() && deadly == history_text_;
-  drop_changes(tr("The engine ended before this was done: %1").arg(cause_in(said)));
+  std::deque<Change> waiting = take_waiting();
+  const QString why = tr("The engine ended before this was done: %1").arg(cause_in(said));
+  QStringList not_made = drop_changes(why);
+  const auto give_up = [&] {
+    changes_.swap(waiting);
+    not_made += drop_changes(why);
+    keep();
+  };
   set_run(Run::none);
   try {
     if (deaths_ > kMostDeaths) {
@@ -233,7 +252,8 @@ void Workbench::lost(int exit_code, const QString& report) {
     start_engine();
   } catch (const base::Error& error) {
     keep_as_text(QString::fromStdString(error.what()));
-    Q_EMIT engine_lost(said, was_stopped);
+    give_up();
+    Q_EMIT engine_lost(said, was_stopped, not_made);
     return;
   }
   const QString cause = was_stopped
@@ -241,14 +261,19 @@ void Workbench::lost(int exit_code, const QString& report) {
                             : tr("The engine ended when it read this world: %1").arg(said);
   if (is_deadly) {
     keep_as_text(cause);
+    give_up();
+    if (text_ != history_text_) {  // typed since
+      in_turn([this] { send_typed(); }, true);
+    }
   } else if (deaths_ == kMostDeaths && !text_.isEmpty()) {
     keep_as_text(tr("The engine ended %1 times with this world, which is not opened again until "
                     "you change it: %2")
                      .arg(deaths_)
                      .arg(said));
+    give_up();
   } else if (!text_.isEmpty()) {
     in_turn([this] { open_in_engine(history_text_); });
-    if (!deadly.isEmpty() && deadly == text_ && text_ != history_text_) {
+    if (!was_busy && !deadly.isEmpty() && deadly == text_ && text_ != history_text_) {
       in_turn([this, cause] {
         set_problems({{file_, 0, cause}});
         end_change();
@@ -256,8 +281,10 @@ void Workbench::lost(int exit_code, const QString& report) {
     } else if (text_ != history_text_) {
       in_turn([this] { send_typed(); });
     }
+    std::move(waiting.begin(), waiting.end(), std::back_inserter(changes_));
+    keep();
   }
-  Q_EMIT engine_lost(said, was_stopped);
+  Q_EMIT engine_lost(said, was_stopped, not_made);
 }
 
 }  // namespace elsie::desktop

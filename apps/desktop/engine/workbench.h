@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QSet>
+#include <QTimer>
 #include <deque>
 #include <vector>
 
@@ -65,6 +66,9 @@ class Workbench : public QObject {
   /// `seed` is the new seed; without it the seed stays.
   bool open(const QString& file, QString& why, std::optional<std::uint64_t> seed = {},
             bool is_borrowed = false);
+  /// Takes over what another program wrote into the file, as an edit: undo leads back. Returns
+  /// false, with a sentence, if it cannot be read.
+  bool read_again(QString& why);
   /// Asks the engine for the text with file names that are right in the folder of `file`, writes it
   /// whole or not at all, and calls back once with "" or a sentence. Without an engine, or with
   /// mistakes, the text is written unchanged. Run and history stay. Files in kept_folder() are
@@ -77,6 +81,8 @@ class Workbench : public QObject {
   void has_made(const QString& file) { made_ << file; }
   /// Whether another program has written the file since it was read or saved.
   bool is_changed_on_disk() const;
+  /// Whether another program has removed the file; its text is then unsaved.
+  bool is_gone_from_disk() const { return is_gone_; }
   /// Calls back when all changes ordered so far have been made or refused.
   void when_settled(QObject* receiver, std::function<void()> done);
   /// Whether the engine has not accepted the present text, but still has an earlier world.
@@ -150,8 +156,9 @@ class Workbench : public QObject {
   void raised(const elsie::desktop::Json& event);
   void ended(const elsie::desktop::Json& end);
   /// The engine ended, by stop_engine() or by itself. It was started again with the same world,
-  /// unless engine().is_there() is false; the report says what its plugin did.
-  void engine_lost(const QString& report, bool was_stopped);
+  /// unless engine().is_there() is false; the report says what its plugin did. Waiting edits are
+  /// made again; `not_made` has the names of those that are given up.
+  void engine_lost(const QString& report, bool was_stopped, const QStringList& not_made);
   void changed_on_disk();
 
  private:
@@ -161,6 +168,7 @@ class Workbench : public QObject {
     bool has_receiver = false;
     Done done;
     bool is_edit = false;
+    WaitingEdits waiting = {};  // until the text has them
   };
 
   void start_engine();
@@ -171,12 +179,15 @@ class Workbench : public QObject {
   void set_run(Run run);
   void set_problems(Problems problems);
   bool is_current(std::uint64_t epoch) const { return epoch >= epoch_; }
+  /// Whether the engine is making steps.
+  bool is_busy() const { return run_ == Run::running || is_stepping_; }
 
   void in_turn(std::function<void()> begin, bool is_edit = false, QObject* receiver = nullptr,
-               Done done = {});
+               Done done = {}, WaitingEdits waiting = {});
   void next_change();
   void end_change(const Problems& problems = {});
-  void drop_changes(const QString& why);
+  QStringList drop_changes(const QString& why);
+  std::deque<Change> take_waiting();
   void order(const Json& order, Engine::Answer answer);
 
   void describe(const Json& answer, const QString& sent);
@@ -186,8 +197,8 @@ class Workbench : public QObject {
   void lead(const History::Entry& entry, const QString& text,
             std::function<void(std::uint64_t)> done);
   void open_in_engine(const QString& text);
-  void send_typed();
-  void type_what_is_no_world(const QString& text);
+  void send_typed(const QString& name = tr("type"), const QString& merge = "type");
+  void open_as_edit(const QString& text, const QString& name, const QString& merge = {});
 
   void save_in_turn(const QString& target);
   void save_elsewhere(const QString& target);
@@ -196,10 +207,12 @@ class Workbench : public QObject {
   void remove_copied();
   void saved_as(const QString& target, const QString& text);
   QString write(const QString& file, const QString& text);
-  bool has_unsaved_text() const { return text_ != saved_text_; }
+  bool has_unsaved_text() const { return is_gone_ || text_ != saved_text_; }
   void keep();
+  static std::optional<QByteArray> bytes_of_world(const QString& file, QString& why);
   void watch_file();
   void look_at_disk();
+  void set_gone(bool is_gone);
 
   void go(Json order);
 
@@ -211,6 +224,8 @@ class Workbench : public QObject {
   QString history_text_;                           // the text to which the history leads
   std::optional<QString> saved_text_ = QString();  // none if no file has it
   QByteArray on_disk_;
+  bool is_gone_ = false;
+  QTimer gone_timer_;  // a program that replaces a file may take it away first
   TextForm form_;
   Json tree_, scene_;
   std::uint64_t epoch_ = 0;
@@ -231,6 +246,7 @@ class Workbench : public QObject {
   std::uint64_t seed_ = 1;
   int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
+  bool is_stepping_ = false;  // a step is ordered and not made
   QSet<QString> made_;        // files in kept_folder() that only this world uses
   QSet<QString> copied_;      // the files in made_ that were copied; undo may lead to them
   Recovery recovery_;
@@ -243,6 +259,8 @@ Problems problems_of(const Json& answer);
 /// The line of an engine's report that says what ended it; plugins may have printed lines before
 /// it.
 QString cause_in(const QString& report);
+/// Whether that line names a plugin.
+bool names_plugin(const QString& report);
 
 /// "r1.weights", or the first of "r1-2.weights", "r1-3.weights"... that no file in the folder has,
 /// except a file with that content.

@@ -1,25 +1,18 @@
 #include <QDateTime>
 #include <QDir>
+#include <algorithm>
+#include <iterator>
 
 #include "engine/workbench.h"
 
 // Changes, one after another, and undo.
 
 namespace elsie::desktop {
-namespace {
 
-Json list_of(const QStringList& texts) {
-  Json list = Json::array();
-  for (const QString& each : texts) {
-    list.push_back(each.toStdString());
-  }
-  return list;
-}
-
-}  // namespace
-
-void Workbench::in_turn(std::function<void()> begin, bool is_edit, QObject* receiver, Done done) {
-  changes_.push_back({std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit});
+void Workbench::in_turn(std::function<void()> begin, bool is_edit, QObject* receiver, Done done,
+                        WaitingEdits waiting) {
+  changes_.push_back({std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit,
+                      std::move(waiting)});
   next_change();
 }
 
@@ -38,6 +31,9 @@ void Workbench::end_change(const Problems& problems) {
   is_changing_ = false;
   under_way_.clear();
   ++turn_;
+  if (!ended.waiting.edits.isEmpty()) {
+    keep();  // without it: it was refused
+  }
   if (ended.is_edit) {
     Q_EMIT history_changed();  // it is no longer pending
   }
@@ -50,17 +46,35 @@ void Workbench::end_change(const Problems& problems) {
   next_change();
 }
 
-void Workbench::drop_changes(const QString& why) {
+/// Takes out the edits that a new engine can make: all but the one that the engine was making when
+/// it ended, unless it was making steps, which end it more often than edits do.
+std::deque<Workbench::Change> Workbench::take_waiting() {
+  const auto first = changes_.begin() + (is_changing_ && !is_busy() ? 1 : 0);
+  const auto edits = std::stable_partition(first, changes_.end(),
+                                           [](const Change& each) { return !each.is_edit; });
+  std::deque<Change> waiting(std::make_move_iterator(edits),
+                             std::make_move_iterator(changes_.end()));
+  changes_.erase(edits, changes_.end());
+  return waiting;
+}
+
+/// The names of the edits among them.
+QStringList Workbench::drop_changes(const QString& why) {
+  QStringList names;
   std::deque<Change> dropped;
   dropped.swap(changes_);
   is_changing_ = false;
   under_way_.clear();
   ++turn_;
   for (const Change& each : dropped) {
+    if (!each.waiting.edits.isEmpty()) {
+      names << each.waiting.name;
+    }
     if (each.done && (!each.has_receiver || each.receiver)) {
       each.done({{{}, 0, why}});
     }
   }
+  return names;
 }
 
 /// Sends an order of the present change; its answer is ignored if the change is over by then.
@@ -106,12 +120,14 @@ void Workbench::edit(const QStringList& edits, const QString& name, const QStrin
                   end_change(problems_of(answer));
                   return;
                 }
+                changes_.front().waiting = {};  // the text has them
                 take(answer, before);
                 remember(name, merge, before, answer);
                 end_change();
               });
       },
-      true, receiver, std::move(done));
+      true, receiver, std::move(done), {name, edits});
+  keep();
   Q_EMIT history_changed();
 }
 
@@ -126,18 +142,18 @@ void Workbench::type(const QString& text) {
   in_turn([this] { send_typed(); }, true);
 }
 
-void Workbench::send_typed() {
+void Workbench::send_typed(const QString& name, const QString& merge) {
   const QString sent = text_;
   if (tree_.is_null()) {
-    type_what_is_no_world(sent);
+    open_as_edit(sent, name, merge);
     return;
   }
   under_way_ = sent;
   order({{"do", "become"}, {"text", sent.toStdString()}},
-        [this, sent, before = history_text_](const Json& answer) {
+        [this, sent, name, merge, before = history_text_](const Json& answer) {
           if (!answer.contains("refused")) {
             take(answer, sent);
-            remember(tr("type"), "type", before, answer);
+            remember(name, merge, before, answer);
           } else if (text_ == sent) {  // otherwise more was typed, which is sent next
             set_problems(problems_of(answer));
           }
@@ -146,9 +162,9 @@ void Workbench::send_typed() {
 }
 
 // There is no world that could become another one: the text is opened, and undo leads back by text.
-void Workbench::type_what_is_no_world(const QString& text) {
+void Workbench::open_as_edit(const QString& text, const QString& name, const QString& merge) {
   if (text != history_text_) {
-    history_.push({tr("type"), "type", history_text_, text, file_, 0, engine_.generation(),
+    history_.push({name, merge, history_text_, text, file_, 0, engine_.generation(),
                    QDateTime::currentMSecsSinceEpoch(), true});
     history_text_ = text;
     keep();

@@ -5,6 +5,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "elsie/files/write_whole.h"
 
@@ -77,6 +78,7 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   form_ = {};
   on_disk_ = is_saved && !file.isEmpty() ? bytes_of(file).value_or(QByteArray()) : QByteArray();
   saved_text_ = is_saved ? std::optional(text) : std::nullopt;
+  is_gone_ = false;
   keep();
   tree_ = scene_ = Json();
   is_right_ = false;
@@ -86,34 +88,70 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   Q_EMIT history_changed();
 }
 
-bool Workbench::open(const QString& file, QString& why, std::optional<std::uint64_t> seed,
-                     bool is_borrowed) {
+/// The bytes of a world's file; none, with a sentence, if it has others.
+std::optional<QByteArray> Workbench::bytes_of_world(const QString& file, QString& why) {
   const QFileInfo info(file);
   if (info.exists() && !info.isFile()) {
     why = tr("'%1' is a folder, a device or a pipe; expected the file of a world.").arg(file);
-    return false;
+    return std::nullopt;
   }
   if (info.size() > kMost_MB * 1'000'000) {
     why = tr("'%1' has more than %2 MB; expected the file of a world.").arg(file).arg(kMost_MB);
-    return false;
+    return std::nullopt;
   }
   QFile opened(file);
   if (!opened.open(QIODevice::ReadOnly)) {
     why = tr("'%1' cannot be read: %2").arg(file, opened.errorString());
-    return false;
+    return std::nullopt;
   }
-  QByteArray bytes = opened.readAll();
+  const QByteArray bytes = opened.readAll();
   if (const int line = line_without_utf8(bytes); line > 0) {
     why = tr("'%1' is not UTF-8 text: line %2 has other bytes. Convert it first, for example "
              "with: iconv -f latin1 -t utf-8")
               .arg(file)
               .arg(line);
+    return std::nullopt;
+  }
+  return bytes;
+}
+
+bool Workbench::open(const QString& file, QString& why, std::optional<std::uint64_t> seed,
+                     bool is_borrowed) {
+  std::optional<QByteArray> bytes = bytes_of_world(file, why);
+  if (!bytes) {
     return false;
   }
-  const TextForm form = TextForm::take_from(bytes);
+  const TextForm form = TextForm::take_from(*bytes);
   seed_ = seed.value_or(seed_);
-  open_text(QString::fromUtf8(bytes), info.absoluteFilePath(), true, is_borrowed);
+  open_text(QString::fromUtf8(*bytes), QFileInfo(file).absoluteFilePath(), true, is_borrowed);
   form_ = form;
+  return true;
+}
+
+bool Workbench::read_again(QString& why) {
+  const std::optional<QByteArray> bytes = bytes_of_world(file_, why);
+  if (!bytes) {
+    return false;
+  }
+  Q_EMIT about_to_change();
+  deaths_ = 0;
+  in_turn(
+      [this, bytes = *bytes, name = tr("read the file again")] {
+        QByteArray plain = on_disk_ = bytes;
+        form_ = TextForm::take_from(plain);
+        const QString text = QString::fromUtf8(plain);
+        saved_text_ = text;
+        history_.stop_merging();
+        const QString mine = std::exchange(text_, text);
+        keep();
+        if (mine == history_text_) {
+          send_typed(name, {});
+        } else {  // what was typed is no world, and is there again after undo
+          history_text_ = mine;
+          open_as_edit(text, name);
+        }
+      },
+      true);
   return true;
 }
 
@@ -132,8 +170,27 @@ void Workbench::watch_file() {
 
 void Workbench::look_at_disk() {
   watch_file();  // a file that was replaced is no longer watched
+  if (!QFileInfo::exists(file_)) {
+    gone_timer_.start();
+    return;
+  }
+  set_gone(false);
   if (is_changed_on_disk()) {
     Q_EMIT changed_on_disk();
+  }
+}
+
+void Workbench::set_gone(bool is_gone) {
+  gone_timer_.stop();
+  is_gone = is_gone && !file_.isEmpty() && !is_borrowed_ && !QFileInfo::exists(file_);
+  if (is_gone != is_gone_) {
+    is_gone_ = is_gone;
+    keep();
+    Q_EMIT history_changed();
+    Q_EMIT noted(is_gone ? tr("'%1' is not on disk any more: another program has deleted, renamed "
+                              "or moved it. The world is unsaved until you save it.")
+                               .arg(file_)
+                         : tr("'%1' is on disk again.").arg(file_));
   }
 }
 
@@ -277,7 +334,7 @@ void Workbench::remove_copied() {
 
 void Workbench::saved_as(const QString& target, const QString& text) {
   file_ = target;
-  is_borrowed_ = false;
+  is_borrowed_ = is_gone_ = false;
   saved_text_ = text;
   history_.stop_merging();
   keep();
@@ -293,13 +350,17 @@ bool Workbench::is_modified() const {
 }
 
 void Workbench::keep() {
-  if (!has_unsaved_text()) {
+  std::vector<WaitingEdits> waiting;
+  for (const Change& each : changes_) {
+    if (!each.waiting.edits.isEmpty()) waiting.push_back(each.waiting);
+  }
+  if (!has_unsaved_text() && waiting.empty()) {
     recovery_.forget();
     is_kept_ = true;
     return;
   }
   const bool was_kept = is_kept_;
-  is_kept_ = recovery_.keep(file_, text_, is_borrowed_);
+  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, waiting);
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
         tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "

@@ -31,7 +31,9 @@ void Workbench::go(Json order) {
     const bool may_go_on = run_ == Run::ready || run_ == Run::paused;
     if (may_go_on || (run_ == Run::running && order.contains("until_s"))) {
       const bool is_step = order.value("do", std::string()) == "step";
+      is_stepping_ = is_stepping_ || is_step;
       engine_.ask(order, [this, is_step, before = run_](const Json& answer) {
+        if (is_step) is_stepping_ = false;
         if (answer.contains("refused")) {
           if (run_ == Run::running) set_run(before);
           Q_EMIT refused(problems_of(answer));

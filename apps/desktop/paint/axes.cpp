@@ -101,9 +101,11 @@ void Axes::draw(QPainter& painter, const QPalette& palette, const QString& x_nam
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(area_);
   painter.drawText(QRectF(area_.left(), area_.bottom() + line * 1.3, area_.width(), line * 1.2),
-                   Qt::AlignHCenter | Qt::AlignTop, x_name);
+                   Qt::AlignHCenter | Qt::AlignTop,
+                   font.elidedText(x_name, Qt::ElideRight, area_.width()));
   painter.drawText(QRectF(area_.left(), area_.top() - line * 1.4, area_.width(), line * 1.2),
-                   Qt::AlignLeft | Qt::AlignVCenter, y_name);
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   font.elidedText(y_name, Qt::ElideRight, area_.width()));
 }
 
 void Axes::draw_curve(QPainter& painter, const QPolygonF& points, const QPen& pen) const {

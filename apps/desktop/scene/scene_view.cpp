@@ -56,6 +56,13 @@ void SceneView::set_scene(const Json& scene, std::uint64_t epoch) {
   camera_moved();
 }
 
+void SceneView::set_notice(const QString& notice) {
+  if (notice != notice_) {
+    notice_ = notice;
+    update();
+  }
+}
+
 void SceneView::take(const snapshots::Snapshot& snapshot) {
   if (!stage_.take(snapshot)) {
     return;
@@ -221,6 +228,11 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
   }
   painter.setRenderHint(QPainter::Antialiasing);
   if (stage_.is_empty()) {
+    if (!notice_.isEmpty()) {
+      painter.fillRect(rect(), palette().color(QPalette::Base));
+      painter.setPen(palette().color(QPalette::Text));
+      painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, notice_);
+    }
     return;
   }
   const OverlayPainter over(painter, stage_, camera_, size());

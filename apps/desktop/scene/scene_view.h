@@ -49,6 +49,9 @@ class SceneView : public QWidget {
   ~SceneView() override;
 
   void set_scene(const Json& scene, std::uint64_t epoch);
+  /// What is said in the middle while there is no world.
+  void set_notice(const QString& notice);
+  const QString& notice() const { return notice_; }
   void take(const snapshots::Snapshot& snapshot);
   /// Removes the lines behind the robots.
   void clear_trails();
@@ -156,6 +159,7 @@ class SceneView : public QWidget {
   QStringList selection_;
   QSet<QString> locked_;
   QString followed_;
+  QString notice_;
   Tool tool_ = Tool::move;
 
   Drag drag_ = Drag::none;

@@ -72,6 +72,7 @@ ControlSurface::ControlSurface(QWidget* parent)
     quiet_wheel(each);
     each->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     each->setMinimumContentsLength(2);
+    each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a dock may be narrow
     connect(each, &QComboBox::activated, this, &ControlSurface::choose);
   }
   hide();
@@ -211,10 +212,12 @@ void ControlSurface::draw_field(QPainter& painter, const QRectF& whole) const {
   const double line = painter.fontMetrics().height();
   const auto across = static_cast<std::size_t>(across_->currentIndex());
   const auto up = static_cast<std::size_t>(up_->currentIndex());
-  const Axes axes(painter, whole.adjusted(0, 0, -6.0 * line, 0),
+  const Axes axes(painter, whole.adjusted(0, 0, -scale_width(), 0),
                   span_of(model_->inputs()[across].range), span_of(model_->inputs()[up].range));
   painter.drawImage(axes.area(), field_);
-  axes.draw(painter, palette(), across_->currentText(), up_->currentText());
+  axes.draw(painter, palette(), across_->currentText(),
+            fontMetrics().elidedText(up_->currentText(), Qt::ElideMiddle,
+                                     static_cast<int>(axes.area().width() / 2.0 - line)));
   draw_scale(painter, axes.area());
   if (inputs_.size() == model_->inputs().size()) {
     painter.setPen(QPen(Qt::white, 3.0));
@@ -225,6 +228,16 @@ void ControlSurface::draw_field(QPainter& painter, const QRectF& whole) const {
           std::clamp(at.y(), area.top(), area.bottom())};
     painter.drawEllipse(at, 0.35 * line, 0.35 * line);
   }
+}
+
+/// Of the bar of colours with its numbers.
+double ControlSurface::scale_width() const {
+  const QFontMetricsF font = fontMetrics();
+  double widest = 0.0;
+  for (const double tick : ticks(values_, 5)) {
+    widest = std::max(widest, font.horizontalAdvance(number_text(tick)));
+  }
+  return 1.5 * font.height() + widest;
 }
 
 void ControlSurface::draw_scale(QPainter& painter, const QRectF& area) const {
@@ -239,11 +252,15 @@ void ControlSurface::draw_scale(QPainter& painter, const QRectF& area) const {
   painter.drawRect(bar);
   for (const double tick : ticks(values_, 5)) {
     const double y = bar.bottom() - (tick - values_.low) / values_.length() * bar.height();
-    painter.drawText(QRectF(bar.right() + 0.3 * line, y - line, 5.0 * line, 2.0 * line),
+    painter.drawText(QRectF(bar.right() + 0.3 * line, y - line, scale_width(), 2.0 * line),
                      Qt::AlignLeft | Qt::AlignVCenter, number_text(tick));
   }
-  painter.drawText(QRectF(bar.left(), bar.top() - 1.4 * line, 6.0 * line, 1.2 * line),
-                   Qt::AlignLeft | Qt::AlignVCenter, output_->currentText());
+  const double right = width() - 0.3 * line;  // its name ends there, over the bar
+  const QRectF title(area.center().x(), bar.top() - 1.4 * line, right - area.center().x(),
+                     1.2 * line);
+  painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter,
+                   fontMetrics().elidedText(output_->currentText(), Qt::ElideMiddle,
+                                            static_cast<int>(title.width())));
 }
 
 void ControlSurface::draw_curve(QPainter& painter, const QRectF& whole) const {

@@ -42,6 +42,7 @@ class ControlSurface : public QWidget, public ShowsFigures {
   std::vector<double> held() const;
   void draw_field(QPainter& painter, const QRectF& whole) const;
   void draw_curve(QPainter& painter, const QRectF& whole) const;
+  double scale_width() const;
   void draw_scale(QPainter& painter, const QRectF& area) const;
 
   const fuzzy::Model* model_ = nullptr;

@@ -183,7 +183,7 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     names = std::max(names, font.horizontalAdvance(row.name) + (2 * row.depth + 2) * em);
   }
   names = std::min(names, viewport()->width() / 3);
-  const int figures = std::min(em * 32, viewport()->width() / 2);
+  const int figures = std::min(em * 42, viewport()->width() / 2);
   const QRect bands(names, 0, viewport()->width() - names - figures - em, viewport()->height());
   const double end = past_.back().time_s;
   const double start = std::max(0.0, end - kSpan);
@@ -238,11 +238,14 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
         row.asked ? colour : grey);
     painter.setPen(ink);
     painter.drawRect(bar);
-    const QString numbers = row.asked
-                                ? tr("priority %1  share %2 %  (%3)")
-                                      .arg(number_text(row.priority),
-                                           number_text(std::round(100.0 * row.share)), row.command)
-                                : tr("priority %1  not asked").arg(number_text(row.priority));
+    const QString activation = tr("activation %1  ")  // the bar is this
+                                   .arg(number_text(std::round(100.0 * row.activation) / 100.0));
+    const QString numbers =
+        (row.asked ? activation : QString()) +
+        (row.asked ? tr("priority %1  share %2 %  (%3)")
+                         .arg(number_text(row.priority), number_text(std::round(100.0 * row.share)),
+                              row.command)
+                   : tr("priority %1  not asked").arg(number_text(row.priority)));
     const int beside = em * 5;
     painter.drawText(text.adjusted(beside, 1, 0, 0), Qt::AlignTop,
                      font.elidedText(numbers, Qt::ElideRight, text.width() - beside));

@@ -78,15 +78,24 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
     update();
   }
 
+  /// The height that all of it needs at this width.
   void fit() {
-    const auto variables = model ? model->inputs().size() + model->outputs().size() : 0;
-    const auto rules = model ? model->rules().size() : 0;
-    setMinimumHeight(static_cast<int>(variables) * plot_height() +
-                     (static_cast<int>(rules) + 1) * row_height());
+    int height = row_height();
+    if (model) {
+      for (const fuzzy::Variable& each : model->inputs()) height += plot_height(each);
+      for (const fuzzy::Variable& each : model->outputs()) height += plot_height(each);
+      for (std::size_t i = 0; i < model->rules().size(); ++i) height += rule_height(i);
+    }
+    setMinimumHeight(height);
     think();
   }
 
  protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    fit();
+  }
+
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -106,20 +115,21 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
     for (std::size_t i = 0; i < model->inputs().size(); ++i) {
       draw_variable(painter, model->inputs()[i], top, i < now.inputs.size() ? now.inputs[i] : kNone,
                     nullptr, {});
-      top += plot_height();
+      top += plot_height(model->inputs()[i]);
     }
-    const int em = fontMetrics().horizontalAdvance(u'm');
-    for (std::size_t i = 0; i < model->rules().size(); ++i, top += row_height()) {
+    const int line = row_height();
+    for (std::size_t i = 0; i < model->rules().size(); ++i) {
       const double degree = i < now.degrees.size() ? std::clamp(now.degrees[i], 0.0, 1.0) : 0.0;
-      const QRectF bar(em / 2.0, top + 2, 4.0 * em, row_height() - 4);
+      const QRectF bar(em() / 2.0, top + 2, 3.0 * em(), line - 4);
       painter.fillRect(QRectF(bar.topLeft(), QSizeF(bar.width() * degree, bar.height())),
                        curve_colour(0, palette()));
       painter.setPen(palette().color(QPalette::Text));
       painter.drawRect(bar);
-      painter.drawText(
-          QRect(5 * em, top, width() - 5 * em, row_height()), Qt::AlignVCenter,
-          QStringLiteral("%1  %2").arg(number_text(std::round(100 * degree) / 100),
-                                       QString::fromStdString(model->rules()[i].text)));
+      painter.drawText(QRect(4 * em(), top, kFigure_em * em(), line), Qt::AlignVCenter,
+                       number_text(std::round(100 * degree) / 100));
+      painter.drawText(rule_place(top, rule_height(i)), Qt::AlignVCenter | Qt::TextWordWrap,
+                       QString::fromStdString(model->rules()[i].text));
+      top += rule_height(i);
     }
     static const FuzzySet kNothing;
     for (std::size_t i = 0; i < model->outputs().size(); ++i) {
@@ -128,17 +138,71 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
       const bool is_known = i < now.sets.size();
       draw_variable(painter, output, top, given == outputs.end() ? kNone : given->second,
                     is_known ? &now.sets[i] : &kNothing, is_known ? now.centres[i] : std::nullopt);
-      top += plot_height();
+      top += plot_height(output);
     }
   }
 
  private:
-  int plot_height() const { return fontMetrics().height() * 10; }
+  static constexpr int kFigure_em = 3;  // "0.25"
+
+  int em() const { return fontMetrics().horizontalAdvance(u'm'); }
   int row_height() const { return fontMetrics().height() * 4 / 3; }
+
+  /// Beside its bar and its degree.
+  QRect rule_place(int top, int height) const {
+    const int left = (4 + kFigure_em) * em();
+    return {left, top, std::max(width() - left, 8 * em()), height};
+  }
+  int rule_height(std::size_t rule) const {
+    const QRect whole = rule_place(0, 100 * row_height());
+    const QRect needed = fontMetrics().boundingRect(
+        whole, Qt::TextWordWrap, QString::fromStdString(model->rules()[rule].text));
+    return needed.height() - fontMetrics().height() + row_height();
+  }
+
+  /// The names of the terms: each above its peak, a line higher than those that it would cover.
+  struct Name {
+    QString text;
+    QRectF place;  // from the bottom of the lowest line
+  };
+  std::vector<Name> names_of(const fuzzy::Variable& variable, double left, double right) const {
+    std::vector<Name> names;
+    const double height = fontMetrics().height();
+    const double length = std::max(variable.range.high - variable.range.low, 1e-9);
+    for (const fuzzy::Term& term : variable.terms) {
+      Name& name = names.emplace_back(Name{QString::fromStdString(term.name), {}});
+      const double peak = fuzzy::mean_of_maxima(term.set).value_or(variable.range.low);
+      const double width = fontMetrics().horizontalAdvance(name.text);
+      const double middle = left + (peak - variable.range.low) / length * (right - left);
+      name.place = {std::clamp(middle - width / 2.0, left, std::max(left, right - width)), -height,
+                    width + em() / 2.0, height};
+      const auto is_covered = [&](const Name& other) {
+        return &other != &name && other.place.intersects(name.place);
+      };
+      while (std::any_of(names.begin(), names.end(), is_covered)) {
+        name.place.translate(0.0, -height);
+      }
+    }
+    return names;
+  }
+  double left_of_axes() const { return 2.7 * em(); }
+  double right_of_axes() const { return width() - 2.0 * em(); }
+  int names_height(const fuzzy::Variable& variable) const {
+    double top = 0.0;
+    for (const Name& each : names_of(variable, left_of_axes(), right_of_axes())) {
+      top = std::min(top, each.place.top());
+    }
+    return static_cast<int>(-top);
+  }
+  /// A title, the names of the terms, and the axes.
+  int plot_height(const fuzzy::Variable& variable) const {
+    return names_height(variable) + fontMetrics().height() * 10;
+  }
 
   void draw_variable(QPainter& painter, const fuzzy::Variable& variable, int top, double value,
                      const FuzzySet* cut, std::optional<double> centre) const {
-    const Axes axes(painter, QRectF(0, top, width(), plot_height()),
+    const double line = fontMetrics().height();
+    const Axes axes(painter, QRectF(0, top + names_height(variable), width(), 10.0 * line),
                     {variable.range.low, std::max(variable.range.high, variable.range.low + 1e-9)},
                     {0.0, 1.05});
     QString title =
@@ -153,29 +217,20 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
     if (centre) {
       title += tr("   centre of gravity %1").arg(number_text(std::round(1000 * *centre) / 1000));
     }
-    axes.draw(painter, palette(), {}, title);
+    axes.draw(painter, palette(), {}, {});
+    painter.drawText(QRectF(left_of_axes(), top, width() - left_of_axes(), 1.3 * line),
+                     Qt::AlignVCenter,
+                     fontMetrics().elidedText(title, Qt::ElideRight,
+                                              static_cast<int>(width() - left_of_axes())));
     int n = 0;
-    std::vector<QRectF> taken;
+    const std::vector<Name> names = names_of(variable, left_of_axes(), right_of_axes());
     for (const fuzzy::Term& term : variable.terms) {
       axes.draw_curve(painter, polygon(term.set),
                       QPen(curve_colour(n, palette()), 1.5, pen_style(n)));
-      if (const auto peak = fuzzy::mean_of_maxima(term.set)) {
-        const QString name = QString::fromStdString(term.name);
-        const QSizeF size(fontMetrics().horizontalAdvance(name), fontMetrics().height());
-        QRectF place(QPointF(axes.at(*peak, 1.0).x() - size.width() / 2.0, axes.area().top()),
-                     size);
-        place.moveLeft(
-            std::clamp(place.left(), axes.area().left(),
-                       std::max(axes.area().left(), axes.area().right() - size.width())));
-        // Moves the name below those that it would cover.
-        while (std::any_of(taken.begin(), taken.end(),
-                           [&](const QRectF& other) { return other.intersects(place); })) {
-          place.translate(0.0, size.height());
-        }
-        taken.push_back(place);
-        painter.setPen(curve_colour(n, palette()));
-        painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, name);
-      }
+      painter.setPen(curve_colour(n, palette()));
+      const Name& name = names[static_cast<std::size_t>(n)];
+      painter.drawText(name.place.translated(0.0, axes.area().top() - 2.0),
+                       Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, name.text);
       ++n;
     }
     const QPen ink(palette().color(QPalette::Text), 2.0);
@@ -222,6 +277,7 @@ FuzzyPanel::FuzzyPanel(QWidget* parent)
   parts->addWidget(surface_, 1);
   auto* area = new QScrollArea(this);
   area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // all of it gives way
   area->setWidget(whole);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

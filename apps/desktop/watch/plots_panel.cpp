@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPainter>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QToolButton>
@@ -26,6 +27,7 @@ namespace {
 
 constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 per second
 constexpr int kName = Qt::UserRole;
+constexpr int kStrip_lines = 7;  // the least height of a strip
 
 class Plot : public QWidget, public ShowsFigures {
  public:
@@ -101,8 +103,12 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   left_column->addWidget(tree_);
   left_column->addWidget(save_button);
   auto* halves = new QSplitter(this);
+  auto* area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(plot_);
   halves->addWidget(left);
-  halves->addWidget(plot_);
+  halves->addWidget(area);
   halves->setStretchFactor(1, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -110,7 +116,7 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
     const QString name = item->data(0, kName).toString();
     item->checkState(0) == Qt::Checked ? void(chosen_.insert(name)) : void(chosen_.erase(name));
-    plot_->update();
+    fit();
     Q_EMIT choice_changed();
   });
 }
@@ -204,6 +210,7 @@ void PlotsPanel::add_item(const QString& name) {
   parent->setFlags(parent->flags() | Qt::ItemIsUserCheckable);
   parent->setData(0, kName, name);
   parent->setCheckState(0, chosen_.contains(name) ? Qt::Checked : Qt::Unchecked);
+  if (chosen_.contains(name)) fit();
 }
 
 void PlotsPanel::begin() {
@@ -216,12 +223,11 @@ void PlotsPanel::begin() {
 
 void PlotsPanel::clear() {
   const QSignalBlocker quiet(tree_);
-  chosen_.clear();
   curves_.clear();
   items_.clear();
   tree_->clear();
   time_ = -1.0;
-  plot_->update();
+  fit();
 }
 
 QStringList PlotsPanel::names() const {
@@ -247,6 +253,14 @@ QStringList PlotsPanel::chosen() const {
   return all;
 }
 
+void PlotsPanel::set_choice(const QStringList& names) {
+  chosen_ = {names.begin(), names.end()};
+  for (const auto& [name, curve] : curves_) {
+    choose(name, chosen_.contains(name));
+  }
+  fit();
+}
+
 QStringList PlotsPanel::chosen_robots() const {
   QStringList all;
   for (const QString& name : chosen_) {
@@ -262,27 +276,69 @@ void PlotsPanel::choose(const QString& name, bool on) {
   }
 }
 
+std::vector<PlotsPanel::Strip> PlotsPanel::strips() const {
+  std::vector<Strip> all;
+  for (const QString& name : chosen()) {
+    const QString unit = unit_of(name);
+    const QString title =
+        unit.isEmpty() ? name.section(u'/', -1) : QStringLiteral("[%1]").arg(unit);
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Strip& strip) { return strip.title == title; });
+    (found == all.end() ? all.emplace_back(Strip{title, {}}) : *found).names << name;
+  }
+  return all;
+}
+
+/// Each strip stays high enough to be read; the plot scrolls instead.
+void PlotsPanel::fit() {
+  plot_->setMinimumHeight(static_cast<int>(strips().size()) * kStrip_lines *
+                          fontMetrics().height());
+  plot_->update();
+}
+
 void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
-  const QStringList shown = chosen();
-  if (shown.isEmpty()) {
+  const std::vector<Strip> all = strips();
+  if (all.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(area, Qt::AlignCenter, tr("Choose numbers to plot them"));
     return;
   }
   Span x{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  Span y = x;
-  std::set<QString> units;
-  for (const QString& name : shown) {
-    units.insert(unit_of(name));
-    for (const QPointF& point : curves_.at(name)) {
-      x = {std::min(x.low, point.x()), std::max(x.high, point.x())};
-      if (std::isfinite(point.y())) {
-        y = {std::min(y.low, point.y()), std::max(y.high, point.y())};
-      }
+  const QFontMetricsF font = painter.fontMetrics();
+  const double line = font.height();
+  double legend = 0.0;
+  for (const QString& name : chosen()) {
+    legend = std::max(legend, font.horizontalAdvance(title_of(name)) + 4.0 * line);
+    if (const Curve& curve = curves_.at(name); !curve.empty()) {
+      x = {std::min(x.low, curve.front().x()), std::max(x.high, curve.back().x())};
     }
   }
   if (!(x.length() > 0.0)) {
     x = {std::isfinite(x.low) ? x.low : 0.0, (std::isfinite(x.low) ? x.low : 0.0) + 1.0};
+  }
+  legend = std::min(legend, area.width() / 3.0);
+  const double height = area.height() / static_cast<double>(all.size());
+  int n = 0;  // of the curve
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const QRectF strip(area.left(), area.top() + height * static_cast<double>(i), area.width(),
+                       height);
+    draw_strip(painter, strip, legend, all[i], x, n);
+  }
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  painter.drawText(area.adjusted(0, 0, -line / 2.0, 0), Qt::AlignBottom | Qt::AlignRight,
+                   sampling());
+}
+
+/// `legend`: the width of the names beside it; `n`: the number of its first curve.
+void PlotsPanel::draw_strip(QPainter& painter, const QRectF& area, double legend,
+                            const Strip& strip, const Span& x, int& n) const {
+  Span y{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const QString& name : strip.names) {
+    for (const QPointF& point : curves_.at(name)) {
+      if (std::isfinite(point.y())) {
+        y = {std::min(y.low, point.y()), std::max(y.high, point.y())};
+      }
+    }
   }
   if (!std::isfinite(y.length())) {
     y = {};
@@ -290,26 +346,23 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
   const double room = y.length() > 0.0 ? 0.05 * y.length() : 0.5;
   y = {y.low - room, y.high + room};
   const double line = painter.fontMetrics().height();
-  const double legend = line * 1.2 * static_cast<double>(shown.size());
-  painter.setPen(palette().color(QPalette::PlaceholderText));
-  painter.drawText(area.adjusted(0, 0, -line, 0), Qt::AlignTop | Qt::AlignRight, sampling());
-  const Axes axes(painter, area.adjusted(0, legend, 0, 0), x, y);
-  axes.draw(painter, palette(), tr("time [s]"),
-            units.size() == 1 && !units.begin()->isEmpty()
-                ? QStringLiteral("[%1]").arg(*units.begin())
-                : QString());
-  for (int n = 0; n < shown.size(); ++n) {
-    const Curve& curve = curves_.at(shown[n]);
+  const Axes axes(painter, area.adjusted(0, 0, -legend, 0), x, y);
+  axes.draw(painter, palette(), tr("time [s]"), strip.title);
+  double middle = axes.area().top() + line * 0.5;
+  for (const QString& name : strip.names) {
+    const Curve& curve = curves_.at(name);
     const QPen pen(curve_colour(n, palette()), line / 9.0, pen_style(n));
     axes.draw_curve(painter, QPolygonF(QList<QPointF>(curve.begin(), curve.end())), pen);
-    const double middle = area.top() + line * (1.2 * n + 0.7);
-    const double left = axes.area().left();
+    const double left = area.right() - legend + line / 2.0;
     painter.setPen(pen);
     painter.drawLine(QPointF(left, middle), QPointF(left + 2.5 * line, middle));
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(
-        QRectF(left + 3 * line, middle - line, area.right() - left - 3 * line, 2 * line),
-        Qt::AlignVCenter, title_of(shown[n]));
+    const QRectF place(left + 3 * line, middle - line, area.right() - left - 3 * line, 2 * line);
+    painter.drawText(place, Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(title_of(name), Qt::ElideMiddle,
+                                                      static_cast<int>(place.width())));
+    middle += 1.2 * line;
+    ++n;
   }
 }
 
@@ -339,26 +392,26 @@ QString PlotsPanel::save(const QString& file) const {
     return tr("The name must end in .png, .svg or .csv.");
   }
   try {
-    picture::save_page({.rows = {{.panels = {chart()}, .aspect = 0.5}}}, file.toStdString());
+    picture::Page page;
+    for (const Strip& strip : strips()) {
+      page.rows.push_back({.panels = {chart(strip)}, .aspect = 0.5});
+    }
+    picture::save_page(page, file.toStdString());
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }
   return {};
 }
 
-picture::LineChart PlotsPanel::chart() const {
+picture::LineChart PlotsPanel::chart(const Strip& strip) const {
   picture::LineChart chart{.x = {.label = tr("time").toStdString(), .unit = "s"}};
-  std::set<QString> units;
-  for (const QString& name : chosen()) {
-    units.insert(unit_of(name));
+  chart.y.unit = unit_of(strip.names.front()).toStdString();
+  for (const QString& name : strip.names) {
     picture::Series& series = chart.series.emplace_back();
     series.name = title_of(name).toStdString();
     for (const QPointF& point : curves_.at(name)) {
       series.points.push_back({point.x(), point.y()});
     }
-  }
-  if (units.size() == 1) {
-    chart.y.unit = units.begin()->toStdString();
   }
   return chart;
 }

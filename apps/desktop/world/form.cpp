@@ -23,6 +23,8 @@
 namespace elsie::desktop {
 namespace {
 
+constexpr int kFewest_letters = 9;  // that a field has room for
+
 bool is_number(const Field& field) { return field.type == "number" || field.type == "integer"; }
 
 /// Leaves Ctrl+Z to the window while nothing is typed; QLineEdit would take it.
@@ -242,6 +244,7 @@ Form::Row Form::make_row(const Field& field) {
   column->addLayout(line);
 
   row.editor = make_editor(field);
+  row.editor->setMinimumWidth(kFewest_letters * fontMetrics().averageCharWidth());
   line->addWidget(row.editor, 1);
   if (!field.unit.isEmpty()) {
     line->addWidget(new QLabel(field.unit));
@@ -256,7 +259,6 @@ Form::Row Form::make_row(const Field& field) {
   row.live->setObjectName(name + "_live");
   row.live->setIndent(fontMetrics().averageCharWidth());
   row.live->hide();
-  line->addWidget(row.live);
   row.reset = new QToolButton;
   row.reset->setText("\u21ba");
   row.reset->setAutoRaise(true);
@@ -272,6 +274,8 @@ Form::Row Form::make_row(const Field& field) {
     Q_EMIT taken_back(name);
   });
   line->addWidget(row.reset);
+
+  column->addWidget(row.live);  // below: beside, it takes the field's room
 
   row.problem = new WarningLabel;
   row.problem->setObjectName(name + "_problem");
@@ -293,6 +297,7 @@ void Form::show_value(Row& row) {
   } else if (auto* edit = qobject_cast<QLineEdit*>(row.editor)) {
     if (!(edit->hasFocus() && edit->isModified())) {
       edit->setText(value);
+      edit->setCursorPosition(0);  // a long text shows its beginning
       edit->setModified(false);
     }
   }
@@ -371,6 +376,12 @@ void Form::show_live(const QString& name, const QString& text) {
   if (Row* row = row_of(name)) {
     row->live->setText(text);
     row->live->setVisible(!text.isEmpty());
+  }
+}
+
+void Form::clear_live() {
+  for (const Row& row : rows_) {
+    show_live(row.field.name, {});
   }
 }
 

@@ -41,8 +41,9 @@ class Form : public QWidget {
   void drop_typed();
   /// Shows a sentence below the row until its next change; "" removes it.
   void show_problem(const QString& name, const QString& sentence);
-  /// Shows the value in the run behind the row; "" removes it.
+  /// Shows the value in the run below the row; "" removes it.
   void show_live(const QString& name, const QString& text);
+  void clear_live();
   /// The widget for the value; its object name is the field's name.
   QWidget* editor(const QString& name) const;
   /// Hides all rows whose name and meaning do not contain the text.

@@ -80,6 +80,12 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   connect(filter_, &QLineEdit::textChanged, form_, &Form::filter);
   connect(&workbench_, &Workbench::described, this, &Properties::refresh);
   connect(&workbench_, &Workbench::catalog_changed, this, &Properties::refresh);
+  connect(&workbench_, &Workbench::run_changed, this, [this] {
+    if (workbench_.run_state() == Workbench::Run::none ||
+        workbench_.run_state() == Workbench::Run::ready) {
+      form_->clear_live();  // of the run before
+    }
+  });
   // The change is made to the object for which it was typed, whatever is selected by then.
   connect(form_, &Form::committed, this, [this](const QString& name, const QString& value) {
     change(path_, name, attribute_path(path_, name) + '=' + value);

@@ -38,14 +38,19 @@ QString label_of(const Json& element) {
   return id.isEmpty() || id == name ? name : id + " (" + name + ')';
 }
 
+QString team_of(const Json& robot) {
+  const QString team = attribute(robot, "team");
+  return team.isEmpty() ? "red" : team;
+}
+
 }  // namespace
 
 QStringList teams_of(const Json& world) {
-  QStringList teams{"red", "blue"};
+  QStringList teams;
   visit(world, [&](const ElementPlace& place) {
     const QString name = name_of(*place.element);
     const QString team = name == "team"    ? attribute(*place.element, "id")
-                         : name == "robot" ? attribute(*place.element, "team")
+                         : name == "robot" ? team_of(*place.element)
                                            : QString();
     if (!team.isEmpty() && !teams.contains(team)) {
       teams << team;
@@ -75,7 +80,10 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
   setFocusProxy(tree_);
   tree_->setUniformRowHeights(true);
   tree_->setIndentation(fontMetrics().averageCharWidth() * 3 / 2);
-  tree_->header()->setStretchLastSection(true);
+  // What is given has the room that is left, and ends in dots.
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setMinimumSectionSize(3 * fontMetrics().averageCharWidth());
+  tree_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
   column->addWidget(tree_, 1);
   if (!team_.isEmpty()) {
     make_team_buttons();
@@ -206,10 +214,6 @@ std::vector<WorldTree::Shown> WorldTree::places() const {
     all.push_back({place, place.path + list, parent});
     visit_children(place, [&](const ElementPlace& child) { add(child, number); });
   };
-  const auto is_of_team = [&](const ElementPlace& place) {
-    const QString team = attribute(*place.element, "team");
-    return (team.isEmpty() ? QString("red") : team) == team_;
-  };
   const Json& world = workbench_.tree();
   if (team_.isEmpty()) {
     if (world.is_object()) {
@@ -219,7 +223,7 @@ std::vector<WorldTree::Shown> WorldTree::places() const {
   }
   visit(world, [&](const ElementPlace& place) {
     const bool is_robot = name_of(*place.element) == "robot" && place.path.startsWith("robot[");
-    if (is_robot && is_of_team(place)) {
+    if (is_robot && team_of(*place.element) == team_) {
       add(place, -1);
     }
     return !is_robot;

@@ -78,7 +78,7 @@ class WorldTree : public QWidget {
   bool is_showing_ = false;
 };
 
-/// The names of all teams in a world; the teams that are always listed come first.
+/// The names of all teams that a world declares or to which its robots belong.
 QStringList teams_of(const Json& world);
 
 }  // namespace elsie::desktop
