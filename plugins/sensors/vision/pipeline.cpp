@@ -33,8 +33,8 @@ constexpr std::array<Space, 8> kSpaces{{{"rgb", kNone, kNone, false},
                                         {"ycrcb", cv::COLOR_RGB2YCrCb, cv::COLOR_YCrCb2RGB, false},
                                         {"xyz", cv::COLOR_RGB2XYZ, cv::COLOR_XYZ2RGB, false},
                                         {"grey", cv::COLOR_RGB2GRAY, kNone, false}}};
-const Space& kRgb = kSpaces.front();
-const Space& kGrey = kSpaces.back();
+const Space* const kRgb = &kSpaces.front();
+const Space* const kGrey = &kSpaces.back();
 
 const Space& space(std::string_view name) {
   for (const Space& known : kSpaces) {
@@ -47,10 +47,10 @@ const Space& space(std::string_view name) {
 
 /// The state of a picture between two steps: in a colour space, or a mask.
 struct Kind {
-  const Space* space = &kRgb;  // none: a mask
+  const Space* space = kRgb;  // none: a mask
 
   bool is_mask() const { return !space; }
-  std::size_t channels() const { return is_mask() || space == &kGrey ? 1 : 3; }
+  std::size_t channels() const { return is_mask() || space == kGrey ? 1 : 3; }
   std::string text() const {
     return is_mask() ? "a mask"
                      : "a picture in the colour space '" + std::string(space->name) + "'";
@@ -109,7 +109,7 @@ class Assembler {
 
   void need_colours(const char* step) const {
     need_picture(step);
-    if (kind_.space == &kGrey) {
+    if (kind_.space == kGrey) {
       fail(step, "it needs colours, but the picture is grey by now");
     }
   }
