@@ -279,7 +279,15 @@ TEST_CASE("A picture is exported whole or not at all") {
   Window window;
   open_room(window);
   const auto export_as = [&](const QString& file) {
-    answer_when_asked("export_dialog", [file](QDialog* dialog) { save_as_file(dialog, file); });
+    answer_when_asked("export_dialog", [file](QDialog* dialog) {
+      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+      wait_for([&] {  // the menu gives the focus back some time later
+        dialog->activateWindow();
+        name->setFocus();
+        return name->hasFocus();
+      });
+      save_as_file(dialog, file);
+    });
     pick(window, "File", "export_picture");
   };
   const QString picture = window.folder() + "/view.png";
