@@ -105,8 +105,8 @@ TEST_CASE("A rate by robots and minutes compares worlds of any size, whatever en
       run.robots.back().end.emplace();
     }
   }
-  const Seen all = seen({{"rate", "path_length_m / robots / minute"}, {"length", "minutes"}},
-                        {}, made_up);
+  const Seen all =
+      seen({{"rate", "path_length_m / robots / minute"}, {"length", "minutes"}}, {}, made_up);
   CHECK(all.of("rate").all->count == 10);
   CHECK(all.of("rate").all->largest == Approx(6.0 / 3.0 / (2.0 / 60.0)));
   REQUIRE(all.of("length").censoring);  // as of time_s
