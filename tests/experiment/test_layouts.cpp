@@ -56,6 +56,8 @@ TEST_CASE("Layouts that cannot be are refused before the first run") {
         "layouts; take from, to and list out, or write rule=\"crossed\"");
   CHECK_THAT(problems(kScattered + "<layouts/>"), Contains("<layouts> must say which"));
   CHECK_THAT(problems(kScattered + "<layouts list='1 x'/>"), Contains("'x' is no seed"));
+  CHECK_THAT(problems(kArena + "<seeds list='18446744073709551616'/>"),
+             Contains("is no seed") && !Contains("lists none"));
   CHECK_THAT(problems(kScattered + "<layouts from='1' to='99999999'/>"),
              Contains("a factor has at most as many levels"));
   CHECK_THAT(problems(kScattered + "<layouts list='1 2'/><vary name='layout_seed' "
@@ -83,8 +85,8 @@ TEST_CASE("Every seed must have room for its layout, and the first that has none
 
 TEST_CASE("Levels are the same only if they draw the same with every seed") {
   const auto with = [](const std::string& levels, const std::string& seeds) {
-    return problems(kScattered + "<set path='scatter[c]/@count' value='6'/>" + levels +
-                    "<seeds " + seeds + "/>");
+    return problems(kScattered + "<set path='scatter[c]/@count' value='6'/>" + levels + "<seeds " +
+                    seeds + "/>");
   };
   // Places that keep 0.1 m from each other may keep 0.15 m, too.
   const std::string gaps = "<vary path='scatter[c]/@gap' values='0.1; 0.15; 0.3'/>";

@@ -256,8 +256,7 @@ TEST_CASE("Formulas know the robots and the minutes of every run, and no other m
   CHECK(with("<measure name='minutes' formula='time_s / 60'/>") ==
         "experiment.xml:2: a formula cannot be called 'minutes', which formulas may use of every "
         "run; give it another name");
-  const std::string factor =
-      "<vary name='robots' path='robot[r1]/@max_speed' values='0.1; 0.2'/>";
+  const std::string factor = "<vary name='robots' path='robot[r1]/@max_speed' values='0.1; 0.2'/>";
   CHECK(with("", factor) == "");
   CHECK(with("<measure name='rate' formula='collisions / robots'/>", factor) ==
         "experiment.xml:2: formula=\"collisions / robots\" of <measure>: column 14: 'robots' is a "

@@ -263,7 +263,7 @@ TEST_CASE("In one process, for a debugger, only the exit code differs") {
   const auto run = world.here.sh(
       "elsie --one-process check worlds/open_arena.xml & pid=$!\n"
       "wait $pid");
-  CHECK(run.out == "worlds/open_arena.xml: in order: 1 robot, 0 boxes\n");
+  CHECK(run.out == "worlds/open_arena.xml: in order: 1 robot, 0 obstacles\n");
 }
 
 TEST_CASE("A supervisor without its program reports it") {

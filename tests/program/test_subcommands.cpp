@@ -87,7 +87,7 @@ TEST_CASE("check distinguishes experiments from worlds, and reports whether each
   CAPTURE(run.err);
   CHECK(run.exit_code == 0);
   CHECK(run.out ==
-        "worlds/maze.xml: in order: 1 robot, 14 boxes\n"
+        "worlds/maze.xml: in order: 1 robot, 14 obstacles\n"
         "experiments/four_resources.xml: in order: 8 cells, 160 runs, 10 expectations\n");
   const auto with_set = here.elsie("check experiments/four_resources.xml --set @name=a");
   CHECK(with_set.exit_code == 2);

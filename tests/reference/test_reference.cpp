@@ -20,6 +20,7 @@ TEST_CASE("The world reference has every element and attribute") {
   CHECK_THAT(page, Contains("## world / robots / robot / sensors / *any sensor plugin*"));
   CHECK_THAT(page, Contains("| `path` | one of 'round', 'to_and_fro' | `round` |"));
   CHECK_THAT(page, Contains("| `team` | the id of a team |"));
+  CHECK_THAT(page, Contains("the `<wall>`s in it") && !Contains("&lt;"));
 }
 
 TEST_CASE("The world reference says what an edit costs") {

@@ -79,9 +79,22 @@ TEST_CASE("A margin of times that a limit cut off is their median") {
   const Margin fast = margin_of(findings, response_of(findings, "time_s"), {0});
   CHECK(fast.cut_off == 3);
   CHECK_FALSE(fast.centre);  // half of six remain to the end
+  CHECK_FALSE(fast.at_least);
   const Margin all = margin_of(findings, response_of(findings, "time_s"), factors[1].cells_at(0));
   // Known: 14.5, 16.5, 18.5, 26 ... 31, 51 ... 56: the ninth and tenth of 18 are 31 and 51.
   CHECK(all.centre == Approx(41.0));
+}
+
+TEST_CASE("Where the limit cut off all runs, the chart of a factor has an arrow from the limit") {
+  MadeExperiment study = by_factor();
+  for (auto& run : study.cells[0].runs) {
+    run.outcome = "time_limit";
+    run.measures["time_s"] = 60.0;
+  }
+  const Made made(study);
+  const Margin none = margin_of(made.findings(), response_of(made.findings(), "time_s"), {0});
+  CHECK_FALSE(none.centre);
+  CHECK(none.at_least == 60.0);
 }
 
 TEST_CASE("A run that fails before the limit never reaches its goals") {

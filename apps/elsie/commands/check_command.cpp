@@ -1,4 +1,5 @@
 // elsie check: reads world and experiment files and reports their mistakes, without running them.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -57,8 +58,12 @@ std::string check_world(const std::string& text, const std::string& file, const 
   if (options.expand) {
     out() << world::write_world(world);
   }
+  const auto resources = static_cast<std::size_t>(
+      std::count_if(world.boxes.begin(), world.boxes.end(),
+                    [](const world::Box& box) { return box.kind == world::BoxKind::resource; }));
   return base::counted(world.robots.size(), "robot") + ", " +
-         base::counted(world.boxes.size(), "box", "boxes");
+         base::counted(world.boxes.size() - resources, "obstacle") +
+         (resources > 0 ? ", " + base::counted(resources, "resource") : "");
 }
 
 std::string check_experiment(const std::string& text, const std::string& file,

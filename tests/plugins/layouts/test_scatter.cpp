@@ -334,8 +334,9 @@ TEST_CASE("There may be none of what is scattered, by count or by density") {
     // What it would scatter is checked, and found by the draws of the world.
     CHECK_THAT(refusal(scattered(number, "<static_box lenth='1'/>")),
                Contains("did you mean 'length'?"));
-    CHECK(refusal("<layouts>" + none + "</scatter><draw path='obstacle[*]/@length' from='0.1' "
-                                       "to='0.2'/></layouts>") == "");
+    CHECK(refusal("<layouts>" + none +
+                  "</scatter><draw path='obstacle[*]/@length' from='0.1' "
+                  "to='0.2'/></layouts>") == "");
   }
   CHECK_THAT(refusal("<goals><collect/></goals>" + scattered("count='0'", "<resource/>")),
              Contains("<collect> has nothing to collect"));

@@ -60,7 +60,7 @@ base::Problem problem_of(const world::World& world, const simulation::ChangeRefu
 struct Complaint {
   Location where;
   std::string message;
-  base::Problem problem;           // as it was found, with this seed
+  base::Problem problem;  // as it was found, with this seed
   std::uint64_t seed = 1;
   bool is_setting = false;         // in this experiment; else in a world's file
   std::vector<std::size_t> cells;  // the cells that have it
@@ -307,8 +307,7 @@ class CellCheck {
   }
 
   void complain(const Cell& cell, const base::Problem& problem, std::uint64_t seed) {
-    Complaint complaint{
-        {problem.file, problem.line}, problem.message, problem, seed, false, {}};
+    Complaint complaint{{problem.file, problem.line}, problem.message, problem, seed, false, {}};
     if (seed != first_seed()) {
       complaint.message += " (with the seed " + std::to_string(seed) + ")";
     }

@@ -77,7 +77,8 @@ class Known {
       return "";
     }
     if (is_of_every_run(name)) {
-      return "'" + name + "' is a factor, and what formulas may use of every run; give the factor " +
+      return "'" + name +
+             "' is a factor, and what formulas may use of every run; give the factor " +
              "another name";
     }
     if (!factor) {
@@ -156,12 +157,12 @@ std::vector<std::size_t> lists_for(const MeasureUse& use, const Known& known,
                                      "' already; give the formula another name");
       return {};
     }
-    const bool complete =
-        !formula || std::all_of(formula->names().begin(), formula->names().end(),
-                                [&](const Formula::Name& name) {
-                                  return has_measure(list, name.text) ||
-                                         known.is_factor(name.text) || is_of_every_run(name.text);
-                                });
+    const bool complete = !formula || std::all_of(formula->names().begin(), formula->names().end(),
+                                                  [&](const Formula::Name& name) {
+                                                    return has_measure(list, name.text) ||
+                                                           known.is_factor(name.text) ||
+                                                           is_of_every_run(name.text);
+                                                  });
     if (complete) {
       fit.push_back(i);
     }

@@ -18,10 +18,12 @@ std::vector<std::uint64_t> listed_seeds(const SeedsDraft& draft, const std::stri
                                         Problems& problems) {
   std::vector<std::uint64_t> seeds;
   std::set<std::uint64_t> known;
+  bool any = false;
   for (const std::string& word : split(*draft.list, ' ')) {
     if (word.empty()) {
       continue;
     }
+    any = true;
     std::int64_t seed = 0;
     const char* end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, seed);
@@ -36,7 +38,7 @@ std::vector<std::uint64_t> listed_seeds(const SeedsDraft& draft, const std::stri
       seeds.push_back(static_cast<std::uint64_t>(seed));
     }
   }
-  if (seeds.empty() && known.empty()) {
+  if (!any) {
     problems.add(draft.location, element + " lists none; expected whole numbers from 0");
   }
   return seeds;

@@ -41,12 +41,15 @@ double place_of(const VariedFactor& factor, std::size_t level) {
   return factor.numeric() ? factor.numbers[level] : static_cast<double>(level);
 }
 
-// A margin as a point with a bar, whose upper end is infinite if it is unknown.
+// A margin as a point with a bar, whose upper end is infinite if it is unknown; without a point if
+// all runs were cut off.
 void add_point(picture::Series& series, double x, const Margin& margin) {
   series.points.push_back({x, margin.centre.value_or(kUnknown)});
-  series.spread.push_back(margin.interval
-                              ? picture::Interval{margin.interval->low, margin.interval->high}
-                              : picture::Interval{kUnknown, kUnknown});
+  series.spread.push_back(
+      margin.interval ? picture::Interval{margin.interval->low, margin.interval->high}
+      : margin.at_least
+          ? picture::Interval{*margin.at_least, std::numeric_limits<double>::infinity()}
+          : picture::Interval{kUnknown, kUnknown});
 }
 
 // The axis of the centres of a response.

@@ -57,10 +57,10 @@ std::optional<std::vector<double>> values_of(const std::vector<Source>& sources,
                                              const Run& run) {
   std::vector<double> values;
   for (const Source& source : sources) {
-    const std::optional<double> value =
-        source.measure  ? measures[*source.measure]
-        : source.factor ? experiment::number_in(cell.levels[*source.factor])
-                        : run.robots;
+    const std::optional<double> value = source.measure ? measures[*source.measure]
+                                        : source.factor
+                                            ? experiment::number_in(cell.levels[*source.factor])
+                                            : run.robots;
     if (!value) {
       return std::nullopt;
     }

@@ -11,8 +11,20 @@ namespace elsie::reference {
 
 std::string cell(const std::string& text) {
   std::string escaped_text;
-  for (const char c : text) {
-    escaped_text += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
+  bool is_code = false;     // between two `
+  bool is_element = false;  // between < and >, which become code: readable in a terminal, too
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    is_code ^= c == '`';
+    if (c == '<' && !is_code && text.find('>', i) != std::string::npos) {
+      is_element = true;
+      escaped_text += '`';
+    }
+    escaped_text += c == '|' ? "\\|" : std::string(1, c);
+    if (c == '>' && is_element) {
+      is_element = false;
+      escaped_text += '`';
+    }
   }
   return escaped_text;
 }

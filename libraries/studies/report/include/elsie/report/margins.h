@@ -71,6 +71,7 @@ struct Margin {
   /// whose upper end may be infinite. Cells that are one run have no part in the uncertainty; none
   /// if all are, and none of a median if any is.
   std::optional<Interval> interval;
+  std::optional<double> at_least;  // the lowest of the bounds, if nothing else is known of any run
 };
 
 Margin margin_of(const Findings& findings, const Response& response, const Balance& balance,
