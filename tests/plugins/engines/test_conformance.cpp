@@ -136,6 +136,24 @@ TEST_CASE("A wall: a robot stops at it, touches it, and presses") {
   CHECK(context.engine->touches().empty());
 }
 
+// At some headings the motors and tyres come to their limits and leave them again within one step.
+TEST_CASE("A wall: whatever the heading, a robot is not thrown off") {
+  const std::string engine = each_engine();
+  const double step = GENERATE(0.01, 0.02, 0.05, 0.1);
+  const double heading =
+      GENERATE(20.0, 45.0, 53.0, 53.5, 66.7, 66.9, 70.1, 70.2, 70.8, 72.6, 74.5, 85.0);
+  CAPTURE(engine, step, heading);
+  PhysicsContext context(with(engine, step), {.length = 8.0, .width = 400.0});
+  const std::size_t robot = context.robot(3.7, 0.0, heading);
+  context.drive(robot, {25, 25});
+  double fastest = 0.0;
+  context.run(6.0, [&] {
+    const RobotState state = context.engine->robot(robot);
+    fastest = std::max(fastest, std::hypot(state.speed, state.lateral));
+  });
+  CHECK(fastest < 1.3 * 0.5);
+}
+
 // The motors press with 1 N, and each box holds against it with 0.3 x 0.02 kg x 9.81 m/s2.
 TEST_CASE("A stack of pushes: a row of boxes gives way if the motors are strong enough") {
   const std::string engine = each_engine();
