@@ -12,6 +12,8 @@ constexpr int kMostSweeps = 60;
 constexpr int kSeparations = 4;
 constexpr double kLeastDepth = 5e-6;  // m; smaller overlaps are not corrected
 constexpr double kSettled = 1e-7;     // m/s: changes below this end the sweeps
+constexpr int kWeakenings = 10;       // of the bounces of an island
+constexpr double kMostGain = 1e-4;    // of the energy that bounces return
 
 Twist at_point(const Vector2& direction, const Vector2& from) {
   return {direction.x, direction.y, from.x * direction.y - from.y * direction.x};
@@ -77,12 +79,16 @@ inline void ContactSolver::apply(const Contact& contact, const Contact::Row& row
 }
 
 void ContactSolver::aim(Contact& contact) const {
-  const double coming = std::max(contact.coming, -parting(contact));
+  contact.parted = parting(contact);
+  // Other bodies have turned them back before they met.
+  if (contact.gap > kTouching && contact.parted >= 0.0) contact.coming = contact.stored = 0.0;
+  const double coming = std::max(contact.coming, -contact.parted);
   const bool bounces = physics_.bounce > 0.0 && coming > bounce_threshold();
   contact.target = contact.gap > kTouching ? -contact.gap / physics_.step
                    : bounces               ? physics_.bounce * coming
                                            : 0.0;
   contact.coming = bounces && contact.gap > kTouching ? coming : 0.0;
+  contact.slid = physics_.bounce > 0.0 ? speed(contact, contact.along) : 0.0;
 }
 
 void ContactSolver::warm(Contact& contact) {
@@ -182,16 +188,13 @@ double ContactSolver::relax(Hinge& hinge) {
   return std::max(std::abs(apart.x), std::abs(apart.y));
 }
 
-void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+void ContactSolver::prepare(std::span<Contact> contacts, std::span<Hinge* const> hinges) const {
+  for (Hinge* const hinge : hinges) prepare(*hinge);
+  for (Contact& contact : contacts) prepare(contact);
+}
+
+void ContactSolver::sweep(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
                           std::span<Hinge* const> hinges) {
-  const auto prepare_all = [&] {
-    for (Hinge* const hinge : hinges) prepare(*hinge);
-    for (Contact& contact : contacts) prepare(contact);
-  };
-  prepare_all();
-  for (Contact& contact : contacts) aim(contact);
-  for (Contact& contact : contacts) warm(contact);
-  for (Hinge* const hinge : hinges) warm(*hinge);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     double changed = 0.0;
     bool is_looser = false;
@@ -200,7 +203,7 @@ void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Conta
       changed = std::max(changed, stood.changed);
       is_looser = is_looser || stood.is_looser;
     }
-    if (is_looser) prepare_all();
+    if (is_looser) prepare(contacts, hinges);
     for (Hinge* const hinge : hinges) changed = std::max(changed, relax(*hinge));
     if (sweep % 2 == 0) {
       for (Contact& contact : contacts) changed = std::max(changed, relax(contact));
@@ -213,6 +216,47 @@ void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Conta
   }
   for (Contact& contact : contacts) {
     if (is_driven(contact)) relax(contact);
+  }
+}
+
+/// The energy that the impulses of a contact add, J: exact if nothing but contacts acts.
+double ContactSolver::work(const Contact& contact) const {
+  return 0.5 * (contact.push * (contact.parted + speed(contact, contact.across)) +
+                contact.rub * (contact.slid + speed(contact, contact.along)));
+}
+
+/// The share by which bounces are too strong: so much more energy they return than contacts have
+/// taken. 0: none.
+double ContactSolver::excess(std::span<const Contact> contacts) const {
+  double gained = 0.0, returned = 0.0;
+  for (const Contact& contact : contacts) {
+    const double more = work(contact) - contact.stored;
+    gained += contact.coming > 0.0 ? std::max(0.0, more) : more;  // takes now, returns later
+    returned += 0.5 * contact.push * std::max(contact.target, 0.0);
+  }
+  const bool too_much = returned > 0.0 && gained > kMostGain * returned;
+  return too_much ? std::min(gained / returned, 0.5) : 0.0;
+}
+
+void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                          std::span<Hinge* const> hinges) {
+  prepare(contacts, hinges);
+  for (Contact& contact : contacts) aim(contact);
+  for (Contact& contact : contacts) warm(contact);
+  for (Hinge* const hinge : hinges) warm(*hinge);
+  sweep(bodies, contacts, hinges);
+  if (physics_.bounce <= 0.0) return;
+  // Each contact bounces as if it were alone, and several of one body together may add energy.
+  for (int i = 0; i < kWeakenings; ++i) {
+    const double weaker = excess(contacts);
+    if (!(weaker > 0.0)) break;
+    for (Contact& contact : contacts) {
+      if (contact.target > 0.0) contact.target *= 1.0 - weaker;
+    }
+    sweep(bodies, contacts, hinges);
+  }
+  for (Contact& contact : contacts) {
+    contact.stored = contact.coming > 0.0 ? std::max(0.0, contact.stored - work(contact)) : 0.0;
   }
 }
 

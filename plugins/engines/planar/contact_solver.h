@@ -35,9 +35,11 @@ struct Contact {
   double coming = 0.0;  // m/s, the speed at which they came nearer before they met
   double push = 0.0;    // N s
   double rub = 0.0;     // N s, along the normal turned to the left
+  double stored = 0.0;  // J, taken from the bodies since `coming`; the bounce returns at most this
 
   // Used by the solver only.
   double target = 0.0;
+  double parted = 0.0, slid = 0.0;  // m/s, the speeds across and along without impulses
   struct Row {
     Twist a, b;                // velocities of the bodies to the speed of the row
     Twist change_a, change_b;  // impulse of the row to changes of velocity
@@ -94,6 +96,11 @@ class ContactSolver {
   void warm(Hinge& hinge);
   double relax(Contact& contact);
   double relax(Hinge& hinge);
+  void sweep(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+             std::span<Hinge* const> hinges);
+  void prepare(std::span<Contact> contacts, std::span<Hinge* const> hinges) const;
+  double work(const Contact& contact) const;
+  double excess(std::span<const Contact> contacts) const;
   Contact::Row row(const Contact& contact, const Vector2& direction) const;
   // Short, and called in each sweep.
   [[gnu::always_inline]] void apply(const Contact& contact, const Contact::Row& row,

@@ -169,6 +169,7 @@ void Encounters::recall(Contact& contact) const {
   contact.push = known->push;
   contact.rub = known->rub;
   contact.coming = known->coming;
+  contact.stored = known->stored;
 }
 
 std::uint32_t Encounters::root(std::uint32_t mover) {
@@ -264,7 +265,7 @@ void Encounters::solve(std::span<Hinge* const> hinges, base::Crew& crew) {
   memory_.clear();
   for (const Contact& each : contacts_) {
     if (each.push > 0.0 || each.coming > 0.0) {
-      memory_.push_back({each.key, each.push, each.rub, each.coming});
+      memory_.push_back({each.key, each.push, each.rub, each.coming, each.stored});
     }
   }
   std::sort(memory_.begin(), memory_.end(),

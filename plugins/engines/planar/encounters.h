@@ -62,7 +62,7 @@ class Encounters {
   /// A contact of the last step.
   struct Memory {
     Contact::Key key;
-    double push, rub, coming;
+    double push, rub, coming, stored;
   };
 
   /// What one thread finds.

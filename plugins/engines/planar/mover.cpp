@@ -6,6 +6,13 @@
 #include <utility>
 
 namespace elsie::physics {
+namespace {
+
+// An undercarriage that becomes tighter more often than this in one step goes back and forth
+// between states.
+constexpr int kMostTighter = 8;
+
+}  // namespace
 
 const Inertia Mover::kNoInertia;
 
@@ -68,6 +75,7 @@ void Mover::enter(double step, Impact& impact) {
   impact.moving = impact.middle.turn(velocity_);
   impact.impulse = {};
   impact.shifted = {};
+  impact.tighter = 0;
   impact.response = answer();
 }
 
@@ -92,7 +100,13 @@ Mover::Stand Mover::stand() {
     const Symmetric next = answer();
     const Symmetric& last = now.response;
     stood.is_looser = next.xx + next.yy + next.tt > last.xx + last.yy + last.tt;
-    if (stood.is_looser) now.response = next;
+    if (stood.is_looser) {
+      now.response = next;
+    } else if (++now.tighter > kMostTighter) {
+      // At least as loose as either in all directions, and looser each time.
+      now.response = last + next;
+      stood.is_looser = true;
+    }
   }
   return stood;
 }

@@ -18,6 +18,7 @@ struct Impact {
   Direction middle;    // of the body, in the middle of the arc
   Symmetric response;  // the change of velocity that an impulse makes
   Vector2 shifted;     // m, the sum of all shifts
+  int tighter = 0;     // how often the undercarriage has become tighter
 };
 
 /// A vehicle, a box that can be pushed, or a box that moves along its own path.

@@ -72,6 +72,9 @@ struct HalfTurn {
 struct Symmetric {
   double xx = 0.0, xy = 0.0, yy = 0.0, xt = 0.0, yt = 0.0, tt = 0.0;
 
+  friend Symmetric operator+(const Symmetric& a, const Symmetric& b) {
+    return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, a.xt + b.xt, a.yt + b.yt, a.tt + b.tt};
+  }
   friend Twist operator*(const Symmetric& m, const Twist& t) {
     return {m.xx * t.x + m.xy * t.y + m.xt * t.turn, m.xy * t.x + m.yy * t.y + m.yt * t.turn,
             m.xt * t.x + m.yt * t.y + m.tt * t.turn};
