@@ -18,8 +18,7 @@ std::string sentence(const Failure& failure) {
            number + " " + what;
   }
   return "The physics became unstable after " + base::number_text(failure.time_s, 6) +
-         " s: " + what +
-         ". A smaller step, a larger cfm, or less extreme masses, torques and speeds may help.";
+         " s: " + what + ". A smaller step, or less extreme masses, torques and speeds may help.";
 }
 
 }  // namespace
