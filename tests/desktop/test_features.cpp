@@ -445,7 +445,7 @@ TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are list
   CHECK(before.readAll() == kRoom);
   QStringList recent;
   for (QMenu* each : window->findChildren<QMenu*>()) {
-    if (each->title().contains("last")) {
+    if (each->title().contains("opened")) {
       for (QAction* action : each->actions()) recent << action->text();
     }
   }
