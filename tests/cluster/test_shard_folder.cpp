@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <fstream>
+#include <future>
 
 #include <catch2/catch.hpp>
 
@@ -59,14 +60,15 @@ TEST_CASE("The progress of a batch is the sum of its shards'") {
 
 TEST_CASE("A folder is resumed for the same experiment only") {
   const ClusterFolder here;
+  CHECK_FALSE(ShardFolder::find(here.database(), plan_of(10)).has_value());
   {
     ShardFolder folder = ShardFolder::create(here.database(), plan_of(10), 2, {"elsie"});
     folder.set_job("17");
   }
-  const ShardFolder again = ShardFolder::open(here.database(), plan_of(10));
+  const ShardFolder again = ShardFolder::find(here.database(), plan_of(10)).value();
   CHECK(again.shards() == 2);
   CHECK(again.job() == "17");
-  CHECK_THROWS_AS(ShardFolder::open(here.database(), plan_of(10, "other")), DatabaseRefused);
+  CHECK_THROWS_AS(ShardFolder::find(here.database(), plan_of(10, "other")), DatabaseRefused);
   CHECK_THROWS_AS(ShardFolder::create(here.database(), plan_of(10), 2, {"elsie"}), DatabaseRefused);
   for (const char* wrong :
        {"", "{", "[]", "{\"shards\": 0, \"fingerprint\": \"abc\"}",
@@ -74,11 +76,27 @@ TEST_CASE("A folder is resumed for the same experiment only") {
         "{\"shards\": 2}", "{\"shards\": 2, \"fingerprint\": \"abc\", \"job\": 17}"}) {
     CAPTURE(wrong);
     std::ofstream(again.path() / "cluster.json") << wrong;
-    CHECK_THROWS_AS(ShardFolder::open(here.database(), plan_of(10)), DatabaseRefused);
+    CHECK_THROWS_AS(ShardFolder::find(here.database(), plan_of(10)), DatabaseRefused);
   }
   again.remove();
   CHECK_FALSE(again.exists());
   CHECK_FALSE(std::filesystem::exists(again.path()));
+}
+
+TEST_CASE("A folder is there as a whole or not at all while it is made and removed") {
+  const ClusterFolder here;
+  const auto found = [&] { return ShardFolder::find(here.database(), plan_of(10)); };
+  for (int round = 0; round < 100; ++round) {
+    auto maker = std::async(std::launch::async, [&] {
+      return ShardFolder::create(here.database(), plan_of(10), 2, {"elsie"});
+    });
+    while (!found()) {
+    }
+    auto remover = std::async(std::launch::async, [&] { maker.get().remove(); });
+    while (found()) {
+    }
+  }
+  CHECK_FALSE(std::filesystem::exists(here.database() + "-shards"));
 }
 
 TEST_CASE("Arrays of other folders and other experiments have other names") {

@@ -21,10 +21,9 @@
 
 #include "authoring/authoring.h"
 #include "hands.h"
+#include "inferring.h"
 #include "scene/scene_view.h"
 #include "watch/control_surface.h"
-#include "watch/fuzzy_instant.h"
-#include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/vision_panel.h"
 #include "window.h"
@@ -266,115 +265,6 @@ TEST_CASE("Every window is shown and hidden from the menu") {
   }
 }
 
-TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a run takes changes") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.act("add_robot");
-  QDialog* dialog = window.dialog("element_dialog");
-  auto* form = dialog->findChild<Form*>("form_robot");
-  REQUIRE(form);
-  for (const char* name : {"max_speed", "coverage", "leader", "x", "y", "heading_deg"}) {
-    INFO(name);
-    REQUIRE(form->editor(name));
-  }
-  const auto* fastest = qobject_cast<QLineEdit*>(form->editor("max_speed"));
-  REQUIRE(fastest);
-  CHECK(fastest->placeholderText().contains("0.5"));
-  CHECK(dialog->findChild<QComboBox*>("drive")->count() >= 10);
-  Window::press(dialog, QDialogButtonBox::Cancel);
-
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
-  click_row(window.get<WorldTree>("world_tree"), "robot[r1]", Qt::RightButton);
-  dialog = nullptr;
-  REQUIRE(wait_for([&] {
-    for (auto* each : window->findChildren<QDialog*>("element_dialog")) {
-      if (each->isVisible()) dialog = each;
-    }
-    return dialog != nullptr;
-  }));
-  QTest::mouseClick(dialog->findChild<QAbstractButton*>("apply_immediately"), Qt::LeftButton, {},
-                    QPoint(8, 8));
-  window.after([&] { dialog->findChild<Form*>("form_robot")->set_value("leader", "true"); });
-  CHECK(window.bench().text().contains("leader=\"true\""));
-  CHECK(window.bench().run_state() == Workbench::Run::running);
-  Window::press(dialog, QDialogButtonBox::Cancel);
-}
-
-TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 90 degrees") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.choose("robot[r1]");
-  window.act("add_sensor");
-  QDialog* dialog = window.dialog("element_dialog");
-  auto* kinds = dialog->findChild<QListWidget*>("kinds");
-  for (const char* kind : {"beam_range", "proximity"}) {
-    INFO(kind);
-    kinds->setCurrentItem(kinds->findItems(kind, Qt::MatchExactly).front());
-    auto* button = dialog->findChild<QPushButton*>("random_heading");
-    auto* form = dialog->findChild<Form*>(QString("form_") + kind);
-    REQUIRE((button && form));
-    QSet<QString> headings;
-    for (int i = 0; i < 5; ++i) {
-      QTest::mouseClick(button, Qt::LeftButton);
-      const QString heading = form->values().at("yaw_deg");
-      CHECK(heading.toDouble() >= 0.0);
-      CHECK(heading.toDouble() <= 90.0);
-      headings << heading;
-    }
-    CHECK(headings.size() > 1);
-  }
-  Window::press(dialog, QDialogButtonBox::Cancel);
-}
-
-TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, and >> takes one") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.choose("robot[r1]");
-  window.act("behaviors");
-  QDialog* dialog = window.dialog("behaviors_dialog");
-  auto* pool = dialog->findChild<QListWidget*>("pool");
-  auto* carried = dialog->findChild<QListWidget*>("carried");
-  CHECK(carried->count() == 1);
-  CHECK(pool->findItems("wander", Qt::MatchExactly).isEmpty());
-  const int before = pool->count();
-  pool->setCurrentRow(0);
-  QTest::mouseClick(dialog->findChild<QPushButton*>("add"), Qt::LeftButton);
-  CHECK(pool->count() == before - 1);
-  CHECK(carried->count() == 2);
-  Window::press(dialog, QDialogButtonBox::Cancel);
-  CHECK(window.bench().text() == kRoom);
-}
-
-TEST_CASE("The priority of a behaviour is set") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.choose("robot[r1]/behavior[wander]");
-  auto* priority =
-      qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor("priority"));
-  REQUIRE(priority);
-  priority->setFocus();
-  window.after([&] {
-    priority->selectAll();
-    QTest::keyClicks(priority, "7");
-    QTest::keyClick(priority, Qt::Key_Return);
-  });
-  CHECK(window.bench().text().contains("priority=\"7\""));
-}
-
-TEST_CASE("All coordinators that are found are offered") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.choose("robot[r1]");
-  window.act("coordinator");
-  QDialog* dialog = window.dialog("element_dialog");
-  auto* kinds = dialog->findChild<QListWidget*>("kinds");
-  REQUIRE(kinds);
-  CHECK(kinds->count() == static_cast<int>(window.bench().catalog().plugins("coordinator").size()));
-  CHECK(kinds->count() >= 10);
-  Window::press(dialog, QDialogButtonBox::Cancel);
-}
-
 TEST_CASE("Vision: raw and processed pictures of all cameras side by side") {
   Window window(world_file("four_resources"));
   window->arrange("watch");
@@ -393,12 +283,7 @@ TEST_CASE("Vision: raw and processed pictures of all cameras side by side") {
 
 TEST_CASE("The fuzzy viewer shows the model, its rules and its control surface as it infers") {
   Window window(world_file("clutter"));
-  window->arrange("watch");
-  window.get<QDockWidget>("dock_fuzzy")->raise();
-  auto* fuzzy = window->findChild<FuzzyPanel*>();
-  window.bench().run();
-  REQUIRE(wait_for([&] { return !fuzzy->now().degrees.empty(); }));
-  window.bench().pause();
+  FuzzyPanel* const fuzzy = inferring(window);
   CHECK(fuzzy->problem().isEmpty());
   const auto* surface = fuzzy->findChild<ControlSurface*>();
   REQUIRE(surface);
@@ -486,83 +371,4 @@ TEST_CASE("The title names the file, and a star the changes that are not saved")
   CHECK(window->isWindowModified());
   window.after([&] { window.act("undo"); });
   CHECK_FALSE(window->isWindowModified());
-}
-
-TEST_CASE("Every field says what it means; every number, its unit if it has one") {
-  Window window;
-  int units = 0;
-  for (const char* kind : {"sensor", "behavior", "coordinator", "drive", "measure"}) {
-    for (const Kind& plugin : window.bench().catalog().plugins(kind)) {
-      INFO(plugin.name.toStdString());
-      Form form;
-      form.show_fields(plugin.fields, Json::object());
-      for (const Field& field : plugin.fields) {
-        INFO(field.name.toStdString());
-        QWidget* editor = form.editor(field.name);
-        REQUIRE(editor);
-        CHECK_FALSE(field.meaning.isEmpty());
-        CHECK(editor->toolTip().contains(field.meaning.toHtmlEscaped()));
-        CHECK(editor->accessibleDescription() == field.meaning);
-        if (!field.unit.isEmpty()) {
-          ++units;
-          CHECK(editor->toolTip().contains('(' + field.unit.toHtmlEscaped() + ')'));
-          CHECK(editor->accessibleName() == field.name + ", " + field.unit);
-          QStringList shown;
-          for (QLabel* label : editor->parentWidget()->findChildren<QLabel*>()) {
-            shown << label->text();
-          }
-          CHECK(shown.contains(field.unit));
-        }
-      }
-    }
-  }
-  CHECK(units > 30);
-}
-
-TEST_CASE("A plugin that changes while the window is open has its new form, without a restart") {
-  QTemporaryDir folder;
-  const QString source = folder.filePath("veer.cpp");
-  const auto write = [&](const char* parameters) {
-    std::ofstream(source.toStdString()) << R"(#include <elsie/api/behavior.h>
-namespace {
-class Veer final : public elsie::Behavior {
- public:
-  double rate = 3.0;
-  double boldness = 1.0;
-  elsie::Response respond(const elsie::Perception& now) override {
-    return now.self().wheels.motion({rate, boldness * rate});
-  }
-};
-}  // namespace
-ELSIE_BEHAVIOR(Veer, "veer", "Veers",
-    elsie::parameter("rate", &Veer::rate, {.unit = "rad/s", .meaning = "rate of the left wheel"}))"
-                                        << parameters << ");\n";
-  };
-  write("");
-  Window window({}, {"--plugin", source});
-  window.open(window.file(kRoom));
-  window.after([&] { window.bench().edit({"robot[r1]/behavior[+]=<veer/>"}, "add veer"); });
-  window.choose("robot[r1]/behavior[veer]");
-  auto& form = window.get<Properties>("properties")->form();
-  REQUIRE(form.editor("rate"));
-  CHECK_FALSE(form.editor("boldness"));
-  write(", elsie::parameter(\"boldness\", &Veer::boldness, {.meaning = \"right over left\"})");
-  REQUIRE(wait_for([&] { return form.editor("boldness") != nullptr; }));
-  CHECK(form.editor("boldness")->toolTip().contains("right over left"));
-}
-
-TEST_CASE("A plugin that is dropped into the path while the window is open is offered") {
-  QTemporaryDir folder;
-  Window window({}, {"--plugin-path", folder.path()});
-  window.open(window.file(kRoom));
-  const auto has = [&](const char* name) {
-    for (const Kind& kind : window.bench().catalog().plugins("coordinator")) {
-      if (kind.name == name) return true;
-    }
-    return false;
-  };
-  CHECK_FALSE(has("body_learner"));
-  REQUIRE(QFile::copy(build_file("../tests/program/plugins/body_learner.so"),
-                      folder.filePath("body_learner.so")));
-  CHECK(wait_for([&] { return has("body_learner"); }));
 }

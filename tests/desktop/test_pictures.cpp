@@ -15,11 +15,10 @@
 #include "engine/recovery.h"
 #include "export/exporter.h"
 #include "hands.h"
+#include "inferring.h"
 #include "paint/figures.h"
 #include "scene/scene_view.h"
 #include "training/learning_curve.h"
-#include "watch/fuzzy_instant.h"
-#include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/vision_panel.h"
 #include "world/form.h"
@@ -40,7 +39,7 @@ void resize(Window& window) {
   window->arrange("author");
 }
 
-void run_until(Window& window, double time_s) {
+void play_until(Window& window, double time_s) {
   window.bench().set_speed(4.0);
   window.bench().run();
   REQUIRE(wait_for([&] {
@@ -95,7 +94,7 @@ TEST_CASE("Pictures: the start page", "[.pictures]") {
 TEST_CASE("Pictures: a world being built, and watched", "[.pictures]") {
   Window window(world_file("ten_robots"));
   resize(window);
-  run_until(window, 12.0);
+  play_until(window, 12.0);
   window.choose(window->scene().stage().bodies().front().path);
   keep(window.window(), "author");
   window->arrange("watch");
@@ -118,11 +117,11 @@ TEST_CASE("Pictures: cameras and plots", "[.pictures]") {
   window->arrange("watch");
   auto* plots = window->findChild<PlotsPanel*>();
   window.get<QDockWidget>("dock_plots")->raise();
-  run_until(window, 1.0);
+  play_until(window, 1.0);
   for (const QString& name : plots->names()) {
     if (name.endsWith("/speed") || name.endsWith("/energy")) plots->choose(name, true);
   }
-  run_until(window, 15.0);
+  play_until(window, 15.0);
   keep(window.window(), "watch");
 }
 
@@ -171,7 +170,7 @@ TEST_CASE("Pictures: behaviours in use, and the past", "[.pictures]") {
   Window window(world_file("clutter"));
   resize(window);
   window.get<QDockWidget>("dock_coordination")->raise();
-  run_until(window, 10.0);
+  play_until(window, 10.0);
   keep(window.window(), "behaviours");
   window.get<QWidget>("time")->setFocus();
   press_key(&window.window(), Qt::Key_Left, Qt::ShiftModifier);
@@ -247,16 +246,11 @@ TEST_CASE("Pictures: a weight that is learned, a control surface, and figures as
     return behavior.isEmpty();
   });
   window.choose(behavior);
-  run_until(window, 2.0);
+  play_until(window, 2.0);
   keep(window.window(), "live_weight");
 
   window.open(world_file("clutter"));
-  window->arrange("watch");
-  window.get<QDockWidget>("dock_fuzzy")->raise();
-  auto* fuzzy = window->findChild<FuzzyPanel*>();
-  window.bench().run();
-  REQUIRE(wait_for([&] { return !fuzzy->now().degrees.empty(); }));
-  window.bench().pause();
+  FuzzyPanel* const fuzzy = inferring(window);
   auto* bar = fuzzy->findChild<QScrollArea*>()->verticalScrollBar();
   REQUIRE(wait_for([&] {
     bar->setValue(bar->maximum());
@@ -278,7 +272,7 @@ TEST_CASE("Pictures: a network that learns, a film that is written, and runs to 
   curve.show();
   keep(curve, "learning_curve");
 
-  run_until(window, 4.0);
+  play_until(window, 4.0);
   window->findChild<Exporter*>()->write_film(window.folder() + "/run.avi");
   auto* progress = window.dialog("film_progress");
   progress->show();  // it waits some seconds, and goes with a film that is ready
@@ -286,18 +280,7 @@ TEST_CASE("Pictures: a network that learns, a film that is written, and runs to 
   REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("film_progress"); }));
 
   window.file(kRoom);
-  const QString study = window.file(R"(<experiment format="1" name="study">
-  <worlds><world file="room.xml"/></worlds>
-  <set path="limits/@time" value="3"/>
-  <seeds from="1" to="6"/>
-</experiment>
-)",
-                                    "study.xml");
-  const QString database = window.folder() + "/study.sqlite";
-  QProcess batch;
-  batch.start(build_file("elsie"), {"batch", study, "--database", database});
-  REQUIRE(batch.waitForFinished(kPatience_ms));
-  REQUIRE(window->open(database));
+  REQUIRE(window->open(study_in(window, 1, 6)));
   keep(*window.dialog("run_dialog"), "runs_of_a_database");
   window.dialog("run_dialog")->reject();
 }

@@ -27,30 +27,9 @@ using namespace elsie::desktop;
 
 namespace {
 
-void run_elsie(const QStringList& words) {
-  QProcess program;
-  program.start(build_file("elsie"), words);
-  REQUIRE(program.waitForFinished(kPatience_ms));
-  CAPTURE(program.readAllStandardError().toStdString());
-  REQUIRE(program.exitCode() <= 1);
-}
-
 std::string content_of(const QString& file) {
   std::ifstream in(file.toStdString(), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void run_until(Window& window, double time_s) {
-  REQUIRE(wait_for([&] {
-    return window.bench().run_state() == Workbench::Run::ready ||
-           window.bench().run_state() == Workbench::Run::paused;
-  }));
-  window.bench().run_until(time_s);
-  // It may be there before this looks, and its last snapshot is by a rounding error early.
-  REQUIRE(wait_for([&] {
-    return window.bench().run_state() != Workbench::Run::running &&
-           window.bench().time_s() >= time_s - 1e-6;
-  }));
 }
 
 }  // namespace
@@ -71,16 +50,7 @@ TEST_CASE("A recording opens as the world that makes the same run, at its seed")
 
 TEST_CASE("A run of a results database opens at its seed") {
   Window window;
-  window.file(kRoom);
-  const QString study = window.file(R"(<experiment format="1" name="study">
-  <worlds><world file="room.xml"/></worlds>
-  <set path="limits/@time" value="3"/>
-  <seeds from="5" to="6"/>
-</experiment>
-)",
-                                    "study.xml");
-  const QString database = window.folder() + "/study.sqlite";
-  run_elsie({"batch", study, "--database", database});
+  const QString database = study_in(window, 5, 6);
   REQUIRE(window->open(database));
   auto* dialog = window.dialog("run_dialog");
   auto* runs = dialog->findChild<QTreeWidget*>("runs");

@@ -182,6 +182,43 @@ class Window {
   MainWindow window_;
 };
 
+/// Runs to this time and pauses there, or ends before.
+inline void run_until(Window& window, double time_s) {
+  REQUIRE(wait_for([&] {
+    return window.bench().run_state() == Workbench::Run::ready ||
+           window.bench().run_state() == Workbench::Run::paused;
+  }));
+  window.bench().run_until(time_s);
+  // It may be there before this looks, and its last snapshot is by a rounding error early.
+  REQUIRE(wait_for([&] {
+    return window.bench().run_state() != Workbench::Run::running &&
+           window.bench().time_s() >= time_s - 1e-6;
+  }));
+}
+
+inline void run_elsie(const QStringList& words) {
+  QProcess program;
+  program.start(build_file("elsie"), words);
+  REQUIRE(program.waitForFinished(kPatience_ms));
+  CAPTURE(program.readAllStandardError().toStdString());
+  REQUIRE(program.exitCode() <= 1);
+}
+
+/// The database of a study of kRoom with these seeds, in the folder of the window.
+inline QString study_in(Window& window, int first, int last) {
+  window.file(kRoom);
+  const QString text = QString(R"(<experiment format="1" name="study">
+  <worlds><world file="room.xml"/></worlds>
+  <set path="limits/@time" value="3"/>
+  <seeds from="%1" to="%2"/>
+</experiment>
+)");
+  const QString study = window.file(text.arg(first).arg(last).toUtf8(), "study.xml");
+  const QString database = window.folder() + "/study.sqlite";
+  run_elsie({"batch", study, "--database", database});
+  return database;
+}
+
 /// What `elsie run --json` says.
 inline Json headless(const QStringList& arguments) {
   QProcess run;

@@ -11,51 +11,12 @@
 
 #include "elsie/api/abi.h"
 
-#include "places.h"
+#include "pages.h"
 #include "program.h"
 
-using elsie::test::Workplace;
-namespace fs = std::filesystem;
+using namespace elsie::test;
 
 namespace {
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<fs::path> pages() {
-  std::vector<fs::path> pages{elsie::test::source_path("README.md"),
-                              elsie::test::source_path("CHANGELOG.md"),
-                              elsie::test::source_path("CONTRIBUTING.md")};
-  for (const auto& entry : fs::recursive_directory_iterator(elsie::test::source_path("docs"))) {
-    if (entry.path().extension() == ".md") {
-      pages.push_back(entry.path());
-    }
-  }
-  std::sort(pages.begin(), pages.end());
-  return pages;
-}
-
-/// The fenced blocks of a page in this language.
-std::vector<std::string> blocks(const std::string& page, const std::string& language) {
-  std::vector<std::string> blocks;
-  std::istringstream lines(page);
-  std::string block;
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (!inside && line == "```" + language) {
-      inside = true;
-      block.clear();
-    } else if (inside && line == "```") {
-      inside = false;
-      blocks.push_back(block);
-    } else if (inside) {
-      block += line + '\n';
-    }
-  }
-  return blocks;
-}
 
 /// Commands that end a run before its goal is met (exit code 1) on purpose, because a short run
 /// shows enough. All others must reach their goals.
@@ -146,35 +107,6 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
   // The list has no commands that the docs no longer have.
   CHECK(cut_short == kCutShort);
   CHECK(done_in_part.size() == kInPart.size());
-}
-
-TEST_CASE("Every file of ours that a help text names exists") {
-  const Workplace here;
-  std::string help = here.elsie("--help").out;
-  std::istringstream lines(help.substr(help.find("Subcommands:")));
-  std::string line;
-  std::getline(lines, line);
-  int subcommands = 0;
-  while (std::getline(lines, line) && line.starts_with("  ")) {
-    const std::string name = line.substr(2, line.find(' ', 2) - 2);
-    if (!name.empty()) {
-      const auto run = here.elsie(name + " --help");
-      CAPTURE(name);
-      CHECK(run.exit_code == 0);
-      help += run.out;
-      ++subcommands;
-    }
-  }
-  CHECK(subcommands >= 18);
-  const std::regex file(
-      "\\b(experiments|worlds|robots|fuzzy_models|training_sets|examples)/[^ '\":,;)]+");
-  int count = 0;
-  for (std::sregex_iterator at(help.begin(), help.end(), file), end; at != end; ++at) {
-    ++count;
-    CAPTURE(at->str());
-    CHECK(here.sh("ls -d " + at->str()).exit_code == 0);
-  }
-  CHECK(count >= 20);
 }
 
 TEST_CASE("Every world in the docs is in order") {
@@ -461,57 +393,6 @@ TEST_CASE("The examples do their jobs") {
     CAPTURE(example, run.out, run.err);
     CHECK(run.exit_code == 0);
   }
-}
-
-TEST_CASE("The page on versions shows the ABI word as it is") {
-  CHECK_THAT(read(elsie::test::source_path("docs/versioning.md")),
-             Catch::Contains("    " ELSIE_ABI_API ELSIE_ABI_RUNTIME ELSIE_ABI_CONTAINERS));
-}
-
-TEST_CASE("Links between the docs lead somewhere") {
-  for (const fs::path& page : pages()) {
-    // Code has brackets, too.
-    std::istringstream lines(read(page));
-    std::string text;
-    bool is_code = false;
-    for (std::string line; std::getline(lines, line);) {
-      is_code ^= line.starts_with("```");
-      text += is_code ? "" : line + '\n';
-    }
-    for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
-      const std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
-      if (link.find("://") != std::string::npos || link.starts_with('#')) {
-        continue;
-      }
-      CAPTURE(page.string(), link);
-      CHECK(fs::exists(page.parent_path() / link.substr(0, link.find('#'))));
-    }
-  }
-}
-
-TEST_CASE("Every file that the recipes for contributors name exists") {
-  const fs::path source(elsie::test::source_path(""));
-  const std::string page = read(source / "CONTRIBUTING.md");
-  const std::regex file(
-      "`((apps|core|docs|examples|experiments|fuzzy_models|libraries|plugins|scripts|tests|"
-      "training_sets|worlds)/[^` ]*)`");
-  int count = 0;
-  for (std::sregex_iterator at(page.begin(), page.end(), file), end; at != end; ++at) {
-    const std::string name = (*at)[1];
-    if (name.find("NAME") == name.npos) {  // otherwise the reader creates it
-      ++count;
-      CAPTURE(name);
-      CHECK(fs::exists(source / name));
-    }
-  }
-  CHECK(count >= 50);
-}
-
-TEST_CASE("The citation has the program's version") {
-  const std::string version = Workplace().elsie("--version").out;
-  REQUIRE_THAT(version, Catch::StartsWith("elsie "));
-  CHECK_THAT(read(elsie::test::source_path("CITATION.cff")),
-             Catch::Contains("\nversion: " + version.substr(6)));
 }
 
 TEST_CASE("The page on drives quotes what elsie new makes") {

@@ -1,7 +1,5 @@
 // The plugins' pages in docs/ agree with the declarations.
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <string>
@@ -10,22 +8,16 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "places.h"
+#include "pages.h"
 #include "program.h"
 
-using elsie::test::Workplace;
+using namespace elsie::test;
 using nlohmann::json;
-namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path kDocs = elsie::test::source_path("docs");
+const fs::path kDocs = source_path("docs");
 const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator", "measure", "drive"};
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The text between the lines <!-- mark --> and <!-- end of mark -->, without blank lines around
 /// it; fails unless each occurs once.

@@ -13,70 +13,13 @@
 #include "elsie/recording/mcap_recorder.h"
 #include "elsie/traces/account_recorder.h"
 #include "elsie/traces/tracks.h"
-#include "elsie/world/reader.h"
 
-#include "change_support.h"
+#include "lively.h"
 
 using namespace elsie;
 using namespace elsie::test;
 using simulation::RunResult;
 using simulation::TimedChange;
-
-namespace {
-
-/// Three robots that wander, a box that can be pushed, one that moves, a resource and a mast.
-const std::string kWorld = R"(<world format="1">
-  <arena length="6" width="6"/>
-  <obstacles>
-    <static_box id="mast" x="-2.5" y="2.5"/>
-    <dynamic_box id="crate" x="2.5" y="2.5"/>
-    <moving_box id="cart" x="-2.5" y="-2.5" speed="0.1"><waypoint x="-1.5" y="-2.5"/></moving_box>
-  </obstacles>
-  <resources><resource id="food" x="2.5" y="-2.5"/></resources>
-  <robots>
-    <robot id="r1" x="-1" leader="true"><sensors><beam_range id="ahead" error="0.05"/></sensors>
-      <behaviors><wander restlessness="3"/><wander id="rest" priority="0.1"/></behaviors>
-      <coordinator><fusion_vector_summation/></coordinator></robot>
-    <robot id="r2" x="0" y="1" heading_deg="90"><sensors><beam_range id="ahead"/></sensors>
-      <behaviors><wander restlessness="3"/></behaviors>
-      <coordinator><arbiter_suppression/></coordinator></robot>
-    <robot id="r3" x="1" heading_deg="-90"><behaviors><wander/></behaviors>
-      <coordinator><arbiter_suppression/></coordinator></robot>
-  </robots>
-  <goals><reach robot="r1" x="2.9" y="2.9" radius="0.01"/></goals>
-  <measures><path_length/></measures>
-  <limits time="6"/>
-</world>)";
-
-world::World lively() { return world::parse_world(kWorld, "lively.xml", shipped()); }
-
-/// A world with this in it, and a robot "r1" that stands.
-Simulation of(const std::string& content, const std::string& robot = "") {
-  return Simulation(
-      world::parse_world("<world format=\"1\">" + content + "<robots><robot id=\"r1\">" + robot +
-                             "</robot></robots></world>",
-                         "small.xml", shipped()),
-      shipped());
-}
-
-std::string refusal(Simulation& simulation, const std::string& path, const std::string& value) {
-  return why_not([&] { simulation.change(path, value); });
-}
-
-std::uint64_t hash_after(int steps, const std::vector<std::pair<int, simulation::Change>>& edits) {
-  Simulation simulation(lively(), shipped(), {7});
-  for (int step = 0; step < steps; ++step) {
-    for (const auto& [when, edit] : edits) {
-      if (when == step) {
-        simulation.change(edit.path, edit.value);
-      }
-    }
-    simulation.step();
-  }
-  return simulation.state_hash();
-}
-
-}  // namespace
 
 TEST_CASE("A run with an edit of no consequence is one without") {
   const std::uint64_t plain = hash_after(300, {});
@@ -269,20 +212,6 @@ TEST_CASE("What one edit of a step adds, another one may set") {
   CHECK(late->y == 2.0);
 }
 
-TEST_CASE("A coordinator is asked whether it can do without a behaviour") {
-  Simulation simulation =
-      of("",
-         "<behaviors><wander id=\"low\"/><wander id=\"high\"/></behaviors><coordinator>"
-         "<arbiter_subsumption><suppress by=\"high\" of=\"low\"/></arbiter_subsumption>"
-         "</coordinator>");
-  simulation.step();
-  CHECK_THROWS_AS(simulation.change("robot[r1]/behavior[high]/@remove", "true"),
-                  simulation::ChangeRefused);
-  simulation.step();
-  simulation.change("robot[r1]/behavior[+]", "<wander id=\"higher\"/>");
-  simulation.step();
-}
-
 TEST_CASE("What other robots do is not touched by an edit of one") {
   // They are far apart, and do not see each other.
   const auto path_of_r1 = [](bool edited) {
@@ -343,61 +272,6 @@ TEST_CASE("Goals and limits count from their edit on") {
   limited.change("limits/@time", "0.5");
   advance(limited, 60);
   CHECK(limited.outcome() == simulation::Outcome::time_limit);
-}
-
-TEST_CASE("An edit that cannot be made is refused in one sentence, and changes nothing") {
-  Simulation simulation(lively(), shipped(), {7});
-  advance(simulation, 40);
-  const std::uint64_t before = simulation.state_hash();
-  const std::size_t events = simulation.events().size();
-  const std::string r9 = "<robot id=\"r9\" x=\"";
-  const Pose r1 = simulation.robot(0).state->pose;
-  const auto says = [&](const std::string& path, const std::string& value,
-                        const std::string& part) {
-    const std::string sentence = refusal(simulation, path, value);
-    CAPTURE(path, value, sentence);
-    CHECK(sentence.starts_with(path + "=" + value + ": "));
-    CHECK(sentence.find(part) != std::string::npos);
-    CHECK(sentence.find('\n') == std::string::npos);
-  };
-  says("robot[r7]/@remove", "true", "there is no robot[r7]");
-  says("robot[r1]/@remove", "true", "r1");
-  says("robot[+]", r9 + "3\"/>", "wall");
-  says("robot[+]",
-       "<robot id=\"r9\" x=\"" + std::to_string(r1.x) + "\" y=\"" + std::to_string(r1.y) + "\"/>",
-       "overlaps the robot 'r1'");
-  says("robot[+]", r9 + "-2.5\" y=\"2.5\"/>", "overlaps the box 'mast'");
-  says("robot[+]", "<robot id=\"r1\" x=\"2\"/>", "r1");
-  says("obstacle[+]",
-       "<static_box id=\"block\" length=\"1\" width=\"1\" x=\"" + std::to_string(r1.x) + "\" y=\"" +
-           std::to_string(r1.y) + "\"/>",
-       "overlaps the robot 'r1'");
-  says("arena/@wall_thickness", "-1", "expected a number");
-  says("robot[r1]/sensor[+]", "<no_such_sensor/>", "no_such_sensor");
-  says("robot[r1]/coordinator", "<no_such_coordinator/>", "no_such_coordinator");
-  says("@format", "2", "expected '1'");
-  says("physics/@step", "0", "expected a number");
-  CHECK(simulation.state_hash() == before);
-  CHECK(simulation.events().size() == events);
-  // Of several, the ones that could be made are not made either.
-  CHECK_THROWS_AS(
-      simulation.change(std::vector<simulation::Change>{
-          {"robot[r2]/@max_speed", "0"}, {"robot[r3]/@remove", "true"}, {"robot[r1]/@x", "99"}}),
-      ChangeRefused);
-  CHECK(simulation.robots() == 3);
-  CHECK(simulation.state_hash() == before);
-  advance(simulation, 260);
-  CHECK(simulation.state_hash() == hash_after(300, {}));
-}
-
-TEST_CASE("An arena does not shrink into a robot or a box") {
-  Simulation simulation = of("", "");
-  simulation.change("robot[r1]/@x", "3");
-  const std::uint64_t before = simulation.state_hash();
-  CHECK(refusal(simulation, "arena/@length", "6").find("robot 'r1'") != std::string::npos);
-  CHECK(simulation.state_hash() == before);
-  simulation.change("arena/@length", "6.5");
-  CHECK(simulation.world().arena.length == 6.5);
 }
 
 TEST_CASE("A collected resource stays away, a box that moves goes on") {
@@ -463,35 +337,6 @@ TEST_CASE("Edits are events, with which recorders go on") {
   CHECK(edits[2] == "r1 robot[r1]/sensor[ahead]/@remove=true");
 }
 
-TEST_CASE("A change for later of a world that no file could hold is refused in a sentence") {
-  world::World world = lively();
-  world.boxes[0].id = "two words";
-  const Simulation simulation(world, shipped());
-  const std::string why = why_not([&] {
-    simulation.check(std::vector<TimedChange>{{1.0, {"arena/@length", "7"}}});
-  });
-  CHECK(why.starts_with("at 1 s, arena/@length=7: "));
-}
-
-TEST_CASE("Observers hear of an edit that was made before another one is refused") {
-  struct Counting final : simulation::Observer {
-    std::size_t robots = 0;
-    void started(const Simulation& run) override { robots = run.robots(); }
-    void replaced(const Simulation& run) override { robots = run.robots(); }
-    void ended(const Simulation& run) override { CHECK(robots == run.robots()); }
-  } counting;
-  Simulation simulation(lively(), shipped());
-  const std::string r2 = "<static_box length=\"6\" width=\"1\" y=\"1\"/>";
-  // Both are due once the long step is over.
-  CHECK_THROWS_AS(simulation.run(std::vector<simulation::Observer*>{&counting},
-                                 std::vector<TimedChange>{{0.1, {"physics/@step", "0.1"}},
-                                                          {0.15, {"robot[r3]/@remove", "true"}},
-                                                          {0.16, {"obstacle[+]", r2}}}),
-                  ChangeRefused);
-  CHECK(simulation.robots() == 2);
-  CHECK(counting.robots == 2);
-}
-
 TEST_CASE("What is edited of the changes that stand in the world counts, if its time is to come") {
   world::World world = lively();
   world.changes.push_back({2.0, "robot[r2]/@max_speed", "0", {}, {}});
@@ -555,44 +400,6 @@ TEST_CASE("What is put in place by itself is put in place together with what is 
   CHECK(std::get<double>(simulation.world().robots[0].behaviors[0].parameters.at("turn")) == 2);
 }
 
-TEST_CASE("Parameters that were set are set back when the edit is refused") {
-  const auto run = [](bool edited) {
-    Simulation simulation(lively(), shipped(), {7});
-    advance(simulation, 60);
-    const Pose r1 = simulation.robot(0).state->pose;
-    if (edited) {
-      const std::string block = "<static_box id=\"block\" x=\"" + std::to_string(r1.x) + "\" y=\"" +
-                                std::to_string(r1.y) + "\"/>";
-      CHECK_THROWS_AS(simulation.change(std::vector<simulation::Change>{
-                          {"robot[r1]/behavior[wander]/@speed", "1"},
-                          {"robot[r1]/coordinator/@weighted", "true"},
-                          {"robot[r1]/sensor[ahead]/@error", "0.5"},
-                          {"obstacle[+]", block}}),
-                      ChangeRefused);
-    }
-    advance(simulation, 200);
-    return simulation.state_hash();
-  };
-  CHECK(run(true) == run(false));
-}
-
-TEST_CASE("A refused edit of a drive leaves the drive and its limits") {
-  Simulation simulation = of("<arena length=\"6\" width=\"6\"/>",
-                             "<drive><mecanum/></drive><behaviors><wander/></behaviors>"
-                             "<coordinator><arbiter_suppression/></coordinator>");
-  advance(simulation, 300);
-  const Pose pose = simulation.robot(0).state->pose;
-  REQUIRE(std::abs(pose.x) > 0.3);
-  CHECK_THAT(why_not([&] {
-               simulation.change(std::vector<simulation::Change>{
-                   {"robot[r1]/drive", "<car/>"},
-                   {"obstacle[+]", "<static_box id=\"b\" x=\"" + std::to_string(pose.x) +
-                                       "\" y=\"" + std::to_string(pose.y) + "\"/>"}});
-             }),
-             Catch::Contains("'b'"));
-  CHECK_NOTHROW(advance(simulation, 100));
-}
-
 TEST_CASE("What an edit sets has the warnings of the physics, each once") {
   Simulation simulation(lively(), shipped(), {7});
   const auto warnings = [&] {
@@ -628,12 +435,6 @@ TEST_CASE("Measures of all robots count those that an edit removed") {
   CHECK(late.at("path_length_m") > 0.1);
   CHECK(late.at("collisions") == all.at("collisions"));
   CHECK(late.at("collected") == all.at("collected"));
-}
-
-TEST_CASE("A robot's template is read before the run, and no edit sets it later") {
-  Simulation simulation(lively(), shipped(), {7});
-  CHECK(refusal(simulation, "robot[r1]/@template", "robots/scout.xml")
-            .find("the content of the template is part of the robot since") != std::string::npos);
 }
 
 TEST_CASE("The event of an edit names each robot that its path leads to") {

@@ -273,21 +273,26 @@ class ClusterBatch {
   double elapsed_s_ = 0.0;
 };
 
-/// The folder of the shards: a new one or, with --resume, the existing one.
-ShardFolder folder_of(const BatchOptions& options, const fs::path& file, const Plan& plan,
-                      bool& made) {
-  made = !(options.resume && fs::exists(ShardFolder::path_for(file)));
-  if (made) {
-    const auto runs = static_cast<std::size_t>(plan.all_runs);
-    const std::size_t shards = std::min(options.shards.value_or(kDefaultShards), runs);
-    return ShardFolder::create(file, plan, shards, task_command(options));
-  }
-  ShardFolder folder = ShardFolder::open(file, plan);
+ShardFolder make_folder(const BatchOptions& options, const fs::path& file, const Plan& plan) {
+  const auto runs = static_cast<std::size_t>(plan.all_runs);
+  const std::size_t shards = std::min(options.shards.value_or(kDefaultShards), runs);
+  return ShardFolder::create(file, plan, shards, task_command(options));
+}
+
+void require_same_shards(const BatchOptions& options, const ShardFolder& folder) {
   if (options.shards && *options.shards != folder.shards()) {
     throw BadInput("--shards: the batch was begun with " + std::to_string(folder.shards()) +
                    " shards, not " + std::to_string(*options.shards));
   }
-  return folder;
+}
+
+/// True if the databases of the shards were merged. Waits for another command that merges them.
+bool is_merged(const fs::path& file, const std::optional<ShardFolder>& folder) {
+  std::optional<ShardFolder::Turn> turn;
+  if (folder) {
+    turn.emplace(*folder);
+  }
+  return !results::is_vacant(file);
 }
 
 /// Handles a batch whose databases were already merged; a killed command may have left its folder.
@@ -297,9 +302,8 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
     throw BadInput("'" + file.string() +
                    "' has runs to be done, and is of no cluster; continue it without --cluster");
   }
-  std::error_code error;
-  if (fs::exists(ShardFolder::path_for(file), error)) {
-    ShardFolder::open(file, plan).remove();
+  if (const auto left = ShardFolder::find(file, plan)) {
+    left->remove();
   }
   BatchReport report(database.plan(), database, resume_command(options, file));
   report.all_done_already();
@@ -324,16 +328,22 @@ int run_on_cluster(const BatchOptions& options) {
     spdlog::set_level(spdlog::level::err);
   }
   const Plan plan = plan_of(options, {});
-  if (!results::is_vacant(file)) {
+  std::optional<ShardFolder> begun;
+  if (options.resume) {
+    begun = ShardFolder::find(file, plan);
+  }
+  if (is_merged(file, begun)) {
     return already_there(options, file, plan);
   }
-  bool made = false;
-  const ShardFolder folder = folder_of(options, file, plan, made);
+  if (begun) {
+    require_same_shards(options, *begun);
+  }
+  const ShardFolder folder = begun ? *begun : make_folder(options, file, plan);
   ClusterBatch batch(options, file, plan, folder);
   try {
     batch.submit();
   } catch (const std::exception& error) {
-    if (made && batch.nothing_begun()) {
+    if (!begun && batch.nothing_begun()) {
       folder.remove();
       throw BadInput(std::string(error.what()) + "; nothing was submitted");
     }

@@ -71,27 +71,44 @@ ShardFolder::ShardFolder(fs::path path, std::string fingerprint, std::size_t sha
 ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& plan,
                                 std::size_t shards, const std::vector<std::string>& command) {
   ShardFolder folder(path_for(database), plan.fingerprint, shards, plan.all_runs);
-  std::error_code error;
-  if (!fs::create_directory(folder.path_, error)) {
+  const fs::path begun = folder.path_.string() + "-begun-" + std::to_string(getpid());
+  const auto refuse = [&](const std::error_code& error) {
     const std::string name = "'" + folder.path_.string() + "'";
-    throw DatabaseRefused(error ? "the folder " + name + " cannot be made: " + error.message()
-                                : "there is a folder " + name +
-                                      " already, of a batch that is not complete; continue it with "
-                                      "--resume, or choose another --database");
+    throw DatabaseRefused(error == std::errc::directory_not_empty
+                              ? "there is a folder " + name +
+                                    " already, of a batch that is not complete; continue it with "
+                                    "--resume, or choose another --database"
+                              : "the folder " + name + " cannot be made: " + error.message());
+  };
+  std::error_code error;
+  fs::create_directory(begun, error);
+  if (error) {
+    refuse(error);
   }
   try {
-    files::write_whole_or_throw(folder.script(), script_text(folder, command));
-    folder.write();
+    files::write_whole_or_throw(begun / folder.script().filename(), script_text(folder, command));
+    folder.write(begun);
+    fs::rename(begun, folder.path_, error);
+    if (error) {
+      refuse(error);
+    }
   } catch (...) {
-    folder.remove();
+    fs::remove_all(begun, error);
     throw;
   }
   return folder;
 }
 
-ShardFolder ShardFolder::open(const fs::path& database, const batch::Plan& plan) {
+std::optional<ShardFolder> ShardFolder::find(const fs::path& database, const batch::Plan& plan) {
   const fs::path path = path_for(database);
-  const Json stored = read_json(path / "cluster.json");
+  Json stored = read_json(path / "cluster.json");
+  if (stored.is_discarded()) {
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+      return std::nullopt;
+    }
+    stored = read_json(path / "cluster.json");  // another command may have made it just now
+  }
   const auto text = [&](const char* key) -> const std::string* {
     return stored.is_object() && stored.contains(key) ? stored[key].get_ptr<const std::string*>()
                                                       : nullptr;
@@ -124,12 +141,12 @@ fs::path ShardFolder::log(const std::string& shard) const {
 
 void ShardFolder::set_job(const std::string& job) {
   job_ = job;
-  write();
+  write(path_);
 }
 
-void ShardFolder::write() const {
+void ShardFolder::write(const fs::path& folder) const {
   files::write_whole_or_throw(
-      path_ / "cluster.json",
+      folder / "cluster.json",
       Json{{"shards", shards_}, {"fingerprint", fingerprint_}, {"job", job_}}.dump() + "\n");
 }
 
@@ -207,8 +224,11 @@ bool ShardFolder::exists() const {
 }
 
 void ShardFolder::remove() const {
+  // Other commands see the whole folder or none.
+  const fs::path removed = path_.string() + "-removed";
   std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  fs::rename(path_, removed, ignored);
+  fs::remove_all(removed, ignored);
 }
 
 }  // namespace elsie::cluster

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,14 +52,15 @@ class ShardFolder {
   /// The path of a database's folder.
   static std::filesystem::path path_for(const std::filesystem::path& database);
 
-  /// Creates the folder. `command` is elsie's batch command with the experiment and its plugins;
-  /// the shard and its files are added to it. Throws batch::DatabaseRefused if the folder already
-  /// exists or cannot be created.
+  /// Creates the folder in one step: another command sees all its files, or none. `command` is
+  /// elsie's batch command with the experiment and its plugins; the shard and its files are added
+  /// to it. Throws batch::DatabaseRefused if the folder already exists or cannot be created.
   static ShardFolder create(const std::filesystem::path& database, const batch::Plan& plan,
                             std::size_t shards, const std::vector<std::string>& command);
-  /// Opens a folder to continue its batch. Throws batch::DatabaseRefused if it belongs to another
-  /// experiment, or is not a folder of shards.
-  static ShardFolder open(const std::filesystem::path& database, const batch::Plan& plan);
+  /// The existing folder, to continue its batch. Throws batch::DatabaseRefused if it belongs to
+  /// another experiment, or is not a folder of shards.
+  static std::optional<ShardFolder> find(const std::filesystem::path& database,
+                                         const batch::Plan& plan);
 
   std::size_t shards() const { return shards_; }
   const std::filesystem::path& path() const { return path_; }
@@ -87,13 +89,13 @@ class ShardFolder {
   /// Merges the databases. Throws as batch::merge() does.
   void merge_into(const std::filesystem::path& database) const;
   bool exists() const;
-  /// Removes the folder and its files.
+  /// Removes the folder and its files in one step: another command sees all of them, or none.
   void remove() const;
 
  private:
   ShardFolder(std::filesystem::path path, std::string fingerprint, std::size_t shards,
               std::int64_t all_runs);
-  void write() const;
+  void write(const std::filesystem::path& folder) const;
 
   std::filesystem::path path_;
   std::string fingerprint_;

@@ -1,0 +1,177 @@
+// Unsaved work outlives its window.
+#include <QProcess>
+#include <csignal>
+#include <fstream>
+
+#include <catch2/catch.hpp>
+
+#include "disk.h"
+#include "engine/recovery.h"
+
+using namespace elsie::desktop;
+
+namespace {
+
+QString leave_behind(const QString& name, const Json& json) {
+  REQUIRE(kept_work().mkpath("."));
+  write(kept_work().filePath(name), QByteArray::fromStdString(json.dump()));
+  return kept_work().filePath(name);
+}
+
+/// Runs a case of this program that ends with its death.
+void run_until_killed(const QString& tag, const QString& home) {
+  QProcess killed;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("ELSIE_TEST_HOME", home);
+  killed.setProcessEnvironment(environment);
+  killed.start(QApplication::applicationFilePath(), {tag});
+  REQUIRE(killed.waitForFinished(kPatience_ms));
+  REQUIRE(killed.exitStatus() == QProcess::CrashExit);
+}
+
+}  // namespace
+
+TEST_CASE("Unsaved work that cannot be kept is said once") {
+  Window window;
+  window.open(window.file(kRoom));
+  QStringList notes;
+  QObject::connect(&window.bench(), &Workbench::noted, &window.window(),
+                   [&](const QString& note) { notes << note; });
+  const FullDisk full(64);
+  for (const char* x : {"0.1", "0.2"}) {
+    window.after([&] { window.bench().edit({QString("robot[r1]/@x=") + x}, "move"); });
+  }
+  CHECK(notes.filter("Save the world").size() == 1);
+}
+
+TEST_CASE("Unsaved work that was left behind is offered, and a damaged one is said") {
+  const QDir kept(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");
+  REQUIRE(kept.mkpath("."));
+  const QString whole = kept.filePath("one.json"), damaged = kept.filePath("other.json");
+  write(whole, QByteArray::fromStdString(Json{{"file", ""}, {"text", kRoom}}.dump()));
+  write(damaged, "{\"file\": \"/tmp/x.xml\", \"te");
+  Window window;
+  at_dialog("recovered", press_yes);
+  window->offer_recovered();
+  QString said;
+  for (auto* box : window->findChildren<QMessageBox*>()) {
+    said += box->text();
+  }
+  CHECK(said.contains("other.json"));
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  CHECK(window.bench().text() == kRoom);
+  CHECK(window->isWindowModified());
+  CHECK_FALSE(QFile::exists(whole));
+  CHECK(QFile::remove(damaged));
+}
+
+TEST_CASE("Two windows do not share what they keep, and what is kept outlives its window") {
+  const auto texts = [] {
+    QStringList all;
+    for (const Recovered& each : Recovery::left_behind()) all << each.text;
+    return all;
+  };
+  QString kept_in;
+  {
+    Recovery first, second;
+    REQUIRE(first.keep("/w/a.xml", "one", true));
+    REQUIRE(second.keep("/w/a.xml", "two", false));
+    CHECK_FALSE(texts().contains("one"));  // their windows are open
+    CHECK_FALSE(texts().contains("two"));
+    second.forget();
+  }
+  CHECK(texts().contains("one"));
+  CHECK_FALSE(texts().contains("two"));
+  for (const Recovered& each : Recovery::left_behind()) {
+    if (each.text == "one") {
+      CHECK(each.is_borrowed);
+      Recovery::discard(each);
+    }
+  }
+  CHECK_FALSE(texts().contains("one"));
+}
+
+TEST_CASE("Unsaved work that is taken up is discarded only once it is kept again") {
+  const QString file =
+      leave_behind("full.json", {{"file", "/nowhere/w.xml"}, {"text", kRoom}, {"borrowed", true}});
+  {
+    Window window;
+    at_dialog("recovered", press_yes);
+    const FullDisk full(64);
+    window->offer_recovered();
+    CHECK(QFile::exists(file));
+    CHECK(window.bench().is_borrowed());  // Save asks where
+    CHECK(window.bench().text() == kRoom);
+  }
+  CHECK(QFile::remove(file));
+}
+
+TEST_CASE("What was saved, given up or replaced is not offered again") {
+  const auto left = [] { return kept_work().entryList({"*.json"}, QDir::Files).size(); };
+  const auto before = left();
+  Window window;
+  const QString file = window.file(kRoom);
+  const auto change = [&] {
+    window.after([&] { window.bench().edit({"robot[r1]/@x=0.25"}, "move"); });
+    CHECK(left() == before + 1);
+  };
+  window.open(file);
+  change();
+  CHECK(saved(window, file).isEmpty());
+  CHECK(left() == before);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.5"}, "move"); });
+  window.answer = MainWindow::Answer::discard;
+  window.after([&] { window.open(file); });
+  CHECK(left() == before);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.75"}, "move"); });
+  CHECK(window->close());
+  CHECK(left() == before);
+}
+
+// Started as a program of its own by the next test.
+TEST_CASE("A window with unsaved work is killed", "[.killed]") {
+  Window window;
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/room.xml");
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0.25"}, "move"); });
+  ::raise(SIGKILL);
+}
+
+// As the one before.
+TEST_CASE("A window with an edit that waits is killed", "[.killed_waiting]") {
+  Window window({}, {"--plugin-path", build_file("../tests/program/plugins")});
+  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/waiting.xml");
+  window.bench().set_speed(0.0);
+  window.bench().run();
+  REQUIRE(wait_for([&] { return window.bench().engine().waiting_ms() > 1000; }));
+  window.bench().edit({"robot[r1]/@x=0.25"}, "move");
+  ::raise(SIGKILL);
+}
+
+TEST_CASE("An edit that waited when its window was killed is made in the next one") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/waiting.xml").toStdString())
+      << QString(kRoom).replace("<wander/>", "<looping/>").toStdString();
+  run_until_killed("[.killed_waiting]", home);
+  Window window({}, {"--plugin-path", build_file("../tests/program/plugins")});
+  at_dialog("recovered", press_yes);
+  window->offer_recovered();
+  REQUIRE(wait_for([&] { return window.bench().undo_name() == "move"; }));
+  CHECK(window.bench().text().contains("x=\"0.25\""));
+  CHECK(window->isWindowModified());
+}
+
+TEST_CASE("The unsaved work of a window that was killed is offered by the next one") {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  std::ofstream((home + "/room.xml").toStdString()) << kRoom;
+  run_until_killed("[.killed]", home);
+  Window window;
+  at_dialog("recovered", [&](QDialog* dialog) {
+    CHECK(qobject_cast<QMessageBox*>(dialog)->text().contains(home + "/room.xml"));
+    press_yes(dialog);
+  });
+  window->offer_recovered();
+  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  CHECK(window.bench().text().contains("x=\"0.25\""));
+  CHECK(window.bench().file() == home + "/room.xml");
+  CHECK(window->isWindowModified());
+}
