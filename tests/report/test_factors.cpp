@@ -187,6 +187,56 @@ TEST_CASE("Separation by a level is said") {
   CHECK(coefficient_table(model)[2][1] == "∞");
 }
 
+TEST_CASE("Fitted rates of success stand beside the observed ones") {
+  // Success becomes more likely with the speed: seed s succeeds from level s on.
+  MadeExperiment study;
+  study.name = "Rates";
+  study.factors = {"world", "speed"};
+  for (std::size_t level = 1; level <= 24; ++level) {
+    auto& cell = study.cells.emplace_back();
+    cell.label = std::to_string(level);
+    cell.levels = {"w", cell.label};
+    cell.world_text = elsie::test::made_world();
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      auto& run = cell.runs.emplace_back();
+      run.seed = seed;
+      const bool success = seed <= level;
+      run.outcome = success ? "success" : "time_limit";
+      run.measures = {{"success", success ? 1.0 : 0.0}, {"time_s", static_cast<double>(seed)}};
+      run.robots.emplace_back().poses = {{0, 0, 0},
+                                         {0.1 * static_cast<double>(level + seed), 0, 0}};
+    }
+  }
+  const auto groups_of = [](const MadeExperiment& experiment) {
+    return rate_groups(factor_model(Made(experiment).findings(), "success ~ speed"));
+  };
+  const std::vector<RateGroup> groups = groups_of(study);
+  REQUIRE(groups.size() <= kMostRateGroups);
+  REQUIRE(groups.size() >= 7);
+  std::size_t runs = 0, hits = 0;
+  double expected = 0.0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    CHECK((i == 0 || groups[i].fitted > groups[i - 1].fitted));
+    CHECK(groups[i].interval.low <= groups[i].observed.rate());
+    CHECK(groups[i].observed.rate() <= groups[i].interval.high);
+    CHECK(groups[i].observed.rate() == Approx(groups[i].fitted).margin(0.1));
+    runs += groups[i].observed.trials;
+    hits += groups[i].observed.hits;
+    expected += groups[i].fitted * static_cast<double>(groups[i].observed.trials);
+  }
+  CHECK(runs == 24 * 20);
+  CHECK(expected == Approx(static_cast<double>(hits)));  // as the likelihood equations say
+  SECTION("of each rate, where there are few") {
+    study.cells.resize(8);
+    const std::vector<RateGroup> few = groups_of(study);
+    REQUIRE(few.size() == 8);
+    for (std::size_t i = 0; i < few.size(); ++i) {
+      CHECK(few[i].observed.hits == i + 1);
+      CHECK(few[i].observed.trials == 20);
+    }
+  }
+}
+
 TEST_CASE("Levels are compared with one that has successes and failures") {
   MadeExperiment study = by_factor();
   for (auto& cell : study.cells) {
@@ -310,6 +360,7 @@ TEST_CASE("The page shows effects, pairs, comparisons, models, curves with numbe
        {"<h2>By factor</h2>", "Two factors together", "Levels compared", "Logistic model",
         "Linear model", "<h2>Time until the goals</h2>", ">at risk</text>", "Medians of the cells",
         "<h2>Over time</h2>", "Brookmeyer", "deviance", "adjusted",
+        "Residuals: ", "Fitted and observed rates: success ~ speed + coordinator, ",
         "No model: 'time_s' of 3 of 36 runs is only a bound"}) {
     CAPTURE(part);
     CHECK(html.find(part) != std::string::npos);

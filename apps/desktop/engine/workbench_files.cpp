@@ -16,7 +16,8 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr qint64 kMost_MB = 32;  // the engine's limit
+// Each edit reads the world again: with larger ones, that is too slow for a window.
+constexpr qint64 kMost_MB = 32;
 
 /// None unless it is a regular file: reading a pipe might not end, and a device contains no text.
 std::optional<QByteArray> bytes_of(const QString& file) {
@@ -96,7 +97,9 @@ std::optional<QByteArray> Workbench::bytes_of_world(const QString& file, QString
     return std::nullopt;
   }
   if (info.size() > kMost_MB * 1'000'000) {
-    why = tr("'%1' has more than %2 MB; expected the file of a world.").arg(file).arg(kMost_MB);
+    why = tr("'%1' has more than %2 MB, which is too large for the window; `elsie run` runs it.")
+              .arg(file)
+              .arg(kMost_MB);
     return std::nullopt;
   }
   QFile opened(file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Chart {
   std::vector<std::string> notes{};  // what it leaves out, as sentences without a full stop
 };
 
+/// A number that is not drawn.
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 /// More levels make no readable lines.
 inline constexpr std::size_t kMostLines = 6;
 
@@ -31,8 +35,9 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
 std::vector<Chart> pair_charts(const Findings& findings, const Response& response,
                                const Inks& inks);
 
-/// What a linear model does not explain in each cell.
-Chart residual_chart(const Findings& findings, const FactorModel& model);
+/// How well a model fits: the residuals of a measure in each cell, or fitted against observed rates
+/// of success.
+Chart model_chart(const Findings& findings, const FactorModel& model);
 
 /// The part of the runs that has not yet reached its goals, in each cell; cells that differ in the
 /// coloured factor only are in one chart.

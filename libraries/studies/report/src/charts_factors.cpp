@@ -1,4 +1,4 @@
-// Charts by factor: main effects, two factors together, residuals of a model.
+// Charts by factor: main effects, two factors together.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,6 @@ namespace elsie::report {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostTiles = 24;      // levels on an axis
 constexpr std::size_t kMostPoints = 60;     // levels in a chart of one factor
 constexpr std::size_t kMostIntervals = 36;  // in a chart of two factors
@@ -246,43 +245,6 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
     }
   }
   return charts;
-}
-
-Chart residual_chart(const Findings& findings, const FactorModel& model) {
-  const auto& fit = std::get<LinearFit>(model.fit);
-  std::vector<std::vector<double>> by_cell(findings.cells.size());
-  std::vector<double> fitted(findings.cells.size(), kUnknown);
-  for (std::size_t i = 0; i < model.cells.size(); ++i) {
-    by_cell[model.cells[i]].push_back(fit.residuals[i]);
-    fitted[model.cells[i]] = fit.fitted[i];
-  }
-  picture::LineChart chart;
-  picture::Series cells;
-  cells.marked = cells.bars = true;
-  cells.joining = picture::Joining::nothing;
-  cells.colour = picture::kNeutral;
-  picture::Interval range;
-  for (std::size_t i = 0; i < by_cell.size(); ++i) {
-    if (const auto all = summary(by_cell[i])) {
-      cells.points.push_back({fitted[i], all->median});
-      cells.spread.push_back({all->lower_quartile, all->upper_quartile});
-      range.include(fitted[i]);
-    }
-  }
-  const picture::Interval wide = range.widened();
-  picture::Series zero;
-  zero.colour = picture::kNeutral;
-  zero.points = {{wide.low, 0.0}, {wide.high, 0.0}};
-  chart.x = {.label = "fitted " + shown(model.response.words), .unit = shown(model.response.unit)};
-  chart.y = {.label = "residual", .unit = shown(model.response.unit)};
-  chart.series = {std::move(cells), std::move(zero)};
-  chart.series[0].name = "median and quartiles of a cell";
-  chart.series[1].name = "the model";
-  return {"residuals-" + file_part(model.response.name),
-          "Residuals: " + model.formula +
-              ", median and quartiles of each cell, which stand about "
-              "0 if the model fits",
-          std::move(chart)};
 }
 
 }  // namespace elsie::report

@@ -1,6 +1,7 @@
 #include "elsie/report/factor_models.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -340,6 +341,39 @@ std::string main_effects(const Findings& findings, const Response& response) {
     side += (side.empty() ? "" : " + ") + factor.name;
   }
   return response.name + " ~ " + side;
+}
+
+std::vector<RateGroup> rate_groups(const FactorModel& model) {
+  const auto& fit = std::get<LogisticFit>(model.fit);
+  constexpr double kSame = 1e-9;
+  std::vector<std::size_t> order(fit.fitted.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return fit.fitted[a] < fit.fitted[b]; });
+  const auto is_new = [&](std::size_t i) {
+    return i > 0 && fit.fitted[order[i]] > fit.fitted[order[i - 1]] + kSame;
+  };
+  std::size_t rates = 1;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    rates += is_new(i) ? 1 : 0;
+  }
+  const std::size_t least =
+      rates > kMostRateGroups ? (order.size() + kMostRateGroups - 1) / kMostRateGroups : 1;
+  std::vector<RateGroup> groups;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || (is_new(i) && groups.back().observed.trials >= least)) {
+      groups.emplace_back();
+    }
+    RateGroup& group = groups.back();
+    group.fitted += fit.fitted[order[i]];
+    group.observed.hits += fit.fitted[order[i]] + fit.residuals[order[i]] > 0.5 ? 1 : 0;
+    ++group.observed.trials;
+  }
+  for (RateGroup& group : groups) {
+    group.fitted /= static_cast<double>(group.observed.trials);
+    group.interval = wilson_interval(group.observed.hits, group.observed.trials, kConfidence);
+  }
+  return groups;
 }
 
 std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model) {

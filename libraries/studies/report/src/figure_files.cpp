@@ -169,20 +169,17 @@ std::size_t write_figures(const Findings& findings, const ResultsFile& file, con
     }
     artist.draw(effect_charts(findings, response));
     artist.draw(pair_charts(findings, response, inks));
-    if (!response.measure || varied_factors(findings.results).empty()) {
+    if (varied_factors(findings.results).empty()) {
       continue;
     }
     try {
-      artist.draw(
-          residual_chart(findings, factor_model(findings, main_effects(findings, response))));
+      artist.draw(model_chart(findings, factor_model(findings, main_effects(findings, response))));
     } catch (const std::invalid_argument&) {
       // The page says why there is no model.
     }
   }
   for (const FactorModel& model : answers.models) {
-    if (model.response.measure) {
-      artist.draw(residual_chart(findings, model));
-    }
+    artist.draw(model_chart(findings, model));
   }
   for (const std::size_t cell : detailed) {
     const std::int64_t id = findings.results.cells[cell].id;

@@ -179,6 +179,13 @@ Json json_of(const FactorModel& model) {
     json["null_deviance"] = logistic.null_deviance;
     json["p"] = logistic.p;
     json["separated"] = logistic.separated;
+    json["rates"] = Json::array();
+    for (const RateGroup& group : rate_groups(model)) {
+      json["rates"].push_back({{"fitted", group.fitted},
+                               {"observed", group.observed.rate()},
+                               {"interval", json_of(std::optional(group.interval))},
+                               {"runs", group.observed.trials}});
+    }
   }
   json["warnings"] = model.warnings;
   return json;

@@ -194,6 +194,8 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
   LogisticFit fit;
   fit.left_out = design.left_out;
   fit.fitted.assign(p.begin(), p.end());
+  const VectorXd residuals = y - p;
+  fit.residuals.assign(residuals.begin(), residuals.end());
   fit.deviance = deviance_of(p);
   fit.null_deviance = deviance_of(VectorXd::Constant(rows, y.mean()));
   fit.freedom = successes.size() - static_cast<std::size_t>(size);

@@ -74,8 +74,8 @@ std::string model_of(const Findings& findings, const FactorModel& model) {
                      html_table(coefficient_table(model), 1) + "<p class=\"quiet\">" +
                      escaped(fit_in_words(model)) + "</p>";
   text += noted_on_page(model.warnings);
-  if (model.response.measure && findings.cells.size() <= kMostRows) {
-    text += charts_in({residual_chart(findings, model)}, {420, 260});
+  if (!model.response.measure || findings.cells.size() <= kMostRows) {
+    text += charts_in({model_chart(findings, model)}, {420, 260});
   }
   return text;
 }

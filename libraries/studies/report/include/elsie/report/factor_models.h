@@ -36,6 +36,20 @@ FactorModel factor_model(const Findings& findings, const std::string& formula);
 /// The formula with all factors and no interactions.
 std::string main_effects(const Findings& findings, const Response& response);
 
+/// Cells with about the same fitted rate of success.
+struct RateGroup {
+  double fitted = 0.0;  // mean over the runs
+  Frequency observed;
+  Interval interval;  // Wilson's, of the observed rate
+};
+
+inline constexpr std::size_t kMostRateGroups = 10;
+
+/// Fitted against observed rates of a logistic model, ascending: a group for each fitted rate, or,
+/// of more than kMostRateGroups rates, neighbours in groups of about as many runs (Hosmer and
+/// Lemeshow 1980). Where an observed rate is far from the fitted one, a term is missing.
+std::vector<RateGroup> rate_groups(const FactorModel& model);
+
 /// The coefficients as texts with a head.
 std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model);
 

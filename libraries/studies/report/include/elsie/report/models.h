@@ -56,8 +56,9 @@ struct LogisticFit {
   /// Coefficients that grow without limit, because a combination of these terms separates the
   /// successes from the others (Albert and Anderson 1984). Their estimates mean nothing.
   std::vector<std::string> separated;
-  bool perfect = false;        // the deviance is 0: all coefficients are separated
-  std::vector<double> fitted;  // probabilities
+  bool perfect = false;           // the deviance is 0: all coefficients are separated
+  std::vector<double> fitted;     // probabilities
+  std::vector<double> residuals;  // 1 for a success, 0 for any other, less the probability
   double deviance = 0.0;
   double null_deviance = 0.0;  // of the constant alone
   std::size_t freedom = 0;
