@@ -5,22 +5,13 @@
 #include <map>
 #include <numeric>
 
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/normal.hpp>
+#include "distributions.h"
 
 namespace elsie::report {
 
 namespace {
 
 constexpr double kTied = 1e-9;
-
-double normal_quantile(double confidence) {
-  return boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
-}
-
-double two_sided(double z) {
-  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z)));
-}
 
 // A group, sorted: how many of it are surely above or below a value.
 class Sorted {
@@ -107,7 +98,7 @@ std::optional<Interval> delta_interval(double delta, std::span<const Observed> f
   const double least = (1.0 - delta * delta) / (m * n - 1.0);
   const double variance =
       std::max(least, (n * n * rows + m * m * columns - all) / (m * n * (m - 1.0) * (n - 1.0)));
-  const double z = normal_quantile(confidence);
+  const double z = normal_reach(confidence);
   if (std::abs(delta) >= 1.0 - kTied) {
     const double fewer = std::min(m, n);
     const double near = (fewer - z * z) / (fewer + z * z);
@@ -161,8 +152,8 @@ RankTest rank_test(std::span<const Observed> first, std::span<const Observed> se
     test.p = exact_p(scores, first.size(), sum);
   } else {
     const double variance = m * n / ((m + n) * (m + n - 1.0)) * squares;
-    test.p =
-        two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 1.0) / std::sqrt(variance));
+    test.p = normal_two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 1.0) /
+                              std::sqrt(variance));
   }
   return test;
 }
@@ -185,7 +176,7 @@ std::optional<Effect> hedges_g(std::span<const double> first, std::span<const do
   }
   const double g = (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (a->mean - b->mean) / pooled;
   const double reach =
-      normal_quantile(confidence) * std::sqrt((m + n) / (m * n) + g * g / (2.0 * (m + n)));
+      normal_reach(confidence) * std::sqrt((m + n) / (m * n) + g * g / (2.0 * (m + n)));
   return Effect{g, Interval{g - reach, g + reach}};
 }
 
@@ -199,7 +190,7 @@ Effect odds_ratio(const Frequency& first, const Frequency& second, double confid
   }
   const double ratio = a * d / (b * c);
   const double reach =
-      std::exp(normal_quantile(confidence) * std::sqrt(1.0 / a + 1.0 / b + 1.0 / c + 1.0 / d));
+      std::exp(normal_reach(confidence) * std::sqrt(1.0 / a + 1.0 / b + 1.0 / c + 1.0 / d));
   return {ratio, Interval{ratio / reach, ratio * reach}};
 }
 
@@ -229,11 +220,9 @@ PairTest sign_test(std::span<const double> differences) {
     test.above += one > 0.0 ? 1 : 0;
     test.below += one < 0.0 ? 1 : 0;
   }
-  const auto count = static_cast<double>(test.above + test.below);
-  if (count > 0.0) {
-    const boost::math::binomial fair(count, 0.5);
-    const auto fewer = static_cast<double>(std::min(test.above, test.below));
-    test.p = std::min(1.0, 2.0 * boost::math::cdf(fair, fewer));
+  const std::size_t count = test.above + test.below;
+  if (count > 0) {
+    test.p = std::min(1.0, 2.0 * fair_at_most(std::min(test.above, test.below), count));
   }
   return test;
 }
@@ -263,8 +252,8 @@ PairTest signed_rank_test(std::span<const double> differences) {
   }
   if (!test.exact) {
     // A change of one sign changes the sum of double ranks by at least 4 for whole ranks.
-    test.p =
-        two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 2.0) / std::sqrt(squares));
+    test.p = normal_two_sided(std::max(0.0, std::abs(static_cast<double>(sum)) - 2.0) /
+                              std::sqrt(squares));
     return test;
   }
   // ways[s]: the part of all signs whose sum is s - reach.

@@ -4,11 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/students_t.hpp>
-
 #include "elsie/base/random.h"
 
+#include "distributions.h"
 #include "samples.h"
 
 namespace elsie::report {
@@ -82,8 +80,7 @@ void resample(std::span<const Value> values, std::uint64_t seed, std::string_vie
 }
 
 Interval student_interval(const Estimate& whole, std::size_t count, double tail) {
-  const boost::math::students_t student(static_cast<double>(count - 1));
-  const double reach = boost::math::quantile(student, 1.0 - tail) * whole.error;
+  const double reach = student_quantile(1.0 - tail, static_cast<double>(count - 1)) * whole.error;
   return {whole.value - reach, whole.value + reach};
 }
 
@@ -158,10 +155,8 @@ std::optional<Interval> median_interval(std::span<const double> values, double c
   }
   // The number of values that may be cut off at each end: it is unlikely that more lie on one side
   // of the median.
-  const boost::math::binomial sides(static_cast<double>(sorted.size()), 0.5);
   std::size_t cut = 0;
-  while (2 * cut < sorted.size() &&
-         2.0 * boost::math::cdf(sides, static_cast<double>(cut)) <= 1.0 - confidence) {
+  while (2 * cut < sorted.size() && 2.0 * fair_at_most(cut, sorted.size()) <= 1.0 - confidence) {
     ++cut;
   }
   if (cut == 0) {

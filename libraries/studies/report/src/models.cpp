@@ -6,12 +6,10 @@
 #include <stdexcept>
 
 #include <Eigen/Dense>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 
 #include "elsie/base/words.h"
+
+#include "distributions.h"
 
 namespace elsie::report {
 
@@ -119,23 +117,19 @@ LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values
   if (size > 1 && !perfect) {
     const double explained = static_cast<double>(size - 1);
     fit.f = (all - rest) / explained / (rest / freedom);
-    fit.p = boost::math::cdf(
-        boost::math::complement(boost::math::fisher_f(explained, freedom), std::max(0.0, *fit.f)));
+    fit.p = fisher_above(std::max(0.0, *fit.f), explained, freedom);
   } else if (perfect) {
     fit.p = 0.0;
   }
   const MatrixXd inverse = inverse_square(qr, size);
-  const boost::math::students_t student(freedom);
-  const double reach = boost::math::quantile(student, 0.5 + 0.5 * confidence);
+  const double reach = student_quantile(0.5 + 0.5 * confidence, freedom);
   for (Eigen::Index i = 0; i < size; ++i) {
     Coefficient one;
     one.name = design.names[static_cast<std::size_t>(i)];
     one.estimate = found(i);
     one.error = fit.deviation * std::sqrt(inverse(i, i));
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
-    one.p = perfect ? 0.0
-                    : 2.0 * boost::math::cdf(boost::math::complement(
-                                student, std::abs(one.estimate / one.error)));
+    one.p = perfect ? 0.0 : student_two_sided(one.estimate / one.error, freedom);
     one.inflation = inflation_of(design, inverse, i);
     fit.coefficients.push_back(std::move(one));
   }
@@ -200,13 +194,11 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
   fit.null_deviance = deviance_of(VectorXd::Constant(rows, y.mean()));
   fit.freedom = successes.size() - static_cast<std::size_t>(size);
   if (size > 1) {
-    fit.p = boost::math::cdf(
-        boost::math::complement(boost::math::chi_squared(static_cast<double>(size - 1)),
-                                std::max(0.0, fit.null_deviance - fit.deviance)));
+    fit.p = chi_squared_above(std::max(0.0, fit.null_deviance - fit.deviance),
+                              static_cast<double>(size - 1));
   }
   fit.perfect = fit.deviance <= kPerfect * fit.null_deviance;
-  const boost::math::normal normal;
-  const double reach = boost::math::quantile(normal, 0.5 + 0.5 * confidence);
+  const double reach = normal_reach(confidence);
   const Eigen::HouseholderQR<MatrixXd> plain(design.columns);
   const MatrixXd unweighted = inverse_square(plain, size);
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -215,8 +207,7 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     one.estimate = found(i);
     one.error = std::sqrt(inverse(i, i));
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
-    one.p =
-        2.0 * boost::math::cdf(boost::math::complement(normal, std::abs(one.estimate / one.error)));
+    one.p = normal_two_sided(one.estimate / one.error);
     one.inflation = inflation_of(design, unweighted, i);
     const double largest = design.columns.col(i).cwiseAbs().maxCoeff();
     if (fit.perfect || std::abs(step(i)) * largest > kMoves || one.error * largest > kHugeError) {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <boost/math/distributions/normal.hpp>
-
+#include "distributions.h"
 #include "samples.h"
 
 namespace elsie::report {
@@ -105,7 +104,7 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
   if (trials == 0) {
     return {0.0, 1.0};
   }
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
+  const double z = normal_reach(confidence);
   const auto n = static_cast<double>(trials);
   const double p = static_cast<double>(successes) / n;
   const double shrink = 1.0 + z * z / n;

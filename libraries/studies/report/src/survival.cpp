@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/math/distributions/normal.hpp>
+#include "distributions.h"
 
 namespace elsie::report {
 
@@ -64,7 +64,7 @@ SurvivalCurve survival_of(std::span<const Observed> times, double confidence) {
   std::vector<Observed> sorted(times.begin(), times.end());
   std::sort(sorted.begin(), sorted.end(),
             [](const Observed& a, const Observed& b) { return a.value < b.value; });
-  const double z = boost::math::quantile(boost::math::normal(), 0.5 + 0.5 * confidence);
+  const double z = normal_reach(confidence);
   SurvivalCurve curve;
   double survival = 1.0, greenwood = 0.0;
   for (std::size_t i = 0; i < sorted.size();) {
