@@ -55,8 +55,8 @@ TEST_CASE("Every figure is a file of each format, with its texts as texts") {
   for (const char* name :
        {"success", "boxes-path_length_m", "effect-success-speed", "effect-time_s-coordinator",
         "interaction-path_length_m-speed-coordinator", "tiles-success-speed-coordinator",
-        "residuals-path_length_m", "rates-success", "survival-speed_0.4", "series-distance_driven-speed",
-        "ways-1"}) {
+        "residuals-path_length_m", "rates-success", "survival-speed_0.4",
+        "series-distance_driven-speed", "ways-1"}) {
     CAPTURE(name);
     CHECK(names.contains(std::string(name) + ".svg"));
     CHECK(names.contains(std::string(name) + ".pdf"));

@@ -25,7 +25,7 @@ void stop(int number) {
   const int error = errno;
   switch (request.come()) {
     case RepeatedRequest::Kind::first: {
-      [[maybe_unused]] const ssize_t written = write(to_write, "!", 1);
+      [[maybe_unused]] const ssize_t written = ::write(to_write, "!", 1);
       break;
     }
     case RepeatedRequest::Kind::echo:

@@ -23,7 +23,7 @@ const ElementSpec& nested_element() {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
+[[noreturn]] void refuse_path(const std::string& message) { throw std::invalid_argument(message); }
 
 // The children that a step of this name means, including those of groups.
 std::vector<Place> children(const Place& place, const std::string& name) {
@@ -117,7 +117,7 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   const std::string count = std::to_string(places.size());
   if (step.key.empty()) {
     if (places.size() == 1) return places;
-    refuse("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
+    refuse_path("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
            "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
   }
   const auto number = number_of(step.key);
@@ -125,10 +125,10 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
     return {places[*number - 1]};
   }
   if (number || ids.empty()) {
-    refuse("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
+    refuse_path("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
   }
   // All ids are listed if they are few, else only the nearest.
-  refuse("there is no " + text_of(step) +
+  refuse_path("there is no " + text_of(step) +
          (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
                           : "; there are: " + base::listed(ids)));
 }
@@ -203,7 +203,7 @@ void insert(Element& holder, const PathStep& step, const Element& given,
   const std::size_t number =
       step.key == "+" ? end : number_of(std::string_view(step.key).substr(1)).value_or(0);
   if (number < 1 || number > end) {
-    refuse("an element cannot be added as " + text_of(step) + "; expected " + step.name +
+    refuse_path("an element cannot be added as " + text_of(step) + "; expected " + step.name +
            "[+] for the end, or a number from 1 to " + std::to_string(end));
   }
   const std::size_t at = number == end ? holder.children.size() : counted[number - 1];
@@ -212,12 +212,12 @@ void insert(Element& holder, const PathStep& step, const Element& given,
 
 void require_name(const PathStep& step, const Element& given) {
   if (given.name != step.name) {
-    refuse("the path adds a <" + step.name + ">, but the element is a <" + given.name + ">");
+    refuse_path("the path adds a <" + step.name + ">, but the element is a <" + given.name + ">");
   }
 }
 
 void refuse_second(const Element& there, const std::string& held, const std::string& step) {
-  refuse("<" + there.name + "> holds one " + held + ", which is there already; to replace it, " +
+  refuse_path("<" + there.name + "> holds one " + held + ", which is there already; to replace it, " +
          "leave out the brackets: " + step + "=<...>");
 }
 
@@ -298,7 +298,7 @@ void add_element(Element& world, const Path& path, const Element& given) {
     }
   }
   if (added == 0) {
-    refuse("nothing called '" + step.name + "' can be added to <" + first.element->name + ">" +
+    refuse_path("nothing called '" + step.name + "' can be added to <" + first.element->name + ">" +
            base::near_or_all(step.name, addable_at(first), "there may be"));
   }
 }
@@ -314,12 +314,12 @@ Path parse_path(std::string_view text) {
         path.from_attribute = true;
       }
       if (path.adds()) {
-        refuse(
+        refuse_path(
             "an element that is added stands at the end of a path, as in "
             "robot[+]=<robot .../>; its attributes stand in it");
       }
       if (path.attribute.empty() || path.attribute.find_first_of("/[]@") != std::string::npos) {
-        refuse("expected the name of an attribute after \"@\", at the end of the path");
+        refuse_path("expected the name of an attribute after \"@\", at the end of the path");
       }
       return path;
     }
@@ -330,17 +330,17 @@ Path parse_path(std::string_view text) {
     if (text.starts_with('[')) {
       const std::size_t close = text.find(']');
       if (close == std::string_view::npos || close == 1) {
-        refuse("expected an id, a number or * in the brackets after '" + step.name + "'");
+        refuse_path("expected an id, a number or * in the brackets after '" + step.name + "'");
       }
       step.key = text.substr(1, close - 1);
       text.remove_prefix(close + 1);
     }
     if (step.name.empty()) {
-      refuse("a step of the path is empty; a path looks like robot[r1]/@max_speed");
+      refuse_path("a step of the path is empty; a path looks like robot[r1]/@max_speed");
     }
     path.steps.push_back(std::move(step));
     if (text.empty()) return path;
-    if (!text.starts_with('/')) refuse("expected \"/\" before '" + std::string(text) + "'");
+    if (!text.starts_with('/')) refuse_path("expected \"/\" before '" + std::string(text) + "'");
     text.remove_prefix(1);
   }
 }
@@ -349,7 +349,7 @@ std::vector<Place> find_places(Element& world, const Path& path) {
   std::vector<Place> places{{&world, &vocabulary()}};
   for (const PathStep& step : path.steps) {
     if (step.adds()) {
-      refuse("an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
+      refuse_path("an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
     }
     std::vector<Place> next;
     for (const Place& place : places) {
@@ -365,7 +365,7 @@ std::vector<Place> find_places(Element& world, const Path& path) {
     if (next.empty()) {
       const auto names = names_at(places.front());
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
-      refuse("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
+      refuse_path("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
              (known ? " of this world" + way_to_add(path, step)
                     : base::near_or_all(step.name, names, "there are")));
     }

@@ -346,13 +346,13 @@ void OdeEngine::take_step() {
 /// Calls work(robot, share) for all robots; the crew does several shares at once.
 template <class Work>
 void OdeEngine::for_each_robot(const Work& work) {
-  constexpr std::size_t kBlock = ContactFinder::kBlock;
+  constexpr std::size_t size = ContactFinder::kBlock;
   const std::size_t robots = bodies_.robots.size();
-  shares_.resize((robots + kBlock - 1) / kBlock);
+  shares_.resize((robots + size - 1) / size);
   crew_->divide(shares_.size(), 1, [&](const base::Crew::Share& some) {
     prepare_ode();
-    const std::size_t end = std::min(robots, kBlock * some.end);
-    for (std::size_t i = kBlock * some.first; i < end; ++i) work(i, shares_[i / kBlock]);
+    const std::size_t end = std::min(robots, size * some.end);
+    for (std::size_t i = size * some.first; i < end; ++i) work(i, shares_[i / size]);
   });
 }
 

@@ -39,15 +39,15 @@ std::string name_of(traces::Decider decider, const traces::TraceRobot& robot) {
 
 void append_episodes(nlohmann::ordered_json& episodes, const traces::TraceRobot& robot,
                      const traces::RobotAccount& account, std::size_t most) {
-  using Json = nlohmann::ordered_json;
+  using Ordered = nlohmann::ordered_json;
   for (const traces::Episode& episode : condensed(account.coordinators.front().episodes, most)) {
     const traces::Episode::Part& longest = episode.parts.front();
-    Json shown = {{"from_s", thousandths(episode.from_s)},
+    Ordered shown = {{"from_s", thousandths(episode.from_s)},
                   {"to_s", thousandths(episode.to_s)},
                   {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
                   {"share", thousandths(longest.share)}};
     if (episode.parts.size() > 1) {
-      Json parts = Json::array();
+      Ordered parts = Ordered::array();
       for (const traces::Episode::Part& part : episode.parts) {
         parts.push_back({{"decider", name_of(part.decider, robot)},
                          {"time_s", thousandths(part.time_s)},
@@ -91,7 +91,7 @@ Curve curve_of(const simulation::LearningCurve& curve, std::size_t most) {
 }
 
 std::vector<Timeline> timelines_of(const traces::AccountRecorder& recorder, std::size_t most) {
-  using Json = nlohmann::ordered_json;
+  using Ordered = nlohmann::ordered_json;
   struct Sum {
     double share_s = 0.0, decided_s = 0.0;
   };
@@ -99,7 +99,7 @@ std::vector<Timeline> timelines_of(const traces::AccountRecorder& recorder, std:
     std::string robot;
     double length_s = 0.0;
     std::vector<std::pair<std::string, Sum>> behaviors{};
-    Json episodes = Json::array();
+    Ordered episodes = Ordered::array();
   };
   std::vector<Parts> all;
   for (std::size_t r = 0; r < recorder.accounts().size(); ++r) {
@@ -124,7 +124,7 @@ std::vector<Timeline> timelines_of(const traces::AccountRecorder& recorder, std:
   }
   std::vector<Timeline> timelines;
   for (const Parts& parts : all) {
-    Json behaviors = Json::array();
+    Ordered behaviors = Ordered::array();
     for (const auto& [path, sum] : parts.behaviors) {
       const double share = parts.length_s > 0.0 ? sum.share_s / parts.length_s : 0.0;
       behaviors.push_back({{"path", path},

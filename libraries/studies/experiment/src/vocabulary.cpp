@@ -17,7 +17,7 @@ using world::fact;
 using world::kId;
 using world::kRequired;
 
-constexpr double kLongest = 1e9;  // s, as in worlds
+constexpr double kLongestTime = 1e9;  // s, as in worlds
 
 ElementSpec setting() {
   return Describe<SettingDraft>("set",
@@ -38,7 +38,7 @@ ElementSpec change() {
       .attribute("time", &AtDraft::time,
                  {.unit = "s",
                   .min = 0,
-                  .max = kLongest,
+                  .max = kLongestTime,
                   .meaning = "simulated time; made before the first step at or after it"},
                  kRequired)
       .each(std::move(settings), &AtDraft::settings);
@@ -203,19 +203,19 @@ ElementSpec experiment() {
               .attribute("time", &LimitsDraft::time,
                          {.unit = "s",
                           .above = 0,
-                          .max = kLongest,
+                          .max = kLongestTime,
                           .meaning = "simulated time; by default that of the world"})
               .attribute("wall_time", &LimitsDraft::wall_time,
                          {.unit = "s",
                           .above = 0,
-                          .max = kLongest,
+                          .max = kLongestTime,
                           .meaning = "time on the clock; longer runs are ended and count as hung"}),
           &ExperimentDraft::limits)
       .optional(Describe<TrajectoriesDraft>("trajectories", "The recording of the robots' paths")
                     .attribute("period", &TrajectoriesDraft::period,
                                {.unit = "s",
                                 .above = 0,
-                                .max = kLongest,
+                                .max = kLongestTime,
                                 .meaning = "simulated time between two recorded poses"}),
                 &ExperimentDraft::trajectories)
       .group(Describe<ExperimentDraft>("measures",
