@@ -32,6 +32,7 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
                 std::size_t to) {
   const Measure& about = findings.results.measures[findings.measures[measure]];
   const std::size_t dots = findings.runs() * findings.measures.size();
+  picture::Interval range;
   picture::RowChart chart;
   chart.x = {.label = output::one_line(in_words(about.name, about.unit)),
              .unit = output::one_line(about.unit)};
@@ -45,6 +46,7 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
       if (run.state != RunState::done || !value || !is_usable(*value)) {
         continue;
       }
+      range.include(*value);
       const bool missed = findings.missed(run), outlier = found.stands_out(*value);
       if (dots > kDots && !missed && !outlier) {
         continue;
@@ -71,9 +73,13 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
       row.mark = found.all->mean;
     }
     if (found.interval) {
+      range.include(found.interval->low);
       row.interval = picture::Interval{found.interval->low, found.interval->high};
     }
     chart.rows.push_back(std::move(row));
+  }
+  if (range.low > 0.0 && range.low < 0.4 * range.high) {
+    chart.x.low = 0.0;  // it is near
   }
   return {"boxes-" + file_part(about.name) + part_of(findings, from, to),
           "Box plots of " + in_words(about.name, about.unit) +
