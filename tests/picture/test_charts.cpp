@@ -1,4 +1,5 @@
 // Charts of what runs came to: bands, steps, numbers below the axis, tiles, rows.
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
@@ -54,8 +55,7 @@ RowChart boxes() {
   chart.x = {.label = "path length", .unit = "m"};
   ChartRow row{.name = "fusion"};
   row.box = {{1, 9}, {3, 6}, 5};
-  row.dots = {1, 3, 5, 6, 9};
-  row.crosses = {12};
+  row.dots = {{1}, {3}, {5}, {6}, {.at = 9, .ringed = true, .title = "run <5>"}, {12, true, true}};
   row.mark = 5.2;
   row.interval = Interval{4, 7};
   chart.rows = {row, {.name = "arbitration", .bars = {{{0, 4}, 1}, {{4, 12}, 2}}}};
@@ -142,6 +142,46 @@ TEST_CASE("Curves differ by their dashes where they have no colours, and marks b
   CHECK(count(text, "stroke-dasharray=\"9 4 1 4\"") == 2);
 }
 
+TEST_CASE("Dots and bars say what they are, and a ring is an outline more") {
+  RowChart chart = boxes();
+  const std::string rings = page_chart(chart, "", {400, 0});
+  CHECK(count(rings, "<title>run &lt;5&gt;</title>") == 1);
+  CHECK(count(rings, "<title>find_resource</title>") == 1);
+  CHECK(count(rings, "<circle") == 5);
+  for (RowDot& dot : chart.rows[0].dots) dot.ringed = false;
+  CHECK(count(page_chart(chart, "", {400, 0}), "<path") == count(rings, "<path") - 2);
+}
+
+TEST_CASE("Parts of a bar are above each other and leave no gap") {
+  RowChart chart;
+  chart.rows = {{.name = "x", .bars = {{{0, 4}, 1, {0.0, 0.3}}, {{0, 4}, 2, {0.3, 1.0}}}}};
+  const std::string text = page_chart(chart, "", {400, 0});
+  const auto edges = [&](const std::string& colour) {  // top and height of its only bar
+    const std::size_t at = text.rfind("<path d=\"M", text.find("fill=\"var(--" + colour));
+    double x = 0.0, top = 0.0, width = 0.0, height = 0.0;
+    REQUIRE(std::sscanf(text.c_str() + at, "<path d=\"M%lf %lfl%lf 0 0 %lf", &x, &top, &width,
+                        &height) == 4);
+    return std::pair(top, height);
+  };
+  const auto [lower, low] = edges("c1");
+  const auto [upper, high] = edges("c2");
+  CHECK(upper + high == lower);
+  CHECK(high > low);
+}
+
+TEST_CASE(
+    "Names of rows are on the left, or above the rows if one is too long; notes on the right") {
+  RowChart chart;
+  chart.rows = {{.name = "fusion", .note = "19/20", .mark = 0.95}};
+  const std::string left = page_chart(chart, "", {400, 0});
+  CHECK(left.find("text-anchor=\"end\">fusion<") != std::string::npos);
+  CHECK(left.find(">19/20<") != std::string::npos);
+  chart.rows.push_back({.name = "a name that is as long as some names are", .mark = 0.5});
+  const std::string above = page_chart(chart, "", {400, 0});
+  CHECK(above.find("text-anchor=\"end\"") == std::string::npos);
+  CHECK(above.find(">a name that is as long as some names are<") != std::string::npos);
+}
+
 TEST_CASE("In a page, colours are those of its style") {
   CHECK(page_chart(boxes(), "", {400, 0}).find("var(--c1)") != std::string::npos);
   CHECK(page_chart(survival(), "", {400, 0}).find("var(--c0)") != std::string::npos);
@@ -159,7 +199,8 @@ TEST_CASE("Charts with nothing in them, equal values or infinite ones are drawn"
   const double infinite = std::numeric_limits<double>::infinity();
   RowChart rows;
   CHECK_NOTHROW(page_chart(rows, "", {400, 0}));
-  rows.rows = {{.name = "x", .dots = {2, 2, 2}}, {.name = "", .interval = Interval{1, infinite}}};
+  rows.rows = {{.name = "x", .dots = {{2}, {2}, {2}}},
+               {.name = "", .interval = Interval{1, infinite}}};
   CHECK_NOTHROW(page_chart(rows, "", {400, 0}));
   Tiles tiles = two_by_two();
   tiles.values = {kUnknown, kUnknown, kUnknown, kUnknown};

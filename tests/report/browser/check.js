@@ -17,9 +17,9 @@ addEventListener("load", () => {
     .map((element) => element.outerHTML.slice(0, 120));
 
   // Invisible figures, and texts that stick out of their figures.
-  const figures = [...document.querySelectorAll("figure, .rate")];
+  const figures = [...document.querySelectorAll("figure")];
   found.figures = figures.length;
-  const pictures = [...document.querySelectorAll("figure svg, .rate svg")].filter((svg) => !svg.parentNode.closest("svg"));
+  const pictures = [...document.querySelectorAll("figure svg")].filter((svg) => !svg.parentNode.closest("svg"));
   found.pictures = pictures.length;
   found.flat = pictures
     .filter((svg) => { const box = svg.getBoundingClientRect(); return box.width < 8 || box.height < 8; })

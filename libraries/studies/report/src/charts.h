@@ -61,9 +61,14 @@ Chart rate_chart(const Findings& findings, const Inks& inks, std::size_t from, s
 std::vector<Chart> learning_charts(const Findings& findings, std::size_t cell,
                                    const std::vector<Curve>& curves);
 
-/// Who decided when in the runs of a cell; none if nothing was recorded.
+/// Who decided when in the runs of a cell, in at most `most` rows; the note says which. None if
+/// nothing was recorded.
 std::vector<Chart> decision_charts(const Findings& findings, std::size_t cell,
-                                   const std::vector<Timeline>& timelines, const Inks& inks);
+                                   const std::vector<Timeline>& timelines, const Inks& inks,
+                                   std::size_t most);
+
+/// The label of a cell, short enough for a row; "all" without one.
+std::string row_name(const Findings& findings, std::size_t cell);
 
 /// A text as a part of a file's name: letters, digits, and . _ - stay, others become _.
 std::string file_part(const std::string& text);

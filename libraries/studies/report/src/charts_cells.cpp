@@ -1,18 +1,18 @@
-// Charts of cells below each other: box plots, rates of success, who decided when.
+// Charts of cells below each other: box plots, rates of success.
 #include <algorithm>
-#include <map>
 
 #include "charts.h"
 #include "numbers.h"
+#include "words.h"
 
 namespace elsie::report {
 
 namespace {
 
-std::string row_name(const Findings& findings, std::size_t cell) {
-  const std::string& label = findings.results.cells[cell].label;
-  return output::shortened(output::one_line(label.empty() ? "all" : label), 46);
-}
+// With more dots than these in all charts, they have no titles, and only those that stand out are
+// drawn.
+constexpr std::size_t kDotsWithTitles = 6000;
+constexpr std::size_t kDots = 30000;
 
 // "-3" for the third of several parts of a figure.
 std::string part_of(const Findings& findings, std::size_t from, std::size_t to) {
@@ -21,33 +21,18 @@ std::string part_of(const Findings& findings, std::size_t from, std::size_t to) 
              : "-" + std::to_string(from + 1) + "-" + std::to_string(to);
 }
 
-// An episode as bars: its decider, or the parts of several one after the other.
-void add_bars(const Timeline::Episode& episode, const Inks& inks, picture::ChartRow& row) {
-  const auto colour_of = [&](const std::string& path) {
-    const std::string name = inks.behavior_class(path);
-    return name == "more" ? kColours : static_cast<std::size_t>(name[1] - '0');
-  };
-  if (episode.parts.empty()) {
-    if (!episode.decider.empty()) {
-      row.bars.push_back({{episode.from_s, episode.to_s}, colour_of(episode.decider)});
-    }
-    return;
-  }
-  double from = episode.from_s;
-  for (const auto& [who, time_s] : episode.parts) {
-    const double to = std::min(episode.to_s, from + time_s);
-    if (!who.empty() && to > from) {
-      row.bars.push_back({{from, to}, colour_of(who)});
-    }
-    from = to;
-  }
-}
-
 }  // namespace
+
+std::string row_name(const Findings& findings, std::size_t cell) {
+  const std::string& label = findings.results.cells[cell].label;
+  return output::shortened(output::one_line(label.empty() ? "all" : label), 46);
+}
 
 Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks, std::size_t from,
                 std::size_t to) {
   const Measure& about = findings.results.measures[findings.measures[measure]];
+  const std::size_t dots = findings.runs() * findings.measures.size();
+  picture::Interval range;
   picture::RowChart chart;
   chart.x = {.label = output::one_line(in_words(about.name, about.unit)),
              .unit = output::one_line(about.unit)};
@@ -58,9 +43,23 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
     for (const std::size_t place : cell.runs) {
       const Run& run = findings.results.runs[place];
       const auto& value = run.values[findings.measures[measure]];
-      if (run.state == RunState::done && value && is_usable(*value)) {
-        (findings.missed(run) ? row.crosses : row.dots).push_back(*value);
+      if (run.state != RunState::done || !value || !is_usable(*value)) {
+        continue;
       }
+      range.include(*value);
+      const bool missed = findings.missed(run), outlier = found.stands_out(*value);
+      if (dots > kDots && !missed && !outlier) {
+        continue;
+      }
+      row.dots.push_back({*value, missed, outlier});
+      if (dots <= kDotsWithTitles) {
+        row.dots.back().title =
+            name_of(run) + ": " + brief(*value, 6) + (about.unit.empty() ? "" : " " + about.unit) +
+            (missed ? ", " + outcome_in_words(run) : "") + (outlier ? ", outlier" : "");
+      }
+    }
+    if (!found.all && !found.censoring) {
+      row.note = "no value";
     }
     if (found.all && found.values.size() >= kFewest) {
       std::vector<double> sorted = found.values;
@@ -74,15 +73,21 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
       row.mark = found.all->mean;
     }
     if (found.interval) {
+      range.include(found.interval->low);
       row.interval = picture::Interval{found.interval->low, found.interval->high};
     }
     chart.rows.push_back(std::move(row));
   }
+  if (range.low > 0.0 && range.low < 0.4 * range.high) {
+    chart.x.low = 0.0;  // it is near
+  }
   return {"boxes-" + file_part(about.name) + part_of(findings, from, to),
           "Box plots of " + in_words(about.name, about.unit) +
               ": dots are runs, crosses those "
-              "without success, diamonds means with their 95 % intervals",
-          std::move(chart)};
+              "without success, rings outliers, diamonds means with their 95 % intervals",
+          std::move(chart),
+          dots > kDots ? std::vector<std::string>{"Only crosses and rings are drawn of the runs"}
+                       : std::vector<std::string>()};
 }
 
 Chart rate_chart(const Findings& findings, const Inks& inks, std::size_t from, std::size_t to) {
@@ -90,55 +95,20 @@ Chart rate_chart(const Findings& findings, const Inks& inks, std::size_t from, s
   chart.x = {.label = "rate of success", .low = 0.0, .high = 1.0};
   for (std::size_t i = from; i < to; ++i) {
     const CellFindings& cell = findings.cells[i];
-    if (!cell.goals || cell.ended == 0) {
+    if (!cell.goals) {
       continue;
     }
     picture::ChartRow row{.name = row_name(findings, i), .colour = inks.cells[i]};
-    row.mark = static_cast<double>(cell.successes) / static_cast<double>(cell.ended);
-    row.interval = picture::Interval{cell.success.low, cell.success.high};
+    row.note = success_in_words(cell) +
+               (cell.complete() ? "" : ", " + std::to_string(cell.pending) + " to do");
+    if (cell.ended > 0) {
+      row.mark = static_cast<double>(cell.successes) / static_cast<double>(cell.ended);
+      row.interval = picture::Interval{cell.success.low, cell.success.high};
+    }
     chart.rows.push_back(std::move(row));
   }
   return {"success" + part_of(findings, from, to), "Rates of success with Wilson's 95 % intervals",
           std::move(chart)};
-}
-
-std::vector<Chart> decision_charts(const Findings& findings, std::size_t cell,
-                                   const std::vector<Timeline>& timelines, const Inks& inks) {
-  std::map<std::string, std::size_t> robots;
-  for (const Timeline& timeline : timelines) {
-    ++robots[timeline.robot];
-  }
-  picture::RowChart chart;
-  chart.x = {.label = "time", .unit = "s", .low = 0.0};
-  const auto typical = typical_run(findings, cell);
-  for (const std::size_t place : findings.cells[cell].runs) {
-    const Run& run = findings.results.runs[place];
-    for (const Timeline& timeline : timelines) {
-      if (timeline.run != run.id || (robots.size() > 1 && place != typical)) {
-        continue;
-      }
-      picture::ChartRow row{.name = robots.size() > 1 ? output::one_line(timeline.robot)
-                                                      : "seed " + std::to_string(run.seed)};
-      for (const Timeline::Episode& episode : timeline.episodes) {
-        add_bars(episode, inks, row);
-      }
-      chart.rows.push_back(std::move(row));
-    }
-  }
-  if (chart.rows.empty()) {
-    return {};
-  }
-  for (const std::string& path : inks.behaviors) {
-    const std::string name = inks.behavior_class(path);
-    if (name != "more") {
-      chart.key.emplace_back(output::one_line(path), static_cast<std::size_t>(name[1] - '0'));
-    }
-  }
-  return {{"decisions-" + std::to_string(cell + 1),
-           "Who decided when in " +
-               (robots.size() > 1 ? std::string("a typical run") : std::string("each run")) +
-               " of " + row_name(findings, cell),
-           std::move(chart)}};
 }
 
 }  // namespace elsie::report

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kRowsOfChart = 40;  // cells in one chart of rows
+constexpr std::size_t kRowsOfChart = 40;  // cells or runs in one chart of rows
 
 // A folder inside of another, which keeps what is half done apart. It is removed in any case.
 class Workshop {
@@ -184,7 +184,7 @@ std::size_t write_figures(const Findings& findings, const ResultsFile& file, con
   for (const std::size_t cell : detailed) {
     const std::int64_t id = findings.results.cells[cell].id;
     draw_map(findings, cell, file.trajectories(id), artist);
-    artist.draw(decision_charts(findings, cell, file.timelines(id), inks));
+    artist.draw(decision_charts(findings, cell, file.timelines(id), inks, kRowsOfChart));
     artist.draw(learning_charts(findings, cell, file.curves(id)));
   }
   workshop.deliver();

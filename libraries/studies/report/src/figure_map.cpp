@@ -17,6 +17,7 @@
 #include "figures.h"
 #include "markup.h"
 #include "numbers.h"
+#include "words.h"
 
 namespace elsie::report {
 
@@ -239,9 +240,7 @@ std::vector<Line> lines_of(const View& view, const std::vector<Trajectory>& ways
 std::string title_of(const Results& results, const Line& line, bool several) {
   const auto run = std::lower_bound(results.runs.begin(), results.runs.end(), line.way->run,
                                     [](const Run& a, std::int64_t id) { return a.id < id; });
-  return "run " + std::to_string(run->id) + ", seed " + std::to_string(run->seed) +
-         (several ? ", " + line.way->robot : "") + ": " +
-         (run->outcome ? simulation::to_string(*run->outcome) : to_string(run->state));
+  return name_of(*run) + (several ? ", " + line.way->robot : "") + ": " + outcome_in_words(*run);
 }
 
 std::string ways_of(const View& view, const Findings& findings, const std::vector<Line>& lines,

@@ -54,21 +54,20 @@ void add_behaviors(const ResultsFile& file, const Findings& findings,
 
 std::string Inks::cell_class(std::size_t cell) const { return "c" + std::to_string(cells[cell]); }
 
-std::string Inks::behavior_class(const std::string& path) const {
+std::size_t Inks::behavior_colour(const std::string& path) const {
   const auto found = std::find(behaviors.begin(), behaviors.end(), path);
   const auto place = static_cast<std::size_t>(found - behaviors.begin());
   if (found == behaviors.end() || place >= kColours) {
-    return "more";
+    return kColours;
   }
-  const std::size_t first = std::max<std::size_t>(levels.size(), 1);
-  return "c" + std::to_string((first + place) % kColours);
+  return (std::max<std::size_t>(levels.size(), 1) + place) % kColours;
 }
 
 Budget budget_for(std::size_t cells) {
   Budget budget;
   budget.points = std::clamp<std::size_t>(200000 / std::max<std::size_t>(cells, 1), 500, 20000);
   if (cells > 40) {
-    budget = {budget.points, 25, 12, 300};
+    budget = {budget.points, 25, 12};
   }
   return budget;
 }

@@ -9,6 +9,7 @@
 #include "elsie/report/findings.h"
 #include "elsie/report/results.h"
 
+#include "charts.h"
 #include "figures.h"
 
 namespace elsie::report {
@@ -30,6 +31,10 @@ inline constexpr std::size_t kMostRows = 200;
 
 /// A table of texts, the first row as its head; columns of numbers are aligned right.
 std::string html_table(const std::vector<std::vector<std::string>>& rows, std::size_t text_columns);
+
+/// A chart of the page. `head`: HTML above it.
+std::string chart_figure(const Chart& chart, const picture::Size& size,
+                         const std::string& head = "");
 
 /// The cells that get a section: those whose label contains `filter`. If there are too many: first
 /// those with notable runs, then an even selection of the others.

@@ -17,6 +17,8 @@ namespace {
 // With more cells than this, cells are folded.
 constexpr std::size_t kOpenCells = 12;
 constexpr std::size_t kHeadMeasures = 3;
+constexpr picture::Size kDecisionSize{430, 0};
+constexpr picture::Size kCurveSize{420, 190};
 // Number of notable runs that are shown; the others are folded.
 constexpr std::size_t kRunsAtOnce = 8;
 
@@ -214,6 +216,10 @@ std::string left_out(const PageContext& page) {
          "them.</p>\n";
 }
 
+std::string head_of(const std::string& what, const std::vector<std::string>& notes) {
+  return "<b>" + escaped(what) + "</b> <span>" + escaped(notes.front()) + "</span>";
+}
+
 }  // namespace
 
 std::string cell_sections(const PageContext& page) {
@@ -223,18 +229,22 @@ std::string cell_sections(const PageContext& page) {
   std::string text = "<section id=\"cells\"><h2>Cells</h2>\n" + left_out(page);
   for (const std::size_t i : page.detailed) {
     const CellInfo& info = findings.results.cells[i];
-    const std::string decisions =
-        decision_figure(findings, i, page.file.timelines(info.id), page.inks, budget);
-    const std::string curves = curve_figures(findings, i, page.file.curves(info.id), page.inks);
+    std::string beside;
+    for (const Chart& chart :
+         decision_charts(findings, i, page.file.timelines(info.id), page.inks, budget.rows)) {
+      beside += chart_figure(chart, kDecisionSize, head_of("Who decided when", chart.notes));
+    }
+    for (const Chart& chart : learning_charts(findings, i, page.file.curves(info.id))) {
+      beside += chart_figure(chart, kCurveSize, head_of(chart.caption, chart.notes));
+    }
     const std::string map =
         map_figure(findings, i, page.file.trajectories(info.id), page.inks, budget);
     text += "<article class=\"cell\" id=\"" + anchor(i) + "\" data-cell=\"" +
             escaped_attribute(info.label) + "\">" +
             (folded ? "<details><summary>" + headline(page, i) + "</summary>" : headline(page, i)) +
-            "<div class=\"pictures\">" + map + "<div class=\"beside\">" + decisions + curves +
-            (decisions.empty() && curves.empty() ? run_table(page, findings.cells[i]) : "") +
-            "</div></div>" +
-            (decisions.empty() && curves.empty() ? "" : run_table(page, findings.cells[i])) +
+            "<div class=\"pictures\">" + map + "<div class=\"beside " + page.inks.cell_class(i) +
+            "\">" + (beside.empty() ? run_table(page, findings.cells[i]) : beside) +
+            "</div></div>" + (beside.empty() ? "" : run_table(page, findings.cells[i])) +
             measure_table(page, findings.cells[i]) + (folded ? "</details>" : "") + "</article>\n";
   }
   return text + "</section>\n";

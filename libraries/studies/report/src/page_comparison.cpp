@@ -35,6 +35,8 @@ constexpr const char* kBoxesLead =
     "stopped runs or they failed, their times are at least where the dots stand, and there is no "
     "box and no mean.";
 
+constexpr picture::Size kRateSize{460, 0};
+constexpr picture::Size kBoxSize{360, 0};
 // Box plots of further measures are folded.
 constexpr std::size_t kFiguresAtOnce = 6;
 // Figures with more rows are also folded: the table gives the same numbers in less space.
@@ -206,6 +208,17 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
   return count > 1 ? value : std::nullopt;
 }
 
+std::string box_figure(const PageContext& page, std::size_t measure) {
+  const Measure& about = page.findings.results.measures[page.findings.measures[measure]];
+  const Chart chart = box_chart(page.findings, measure, page.inks, 0, page.findings.cells.size());
+  std::string head = "<b>" + escaped(in_words(about.name, about.unit)) + "</b> <span>" +
+                     escaped(about.unit) + "</span><small>" + escaped(about.meaning) + "</small>";
+  for (const std::string& note : chart.notes) {
+    head += "<small>" + escaped(note) + ".</small>";
+  }
+  return chart_figure(chart, kBoxSize, head);
+}
+
 std::string figures(const PageContext& page) {
   const Findings& findings = page.findings;
   const bool several =
@@ -231,15 +244,15 @@ std::string figures(const PageContext& page) {
                   " " + brief(*value) + (measure.unit.empty() ? "" : " " + escaped(measure.unit));
       continue;
     }
-    (count++ < kFiguresAtOnce ? shown : others) += box_figure(findings, i, page.inks);
+    (count++ < kFiguresAtOnce ? shown : others) += box_figure(page, i);
   }
   if (!constant.empty()) {
     constant = "<p class=\"quiet\">The same in every run: " + constant + ".</p>";
   }
-  std::string panels = "<div class=\"panels\">" + shown + "</div>";
+  std::string panels = "<div class=\"charts\">" + shown + "</div>";
   if (!others.empty()) {
     panels += "<details class=\"fold\"><summary>" +
-              counted(count - kFiguresAtOnce, "more measure") + "</summary><div class=\"panels\">" +
+              counted(count - kFiguresAtOnce, "more measure") + "</summary><div class=\"charts\">" +
               others + "</div></details>";
   }
   return "<section id=\"distributions\"><h2>Distributions</h2><p class=\"lead\">" +
@@ -261,7 +274,10 @@ std::string comparison_sections(const PageContext& page) {
                                                   : kNoBarsLead) +
          "</p>" +
          (page.findings.any_goals() && has_figures(page.findings)
-              ? folded(page.findings, ink_key(page) + rate_figure(page.findings, page.inks))
+              ? folded(page.findings,
+                       ink_key(page) + chart_figure(rate_chart(page.findings, page.inks, 0,
+                                                               page.findings.cells.size()),
+                                                    kRateSize))
               : "") +
          "</section>\n<section id=\"comparison\"><h2>Comparison</h2><p class=\"lead\">" +
          (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) + note +

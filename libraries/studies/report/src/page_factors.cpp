@@ -30,11 +30,6 @@ constexpr const char* kContrastsNote =
     "Whitney with Cliff\xe2\x80\x99s delta and Hedges\xe2\x80\x99 g. p is corrected for all "
     "comparisons of the measure (Holm).";
 
-std::string chart_figure(const Chart& chart, const picture::Size& size) {
-  return "<figure class=\"chart\">" + picture::page_chart(chart.panel, chart.caption, size) +
-         "</figure>\n";
-}
-
 std::string charts_in(const std::vector<Chart>& charts, const picture::Size& size) {
   std::string text;
   for (const Chart& chart : charts) {
@@ -125,6 +120,12 @@ std::string asked_part(const PageContext& page) {
 }
 
 }  // namespace
+
+std::string chart_figure(const Chart& chart, const picture::Size& size, const std::string& head) {
+  return "<figure class=\"chart\">" +
+         (head.empty() ? "" : "<figcaption>" + head + "</figcaption>") +
+         picture::page_chart(chart.panel, chart.caption, size) + "</figure>\n";
+}
 
 std::string html_table(const std::vector<std::vector<std::string>>& rows,
                        std::size_t text_columns) {

@@ -69,11 +69,6 @@ std::string folded_charts(const std::vector<std::string>& figures) {
                                "</summary><div class=\"charts\">" + others + "</div></details>");
 }
 
-std::string figure_of(const Chart& chart, const picture::Size& size) {
-  return "<figure class=\"chart\">" + picture::page_chart(chart.panel, chart.caption, size) +
-         "</figure>\n";
-}
-
 }  // namespace
 
 std::string time_sections(const PageContext& page) {
@@ -85,7 +80,7 @@ std::string time_sections(const PageContext& page) {
   if (any_cut_off(findings)) {
     std::vector<std::string> figures;
     for (const SurvivalChart& one : survival_charts(findings, page.inks)) {
-      figures.push_back(figure_of(one.chart, kSurvivalSize));
+      figures.push_back(chart_figure(one.chart, kSurvivalSize));
     }
     text += "<section id=\"survival\"><h2>Time until the goals</h2><p class=\"lead\">" +
             std::string(kSurvivalLead) + "</p>" + folded_charts(figures) + median_table(findings) +
@@ -93,7 +88,7 @@ std::string time_sections(const PageContext& page) {
   }
   std::vector<std::string> series;
   for (const Chart& chart : series_charts(findings, page.file, page.inks)) {
-    series.push_back(figure_of(chart, kSeriesSize));
+    series.push_back(chart_figure(chart, kSeriesSize));
   }
   if (!series.empty()) {
     text += "<section id=\"series\"><h2>Over time</h2><p class=\"lead\">" +

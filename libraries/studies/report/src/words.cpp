@@ -231,6 +231,16 @@ std::string broken_in_words(const Findings& findings) {
   return text + (broken > 1 ? ", the first of them " : ": ") + name_of(findings.results, *first);
 }
 
+std::string name_of(const Run& run) {
+  return "run " + std::to_string(run.id) + ", seed " + std::to_string(run.seed);
+}
+
+std::string outcome_in_words(const Run& run) {
+  return run.outcome == Outcome::time_limit ? "time limit"
+         : run.outcome                      ? simulation::to_string(*run.outcome)
+                                            : to_string(run.state);
+}
+
 std::string name_of(const Results& results, const Run& run) {
   const std::string& label = results.cells[run.cell].label;
   return "run " + std::to_string(run.id) + " (" + (label.empty() ? "" : label + ", ") + "seed " +

@@ -51,6 +51,12 @@ std::string broken_in_words(const Findings& findings);
 /// As ending_in_words(), but without the first word.
 std::string circumstances(const Run& run);
 
+/// "run 17, seed 3"
+std::string name_of(const Run& run);
+
+/// "success", "time limit", "crash"...
+std::string outcome_in_words(const Run& run);
+
 /// "run 17 (fusion, seed 3)"
 std::string name_of(const Results& results, const Run& run);
 

@@ -189,6 +189,11 @@ void Canvas::stroke(const Ink& ink, const Pen& pen) {
   cairo_stroke(impl_->cr);
 }
 
+void Canvas::dot(const Vector2& centre, double radius, const Ink& ink) {
+  if (!impl_->svg) return circle(centre, radius).fill(ink);
+  if (finite(centre)) impl_->svg->dot({near(centre.x), near(centre.y)}, radius, ink);
+}
+
 void Canvas::clip() {
   if (impl_->svg) {
     Vector2 from, to;

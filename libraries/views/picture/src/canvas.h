@@ -76,6 +76,8 @@ class Canvas {
   void fill(const Ink& ink);
   void fill_keep(const Ink& ink);
   void stroke(const Ink& ink, const Pen& pen);
+  /// A filled circle, in an SVG shorter than by circle(). The path must be empty.
+  void dot(const Vector2& centre, double radius, const Ink& ink);
 
   /// Limits drawing to the inside of the path, which is consumed, until unclip().
   void clip();

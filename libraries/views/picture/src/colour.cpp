@@ -65,8 +65,8 @@ Ink readable(const Ink& base) {
 
 Ink series_ink(std::size_t index) {
   static constexpr std::array<Ink, kSeriesInks> kInks = {
-      hex(0x0072b2, "c0"), hex(0xd55e00, "c1"), hex(0x009e73, "c2"), hex(0xcc79a7, "c3"),
-      hex(0xe69f00, "c4"), hex(0x56b4e9, "c5"), hex(0x3a3f45)};
+      hex(0x0072b2, "c0"), hex(0xd55e00, "c1"), hex(0x009e73, "c2"),   hex(0xcc79a7, "c3"),
+      hex(0xe69f00, "c4"), hex(0x56b4e9, "c5"), hex(0x3a3f45, "quiet")};
   return kInks[index % kInks.size()];
 }
 

@@ -36,8 +36,8 @@ Ink shifted(const Ink& base, double lightness, double hue_rad);
 /// The colour, darkened if necessary until it is readable as text on white.
 Ink readable(const Ink& base);
 
-/// The nth colour for curves (Okabe and Ito, 2008); they repeat after seven. In a page, the first
-/// six are those of its style.
+/// The nth colour for curves (Okabe and Ito, 2008); they repeat after seven. In a page, they
+/// are those of its style.
 Ink series_ink(std::size_t index);
 inline constexpr std::size_t kSeriesInks = 7;
 

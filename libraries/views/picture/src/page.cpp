@@ -37,12 +37,12 @@ double row_head(const Canvas& canvas, const Row& row, double width) {
 }
 
 // Height without the heads.
-double row_height(const Row& row, double width) {
+double row_height(const Canvas& canvas, const Row& row, double width) {
   if (row.panels.empty()) return 0.0;
   double aspect = row.aspect;
   if (aspect <= 0.0) {
     for (const Panel& panel : row.panels) {
-      aspect = std::max(aspect, natural_aspect(panel, panel_width(row, width)));
+      aspect = std::max(aspect, natural_aspect(canvas, panel, panel_width(row, width)));
     }
   }
   return aspect * panel_width(row, width);
@@ -129,7 +129,7 @@ void check_panel(const Panel& panel) {
   }
 }
 
-double natural_aspect(const Panel& panel, double width) {
+double natural_aspect(const Canvas& canvas, const Panel& panel, double width) {
   if (const auto* chart = std::get_if<LineChart>(&panel)) {
     return chart->rows.empty() ? 0.5
                                : 0.6 + 16.0 * static_cast<double>(chart->rows.size() + 1) / width;
@@ -138,7 +138,7 @@ double natural_aspect(const Panel& panel, double width) {
     return std::min(0.85, 80.0 / width + 0.1 * static_cast<double>(tiles->y.names.size()));
   }
   if (const auto* chart = std::get_if<RowChart>(&panel)) {
-    return (50.0 + 30.0 * static_cast<double>(chart->rows.size())) / width;
+    return natural_height(canvas, *chart, width) / width;
   }
   return 0.85;
 }
@@ -163,7 +163,7 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
   double rows = 0.0, gaps = 0.0;  // parts that stretch with the height, and parts that do not
   for (const Row& row : page.rows) {
     if (row.panels.empty()) continue;
-    rows += row_height(row, width);
+    rows += row_height(ruler, row, width);
     gaps += kGap + row_head(ruler, row, width) + (row.title.empty() ? 0.0 : kRowTitle);
   }
   const double wanted = header + rows + gaps - (gaps > 0 ? kGap : 0) + kPageMargin;
@@ -185,7 +185,8 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
       y += kRowTitle;
     }
     const double head = row_head(canvas, row, width);
-    Rect area{kPageMargin, y, panel_width(row, width), head + stretch * row_height(row, width)};
+    Rect area{kPageMargin, y, panel_width(row, width),
+              head + stretch * row_height(canvas, row, width)};
     y += area.height + kGap;
     for (const Panel& panel : row.panels) {
       std::visit([&](const auto& shown) { draw(canvas, shown, area, head); }, panel);
@@ -201,8 +202,9 @@ std::string page_chart(const Panel& panel, const std::string& label, const Size&
   const Canvas ruler(FileType::page, 1, 1, 1.0);
   const double head =
       std::visit([&](const auto& shown) { return head_height(ruler, shown, width); }, panel);
-  const int height =
-      size.height > 0 ? size.height : static_cast<int>(head + width * natural_aspect(panel, width));
+  const int height = size.height > 0
+                         ? size.height
+                         : static_cast<int>(head + width * natural_aspect(ruler, panel, width));
   Canvas canvas(FileType::page, size.width, height, 1.0);
   const Rect area{0.0, 0.0, width, static_cast<double>(height)};
   std::visit([&](const auto& shown) { draw(canvas, shown, area, head); }, panel);

@@ -21,7 +21,9 @@ inline constexpr double kTick = 12.0;
 /// Throws std::invalid_argument for an axis, a field or tiles that cannot be drawn.
 void check_panel(const Panel& panel);
 /// The ratio of height to width that suits the panel without its head, in a panel of this width.
-double natural_aspect(const Panel& panel, double width);
+double natural_aspect(const Canvas& canvas, const Panel& panel, double width);
+/// The height of a chart of rows without its head.
+double natural_height(const Canvas& canvas, const RowChart& chart, double width);
 /// The height that title and names above the plot need in a panel of this width.
 double head_height(const Canvas& canvas, const LineChart& chart, double width);
 double head_height(const Canvas& canvas, const RowChart& chart, double width);

@@ -50,6 +50,13 @@ void SvgPainter::stroke(const std::string& path, const Ink& ink, const Pen& pen)
   body_ += "/>\n";
 }
 
+void SvgPainter::dot(const Vector2& centre, double radius, const Ink& ink) {
+  const int decimals = in_page_ ? 1 : 2;
+  body_ += "<circle cx=\"" + short_number(centre.x, decimals) + "\" cy=\"" +
+           short_number(centre.y, decimals) + "\" r=\"" + number(radius) + "\"" +
+           paint("fill", ink) + "/>\n";
+}
+
 void SvgPainter::clip(const std::string& path, const Rect& box) {
   if (in_page_) {
     const std::string x = number(box.x), y = number(box.y);

@@ -16,6 +16,7 @@ class SvgPainter {
   bool in_page() const { return in_page_; }
   void fill(const std::string& path, const Ink& ink);
   void stroke(const std::string& path, const Ink& ink, const Pen& pen);
+  void dot(const Vector2& centre, double radius, const Ink& ink);
   /// In a page, which has no names for outlines, clips to the rectangle `box` around the path.
   void clip(const std::string& path, const Rect& box);
   /// `drop`: the distance of the base line below the point around which the text is turned.

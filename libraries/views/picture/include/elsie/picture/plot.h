@@ -118,6 +118,7 @@ struct Tiles {
 struct RowBar {
   Interval from_to{};
   std::size_t colour = 0;
+  Interval height{0.0, 1.0};  // of the height of a bar, from the bottom
 };
 
 /// A box plot.
@@ -126,19 +127,28 @@ struct RowBox {
   double median = 0.0;
 };
 
+/// A single value.
+struct RowDot {
+  double at = 0.0;
+  bool crossed = false;  // true: a cross
+  bool ringed = false;
+  std::string title{};  // what an SVG shows when the pointer is over it
+};
+
 /// What is shown of one thing over the common axis. All parts are optional.
 struct ChartRow {
-  std::string name{};
+  std::string name{};  // on the left; above the rows if some are too long
+  std::string note{};  // on the right
   std::size_t colour = 0;
   std::optional<RowBox> box{};
-  std::vector<double> dots{};
-  std::vector<double> crosses{};
+  std::vector<RowDot> dots{};
   std::optional<Interval> interval{};
   std::optional<double> mark{};  // a diamond
   std::vector<RowBar> bars{};
 };
 
-/// Things below each other over one axis, as box plots, intervals or bars.
+/// Things below each other over one axis, as box plots, intervals or bars. In an SVG, bars show the
+/// names of their colour when the pointer is over them.
 struct RowChart {
   std::string title{};
   Axis x{};
@@ -172,9 +182,9 @@ struct Page {
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
 /// The panel as an element of an HTML page. The page's style defines its colours: --ink, --muted,
-/// --grid, --quiet, --surface, --c, and --c0 to --c5 for the first six of a chart. `label`: for
-/// readers who do not see it. A height of 0: as high as the content needs. Throws like save_page()
-/// for an axis.
+/// --grid, --quiet, --surface, --bad, --c, and --c0 to --c5 for the first six of a chart. `label`:
+/// for readers who do not see it. A height of 0: as high as the content needs. Throws like
+/// save_page() for an axis.
 std::string page_chart(const Panel& panel, const std::string& label, const Size& size);
 
 }  // namespace elsie::picture

@@ -11,14 +11,12 @@
 
 #include "charts.h"
 #include "figures.h"
-#include "markup.h"
 #include "numbers.h"
 
 namespace elsie::report {
 
 namespace {
 
-constexpr picture::Size kSize{420, 190};
 constexpr double kDecades = 2.0;  // curves over more decades get a logarithmic axis
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -104,32 +102,15 @@ std::vector<Chart> learning_charts(const Findings& findings, std::size_t cell,
   for (const auto& [what, all] : panels_of(findings, cell, curves)) {
     const auto& [robot, plugin, name] = what;
     picture::LineChart chart = chart_of(all);
+    const bool alike = chart.series.size() == 1 && all.size() > 1;
     chart.y.label = output::shortened(output::one_line(all.front()->y_label), 50);
     charts.push_back({"learning-" + std::to_string(cell + 1) + "-" +
                           file_part(robot + "-" + plugin + "-" + name),
-                      "Learning of " + subject_of(robot, plugin, name, *all.front()) + ", " +
-                          counted(all.size(), "run"),
-                      std::move(chart)});
+                      "Learning of " + subject_of(robot, plugin, name, *all.front()),
+                      std::move(chart),
+                      {counted(all.size(), "run") + (alike ? ", all alike" : "")}});
   }
   return charts;
-}
-
-std::string curve_figures(const Findings& findings, std::size_t cell,
-                          const std::vector<Curve>& curves, const Inks& inks) {
-  std::string text;
-  for (const auto& [what, all] : panels_of(findings, cell, curves)) {
-    const picture::LineChart chart = chart_of(all);
-    const auto& [robot, plugin, name] = what;
-    text += "<figure class=\"curves " + inks.cell_class(cell) +
-            "\"><figcaption><b>Learning</b> "
-            "<span>" +
-            escaped(subject_of(robot, plugin, name, *all.front())) + "</span></figcaption>" +
-            picture::page_chart(chart, "Learning curves", kSize) + "<small>" +
-            counted(all.size(), "run") +
-            (chart.series.size() == 1 && all.size() > 1 ? ", all alike" : "") +
-            "</small></figure>\n";
-  }
-  return text;
 }
 
 }  // namespace elsie::report
