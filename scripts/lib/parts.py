@@ -184,7 +184,7 @@ def repeated(every):
     def share_in_words(part, whole):
         return "all" if part == whole else str(part)
 
-    return "".join(f" Of these runs {runs}, chosen at random, were repeated by commit {commit}: {share_in_words(outcomes, runs)} have the same outcome, and "
+    return "".join(f" Of these runs {runs} were repeated by commit {commit}: {share_in_words(outcomes, runs)} have the same outcome, and "
                    f"{share_in_words(same_, runs)} the same state at the end, bit for bit." for commit, (runs, outcomes, same_) in found.items())
 
 

@@ -185,7 +185,7 @@ class Conclusions(WithFolder):
         other = results.Runs(one.runs, {**one.build, "repeated": {"commit": "123", "runs": 3, "same_outcome": 3, "same": 3}})
         told = parts.builds({"x": one, "y": other})
         self.assertIn("commit abc with the files of experiments, worlds and models that were committed later, in def, `libelsie`", told)
-        self.assertTrue(told.endswith(" Of these runs 8, chosen at random, were repeated by commit 123: all have the same outcome, and all the same state at the "
+        self.assertTrue(told.endswith(" Of these runs 8 were repeated by commit 123: all have the same outcome, and all the same state at the "
                                       "end, bit for bit."), told)
         other.build["repeated"]["same"] = 2
         self.assertIn("all have the same outcome, and 7 the same state", parts.builds({"x": one, "y": other}))
