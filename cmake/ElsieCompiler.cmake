@@ -16,8 +16,6 @@ target_compile_options(
             "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>"
             # GCC takes a source of a batch for a header, whose classes should have no members of unnamed namespaces.
             "$<$<AND:$<BOOL:${ELSIE_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>"
-            # GCC collects its garbage from 256 MB on, not from about 100 MB, which saves a tenth of the time of a batch.
-            "$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=262144>"
             # Not a part of GCC's -Wconversion.
             "$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>"
             # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
