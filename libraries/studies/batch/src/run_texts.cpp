@@ -43,9 +43,9 @@ void append_episodes(nlohmann::ordered_json& episodes, const traces::TraceRobot&
   for (const traces::Episode& episode : condensed(account.coordinators.front().episodes, most)) {
     const traces::Episode::Part& longest = episode.parts.front();
     Ordered shown = {{"from_s", thousandths(episode.from_s)},
-                  {"to_s", thousandths(episode.to_s)},
-                  {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
-                  {"share", thousandths(longest.share)}};
+                     {"to_s", thousandths(episode.to_s)},
+                     {"decider", episode.parts.size() > 1 ? "*" : name_of(longest.decider, robot)},
+                     {"share", thousandths(longest.share)}};
     if (episode.parts.size() > 1) {
       Ordered parts = Ordered::array();
       for (const traces::Episode::Part& part : episode.parts) {
