@@ -118,7 +118,8 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   if (step.key.empty()) {
     if (places.size() == 1) return places;
     refuse_path("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
-           "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name + "[*] for all of them");
+                "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name +
+                "[*] for all of them");
   }
   const auto number = number_of(step.key);
   if (number && *number >= 1 && *number <= places.size()) {
@@ -129,8 +130,8 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   }
   // All ids are listed if they are few, else only the nearest.
   refuse_path("there is no " + text_of(step) +
-         (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
-                          : "; there are: " + base::listed(ids)));
+              (ids.size() > 10 ? base::near_or_all(step.key, ids, "there are")
+                               : "; there are: " + base::listed(ids)));
 }
 
 Element empty_element(const std::string& name, const Place& parent) {
@@ -204,7 +205,7 @@ void insert(Element& holder, const PathStep& step, const Element& given,
       step.key == "+" ? end : number_of(std::string_view(step.key).substr(1)).value_or(0);
   if (number < 1 || number > end) {
     refuse_path("an element cannot be added as " + text_of(step) + "; expected " + step.name +
-           "[+] for the end, or a number from 1 to " + std::to_string(end));
+                "[+] for the end, or a number from 1 to " + std::to_string(end));
   }
   const std::size_t at = number == end ? holder.children.size() : counted[number - 1];
   holder.children.insert(holder.children.begin() + static_cast<long>(at), given);
@@ -217,8 +218,9 @@ void require_name(const PathStep& step, const Element& given) {
 }
 
 void refuse_second(const Element& there, const std::string& held, const std::string& step) {
-  refuse_path("<" + there.name + "> holds one " + held + ", which is there already; to replace it, " +
-         "leave out the brackets: " + step + "=<...>");
+  refuse_path("<" + there.name + "> holds one " + held +
+              ", which is there already; to replace it, " + "leave out the brackets: " + step +
+              "=<...>");
 }
 
 // Adds the element if the place may hold what the step names; returns whether it may.
@@ -299,7 +301,7 @@ void add_element(Element& world, const Path& path, const Element& given) {
   }
   if (added == 0) {
     refuse_path("nothing called '" + step.name + "' can be added to <" + first.element->name + ">" +
-           base::near_or_all(step.name, addable_at(first), "there may be"));
+                base::near_or_all(step.name, addable_at(first), "there may be"));
   }
 }
 
@@ -349,7 +351,8 @@ std::vector<Place> find_places(Element& world, const Path& path) {
   std::vector<Place> places{{&world, &vocabulary()}};
   for (const PathStep& step : path.steps) {
     if (step.adds()) {
-      refuse_path("an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
+      refuse_path(
+          "an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
     }
     std::vector<Place> next;
     for (const Place& place : places) {
@@ -366,8 +369,8 @@ std::vector<Place> find_places(Element& world, const Path& path) {
       const auto names = names_at(places.front());
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
       refuse_path("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
-             (known ? " of this world" + way_to_add(path, step)
-                    : base::near_or_all(step.name, names, "there are")));
+                  (known ? " of this world" + way_to_add(path, step)
+                         : base::near_or_all(step.name, names, "there are")));
     }
     places = std::move(next);
   }
