@@ -167,7 +167,7 @@ def every_coordinator(every):
     yield Claim(COORDINATORS, "**Fusion by a network is the slowest of those that succeed:**", holds=all(
         mean_time(runs["fusion", world]) > max(mean_time(runs[label, world]) for label in [*labels, "arbitration"] if successes(runs[label, world]))
         for world in study.levels("world") if successes(runs["fusion", world])))
-    yield Claim(COORDINATORS, "**Vector summation takes the longest way:**", holds=all(
+    yield Claim(COORDINATORS, "**In the empty arena and in clutter, vector summation takes the longest way:**", holds=all(
         mean_path(runs["fusion_vector_summation", world]) > max(mean_path(runs[label, world]) for label in everyone
                                                                if label != "fusion_vector_summation" and successes(runs[label, world]))
         for world in ("four_resources", "clutter")))

@@ -97,6 +97,25 @@ TEST_CASE("Where the limit cut off all runs, the chart of a factor has an arrow 
   CHECK(none.at_least == 60.0);
 }
 
+TEST_CASE("A level of which most runs were cut off still has a bound") {
+  MadeExperiment study = by_factor();
+  for (std::size_t cell = 0; cell < 2; ++cell) {  // speed 0.4
+    for (auto& run : study.cells[cell].runs) {
+      if (cell == 1 && run.seed == 1) continue;
+      run.outcome = "time_limit";
+      run.measures["time_s"] = 60.0;
+    }
+  }
+  const Made made(study);
+  const Findings findings = made.findings();
+  const Response time = response_of(findings, "time_s");
+  const Balance balance = balanced(findings, time, {{0, 1}}, {});
+  const Margin margin = margin_of(findings, time, balance, 0);
+  CHECK_FALSE(margin.centre);
+  CHECK(margin.cut_off == 11);
+  CHECK((margin.interval ? margin.interval->low > 0.0 : margin.at_least == 60.0));
+}
+
 TEST_CASE("A run that fails before the limit never reaches its goals") {
   MadeExperiment study = by_factor();
   study.cells[1].runs[0].outcome = "failure";
@@ -178,6 +197,14 @@ TEST_CASE("a * b is a + b + a:b, and each product stands once") {
   CHECK(names("path_length_m~speed+coordinator+coordinator:speed+speed") == crossed);
 }
 
+TEST_CASE("A product of a factor with itself is refused") {
+  const Made made(by_factor());
+  for (const char* formula : {"success ~ speed:speed", "success ~ speed*coordinator*speed"}) {
+    CHECK_THROWS_WITH(factor_model(made.findings(), formula),
+                      Contains("has the factor 'speed' twice"));
+  }
+}
+
 TEST_CASE("Separation by a level is said") {
   const Made made(by_factor());
   const FactorModel model = factor_model(made.findings(), "success ~ coordinator");
@@ -187,7 +214,7 @@ TEST_CASE("Separation by a level is said") {
   CHECK(coefficient_table(model)[2][1] == "∞");
 }
 
-TEST_CASE("Fitted rates of success stand beside the observed ones") {
+TEST_CASE("Fitted rates of success are compared with observed ones") {
   // Success becomes more likely with the speed: seed s succeeds from level s on.
   MadeExperiment study;
   study.name = "Rates";
@@ -213,6 +240,7 @@ TEST_CASE("Fitted rates of success stand beside the observed ones") {
   const std::vector<RateGroup> groups = groups_of(study);
   REQUIRE(groups.size() <= kMostRateGroups);
   REQUIRE(groups.size() >= 7);
+  for (const RateGroup& group : groups) CHECK(group.observed.trials <= 60);
   std::size_t runs = 0, hits = 0;
   double expected = 0.0;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -226,6 +254,10 @@ TEST_CASE("Fitted rates of success stand beside the observed ones") {
   }
   CHECK(runs == 24 * 20);
   CHECK(expected == Approx(static_cast<double>(hits)));  // as the likelihood equations say
+  SECTION("in ten groups of eleven rates") {
+    study.cells.resize(11);
+    CHECK(groups_of(study).size() == 10);
+  }
   SECTION("of each rate, where there are few") {
     study.cells.resize(8);
     const std::vector<RateGroup> few = groups_of(study);
@@ -260,6 +292,7 @@ TEST_CASE("Levels are compared with one that has successes and failures") {
     }
     const FactorModel all = factor_model(Made(study).findings(), "success ~ coordinator");
     CHECK_THAT(all.warnings[0], Contains("no coefficient can be estimated"));
+    CHECK(coefficient_table(all)[2][1] == "-");
     CHECK(std::get<LogisticFit>(all.fit).coefficients[1].name == "coordinator=fusion");
   }
 }
@@ -366,6 +399,17 @@ TEST_CASE("The page shows effects, pairs, comparisons, models, curves with numbe
     CHECK(html.find(part) != std::string::npos);
   }
   CHECK(html == made.html());
+}
+
+TEST_CASE("Coefficients without a finite estimate are no numbers in the JSON object") {
+  const Made made(by_factor());
+  const Findings findings = made.findings();
+  Answers answers;
+  answers.models.push_back(factor_model(findings, "success ~ coordinator"));
+  const auto json = nlohmann::json::parse(json_report(findings, answers));
+  const auto& fusion = json["models"][0]["coefficients"][1];
+  CHECK(fusion["term"] == "coordinator=fusion");
+  for (const char* key : {"estimate", "error", "interval", "p"}) CHECK(fusion[key].is_null());
 }
 
 TEST_CASE("A page without factors, or without a run, has no section by factor") {

@@ -16,7 +16,7 @@
 namespace elsie::desktop {
 namespace {
 
-// Each edit reads the world again: with larger ones, that is too slow for a window.
+// Each edit reads the whole world again, which is too slow for a window if the file is larger.
 constexpr qint64 kMost_MB = 32;
 
 /// None unless it is a regular file: reading a pipe might not end, and a device contains no text.
@@ -97,7 +97,7 @@ std::optional<QByteArray> Workbench::bytes_of_world(const QString& file, QString
     return std::nullopt;
   }
   if (info.size() > kMost_MB * 1'000'000) {
-    why = tr("'%1' has more than %2 MB, which is too large for the window; `elsie run` runs it.")
+    why = tr("'%1' has more than %2 MB, too large for the window; use `elsie run` instead.")
               .arg(file)
               .arg(kMost_MB);
     return std::nullopt;

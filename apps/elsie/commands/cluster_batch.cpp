@@ -335,6 +335,9 @@ int run_on_cluster(const BatchOptions& options) {
   if (is_merged(file, begun)) {
     return already_there(options, file, plan);
   }
+  if (begun && !begun->exists()) {
+    begun.reset();  // the command that made it could not submit it
+  }
   if (begun) {
     require_same_shards(options, *begun);
   }
@@ -344,8 +347,12 @@ int run_on_cluster(const BatchOptions& options) {
     batch.submit();
   } catch (const std::exception& error) {
     if (!begun && batch.nothing_begun()) {
-      folder.remove();
-      throw BadInput(std::string(error.what()) + "; nothing was submitted");
+      const ShardFolder::Turn turn(folder);
+      const auto now = ShardFolder::find(file, plan);
+      if (!now || now->job().empty()) {  // else another command has submitted it
+        folder.remove();
+        throw BadInput(std::string(error.what()) + "; nothing was submitted");
+      }
     }
     std::cerr << "elsie: " << error.what()
               << (batch.has_asked() ? "; the job array may have been submitted nevertheless; "

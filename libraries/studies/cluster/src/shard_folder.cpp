@@ -1,6 +1,7 @@
 #include "elsie/cluster/shard_folder.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
@@ -38,6 +39,13 @@ std::int64_t number(const Json& object, const char* key) {
              : 0;
 }
 
+// Different from that of any other process that sees the folder.
+std::string this_process() {
+  std::array<char, 256> host{};
+  gethostname(host.data(), host.size() - 1);
+  return std::string(host.data()) + "-" + std::to_string(getpid());
+}
+
 std::string script_text(const ShardFolder& folder, const std::vector<std::string>& command) {
   const std::string task = "\"$SLURM_ARRAY_TASK_ID\"";
   const std::string part = process::shell_word((folder.path() / "shard-").string()) + task;
@@ -71,10 +79,10 @@ ShardFolder::ShardFolder(fs::path path, std::string fingerprint, std::size_t sha
 ShardFolder ShardFolder::create(const fs::path& database, const batch::Plan& plan,
                                 std::size_t shards, const std::vector<std::string>& command) {
   ShardFolder folder(path_for(database), plan.fingerprint, shards, plan.all_runs);
-  const fs::path begun = folder.path_.string() + "-begun-" + std::to_string(getpid());
+  const fs::path begun = folder.path_.string() + "-begun-" + this_process();
   const auto refuse = [&](const std::error_code& error) {
     const std::string name = "'" + folder.path_.string() + "'";
-    throw DatabaseRefused(error == std::errc::directory_not_empty
+    throw DatabaseRefused(error == std::errc::directory_not_empty || error == std::errc::file_exists
                               ? "there is a folder " + name +
                                     " already, of a batch that is not complete; continue it with "
                                     "--resume, or choose another --database"
@@ -195,7 +203,7 @@ void ShardFolder::merge_into(const fs::path& database) const {
 ShardFolder::Turn::Turn(const ShardFolder& folder)
     : descriptor_(::open((folder.path_ / "turn").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0 && !folder.exists()) {
-    return;  // only one command at a time
+    return;  // the folder was removed: there is nothing to lock
   }
   while (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0) {
     if (descriptor_ >= 0 && errno == EINTR) {
@@ -226,9 +234,11 @@ bool ShardFolder::exists() const {
 void ShardFolder::remove() const {
   // Other commands see the whole folder or none.
   const fs::path removed = path_.string() + "-removed";
-  std::error_code ignored;
-  fs::rename(path_, removed, ignored);
-  fs::remove_all(removed, ignored);
+  std::error_code error;
+  fs::remove_all(removed, error);  // of a command that was killed while it removed one
+  fs::rename(path_, removed, error);
+  const fs::path& gone = error ? path_ : removed;
+  fs::remove_all(gone, error);
 }
 
 }  // namespace elsie::cluster

@@ -79,7 +79,7 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
     chart.rows.push_back(std::move(row));
   }
   if (range.low > 0.0 && range.low < 0.4 * range.high) {
-    chart.x.low = 0.0;  // it is near
+    chart.x.low = 0.0;  // it is near; dots at 0 keep off the edge
   }
   return {"boxes-" + file_part(about.name) + part_of(findings, from, to),
           "Box plots of " + in_words(about.name, about.unit) +

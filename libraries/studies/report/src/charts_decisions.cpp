@@ -122,7 +122,11 @@ std::vector<Chart> decision_charts(const Findings& findings, std::size_t cell,
   chart.x = {.label = "time", .unit = "s", .low = 0.0, .high = end_s};
   chart.key = key_of(rows, inks);
   const std::string note =
-      several ? name_of(*rows.front().run) + (typical_run(findings, cell) ? ", a typical one" : "")
+      several
+          ? name_of(*rows.front().run) + (typical_run(findings, cell) ? ", a typical one" : "") +
+                (count < all.size()
+                     ? ", " + std::to_string(count) + " of " + counted(all.size(), "robot")
+                     : "")
       : count < all.size() ? std::to_string(count) + " of " + counted(all.size(), "run")
                            : "every run";
   return {{"decisions-" + std::to_string(cell + 1),

@@ -43,10 +43,15 @@ Chart residual_chart(const Findings& findings, const FactorModel& model, const L
       range.include(fitted[i]);
     }
   }
-  const picture::Interval wide = range.widened();
+  picture::Interval wide = range.widened();
+  const double extra = 0.06 * wide.span();
+  wide.include(wide.low - extra);
+  wide.include(wide.high + extra);
   picture::LineChart chart;
   chart.x = chart.y = axis_of(model.response);
   chart.x.label = "fitted " + chart.x.label;
+  chart.x.low = wide.low;
+  chart.x.high = wide.high;
   chart.y.label = "residual";
   chart.series = {std::move(cells), line({wide.low, 0.0}, {wide.high, 0.0})};
   return {"residuals-" + file_part(model.response.name),
@@ -64,12 +69,13 @@ Chart fitted_rates_chart(const FactorModel& model) {
     observed.spread.push_back({group.interval.low, group.interval.high});
   }
   picture::LineChart chart;
-  chart.x = {.label = "fitted rate of success", .low = 0.0, .high = 1.0};
+  constexpr double kMargin = 0.03;  // so that marks at 0 and 1 keep off the frame
+  chart.x = {.label = "fitted rate of success", .low = -kMargin, .high = 1.0 + kMargin};
   chart.y = {.label = "observed rate", .low = 0.0, .high = 1.0};
   chart.series = {std::move(observed), line({0.0, 0.0}, {1.0, 1.0})};
   return {"rates-" + file_part(model.response.name),
           "Fitted and observed rates: " + model.formula + ", " + counted(groups.size(), "group") +
-              " of cells, whose intervals reach the line if the model fits",
+              " of cells, nearly all of whose intervals reach the line if the model fits",
           std::move(chart)};
 }
 

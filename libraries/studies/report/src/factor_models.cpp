@@ -40,7 +40,11 @@ std::vector<Product> products_of(const std::string& side,
   std::vector<Product> products;
   const auto add = [&](Product product) {
     std::sort(product.begin(), product.end());
-    product.erase(std::unique(product.begin(), product.end()), product.end());
+    if (const auto twice = std::adjacent_find(product.begin(), product.end());
+        twice != product.end()) {
+      refuse_model("a product has the factor '" + output::one_line(names[*twice]) +
+                   "' twice; expected different factors, as in 'speed:coordinator'");
+    }
     if (std::find(products.begin(), products.end(), product) == products.end()) {
       products.push_back(std::move(product));
     }
@@ -357,12 +361,13 @@ std::vector<RateGroup> rate_groups(const FactorModel& model) {
   for (std::size_t i = 1; i < order.size(); ++i) {
     rates += is_new(i) ? 1 : 0;
   }
-  const std::size_t least =
-      rates > kMostRateGroups ? (order.size() + kMostRateGroups - 1) / kMostRateGroups : 1;
+  const auto tenth = [&](std::size_t i) { return i * kMostRateGroups / order.size(); };
   std::vector<RateGroup> groups;
+  std::size_t start = 0;  // of the last group
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i == 0 || (is_new(i) && groups.back().observed.trials >= least)) {
+    if (i == 0 || (is_new(i) && (rates <= kMostRateGroups || tenth(i) != tenth(start)))) {
       groups.emplace_back();
+      start = i;
     }
     RateGroup& group = groups.back();
     group.fitted += fit.fitted[order[i]];
@@ -388,7 +393,11 @@ std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model
                         logistic->separated.end();
     std::vector<std::string> row{one.name.empty() ? "(constant)" : output::one_line(one.name)};
     if (endless) {
-      row.insert(row.end(), {one.estimate > 0.0 ? "\xe2\x88\x9e" : "-\xe2\x88\x9e", "-", "-", "-"});
+      // Of a perfect fit, even the signs may be rounding errors.
+      row.insert(row.end(), {logistic->perfect    ? "-"
+                             : one.estimate > 0.0 ? "\xe2\x88\x9e"
+                                                  : "-\xe2\x88\x9e",
+                             "-", "-", "-"});
     } else {
       row.insert(row.end(),
                  {brief(one.estimate), brief(one.error, 3),

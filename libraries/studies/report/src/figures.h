@@ -20,8 +20,8 @@ struct Inks {
   std::optional<std::size_t> factor;
   std::vector<std::string> levels;  // of that factor, in order; the index is the colour
   std::vector<std::size_t> cells;   // colour of each cell
-  /// Paths of the behaviours, in descending order of deciding time; their colours follow those of
-  /// the levels.
+  /// Paths of the behaviours, in descending order of their share in the command; their colours
+  /// follow those of the levels.
   std::vector<std::string> behaviors;
 
   /// "c0"...

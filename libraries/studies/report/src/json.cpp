@@ -175,6 +175,13 @@ Json json_of(const FactorModel& model) {
   } else {
     const auto& logistic = std::get<LogisticFit>(model.fit);
     json["coefficients"] = coefficients(logistic);
+    for (Json& one : json["coefficients"]) {
+      const std::string term = one["term"];
+      if (std::any_of(logistic.separated.begin(), logistic.separated.end(),
+                      [&](const std::string& name) { return output::clean(name) == term; })) {
+        one["estimate"] = one["error"] = one["interval"] = one["p"] = nullptr;
+      }
+    }
     json["deviance"] = logistic.deviance;
     json["null_deviance"] = logistic.null_deviance;
     json["p"] = logistic.p;

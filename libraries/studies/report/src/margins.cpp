@@ -223,10 +223,10 @@ Margin margin_of(const Findings& findings, const Response& response, const Balan
     const SurvivalCurve curve = survival_of(observed, kConfidence);
     margin.centre = curve.median;
     margin.interval = fixed > 0 ? std::nullopt : curve.median_interval;
-    if (margin.cut_off == all.size()) {
-      margin.at_least = std::min_element(observed.begin(), observed.end(), [](auto& a, auto& b) {
-                          return a.value < b.value;
-                        })->value;
+    if (!margin.centre && !margin.interval) {
+      for (const Observed& one : observed) {
+        if (one.bound) margin.at_least = std::min(one.value, margin.at_least.value_or(one.value));
+      }
     }
     return margin;
   }

@@ -24,7 +24,7 @@ constexpr std::size_t kRunsAtOnce = 8;
 
 // The known statistics of a measure with bounds.
 std::string censored_row(const MeasureFindings& found, bool some_missed) {
-  constexpr const char* kUnknown = "<td class=\"n none\">\xe2\x80\x93</td>";
+  constexpr const char* kNoNumber = "<td class=\"n none\">\xe2\x80\x93</td>";
   const Censoring& censoring = *found.censoring;
   const std::optional<int> decimals =
       found.successes
@@ -37,12 +37,12 @@ std::string censored_row(const MeasureFindings& found, bool some_missed) {
   const std::string bound =
       censoring.limit ? "&gt;\xc2\xa0" + number(*censoring.limit) : std::string("never");
   std::string text = cell(std::to_string(found.values.size()));
-  text += std::string(kUnknown) + kUnknown + kUnknown;
-  text += cell(censoring.least ? number(*censoring.least) : bound) + kUnknown;
-  text += cell(censoring.median ? number(*censoring.median) : bound) + kUnknown +
+  text += std::string(kNoNumber) + kNoNumber + kNoNumber;
+  text += cell(censoring.least ? number(*censoring.least) : bound) + kNoNumber;
+  text += cell(censoring.median ? number(*censoring.median) : bound) + kNoNumber +
           cell(censoring.failures > 0 ? "never" : bound);
   if (some_missed) {
-    text += found.successes ? cell(number(found.successes->mean)) : kUnknown;
+    text += found.successes ? cell(number(found.successes->mean)) : kNoNumber;
   }
   return text;
 }

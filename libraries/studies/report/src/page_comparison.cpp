@@ -211,8 +211,9 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
 std::string box_figure(const PageContext& page, std::size_t measure) {
   const Measure& about = page.findings.results.measures[page.findings.measures[measure]];
   const Chart chart = box_chart(page.findings, measure, page.inks, 0, page.findings.cells.size());
-  std::string head = "<b>" + escaped(in_words(about.name, about.unit)) + "</b> <span>" +
-                     escaped(about.unit) + "</span><small>" + escaped(about.meaning) + "</small>";
+  std::string head = "<b>" + escaped(in_words(about.name, about.unit)) + "</b>" +
+                     (about.unit.empty() ? "" : " <span>" + escaped(about.unit) + "</span>") +
+                     "<small>" + escaped(about.meaning) + "</small>";
   for (const std::string& note : chart.notes) {
     head += "<small>" + escaped(note) + ".</small>";
   }

@@ -14,7 +14,7 @@ constexpr double kHalfBox = 7.0;
 constexpr double kMostOfName = 0.42;  // of the width; with longer names, all are above their rows
 constexpr double kNameAbove = 15.0;
 constexpr double kBelow = 44.0;     // the axis
-constexpr double kInSight = 400.0;  // above a higher chart, there are numbers, too
+constexpr double kInSight = 400.0;  // taller charts have the numbers of the axis above, too
 
 struct KeyEntry {
   std::string text;
@@ -34,7 +34,7 @@ std::vector<KeyEntry> key(const Canvas& canvas, const RowChart& chart, double wi
   return entries;
 }
 
-// The surroundings of the rows, and the height of one.
+// The margins around the rows, and the height of a row.
 struct Plan {
   bool names_above = false, numbers_above = false;
   double left = 10.0, right = 10.0, row = 0.0;
@@ -147,12 +147,12 @@ void draw_bars(Canvas& canvas, const RowChart& chart, const PlaneMap& map, doubl
     for (const auto& [name, of] : chart.key) {
       if (of == colour) names += (names.empty() ? "" : ", ") + name;
     }
-    canvas.open_mark(names);
+    if (!names.empty()) canvas.open_mark(names);
     for (const Rect& bar : bars) {
       if (bar.height > 0.0) canvas.rectangle(bar);
     }
     canvas.fill(series_ink(colour));
-    canvas.close_mark();
+    if (!names.empty()) canvas.close_mark();
   }
 }
 

@@ -6,6 +6,7 @@
 //   shard-K.sqlite     results of a shard
 //   shard-K.json       counts of its runs
 //   shard-K.log        output of its task
+//   turn               lock of the commands that follow the batch
 //
 // No other process opens a shard's database while its task is running, because SQLite's write-ahead
 // log does not work across machines (https://sqlite.org/wal.html).
@@ -57,8 +58,8 @@ class ShardFolder {
   /// to it. Throws batch::DatabaseRefused if the folder already exists or cannot be created.
   static ShardFolder create(const std::filesystem::path& database, const batch::Plan& plan,
                             std::size_t shards, const std::vector<std::string>& command);
-  /// The existing folder, to continue its batch. Throws batch::DatabaseRefused if it belongs to
-  /// another experiment, or is not a folder of shards.
+  /// The existing folder, to continue its batch; none if there is none. Throws
+  /// batch::DatabaseRefused if it belongs to another experiment, or is not a folder of shards.
   static std::optional<ShardFolder> find(const std::filesystem::path& database,
                                          const batch::Plan& plan);
 

@@ -47,7 +47,7 @@ inline constexpr std::size_t kMostRateGroups = 10;
 
 /// Fitted against observed rates of a logistic model, ascending: a group for each fitted rate, or,
 /// of more than kMostRateGroups rates, neighbours in groups of about as many runs (Hosmer and
-/// Lemeshow 1980). Where an observed rate is far from the fitted one, a term is missing.
+/// Lemeshow 1980). Where an observed rate is far from the fitted one, a term may be missing.
 std::vector<RateGroup> rate_groups(const FactorModel& model);
 
 /// The coefficients as texts with a head.

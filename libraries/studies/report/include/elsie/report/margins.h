@@ -71,7 +71,8 @@ struct Margin {
   /// whose upper end may be infinite. Cells that are one run have no part in the uncertainty; none
   /// if all are, and none of a median if any is.
   std::optional<Interval> interval;
-  std::optional<double> at_least;  // the lowest of the bounds, if nothing else is known of any run
+  std::optional<double>
+      at_least;  // the lowest of the bounds, if neither centre nor interval is known
 };
 
 Margin margin_of(const Findings& findings, const Response& response, const Balance& balance,

@@ -58,7 +58,7 @@ struct LogisticFit {
   std::vector<std::string> separated;
   bool perfect = false;           // the deviance is 0: all coefficients are separated
   std::vector<double> fitted;     // probabilities
-  std::vector<double> residuals;  // 1 for a success, 0 for any other, less the probability
+  std::vector<double> residuals;  // observed (1: success, 0: any other) minus fitted
   double deviance = 0.0;
   double null_deviance = 0.0;  // of the constant alone
   std::size_t freedom = 0;
