@@ -9,9 +9,9 @@ namespace elsie::report {
 
 namespace {
 
-// With more dots than these in all charts, they have no titles, and only those that stand out are
-// drawn.
+// With more dots than this in all charts, they have no titles.
 constexpr std::size_t kDotsWithTitles = 6000;
+// With more, only crosses and outliers are drawn.
 constexpr std::size_t kDots = 30000;
 
 // "-3" for the third of several parts of a figure.
