@@ -3,7 +3,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
 
-.PHONY: desktop configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -19,20 +19,26 @@ configure-program:
 	@scripts/install-dependencies --program
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
 
-# Builds what it runs, and runs the main job: a robot whose behaviours are blended by a network collects four resources.
+# Builds what it runs, which is a part of the program, and runs the main job: a robot whose behaviours are blended by a network collects four
+# resources.
 demo: configure-program
 	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
 	@mkdir -p out
 	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --record out/four_resources.mcap
 	$(ELSIE) explain out/four_resources.mcap --picture out/who_decided.png
 	@echo "Look at out/four_resources.png and out/who_decided.png; the whole run is in out/four_resources.csv."
+	@[ -f $(BUILD)/lib/elsie/elsie-studies.so ] || echo "\`make program\` builds what the demo does not need: batches, reports, replays."
+
+# The whole program with all its subcommands.
+program: configure-program
+	cmake --build --preset $(PRESET) --target elsie_complete
 
 # Builds and starts the window: docs/desktop.md.
 desktop:
 	@scripts/install-dependencies --desktop
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
 	@cmake $(BUILD) --log-level=WARNING >/dev/null
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_desktop
+	cmake --build --preset $(PRESET) --target elsie_complete elsie_desktop
 	$(BUILD)/bin/elsie-desktop
 
 test: all
@@ -41,7 +47,7 @@ test: all
 # Installs the build: docs/installing.md.
 PREFIX ?= /usr/local
 install: configure-program
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
+	cmake --build --preset $(PRESET) --target elsie_complete elsie_help
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
 # A Debian package of the same.
@@ -63,14 +69,14 @@ sanitize-threads: dependencies
 # Damaged input for every reader of files, FUZZ_SECONDS for each: scripts/fuzz.
 FUZZ_SECONDS ?= 60
 fuzz: configure
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	cmake --build --preset $(PRESET) --target elsie_complete
 	@cmake --preset fuzz --log-level=WARNING
 	cmake --build --preset fuzz --target elsie_fuzzers
 	scripts/fuzz $(FUZZ_SECONDS) build/fuzz $(BUILD)
 
 # The same for a few seconds, with the build of `make sanitize`.
 fuzz-check: configure
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	cmake --build --preset $(PRESET) --target elsie_complete
 	@cmake --preset asan --log-level=WARNING
 	cmake --build --preset asan --target elsie_fuzzers
 	scripts/fuzz 5 build/asan $(BUILD)
@@ -98,7 +104,7 @@ coverage: configure
 
 # The pictures of worlds in docs/.
 pictures: configure-program
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	cmake --build --preset $(PRESET) --target elsie_complete
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
 	scripts/layout-pictures $(BUILD)
 	scripts/report-pictures $(BUILD)
@@ -115,12 +121,12 @@ tables: configure
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
 reference: configure-program
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	cmake --build --preset $(PRESET) --target elsie_complete
 	scripts/reference $(BUILD)
 
 # The first page of the tutorial, followed on a fresh clone of what is committed: docs/tutorial/transcript.md, and the pictures of the tutorial.
 transcript: configure
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins elsie_help
+	cmake --build --preset $(PRESET) --target elsie_complete elsie_help
 	tests/tutorial/follow --clone . --transcript docs/tutorial/transcript.md docs/tutorial/1-*.md
 	tests/tutorial/follow --installed $(BUILD) --pictures docs/tutorial/[1-9]-*.md
 

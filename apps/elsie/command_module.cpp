@@ -1,19 +1,43 @@
 #include "command_module.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <dlfcn.h>
 
 #include "elsie/base/error.h"
+#include "elsie/base/words.h"
 
 namespace elsie::program {
 
 namespace {
 
-const CommandModule& load() {
+std::filesystem::path file_of(const char* name) {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  const std::string file = (program.parent_path() / "elsie-commands.so").string();
+  return program.parent_path() / (std::string(name) + ".so");
+}
+
+/// A library that a build may lack, with its subcommands.
+struct Optional {
+  const char* name;
+  std::vector<const char*> commands;
+};
+
+const std::array<Optional, 3>& optional_modules() {
+  static const std::array<Optional, 3> modules{
+      {{kStudiesModule, {"batch", "replay", "merge", "report"}},
+       {kTestingModule, {"test-plugin"}},
+       {kSessionModule, {"session"}}}};
+  return modules;
+}
+
+}  // namespace
+
+const CommandModule& command_module(const char* name) {
+  const std::string file = file_of(name).string();
   void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (!module) {
     throw base::Error("'" + file + "', which belongs to this program, cannot be loaded: " +
@@ -27,11 +51,17 @@ const CommandModule& load() {
   return *get();
 }
 
-}  // namespace
-
-const CommandModule& command_module() {
-  static const CommandModule& module = load();
-  return module;
+void add_module_commands(CLI::App& program, Job& job, const std::string& chosen) {
+  command_module(kViewsModule).add_commands(program, job);
+  for (const auto& [name, commands] : optional_modules()) {
+    if (std::filesystem::exists(file_of(name))) {
+      command_module(name).add_commands(program, job);
+    } else if (std::find(commands.begin(), commands.end(), chosen) != commands.end()) {
+      throw BadInput("`elsie " + chosen + "` is not built: '" + file_of(name).string() +
+                     "' is not there\n`make demo` builds only a part of the program; build the "
+                     "rest with `make program`");
+    }
+  }
 }
 
 }  // namespace elsie::program

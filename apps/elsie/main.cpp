@@ -90,7 +90,7 @@ int work(int argc, char** argv) {
   add_run_command(program, job);
   try {
     if (!is_run(argc, argv)) {
-      command_module().add_commands(program, job);
+      add_module_commands(program, job, argc > 1 ? argv[1] : "");
     }
     check_words(program, argc, argv);
     program.parse(argc, argv);
@@ -113,10 +113,10 @@ int work(int argc, char** argv) {
   // more than it gains. Set here: no other code runs yet that could read the environment.
   setenv("LP_NUM_THREADS", "0", 0);
   if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
-    command_module().work();
+    command_module(kStudiesModule).work();
   }
   if (argc == 2 && std::string_view(argv[1]) == kTemplateCommand) {
-    command_module().stand_by();
+    command_module(kStudiesModule).stand_by();
   }
   set_program_path(argv[0]);
   keep_output(argc, argv);

@@ -1,7 +1,6 @@
 // The exports of lib/elsie/elsie-commands.so.
 #include <CLI/CLI.hpp>
 
-#include "elsie/batch/worker.h"
 #include "elsie/render/world_cameras.h"
 
 #include "command_module.h"
@@ -13,24 +12,18 @@ namespace {
 
 void add_commands(CLI::App& program, Job& job) {
   describe_formats(*program.get_subcommand("run"));
-  add_batch_command(program, job);
-  add_replay_command(program, job);
-  add_merge_command(program, job);
   add_explain_command(program, job);
-  add_report_command(program, job);
   add_check_command(program, job);
   add_picture_command(program, job);
   add_plugins_command(program, job);
   add_describe_command(program, job);
   add_schema_command(program, job);
   add_fuzzy_command(program, job);
-  add_test_plugin_command(program, job);
   add_train_command(program, job);
   add_new_command(program, job);
   add_build_command(program, job);
   add_manual_command(program, job);
   add_completion_command(program, job);
-  add_session_command(program, job);
 }
 
 }  // namespace
@@ -40,7 +33,8 @@ void add_commands(CLI::App& program, Job& job) {
 extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
 elsie_command_module() {
   using namespace elsie;
-  static const program::CommandModule module{program::add_commands, batch::work, batch::stand_by,
-                                             program::make_views, render::world_cameras};
+  static const program::CommandModule module{.add_commands = program::add_commands,
+                                             .make_views = program::make_views,
+                                             .make_cameras = render::world_cameras};
   return &module;
 }

@@ -199,7 +199,7 @@ std::string verdict_in(const std::string& output) {
   return output.substr(0, output.find('\n'));
 }
 
-bool is_same(const Repeated& one) { return one.verdict.starts_with("the same: "); }
+bool ended_the_same(const Repeated& one) { return one.verdict.starts_with("the same: "); }
 
 /// Returns false when it was interrupted.
 bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
@@ -256,10 +256,10 @@ int replay_runs(const RunsAgainOptions& options) {
     std::cerr << "elsie: interrupted; recordings that are complete are kept\n";
     return kOtherFailure;
   }
-  const auto same = std::count_if(all.begin(), all.end(), is_same);
+  const auto same = std::count_if(all.begin(), all.end(), ended_the_same);
   int exit_code = kSuccess;
   for (const Repeated& one : all) {
-    if (!is_same(one)) {
+    if (!ended_the_same(one)) {
       exit_code = std::max<int>({exit_code, one.exit_code, kGoalMissed});
     }
   }

@@ -1,0 +1,9 @@
+// The exports of lib/elsie/elsie-testing.so.
+#include "command_module.h"
+
+extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
+elsie_command_module() {
+  using namespace elsie;
+  static const program::CommandModule module{.add_commands = program::add_test_plugin_command};
+  return &module;
+}
