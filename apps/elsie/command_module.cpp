@@ -8,8 +8,9 @@
 
 #include <dlfcn.h>
 
+#include <CLI/CLI.hpp>
+
 #include "elsie/base/error.h"
-#include "elsie/base/words.h"
 
 namespace elsie::program {
 
@@ -53,14 +54,24 @@ const CommandModule& command_module(const char* name) {
 
 void add_module_commands(CLI::App& program, Job& job, const std::string& chosen) {
   command_module(kViewsModule).add_commands(program, job);
+  std::string missing;
   for (const auto& [name, commands] : optional_modules()) {
     if (std::filesystem::exists(file_of(name))) {
       command_module(name).add_commands(program, job);
-    } else if (std::find(commands.begin(), commands.end(), chosen) != commands.end()) {
+      continue;
+    }
+    if (std::find(commands.begin(), commands.end(), chosen) != commands.end()) {
       throw BadInput("`elsie " + chosen + "` is not built: '" + file_of(name).string() +
                      "' is not there\n`make demo` builds only a part of the program; build the "
                      "rest with `make program`");
     }
+    for (const char* command : commands) {
+      missing += (missing.empty() ? "" : ", ") + std::string(command);
+    }
+  }
+  if (!missing.empty()) {
+    program.footer(program.get_footer() + "\n\nNot built: " + missing +
+                   "; `make program` builds them.");
   }
 }
 

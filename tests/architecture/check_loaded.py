@@ -9,7 +9,8 @@ import sys
 import tempfile
 
 ELSIE, WORLD, WORLD_WITH_CAMERAS, WORLD_WITH_LAYOUTS = sys.argv[1:]
-UNWANTED = ("libelsie-editing", "libelsie-render", "libelsie-views", "libelsie-studies", "libelsie-testing", "elsie-commands", "libepoxy", "libEGL", "libGL",
+UNWANTED = ("libelsie-editing", "libelsie-render", "libelsie-views", "libelsie-studies", "libelsie-testing", "libelsie-experiments", "elsie-commands",
+            "elsie-studies", "libepoxy", "libEGL", "libGL",
             "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv", "layouts.so", "libpng")
 
 

@@ -1,0 +1,81 @@
+// A build that has only a part of the program, like that of `make demo`.
+#include <regex>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "places.h"
+#include "program.h"
+
+using elsie::test::build_path;
+using elsie::test::Workplace;
+
+namespace {
+
+std::set<std::string> subcommands(const std::string& help) {
+  std::set<std::string> names;
+  const std::regex line("\n  ([a-z-]+) {2,}[A-Z]");
+  const std::string list = help.substr(help.find("Subcommands:"));
+  for (std::sregex_iterator found(list.begin(), list.end(), line), end; found != end; ++found) {
+    names.insert(found->str(1));
+  }
+  return names;
+}
+
+/// Copies the program with these libraries of subcommands to the folder `part`.
+void copy_part(const Workplace& here, const std::string& libraries) {
+  REQUIRE(here.sh("mkdir -p part/bin part/lib/elsie && cp \"$(command -v elsie)\" part/bin && cd '" +
+                  build_path("lib/elsie") + "' && cp elsie-program " + libraries + " '" +
+                  here.file("part/lib/elsie").string() + "'")
+              .exit_code == 0);
+}
+
+const std::string kPart = "LD_LIBRARY_PATH='" + build_path("lib") + "' part/bin/elsie ";
+
+}  // namespace
+
+TEST_CASE("A subcommand that was not built is named, with what builds it") {
+  const Workplace here;
+  copy_part(here, "elsie-commands.so");
+  const auto all = subcommands(here.elsie("--help").out);
+  const auto help = here.sh(kPart + "--help");
+  CHECK(help.exit_code == 0);
+  const auto some = subcommands(help.out);
+  CHECK(some.contains("run"));
+  CHECK(some.contains("explain"));
+  CHECK_THAT(help.out, Catch::Contains("Not built: batch, ") &&
+                           Catch::Contains("test-plugin, session; `make program` builds them"));
+  std::set<std::string> missing{"session"};  // which no help lists
+  for (const std::string& name : all) {
+    if (!some.contains(name)) missing.insert(name);
+  }
+  CHECK(missing.contains("batch"));
+  CHECK(missing.contains("test-plugin"));
+  for (const std::string& name : missing) {
+    CAPTURE(name);
+    const auto run = here.sh(kPart + name + " --help");
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Catch::StartsWith("elsie: `elsie " + name + "` is not built: '") &&
+                            Catch::EndsWith("build the rest with `make program`\n"));
+  }
+}
+
+TEST_CASE("The completion and the manual page are of what was built") {
+  const Workplace here;
+  copy_part(here, "elsie-commands.so elsie-testing.so");
+  const std::string manual = here.sh(kPart + "manual").out;
+  CHECK_THAT(manual, Catch::Contains("Check a plugin by") && !Catch::Contains("Do all runs of an experiment"));
+  const std::string completion = here.sh(kPart + "completion bash").out;
+  CHECK_THAT(completion, Catch::Contains("test-plugin") && !Catch::Contains("batch"));
+}
+
+TEST_CASE("A program without the library of views runs plain worlds, and says what is wrong") {
+  const Workplace here;
+  copy_part(here, "");
+  here.write("world.xml", R"(<world format="1"><limits time="1"/></world>)");
+  CHECK_THAT(here.sh(kPart + "run world.xml --quiet").err, Catch::Equals(""));
+  const auto run = here.sh(kPart + "picture world.xml");
+  CHECK(run.exit_code == 4);
+  CHECK_THAT(run.err, Catch::Contains("elsie-commands.so', which belongs to this program, cannot be loaded"));
+}
