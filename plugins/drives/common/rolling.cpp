@@ -8,7 +8,8 @@
 
 namespace drives {
 
-void Rolling::take(const BodyPlan& plan) {
+void RollingDrive::build(const elsie::Chassis& chassis, elsie::BodyPlan& plan) {
+  add_wheels(chassis, plan);
   std::vector<Eigen::RowVector3d> rows;
   for (const Part& part : plan.parts) {
     const auto* joint = std::get_if<WheelJoint>(&part.joint);
@@ -27,18 +28,18 @@ void Rolling::take(const BodyPlan& plan) {
   motion_of_rates_ = rates_of_motion_.completeOrthogonalDecomposition().pseudoInverse();
 }
 
-elsie::Motion Rolling::command(const elsie::Motion& asked, double max_speed,
-                               std::span<elsie::JointSetting> joints) const {
+elsie::Motion RollingDrive::command(const elsie::Motion& asked, const elsie::DriveState& now,
+                                    std::span<elsie::JointSetting> joints) {
   const Eigen::VectorXd rates =
       rates_of_motion_ * Eigen::Vector3d(asked.forward, asked.lateral, asked.turn);
-  const double factor = slowed(rates, max_speed / radius_);
+  const double factor = slowed(rates, now.max_speed / radius_);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     joints[i] = {factor * rates(static_cast<Eigen::Index>(i))};
   }
   return factor * asked;
 }
 
-elsie::Motion Rolling::odometry(std::span<const elsie::JointSetting> joints) const {
+elsie::Motion RollingDrive::odometry(std::span<const elsie::JointSetting> joints) const {
   Eigen::VectorXd rates(static_cast<Eigen::Index>(joints.size()));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     rates(static_cast<Eigen::Index>(i)) = joints[i].rate_rad_s;

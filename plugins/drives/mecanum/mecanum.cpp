@@ -13,11 +13,12 @@
 
 namespace {
 
-class Mecanum final : public elsie::Drive {
+class Mecanum final : public drives::RollingDrive {
  public:
   double wheelbase = 0.0;
 
-  void build(const elsie::Chassis& chassis, elsie::BodyPlan& plan) override {
+ private:
+  void add_wheels(const elsie::Chassis& chassis, elsie::BodyPlan& plan) const override {
     const double x = 0.5 * drives::wheelbase_or_default(wheelbase, chassis);
     for (const bool front : {true, false}) {
       for (const bool left : {true, false}) {
@@ -28,21 +29,7 @@ class Mecanum final : public elsie::Drive {
             chassis, front ? x : -x, (left ? 1.0 : -1.0) * chassis.half_axle, joint));
       }
     }
-    rolling_.take(plan);
   }
-
-  elsie::Channels channels() const override { return {true, true, true}; }
-
-  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
-                        std::span<elsie::JointSetting> joints) override {
-    return rolling_.command(asked, now.max_speed, joints);
-  }
-  elsie::Motion odometry(std::span<const elsie::JointSetting> joints) const override {
-    return rolling_.odometry(joints);
-  }
-
- private:
-  drives::Rolling rolling_;
 };
 
 ELSIE_DRIVE(

@@ -9,11 +9,18 @@
 
 namespace {
 
-class Omnidirectional final : public elsie::Drive {
+class Omnidirectional final : public drives::RollingDrive {
  public:
   double radius = 0.0;
 
-  void build(const elsie::Chassis& chassis, elsie::BodyPlan& plan) override {
+  /// The wheels of a differential drive that turns likewise: they stand on the same circle.
+  elsie::WheelPair wheels(const elsie::Chassis& chassis) const override {
+    return {chassis.wheel_radius,
+            radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis))};
+  }
+
+ private:
+  void add_wheels(const elsie::Chassis& chassis, elsie::BodyPlan& plan) const override {
     const double r = radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis));
     for (int i = 0; i < 3; ++i) {
       const double at = (1.0 + 2.0 * i) / 3.0 * std::numbers::pi;
@@ -22,28 +29,9 @@ class Omnidirectional final : public elsie::Drive {
                                          joint, at + 0.5 * std::numbers::pi));
     }
     drives::require_apart(plan, drives::sweep(chassis));
-    rolling_.take(plan);
   }
 
-  elsie::Channels channels() const override { return {true, true, true}; }
-
-  elsie::Motion command(const elsie::Motion& asked, const elsie::DriveState& now,
-                        std::span<elsie::JointSetting> joints) override {
-    return rolling_.command(asked, now.max_speed, joints);
-  }
-  elsie::Motion odometry(std::span<const elsie::JointSetting> joints) const override {
-    return rolling_.odometry(joints);
-  }
-  /// The wheels of a differential drive that turns likewise: they stand on the same circle.
-  elsie::WheelPair wheels(const elsie::Chassis& chassis) const override {
-    return {chassis.wheel_radius,
-            radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis))};
-  }
-
- private:
   static constexpr const char* kNames[] = {"left_wheel", "rear_wheel", "right_wheel"};
-
-  drives::Rolling rolling_;
 };
 
 ELSIE_DRIVE(
