@@ -56,6 +56,8 @@ void set(Element& element, const std::string& attribute, double value, const Loc
   }
 }
 
+bool is_of_layouts(const std::string& path) { return path.starts_with("layouts/"); }
+
 /// The problem with a distribution; "" if there is none.
 std::string mistake(const Draw& draw) {
   if (draw.mean.has_value() != draw.sd.has_value() || (!draw.mean && !(draw.from && draw.to))) {
@@ -93,6 +95,9 @@ bool check_draws(Drawing& drawing, const std::vector<Draw>& draws,
   for (const Draw& draw : draws) {
     const std::string problem = !paths.insert(draw.path).second
                                     ? "a second time; leave out one of the two <draw>s"
+                                : !layout && is_of_layouts(draw.path)
+                                    ? "too late: the layouts are read before anything is drawn; "
+                                      "expected the path of an attribute outside of <layouts>"
                                     : mistake(draw);
     is_right &= problem.empty() || drawing.refuse(draw.location, layout.value_or(draw.id),
                                                   "draws '" + draw.path + "' " + problem);

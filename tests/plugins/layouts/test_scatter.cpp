@@ -471,6 +471,9 @@ TEST_CASE("What would have no effect is refused in a sentence") {
   CHECK_THAT(refusal("<layouts><draw path='arena/@length' from='8' to='9'/>"
                      "<draw path='arena/@length' from='8' to='9'/></layouts>"),
              Contains("draws 'arena/@length' a second time"));
+  CHECK(refusal("<layouts><draw id='d' path='layouts/@seed' from='8' to='9'/></layouts>") ==
+        "w.xml:2: the layout 'd' draws 'layouts/@seed' too late: the layouts are read before "
+        "anything is drawn; expected the path of an attribute outside of <layouts>");
 }
 
 TEST_CASE("A distribution that cannot be drawn from is refused in a sentence") {
