@@ -35,14 +35,11 @@ inline std::string made_database(const Folder& folder, const std::string& name =
   for (std::int64_t i = 0; i < 2; ++i) {
     const std::string world =
         "<world>" + std::to_string(i) + std::string(6000, ' ') + "</world>" + std::to_string(i);
-    cell.bind(1, i).bind(2, "cell " + std::to_string(i)).bind(3, world);
-    cell.bind(4, results::sha256(world)).run();
+    cell.run(i, "cell " + std::to_string(i), world, results::sha256(world));
   }
   results::sqlite::Statement(connection,
                              "INSERT INTO files VALUES (1, 'data', '/model', ?, ?, NULL)")
-      .bind(1, results::sha256("a model"))
-      .bind_bytes(2, "a model")
-      .run();
+      .run(results::sha256("a model"), results::sqlite::Bytes{"a model"});
   results::sqlite::Statement run(connection,
                                  "INSERT INTO runs (id, cell_id, seed, repetition, state, outcome, "
                                  "ended) VALUES (?, ?, ?, 1, 'done', 'success', 'now')");
@@ -51,9 +48,9 @@ inline std::string made_database(const Folder& folder, const std::string& name =
   results::sqlite::Statement timeline(
       connection, "INSERT INTO timelines VALUES (?, 'r1', '[{\"path\":\"wander\"}]', '[]')");
   for (std::int64_t i = 1; i <= runs; ++i) {
-    run.bind(1, i).bind(2, i % 2).bind(3, i).run();
-    way.bind(1, i).bind(2, long_list(static_cast<int>(i))).run();
-    timeline.bind(1, i).run();
+    run.run(i, i % 2, i);
+    way.run(i, long_list(static_cast<int>(i)));
+    timeline.run(i);
   }
   transaction.commit();
   return file;

@@ -105,7 +105,7 @@ class Merger {
                      "min(meaning, excluded.meaning)");
     Statement measures(from_, "SELECT name, unit, meaning FROM measures");
     while (measures.next()) {
-      insert.bind(1, measures.text(0)).bind(2, measures.text(1)).bind(3, measures.text(2)).run();
+      insert.run(measures.text(0), measures.text(1), measures.text(2));
     }
   }
 
@@ -131,7 +131,7 @@ class Merger {
       if (!better) {
         return twice;
       }
-      forget_.bind(1, id).run();  // including its rows in other tables
+      forget_.run(id);  // including its rows in other tables
     }
     run_.copy(id);
     for (Copier& table : of_run_) {

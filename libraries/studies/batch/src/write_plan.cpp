@@ -12,27 +12,13 @@
 namespace elsie::batch {
 namespace {
 
-/// Row numbers are indices into lists.
-std::int64_t id(std::size_t place) { return static_cast<std::int64_t>(place); }
-
 void write_about(sqlite::Connection& connection, const Plan& plan) {
-  sqlite::Statement(connection,
-                    "INSERT INTO about (id, elsie_version, abi, experiment, description, file, "
-                    "text, fingerprint, shard, runs, wall_limit_s, trajectory_period_s, created) "
-                    "VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .bind(1, plan.elsie_version)
-      .bind(2, plan.abi)
-      .bind(3, plan.experiment)
-      .bind(4, plan.description)
-      .bind(5, plan.file)
-      .bind(6, plan.text)
-      .bind(7, plan.fingerprint)
-      .bind(8, plan.shard.text())
-      .bind(9, plan.all_runs)
-      .bind(10, plan.wall_limit_s)
-      .bind(11, plan.trajectory_period_s)
-      .bind(12, utc_now())
-      .run();
+  sqlite::Statement::insert(connection, "about",
+                            "id, elsie_version, abi, experiment, description, file, text, "
+                            "fingerprint, shard, runs, wall_limit_s, trajectory_period_s, created")
+      .run(1, plan.elsie_version, plan.abi, plan.experiment, plan.description, plan.file, plan.text,
+           plan.fingerprint, plan.shard.text(), plan.all_runs, plan.wall_limit_s,
+           plan.trajectory_period_s, utc_now());
 }
 
 /// The first column of the only row; none: there is no row.
@@ -48,9 +34,8 @@ std::optional<std::int64_t> found(sqlite::Statement& query) {
 std::vector<std::int64_t> write_files(sqlite::Connection& connection, const Plan& plan) {
   std::int64_t next = connection.integer("SELECT coalesce(max(id) + 1, 0) FROM files");
   sqlite::Statement known(connection, "SELECT id FROM files WHERE path = ?");
-  sqlite::Statement insert(connection,
-                           "INSERT INTO files (id, kind, path, sha256, content, load_order) "
-                           "VALUES (?, ?, ?, ?, ?, ?)");
+  auto insert =
+      sqlite::Statement::insert(connection, "files", "id, kind, path, sha256, content, load_order");
   sqlite::Statement becomes_data(connection,
                                  "UPDATE files SET kind = 'data', sha256 = ?, content = ? "
                                  "WHERE id = ? AND kind = 'world'");
@@ -59,15 +44,15 @@ std::vector<std::int64_t> write_files(sqlite::Connection& connection, const Plan
     if (const auto before = found(known.bind(1, file.path))) {
       ids.push_back(*before);
       if (file.kind == FileKind::data) {
-        becomes_data.bind(1, file.sha256).bind_bytes(2, file.content).bind(3, *before).run();
+        becomes_data.run(file.sha256, sqlite::Bytes{file.content}, *before);
       }
       continue;
     }
-    insert.bind(1, next).bind(2, to_string(file.kind)).bind(3, file.path).bind(4, file.sha256);
-    file.kind == FileKind::data ? insert.bind_bytes(5, file.content) : insert.bind_null(5);
-    file.kind == FileKind::library&& file.rank > 0 ? insert.bind(6, id(file.rank))
-                                                   : insert.bind_null(6);
-    insert.run();
+    std::optional<sqlite::Bytes> content;
+    if (file.kind == FileKind::data) content = {file.content};
+    std::optional<std::size_t> load_order;
+    if (file.kind == FileKind::library && file.rank > 0) load_order = file.rank;
+    insert.run(next, to_string(file.kind), file.path, file.sha256, content, load_order);
     ids.push_back(next++);
   }
   return ids;
@@ -78,18 +63,16 @@ std::vector<std::int64_t> write_plugins(sqlite::Connection& connection, const Pl
                                         const std::vector<std::int64_t>& files) {
   std::int64_t next = connection.integer("SELECT coalesce(max(id) + 1, 0) FROM plugins");
   sqlite::Statement known(connection, "SELECT id FROM plugins WHERE kind = ? AND name = ?");
-  sqlite::Statement insert(connection,
-                           "INSERT INTO plugins (id, kind, name, version, file_id) "
-                           "VALUES (?, ?, ?, ?, ?)");
+  auto insert =
+      sqlite::Statement::insert(connection, "plugins", "id, kind, name, version, file_id");
   std::vector<std::int64_t> ids;
   for (const PlannedPlugin& plugin : plan.plugins) {
     if (const auto before = found(known.bind(1, plugin.kind).bind(2, plugin.name))) {
       ids.push_back(*before);
       continue;
     }
-    insert.bind(1, next).bind(2, plugin.kind).bind(3, plugin.name).bind(4, plugin.version);
-    plugin.file ? insert.bind(5, files[*plugin.file]) : insert.bind_null(5);
-    insert.run();
+    insert.run(next, plugin.kind, plugin.name, plugin.version,
+               plugin.file ? std::optional(files[*plugin.file]) : std::nullopt);
     ids.push_back(next++);
   }
   return ids;
@@ -98,53 +81,35 @@ std::vector<std::int64_t> write_plugins(sqlite::Connection& connection, const Pl
 /// Writes the cells from the `first` on.
 void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t first,
                  const std::vector<std::int64_t>& files, const std::vector<std::int64_t>& plugins) {
-  sqlite::Statement cell(
-      connection,
-      "INSERT INTO cells (id, label, world, world_text, world_file, sha256, place, layout_seed) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-  sqlite::Statement level(connection,
-                          "INSERT INTO cell_levels (cell_id, factor_id, label, place) "
-                          "VALUES (?, ?, ?, ?)");
-  sqlite::Statement plugin(connection,
-                           "INSERT INTO cell_plugins (cell_id, plugin_id) VALUES (?, ?)");
-  sqlite::Statement data(connection,
-                         "INSERT INTO cell_files (cell_id, file_id, name) VALUES (?, ?, ?)");
+  auto cell = sqlite::Statement::insert(
+      connection, "cells", "id, label, world, world_text, world_file, sha256, place, layout_seed");
+  auto level =
+      sqlite::Statement::insert(connection, "cell_levels", "cell_id, factor_id, label, place");
+  auto plugin = sqlite::Statement::insert(connection, "cell_plugins", "cell_id, plugin_id");
+  auto data = sqlite::Statement::insert(connection, "cell_files", "cell_id, file_id, name");
   for (std::size_t i = first; i < plan.cells.size(); ++i) {
     const PlannedCell& planned = plan.cells[i];
-    cell.bind(1, id(i))
-        .bind(2, planned.label)
-        .bind(3, planned.world)
-        .bind(4, planned.world_text)
-        .bind(5, planned.world_file)
-        .bind(6, planned.sha256)
-        .bind(7, id(planned.place));
-    planned.layout_seed ? cell.bind(8, static_cast<std::int64_t>(*planned.layout_seed))
-                        : cell.bind_null(8);
-    cell.run();
+    cell.run(i, planned.label, planned.world, planned.world_text, planned.world_file,
+             planned.sha256, planned.place, planned.layout_seed);
     for (const PlannedLevel& of : planned.levels) {
-      level.bind(1, id(i)).bind(2, id(of.factor)).bind(3, of.label).bind(4, id(of.place)).run();
+      level.run(i, of.factor, of.label, of.place);
     }
     for (const std::size_t used : planned.plugins) {
-      plugin.bind(1, id(i)).bind(2, plugins[used]).run();
+      plugin.run(i, plugins[used]);
     }
     for (const PlannedCell::Data& used : planned.data) {
-      data.bind(1, id(i)).bind(2, files[used.file]).bind(3, used.name).run();
+      data.run(i, files[used.file], used.name);
     }
   }
 }
 
 /// Writes the layouts that are not there yet, those of new seeds in old cells among them.
 void write_layouts(sqlite::Connection& connection, const Plan& plan) {
-  sqlite::Statement insert(connection,
-                           "INSERT OR IGNORE INTO layouts (cell_id, seed, world_text, sha256) "
-                           "VALUES (?, ?, ?, ?)");
+  auto insert = sqlite::Statement::insert(connection, "layouts",
+                                          "cell_id, seed, world_text, sha256", " OR IGNORE");
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     for (const auto& [seed, layout] : plan.cells[i].layouts) {
-      insert.bind(1, id(i))
-          .bind(2, static_cast<std::int64_t>(seed))
-          .bind(3, layout.world_text)
-          .bind(4, layout.sha256)
-          .run();
+      insert.run(i, seed, layout.world_text, layout.sha256);
     }
   }
 }
@@ -157,9 +122,9 @@ void rename_cells(sqlite::Connection& connection, const Plan& plan, std::size_t 
                           "UPDATE cell_levels SET place = ? WHERE cell_id = ? AND factor_id = ?");
   for (std::size_t i = 0; i < count; ++i) {
     const PlannedCell& planned = plan.cells[i];
-    cell.bind(1, planned.label).bind(2, id(planned.place)).bind(3, id(i)).run();
+    cell.run(planned.label, planned.place, i);
     for (const PlannedLevel& of : planned.levels) {
-      level.bind(1, id(of.place)).bind(2, id(i)).bind(3, id(of.factor)).run();
+      level.run(of.place, i, of.factor);
     }
   }
 }
@@ -172,19 +137,12 @@ void write_stages(sqlite::Connection& connection, const Plan& plan, std::size_t 
   rename_cells(connection, plan, cells_before);
   write_cells(connection, plan, cells_before, files, plugins);
   write_layouts(connection, plan);
-  sqlite::Statement insert(connection,
-                           "INSERT INTO stages (id, cells, seeds, repeats, runs, fingerprint, "
-                           "created) VALUES (?, ?, ?, ?, ?, ?, ?)");
+  auto insert = sqlite::Statement::insert(connection, "stages",
+                                          "id, cells, seeds, repeats, runs, fingerprint, created");
   for (std::size_t i = first; i < plan.stages.size(); ++i) {
     const Stage& stage = plan.stages[i];
-    insert.bind(1, id(i))
-        .bind(2, id(stage.cells))
-        .bind(3, seeds_text(stage.seeds))
-        .bind(4, std::int64_t{stage.repeats})
-        .bind(5, stage.runs)
-        .bind(6, stage.fingerprint)
-        .bind(7, utc_now())
-        .run();
+    insert.run(i, stage.cells, seeds_text(stage.seeds), stage.repeats, stage.runs,
+               stage.fingerprint, utc_now());
   }
 }
 
@@ -201,9 +159,9 @@ std::string utc_now() {
 void write_plan(sqlite::Connection& connection, const Plan& plan) {
   results::make_schema(connection);
   write_about(connection, plan);
-  sqlite::Statement factor(connection, "INSERT INTO factors (id, name) VALUES (?, ?)");
+  auto factor = sqlite::Statement::insert(connection, "factors", "id, name");
   for (std::size_t i = 0; i < plan.factors.size(); ++i) {
-    factor.bind(1, id(i)).bind(2, plan.factors[i]).run();
+    factor.run(i, plan.factors[i]);
   }
   write_stages(connection, plan, 0);
 }
@@ -215,25 +173,15 @@ void renew_plan(sqlite::Connection& connection, const Plan& plan, std::size_t kn
   sqlite::Statement(connection,
                     "UPDATE about SET experiment = ?, description = ?, text = ?, "
                     "wall_limit_s = ?, fingerprint = ?, runs = ?")
-      .bind(1, plan.experiment)
-      .bind(2, plan.description)
-      .bind(3, plan.text)
-      .bind(4, plan.wall_limit_s)
-      .bind(5, plan.fingerprint)
-      .bind(6, plan.all_runs)
-      .run();
+      .run(plan.experiment, plan.description, plan.text, plan.wall_limit_s, plan.fingerprint,
+           plan.all_runs);
 }
 
 void add_runs(sqlite::Connection& connection, const Plan& plan) {
-  sqlite::Statement insert(connection,
-                           "INSERT OR IGNORE INTO runs (id, cell_id, seed, repetition) "
-                           "VALUES (?, ?, ?, ?)");
+  auto insert =
+      sqlite::Statement::insert(connection, "runs", "id, cell_id, seed, repetition", " OR IGNORE");
   for (const PlannedRun& run : plan.runs) {
-    insert.bind(1, run.id)
-        .bind(2, id(run.cell))
-        .bind(3, static_cast<std::int64_t>(run.seed))
-        .bind(4, std::int64_t{run.repetition})
-        .run();
+    insert.run(run.id, run.cell, run.seed, run.repetition);
   }
 }
 

@@ -1,6 +1,8 @@
 // Writes the result of a run into the database.
 #pragma once
 
+#include <string>
+
 #include "elsie/batch/job.h"
 #include "elsie/results/sqlite.h"
 
@@ -17,6 +19,7 @@ class RunWriter {
   bool write(std::int64_t run, const RunRecord& record);
 
  private:
+  sqlite::Statement insert(const std::string& table, const std::string& columns);
   bool update(std::int64_t run, const RunRecord& record);
   void write_measures(std::int64_t run, const RunRecord& record);
   void write_events(std::int64_t run, const RunRecord& record);

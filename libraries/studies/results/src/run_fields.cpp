@@ -14,17 +14,9 @@ struct Binder {
     outcome ? statement.bind(place, simulation::to_string(*outcome)) : statement.bind_null(place);
     ++place;
   }
-  void operator()(const char*, const std::string& text) { statement.bind(place++, text); }
-  void operator()(const char*, const std::optional<std::string>& text) {
-    statement.bind(place++, text);
-  }
-  void operator()(const char*, const std::optional<double>& number) {
-    statement.bind(place++, number);
-  }
-  template <class Whole>
-  void operator()(const char*, const std::optional<Whole>& number) {
-    number ? statement.bind(place, static_cast<std::int64_t>(*number)) : statement.bind_null(place);
-    ++place;
+  template <class Value>
+  void operator()(const char*, const Value& value) {
+    statement.bind(place++, value);
   }
 };
 

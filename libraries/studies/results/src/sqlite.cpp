@@ -1,5 +1,7 @@
 #include "elsie/results/sqlite.h"
 
+#include <algorithm>
+
 #include <sqlite3.h>
 
 namespace elsie::results::sqlite {
@@ -39,6 +41,16 @@ void Statement::check(int code) const {
   }
 }
 
+Statement Statement::insert(Connection& connection, const std::string& table,
+                            const std::string& columns, const std::string& or_else) {
+  std::string marks = "?";
+  for (auto more = std::count(columns.begin(), columns.end(), ','); more > 0; --more) {
+    marks += ", ?";
+  }
+  return {connection,
+          "INSERT" + or_else + " INTO " + table + " (" + columns + ") VALUES (" + marks + ")"};
+}
+
 Statement& Statement::bind(int place, std::string_view text) {
   check(sqlite3_bind_text64(statement_.get(), place, text.data() ? text.data() : "", text.size(),
                             SQLITE_TRANSIENT, SQLITE_UTF8));
@@ -60,8 +72,9 @@ Statement& Statement::bind_null(int place) {
   return *this;
 }
 
-Statement& Statement::bind_bytes(int place, std::string_view bytes) {
-  check(sqlite3_bind_blob64(statement_.get(), place, bytes.data() ? bytes.data() : "", bytes.size(),
+Statement& Statement::bind(int place, const Bytes& bytes) {
+  const std::string_view value = bytes.value;
+  check(sqlite3_bind_blob64(statement_.get(), place, value.data() ? value.data() : "", value.size(),
                             SQLITE_TRANSIENT));
   return *this;
 }

@@ -1,6 +1,7 @@
 // A thin wrapper of SQLite: connections, prepared statements, transactions. It defines no tables.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -27,20 +28,33 @@ class Error : public std::runtime_error {
 
 class Connection;
 
+/// A value that is stored as bytes, not as text.
+struct Bytes {
+  std::string_view value;
+};
+
 /// A reusable prepared statement. Places of values count from 1, columns from 0.
 class Statement {
  public:
   Statement(Connection& connection, std::string_view sql);
+  /// Inserts a row with values for these columns: "run_id, robot". `or_else`: " OR IGNORE".
+  static Statement insert(Connection& connection, const std::string& table,
+                          const std::string& columns, const std::string& or_else = "");
 
   Statement& bind(int place, std::string_view text);
   Statement& bind(int place, const std::string& text) {
     return bind(place, std::string_view(text));
   }
   Statement& bind(int place, const char* text) { return bind(place, std::string_view(text)); }
+  Statement& bind(int place, const Bytes& bytes);
   Statement& bind(int place, std::int64_t number);
+  /// The 64 bits of an unsigned number are stored as a signed one.
+  template <std::integral Whole>
+  Statement& bind(int place, Whole number) {
+    return bind(place, static_cast<std::int64_t>(number));
+  }
   Statement& bind(int place, double number);
   Statement& bind_null(int place);
-  Statement& bind_bytes(int place, std::string_view bytes);
   template <class T>
   Statement& bind(int place, const std::optional<T>& value) {
     return value ? bind(place, *value) : bind_null(place);
@@ -53,6 +67,14 @@ class Statement {
   bool next();
   /// Runs a statement that returns no rows.
   void run();
+  /// The same with all its values, in order.
+  template <class First, class... Others>
+  void run(const First& first, const Others&... others) {
+    int place = 0;
+    bind(++place, first);
+    (bind(++place, others), ...);
+    run();
+  }
 
   int columns() const;
   bool is_null(int column) const;
