@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <dlfcn.h>
-
 #include <CLI/CLI.hpp>
+#include <dlfcn.h>
 
 #include "elsie/base/error.h"
 
@@ -24,7 +23,7 @@ std::filesystem::path file_of(const char* name) {
 /// A library that a build may lack, with its subcommands.
 struct Optional {
   const char* name;
-  std::vector<const char*> commands;
+  std::vector<std::string> commands;
 };
 
 const std::array<Optional, 3>& optional_modules() {
@@ -33,6 +32,17 @@ const std::array<Optional, 3>& optional_modules() {
        {kTestingModule, {"test-plugin"}},
        {kSessionModule, {"session"}}}};
   return modules;
+}
+
+bool has(const CLI::App& program, const std::string& command) {
+  const auto all = program.get_subcommands({});
+  return std::any_of(all.begin(), all.end(),
+                     [&](const CLI::App* each) { return each->get_name() == command; });
+}
+
+/// These describe the subcommands of all libraries.
+bool describes_all(const std::string& command) {
+  return command == "manual" || command == "completion";
 }
 
 }  // namespace
@@ -53,9 +63,13 @@ const CommandModule& command_module(const char* name) {
 }
 
 void add_module_commands(CLI::App& program, Job& job, const std::string& chosen) {
+  const auto is_found = [&] { return has(program, chosen) && !describes_all(chosen); };
   command_module(kViewsModule).add_commands(program, job);
   std::string missing;
   for (const auto& [name, commands] : optional_modules()) {
+    if (is_found()) {
+      return;
+    }
     if (std::filesystem::exists(file_of(name))) {
       command_module(name).add_commands(program, job);
       continue;
@@ -65,8 +79,8 @@ void add_module_commands(CLI::App& program, Job& job, const std::string& chosen)
                      "' is not there\n`make demo` builds only a part of the program; build the "
                      "rest with `make program`");
     }
-    for (const char* command : commands) {
-      missing += (missing.empty() ? "" : ", ") + std::string(command);
+    for (const std::string& command : commands) {
+      missing += (missing.empty() ? "" : ", ") + command;
     }
   }
   if (!missing.empty()) {

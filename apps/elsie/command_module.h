@@ -35,8 +35,8 @@ inline constexpr const char* kSessionModule = "elsie-session";
 /// Loads the library. Throws base::Error with a sentence when it is missing.
 const CommandModule& command_module(const char* name);
 
-/// Adds the subcommands of all libraries that are there. Throws BadInput if `chosen`, the first
-/// word of the command line, is a subcommand of a library that is missing.
+/// Loads the libraries that are there, up to the one with the subcommand `chosen`, the first word
+/// of the command line, and adds their subcommands. Throws BadInput if its library is missing.
 void add_module_commands(CLI::App& program, Job& job, const std::string& chosen);
 
 /// The function that each library exports by this name returns a const CommandModule*.

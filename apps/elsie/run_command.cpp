@@ -171,7 +171,8 @@ int run(const RunOptions& options) {
         "--threads " + std::to_string(options.threads) +
         ": a budget of a plugin is measured in one thread; leave out --threads or the budget");
   }
-  auto views = options.views.any() ? command_module(kViewsModule).make_views(options.views) : nullptr;
+  auto views =
+      options.views.any() ? command_module(kViewsModule).make_views(options.views) : nullptr;
   const auto changes = changes_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);

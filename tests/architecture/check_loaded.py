@@ -1,4 +1,4 @@
-"""Compares what `elsie run` loads for a world without cameras with what such a run may load.
+"""Compares what `elsie run` and `elsie check` load with what they may load.
 
   check_loaded.py ELSIE WORLD WORLD_WITH_CAMERAS WORLD_WITH_LAYOUTS
 """
@@ -10,17 +10,17 @@ import tempfile
 
 ELSIE, WORLD, WORLD_WITH_CAMERAS, WORLD_WITH_LAYOUTS = sys.argv[1:]
 UNWANTED = ("libelsie-editing", "libelsie-render", "libelsie-views", "libelsie-studies", "libelsie-testing", "libelsie-experiments", "elsie-commands",
-            "elsie-studies", "libepoxy", "libEGL", "libGL",
-            "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv", "layouts.so", "libpng")
+            "elsie-studies", "libepoxy", "libEGL", "libGL", "libOpenGL", "libcairo", "libsqlite3", "libcrypto", "libzstd", "libelsie-vision", "libopencv",
+            "layouts.so", "libpng")
 
 
 def loaded_by(*words):
     """The unwanted libraries that the program and its child initialise."""
     with tempfile.TemporaryDirectory() as folder:
         environment = dict(os.environ, LD_DEBUG="libs", LD_DEBUG_OUTPUT=os.path.join(folder, "log"))
-        run = subprocess.run([ELSIE, "run", *words, "--quiet"], env=environment, capture_output=True, text=True)
+        run = subprocess.run([ELSIE, *words, "--quiet"], env=environment, capture_output=True, text=True)
         if run.returncode not in (0, 1):
-            sys.exit(f"the run failed: {run.stderr}")
+            sys.exit(f"{words} failed: {run.stderr}")
         text = "".join(open(os.path.join(folder, name)).read() for name in os.listdir(folder))
     files = re.findall(r"calling init: (\S+)", text)
     if not any(os.path.basename(file).startswith("libelsie.so") for file in files):
@@ -28,12 +28,15 @@ def loaded_by(*words):
     return sorted({name for name in UNWANTED for file in files if os.path.basename(file).startswith(name)})
 
 
-found = loaded_by(WORLD, "--duration", "1")
+found = loaded_by("run", WORLD, "--duration", "1")
 if found:
     sys.exit(f"a run of {WORLD}, which has no cameras, loads {', '.join(found)}")
-found = loaded_by(WORLD_WITH_CAMERAS, "--duration", "1")
+found = loaded_by("run", WORLD_WITH_CAMERAS, "--duration", "1")
 if not {"libelsie-render", "libepoxy"} <= set(found):
     sys.exit(f"a run of {WORLD_WITH_CAMERAS} should load what takes pictures, but loads only: {', '.join(found) or 'nothing'}")
-found = loaded_by(WORLD_WITH_LAYOUTS, "--duration", "1")
+found = loaded_by("run", WORLD_WITH_LAYOUTS, "--duration", "1")
 if found != ["layouts.so", "libpng"]:
     sys.exit(f"a run of {WORLD_WITH_LAYOUTS} should load what draws layouts and nothing more, but loads {', '.join(found) or 'nothing'}")
+found = loaded_by("check", WORLD)
+if not {"elsie-commands", "libelsie-experiments"} <= set(found) or {"elsie-studies", "libelsie-studies", "libsqlite3", "libcrypto"} & set(found):
+    sys.exit(f"a check should load what reads experiments, and nothing of studies, but loads {', '.join(found) or 'nothing'}")

@@ -24,10 +24,11 @@ std::set<std::string> subcommands(const std::string& help) {
 
 /// Copies the program with these libraries of subcommands to the folder `part`.
 void copy_part(const Workplace& here, const std::string& libraries) {
-  REQUIRE(here.sh("mkdir -p part/bin part/lib/elsie && cp \"$(command -v elsie)\" part/bin && cd '" +
-                  build_path("lib/elsie") + "' && cp elsie-program " + libraries + " '" +
-                  here.file("part/lib/elsie").string() + "'")
-              .exit_code == 0);
+  REQUIRE(
+      here.sh("mkdir -p part/bin part/lib/elsie && cp \"$(command -v elsie)\" part/bin && cd '" +
+              build_path("lib/elsie") + "' && cp elsie-program " + libraries + " '" +
+              here.file("part/lib/elsie").string() + "'")
+          .exit_code == 0);
 }
 
 const std::string kPart = "LD_LIBRARY_PATH='" + build_path("lib") + "' part/bin/elsie ";
@@ -65,7 +66,8 @@ TEST_CASE("The completion and the manual page are of what was built") {
   const Workplace here;
   copy_part(here, "elsie-commands.so elsie-testing.so");
   const std::string manual = here.sh(kPart + "manual").out;
-  CHECK_THAT(manual, Catch::Contains("Check a plugin by") && !Catch::Contains("Do all runs of an experiment"));
+  CHECK_THAT(manual, Catch::Contains("Check a plugin by") &&
+                         !Catch::Contains("Do all runs of an experiment"));
   const std::string completion = here.sh(kPart + "completion bash").out;
   CHECK_THAT(completion, Catch::Contains("test-plugin") && !Catch::Contains("batch"));
 }
@@ -77,5 +79,6 @@ TEST_CASE("A program without the library of views runs plain worlds, and says wh
   CHECK_THAT(here.sh(kPart + "run world.xml --quiet").err, Catch::Equals(""));
   const auto run = here.sh(kPart + "picture world.xml");
   CHECK(run.exit_code == 4);
-  CHECK_THAT(run.err, Catch::Contains("elsie-commands.so', which belongs to this program, cannot be loaded"));
+  CHECK_THAT(run.err, Catch::Contains(
+                          "elsie-commands.so', which belongs to this program, cannot be loaded"));
 }
