@@ -1,5 +1,6 @@
 // elsie report, as users and CI servers call it.
 #include <filesystem>
+#include <iterator>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -280,6 +281,23 @@ TEST_CASE("report answers questions by factor, and writes figures and tables") {
   // Once more, over what is there.
   CHECK(here.elsie("report runs.sqlite --quiet --figures figures --latex t.tex --cells-csv c.csv")
             .exit_code == 0);
+}
+
+TEST_CASE("A folder with the name of a figure is bad input, and nothing is written") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  fs::create_directories(here.file("figures/success.svg"));
+  const auto run = here.elsie(
+      "report runs.sqlite --figures figures --html page.html --csv runs.csv --cells-csv cells.csv");
+  CHECK(run.exit_code == 2);
+  CHECK(run.out.empty());
+  CHECK_THAT(run.err, Contains("--figures: 'figures/success.svg' is a folder, and a figure has "
+                               "this name; remove it, or name another folder for the figures"));
+  for (const char* file : {"page.html", "runs.csv", "cells.csv"}) {
+    CAPTURE(file);
+    CHECK_FALSE(fs::exists(here.file(file)));
+  }
+  CHECK(std::distance(fs::directory_iterator(here.file("figures")), {}) == 1);
 }
 
 TEST_CASE("report refuses questions without an answer before it writes anything") {

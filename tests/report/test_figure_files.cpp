@@ -93,7 +93,7 @@ TEST_CASE("A figure that cannot be written leaves the folder as it was") {
   std::ofstream(folder / "mine.txt") << "mine";
   fs::create_directory(folder / "success.svg");  // cannot be replaced by a file
   std::ofstream(folder / "success.svg" / "inside") << "x";
-  CHECK_THROWS(draw(made, folder.path(), {"svg"}));
+  CHECK_THROWS_AS(draw(made, folder.path(), {"svg"}), FigureInTheWay);
   CHECK_FALSE(fs::exists(folder / ".elsie-part"));
   CHECK(names_in(folder.path()) == std::set<std::string>{"mine.txt", "success.svg"});
 }

@@ -170,6 +170,16 @@ class FigureFolder {
   bool is_new_;
 };
 
+void draw(const Findings& findings, const ResultsFile& file, const report::Answers& answers,
+          const ReportOptions& options) {
+  try {
+    report::write_figures(findings, file, answers, *options.figures, options.formats,
+                          options.cells);
+  } catch (const report::FigureInTheWay& error) {
+    throw BadInput(std::string("--figures: ") + error.what());
+  }
+}
+
 report::Answers answers_to(const Findings& findings, const ReportOptions& options) {
   report::Asked asked = options.asked;
   for (std::size_t i = 0; i + 1 < options.compared.size(); i += 2) {
@@ -197,6 +207,10 @@ int report(const ReportOptions& options) {
   for (const std::string& sentence : sentences) {
     std::cerr << "elsie: " << sentence << '\n';
   }
+  // Before all else, because the names of the figures, which may be taken, follow from the results.
+  if (options.figures) {
+    draw(findings, file, answers, options);
+  }
   if (options.csv) {
     write(*options.csv, report::csv_report(findings), "--csv");
   }
@@ -212,10 +226,6 @@ int report(const ReportOptions& options) {
   }
   if (options.latex) {
     write(*options.latex, report::latex_report(findings), "--latex");
-  }
-  if (options.figures) {
-    report::write_figures(findings, file, answers, *options.figures, options.formats,
-                          options.cells);
   }
   if (options.json) {
     out() << report::json_report(findings, answers);

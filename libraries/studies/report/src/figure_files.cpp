@@ -46,12 +46,13 @@ class Workshop {
     return inner_ / (free + "." + suffix);
   }
 
+  // All of the files, or none.
   void deliver() {
     for (const std::string& name : names_) {
       if (fs::is_directory(folder_ / name)) {
-        throw std::runtime_error("'" + (folder_ / name).string() +
-                                 "' is a folder, and a figure has this name; remove it or name "
-                                 "another folder for the figures");
+        throw FigureInTheWay("'" + (folder_ / name).string() +
+                             "' is a folder, and a figure has this name; remove it, or name "
+                             "another folder for the figures");
       }
     }
     for (const fs::directory_entry& entry : fs::directory_iterator(inner_)) {
