@@ -166,6 +166,18 @@ TEST_CASE("A value that is the same in every run is stated, not drawn") {
   CHECK(count(Made(made_up).html(), "aria-label=\"Box plots of ") == 2);
 }
 
+TEST_CASE("A measure without a value in any run has no box plot, and the page says so") {
+  MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
+  for (auto& cell : made_up.cells) {
+    for (auto& run : cell.runs) run.measures["gap_m"] = std::nullopt;
+  }
+  const std::string html = Made(made_up).html();
+  CHECK(count(html, "aria-label=\"Box plots of ") == 1);
+  CHECK_THAT(html, Contains("No run has a value: gap m."));
+  made_up.cells[1].runs[2].measures["gap_m"] = 0.5;
+  CHECK(count(Made(made_up).html(), "aria-label=\"Box plots of ") == 2);
+}
+
 TEST_CASE("Of many notable runs, some are shown and the others folded") {
   const auto page_with = [](std::size_t missed) {
     MadeExperiment made_up = made_from({std::vector<double>(20, 5.0)});

@@ -208,6 +208,12 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
   return count > 1 ? value : std::nullopt;
 }
 
+bool any_value(const Findings& findings, std::size_t measure) {
+  return std::any_of(findings.cells.begin(), findings.cells.end(), [&](const CellFindings& cell) {
+    return !cell.measures[measure].values.empty();
+  });
+}
+
 std::string box_figure(const PageContext& page, std::size_t measure) {
   const Measure& about = page.findings.results.measures[page.findings.measures[measure]];
   const Chart chart = box_chart(page.findings, measure, page.inks, 0, page.findings.cells.size());
@@ -236,11 +242,15 @@ std::string figures(const PageContext& page) {
            std::to_string(findings.cells.size()) +
            " cells are too many for one page.</p></section>\n";
   }
-  std::string shown, others, constant;
+  std::string shown, others, constant, without;
   std::size_t count = 0;
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
+    const Measure& measure = findings.results.measures[findings.measures[i]];
+    if (!any_value(findings, i)) {
+      without += (without.empty() ? "" : ", ") + escaped(in_words(measure.name, measure.unit));
+      continue;
+    }
     if (const auto value = only_value(findings, i)) {
-      const Measure& measure = findings.results.measures[findings.measures[i]];
       constant += (constant.empty() ? "" : ", ") + escaped(in_words(measure.name, measure.unit)) +
                   " " + brief(*value) + (measure.unit.empty() ? "" : " " + escaped(measure.unit));
       continue;
@@ -250,15 +260,20 @@ std::string figures(const PageContext& page) {
   if (!constant.empty()) {
     constant = "<p class=\"quiet\">The same in every run: " + constant + ".</p>";
   }
+  if (!without.empty()) {
+    constant += "<p class=\"quiet\">No run has a value: " + without + ".</p>";
+  }
   std::string panels = "<div class=\"charts\">" + shown + "</div>";
   if (!others.empty()) {
     panels += "<details class=\"fold\"><summary>" +
               counted(count - kFiguresAtOnce, "more measure") + "</summary><div class=\"charts\">" +
               others + "</div></details>";
   }
-  return "<section id=\"distributions\"><h2>Distributions</h2><p class=\"lead\">" +
-         std::string(kBoxesLead) + "</p>" + folded(findings, ink_key(page) + panels) + constant +
-         "</section>\n";
+  return "<section id=\"distributions\"><h2>Distributions</h2>" +
+         (count > 0 ? "<p class=\"lead\">" + std::string(kBoxesLead) + "</p>" +
+                          folded(findings, ink_key(page) + panels)
+                    : "") +
+         constant + "</section>\n";
 }
 
 }  // namespace
