@@ -129,6 +129,34 @@ TEST_CASE("Names stand in place of numbers on an axis, in two rows when one is t
   CHECK(page_chart(chart, "", {1000, 200}).find(">vector summation of all<") != std::string::npos);
 }
 
+TEST_CASE("Names that begin alike end differently when they are shortened, with one ellipsis") {
+  constexpr const char* kEllipsis = "\xE2\x80\xA6";
+  const std::string alike = "feed_forward_network_of_sensors_and_motors_with_hidden_layer_";
+  LineChart chart;
+  chart.x.names = {{0, alike + "4"}, {1, alike + "9"}};
+  chart.series = {{.name = "", .points = {{0, 1}, {1, 2}}}};
+  const std::string line = page_chart(chart, "", {300, 200});
+  CHECK(count(line, "_4</text>") == 1);
+  CHECK(count(line, "_9</text>") == 1);
+  CHECK(count(line, kEllipsis) == 2);
+  // In two rows, what has no room is left out between them.
+  chart.x.names = {{0, "vector summation of everything with a memory of 1 s"},
+                   {1, "vector summation of everything with a memory of 9 s"}};
+  const std::string rows = page_chart(chart, "", {300, 200});
+  CHECK(count(rows, std::string(kEllipsis) + "</text>") == 2);
+  CHECK(count(rows, " of 1 s</text>") == 1);
+  CHECK(count(rows, " of 9 s</text>") == 1);
+  CHECK(count(rows, kEllipsis) == 2);
+  // Shortened before.
+  Tiles tiles = two_by_two();
+  tiles.y.names = {{0, "feed_forward_network" + std::string(kEllipsis) + "ith_hidden_layer_4"},
+                   {0, "feed_forward_network" + std::string(kEllipsis) + "ith_hidden_layer_9"}};
+  const std::string again = page_chart(tiles, "", {300, 0});
+  CHECK(count(again, "_4</text>") == 1);
+  CHECK(count(again, "_9</text>") == 1);
+  CHECK(count(again, kEllipsis) == 2);
+}
+
 TEST_CASE("Curves differ by their dashes where they have no colours, and marks by their shapes") {
   LineChart chart;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -78,6 +78,33 @@ MadeExperiment long_names() {
   return experiment;
 }
 
+// Levels that differ only behind a long common beginning.
+MadeExperiment alike_names() {
+  MadeExperiment experiment;
+  experiment.factors = {"world", "coordination of the obstacle avoidance", "behaviour network"};
+  const std::string beginning = "fusion by vector summation with a fading memory of ";
+  const std::string network = "feed_forward_network_of_sensors_and_motors_with_hidden_layer_";
+  for (const std::string seconds : {"1 s", "10 s", "100 s"}) {
+    for (const std::string layer : {"4", "16"}) {
+      MadeCell& cell = experiment.cells.emplace_back();
+      cell.levels = {"w", beginning + seconds, network + layer};
+      cell.label = cell.levels[1] + ", " + cell.levels[2];
+      cell.world_text = made_world();
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        MadeRun& run = cell.runs.emplace_back();
+        run.seed = seed;
+        const auto number = static_cast<double>(seed * seconds.size() + layer.size());
+        run.measures = {{"path_length_m", 10.0 + 0.37 * number + 0.01 * number * number},
+                        {"time_s", 30.0 + number},
+                        {"success", seed % seconds.size() == 0 ? 0.0 : 1.0}};
+        run.outcome = seed % seconds.size() == 0 ? "time_limit" : "success";
+        run.robots.emplace_back().poses = {{0, 0, 0}, {1, 0, 0}, {1, 0.1 * number, 1.57}};
+      }
+    }
+  }
+  return experiment;
+}
+
 // A value that is no number is null in the database.
 MadeExperiment odd_values() {
   MadeExperiment experiment = made_from({{1, 2, 3, 4, 5, 6}, {2, 3, 4, 5, 6, 7}, {1, 1, 1, 1, 1}});
@@ -103,7 +130,8 @@ std::vector<EdgeCase> edge_cases() {
   return {{"all crashed", all_crashed()}, {"all pending", all_pending()},
           {"one run", one_run},           {"one cell", made_from({{1, 2, 3, 4, 5, 60}})},
           {"100 cells", hundred_cells()}, {"bad names", hostile()},
-          {"long names", long_names()},   {"odd values", odd_values()}};
+          {"long names", long_names()},   {"alike names", alike_names()},
+          {"odd values", odd_values()}};
 }
 
 report::Questions edge_questions() {

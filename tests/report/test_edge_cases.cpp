@@ -1,5 +1,6 @@
 // Every form of a report on databases that are hardly a study.
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -151,6 +152,27 @@ TEST_CASE("A table for a terminal has no empty column, and none that is endless"
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
     CHECK(elsie::base::characters(line) <= 130);
+  }
+}
+
+TEST_CASE("Cells whose levels begin alike keep names that differ, in the table and in figures") {
+  const std::string text = terminal_report(findings_of("alike names"), "r.db");
+  const std::string table =
+      text.substr(text.find("\n\n") + 2, text.rfind("\n\n") - text.find("\n\n"));
+  std::set<std::string> names;
+  std::istringstream lines(table.substr(0, table.find("\n\n")));
+  for (std::string line; std::getline(lines, line);) {
+    CHECK(elsie::base::characters(line.substr(0, line.find("  "))) <= 60);
+    names.insert(line.substr(0, line.find("  ")));
+  }
+  CHECK(names.size() == 1 + 6);  // the head
+  CHECK_THAT(text, Contains("fusion by vect\xe2\x80\xa6 memory of 1 s, "
+                            "feed_forward_n\xe2\x80\xa6hidden_layer_4  "));
+  for (const EdgeCase& edge : edge_cases()) {
+    if (edge.name != "alike names") continue;
+    CHECK_THAT(Made(edge.experiment).html(),
+               Contains(">fusion by v\xe2\x80\xa6ory of 1 s, feed_forwar\xe2\x80\xa6"
+                        "en_layer_4</text>"));
   }
 }
 

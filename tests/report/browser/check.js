@@ -16,6 +16,11 @@ addEventListener("load", () => {
     .filter((element) => element.getBoundingClientRect().right > innerWidth + 0.5)
     .map((element) => element.outerHTML.slice(0, 120));
 
+  // Tables by factor that must be scrolled.
+  found.wide = [...document.querySelectorAll("#factors .scroll")]
+    .filter((box) => box.scrollWidth > box.clientWidth + 1)
+    .map((box) => box.textContent.slice(0, 120));
+
   // Invisible figures, and texts that stick out of their figures.
   const figures = [...document.querySelectorAll("figure")];
   found.figures = figures.length;

@@ -25,7 +25,7 @@ std::string part_of(const Findings& findings, std::size_t from, std::size_t to) 
 
 std::string row_name(const Findings& findings, std::size_t cell) {
   const std::string& label = findings.results.cells[cell].label;
-  return output::shortened(output::one_line(label.empty() ? "all" : label), 46);
+  return short_label(label.empty() ? "all" : label, 46);
 }
 
 Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks, std::size_t from,

@@ -132,9 +132,10 @@ std::string html_table(const std::vector<std::vector<std::string>>& rows,
   std::string text = "<div class=\"scroll\"><table>";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const char* const tag = i == 0 ? "th" : "td";
+    const char* const text_kind = i == 0 ? ">" : " class=\"name\">";
     text += i == 0 ? "<thead><tr>" : "<tr>";
     for (std::size_t j = 0; j < rows[i].size(); ++j) {
-      text += "<" + std::string(tag) + (j < text_columns ? ">" : " class=\"n\">") +
+      text += "<" + std::string(tag) + (j < text_columns ? text_kind : " class=\"n\">") +
               escaped(rows[i][j]) + "</" + tag + ">";
     }
     text += i == 0 ? "</tr></thead><tbody>" : "</tr>";

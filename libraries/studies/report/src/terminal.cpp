@@ -41,15 +41,17 @@ std::string table(const std::vector<const Column*>& columns) {
   return process::laid_out(rows, 1, kGap);
 }
 
+constexpr std::size_t kNameLength = 60;
+
 std::string shown_name(const std::string& name) {
-  return output::shortened(output::one_line(name), 60);
+  return output::shortened(output::one_line(name), kNameLength);
 }
 
 Column labels(const Findings& findings) {
   Column column{"cell"};
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
     const std::string& label = findings.results.cells[i].label;
-    column.push_back(label.empty() ? "all" : shown_name(label));
+    column.push_back(label.empty() ? "all" : short_label(label, kNameLength));
   }
   return column;
 }

@@ -6,7 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "elsie/base/utf8.h"
+#include "elsie/base/words.h"
+#include "elsie/output/clean_text.h"
+
 #include "numbers.h"
+#include "split.h"
 
 namespace elsie::report {
 
@@ -81,6 +86,31 @@ std::string one_run_in_words(const Findings& findings) {
          " seeds gave one and the same run" + (all && count > 1 ? " in every cell" : "") +
          ": nothing there is random" +
          (all ? "" : " (" + names + (count > kNamed ? "; ..." : "") + ")");
+}
+
+std::string short_label(const std::string& label, std::size_t most) {
+  constexpr std::size_t kLeast = 6;  // characters of a level that say anything
+  const std::string whole = output::one_line(label);
+  std::vector<std::string> levels = split(whole, ',');
+  const std::size_t separators = 2 * (levels.size() - 1);
+  if (base::characters(whole) <= most || most < levels.size() * kLeast + separators) {
+    return output::shortened(whole, most);
+  }
+  const auto length = [&](std::size_t share) {
+    std::size_t sum = separators;
+    for (const std::string& level : levels) {
+      sum += std::min(base::characters(level), share);
+    }
+    return sum;
+  };
+  std::size_t share = kLeast;
+  while (share < most && length(share + 1) <= most) {
+    ++share;  // what short levels leave is for the long ones
+  }
+  for (std::string& level : levels) {
+    level = output::shortened(level, share);
+  }
+  return base::joined(levels, ", ");
 }
 
 std::string success_in_words(const CellFindings& cell) {

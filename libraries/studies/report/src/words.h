@@ -24,6 +24,10 @@ std::string one_run_in_words(const Findings& findings);
 /// 3), in 415 of 2000"; "" for none.
 std::string give_ups_in_words(const Findings& findings);
 
+/// A label of a cell on one line, with at most `most` characters. If it is too long, each level is
+/// shortened to its share, because levels after a long one may be all that differs between cells.
+std::string short_label(const std::string& label, std::size_t most);
+
 /// "3/4", or "no goals".
 std::string success_in_words(const CellFindings& cell);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "elsie/output/clean_text.h"
+
 #include "panel.h"
 #include "text.h"
 
@@ -78,16 +80,30 @@ std::pair<std::string, std::string> folded(const std::string& name) {
                                   : std::pair(name.substr(0, cut), name.substr(cut + 1));
 }
 
+// A name in at most two rows of this width. What has no room is left out once: in the middle of the
+// only row, or between both.
+std::pair<std::string, std::string> rows_of(const Canvas& canvas, const std::string& name,
+                                            const TextStyle& style, double room) {
+  const auto fits = [&](const std::string& text) { return canvas.text_width(text, style) <= room; };
+  if (fits(name)) return {name, ""};
+  auto [first, second] = folded(name);
+  if (second.empty()) return {canvas.fitted(first, style, room), ""};
+  if (fits(first) && fits(second)) return {first, second};
+  const std::string ellipsis(output::kEllipsis);
+  first = canvas.fitted(first + ellipsis, style, room);
+  second = canvas.fitted(ellipsis + second, style, room);
+  if (second.starts_with(ellipsis)) second.erase(0, ellipsis.size());
+  return {first, second};
+}
+
 void draw_names(Canvas& canvas, const Axis& axis, const PlaneMap& map, double y, double room) {
   const TextStyle style{.size = kTick, .across = Across::centre, .down = Down::top};
   for (const Tick& name : axis.names) {
     const double x = canvas.crisp(map.pixel({name.at, 0}).x);
     canvas.line({x, canvas.crisp(y)}, {x, canvas.crisp(y) + 4}).stroke(kFrame, {.width = 1});
-    const auto [first, second] = canvas.text_width(name.text, style) > room
-                                     ? folded(name.text)
-                                     : std::pair(name.text, std::string());
-    canvas.text(canvas.fitted(first, style, room), {x, y + 8}, style);
-    canvas.text(canvas.fitted(second, style, room), {x, y + 8 + kFold}, style);
+    const auto [first, second] = rows_of(canvas, name.text, style, room);
+    canvas.text(first, {x, y + 8}, style);
+    canvas.text(second, {x, y + 8 + kFold}, style);
   }
 }
 

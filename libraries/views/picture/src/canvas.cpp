@@ -10,6 +10,7 @@
 #include <cairo.h>
 
 #include "elsie/base/utf8.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/picture/svg.h"
 
 #include "svg_painter.h"
@@ -257,14 +258,24 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
 }
 
 std::string Canvas::fitted(const std::string& text, const TextStyle& style, double width) const {
-  const std::string whole = clean_text(text);
+  const std::string whole = clean_text(text), ellipsis(output::kEllipsis);
   if (text_width(whole, style) <= width) return whole;
-  for (std::size_t end = whole.size(); end > 0;) {
-    end = base::cut_before(whole, end - 1);
-    const std::string shorter = whole.substr(0, end) + "\xE2\x80\xA6";
+  // A text that was shortened before still has only one ellipsis.
+  const std::size_t cut = whole.find(ellipsis);
+  const std::size_t half = base::cut_before(whole, whole.size() / 2);
+  const bool is_cut = cut != std::string::npos;
+  std::string front = whole.substr(0, is_cut ? cut : half);
+  std::string back = whole.substr(is_cut ? whole.rfind(ellipsis) + ellipsis.size() : half);
+  for (;;) {
+    const std::string shorter = front + ellipsis + back;
     if (text_width(shorter, style) <= width) return shorter;
+    if (front.empty() && back.empty()) return {};
+    if (front.size() > back.size()) {
+      front.resize(base::cut_before(front, front.size() - 1));
+    } else {
+      back.erase(0, base::character_at(back, 0).bytes);
+    }
   }
-  return {};
 }
 
 std::string Canvas::finish(const std::string& label) {

@@ -85,7 +85,8 @@ class Canvas {
 
   double text_width(const std::string& text, const TextStyle& style) const;
   void text(const std::string& text, const Vector2& at, const TextStyle& style);
-  /// The text, shortened with an ellipsis to the width.
+  /// The text if it is not wider; else an ellipsis replaces its middle, because names often begin
+  /// alike. "" if not even the ellipsis has room.
   std::string fitted(const std::string& text, const TextStyle& style, double width) const;
 
   /// Everything drawn until close_mark() is one mark. An SVG shows the title when the pointer is
