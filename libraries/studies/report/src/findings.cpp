@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "elsie/report/survival.h"
+
 #include "goals.h"
 #include "judge.h"
 
@@ -51,11 +53,19 @@ Censoring censoring_of(std::vector<double> known, const std::vector<double>& lim
   if (!known.empty()) {
     result.least = *std::min_element(known.begin(), known.end());
   }
-  known.resize(known.size() + result.count, std::numeric_limits<double>::infinity());
+  // At risk until the last of them is over, as in the curve of the cell.
+  std::vector<Observed> observed;
+  double longest = limits.empty() ? 0.0 : *std::max_element(limits.begin(), limits.end());
+  for (const double value : known) {
+    observed.push_back({value, false});
+    longest = std::max(longest, value);
+  }
+  observed.resize(known.size() + result.count, {longest, true});
+  known.resize(observed.size(), std::numeric_limits<double>::infinity());
   std::sort(known.begin(), known.end());
   if (const double median = quantile(known, 0.5); std::isfinite(median)) {
     result.median = median;
-    result.median_interval = median_interval(known, kConfidence);
+    result.median_interval = survival_of(observed, kConfidence).median_interval;
   }
   return result;
 }

@@ -32,7 +32,8 @@ struct Censoring {
   std::optional<double> limit;  // the smallest bound of the others
   std::optional<double> least;  // the smallest known value
   std::optional<double> median;
-  std::optional<Interval> median_interval;  // the upper end may be infinite: at least the limit
+  /// As of the curve (see survival.h); the upper end may be infinite: at least the limit.
+  std::optional<Interval> median_interval;
 };
 
 /// One measure in one cell, over the runs that are done and have a value.
