@@ -162,6 +162,10 @@ TEST_CASE("A value that is the same in every run is stated, not drawn") {
   const std::string html = Made(made_up).html();
   CHECK(count(html, "aria-label=\"Box plots of ") == 1);
   CHECK_THAT(html, Contains("The same in every run: time 30 s."));
+  made_up.cells[1].runs[2].measures["time_s"] = 30.0 + 1e-6;
+  const std::string rounded = Made(made_up).html();
+  CHECK(count(rounded, "aria-label=\"Box plots of ") == 1);
+  CHECK_THAT(rounded, Contains("The same in every run, or in none: success, time."));
   made_up.cells[1].runs[2].measures["time_s"] = 31.0;
   CHECK(count(Made(made_up).html(), "aria-label=\"Box plots of ") == 2);
 }

@@ -171,7 +171,7 @@ std::optional<Effect> hedges_g(std::span<const double> first, std::span<const do
       freedom);
   const double size = std::max(
       {std::abs(a->largest), std::abs(a->least), std::abs(b->largest), std::abs(b->least)});
-  if (pooled <= 1e-12 * size) {
+  if (pooled <= kRoundingOfRuns * size) {
     return std::nullopt;
   }
   const double g = (1.0 - 3.0 / (4.0 * freedom - 1.0)) * (a->mean - b->mean) / pooled;

@@ -51,6 +51,8 @@ double mean_value(const std::vector<Observed>& all) {
 
 // A difference this small, relative to the largest value, comes from the rounding of means.
 constexpr double kRoundingOfMeans = 1e-12;
+constexpr const char* kRoundingNote =
+    "differences of less than a millionth of the values come from rounding, and count as 0";
 
 double largest_size(const Matches& matches) {
   double largest = 0.0;
@@ -66,9 +68,20 @@ double largest_size(const Matches& matches) {
   return largest;
 }
 
+// The difference of two means, without rounding; `rounded` becomes true where that is left out.
+double difference_of(const Match& match, bool& rounded) {
+  const double first = mean_value(match.first), second = mean_value(match.second);
+  if (!are_equal(std::min(first, second), std::max(first, second))) {
+    return first - second;
+  }
+  rounded |= std::abs(first - second) > kRoundingOfMeans * std::abs(first);
+  return 0.0;
+}
+
 void pair_up(const Findings& findings, const Matches& matches, bool bounds, Contrast& contrast) {
   const double rounding = kRoundingOfMeans * (bounds ? 1.0 : largest_size(matches));
   std::vector<double> differences;
+  bool rounded = false;
   for (const auto& [seed, by_levels] : matches) {
     double sum = 0.0, count = 0.0;
     for (const auto& [levels, one] : by_levels) {
@@ -77,13 +90,16 @@ void pair_up(const Findings& findings, const Matches& matches, bool bounds, Cont
       }
       // Of bounds, only the order is known.
       sum += bounds ? rank_test(one.first, one.second, kConfidence).delta.value
-                    : mean_value(one.first) - mean_value(one.second);
+                    : difference_of(one, rounded);
       count += 1.0;
     }
     if (count > 0.0) {
       const double difference = sum / count;
       differences.push_back(std::abs(difference) <= rounding ? 0.0 : difference);
     }
+  }
+  if (rounded) {
+    contrast.notes.emplace_back(kRoundingNote);
   }
   contrast.seeds = differences.size();
   contrast.by_signs = bounds || !contrast.response.measure;
@@ -165,22 +181,27 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
   found.of_second = margin_of(findings, response, balance, 1);
   found.certain = balance.certain();
   found.notes = notes_on(balance);
+  bool bounds = false;
+  double least = of_first.front().of.value, largest = least;
+  for (const std::vector<Observation>* const group : {&of_first, &of_second}) {
+    for (const Observation& one : *group) {
+      bounds |= one.of.bound;
+      least = std::min(least, one.of.value);
+      largest = std::max(largest, one.of.value);
+    }
+  }
+  found.equal = !bounds && are_equal(least, largest);
   std::vector<Observed> a, b;
   std::vector<double> values_a, values_b;
-  bool bounds = false;
-  found.equal = true;
   const auto take = [&](const std::vector<Observation>& from, std::vector<Observed>& to,
                         std::vector<double>& values) {
     for (const Observation& one : from) {
-      to.push_back(one.of);
-      values.push_back(one.of.value);
-      bounds |= one.of.bound;
-      found.equal &= one.of.value == of_first.front().of.value;
+      to.push_back({found.equal ? least : one.of.value, one.of.bound});
+      values.push_back(to.back().value);
     }
   };
   take(of_first, a, values_a);
   take(of_second, b, values_b);
-  found.equal &= !bounds;
   if (!response.measure) {
     const auto frequency = [](const std::vector<double>& values) {
       return Frequency{static_cast<std::size_t>(std::count(values.begin(), values.end(), 1.0)),
@@ -325,7 +346,7 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
   }
   if (equal) {
     refuse("all runs of '" + output::one_line(first) + "' and '" + output::one_line(second) +
-           "' have equal values, so there is nothing to compare");
+           "' have equal values, up to rounding, so there is nothing to compare");
   }
   return all;
 }

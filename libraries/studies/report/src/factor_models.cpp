@@ -1,6 +1,7 @@
 #include "elsie/report/factor_models.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -304,6 +305,11 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     }
     LinearFit fit = fit_linear(terms, values, kConfidence);
     warn(fit, model.warnings);
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    if (fit.deviation <= kRoundingOfRuns * std::max(std::abs(*least), std::abs(*largest))) {
+      model.warnings.emplace_back(
+          "the residuals come from rounding, so errors, intervals and p-values mean nothing");
+    }
     model.fit = std::move(fit);
   } else {
     std::vector<bool> values;

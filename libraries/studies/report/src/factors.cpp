@@ -131,9 +131,14 @@ std::vector<std::size_t> all_cells(const Findings& findings) {
 
 bool is_constant(const Findings& findings, const Response& response) {
   const std::vector<Observation> all = observations(findings, response, all_cells(findings));
-  return std::all_of(all.begin(), all.end(), [&](const Observation& one) {
-    return one.of.value == all.front().of.value && one.of.bound == all.front().of.bound;
-  });
+  if (all.empty()) {
+    return true;
+  }
+  const auto [least, largest] = std::minmax_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.of.value < b.of.value; });
+  return are_equal(least->of.value, largest->of.value) &&
+         std::all_of(all.begin(), all.end(),
+                     [&](const Observation& one) { return one.of.bound == all.front().of.bound; });
 }
 
 std::vector<std::size_t> common(const std::vector<std::size_t>& first,

@@ -91,10 +91,11 @@ LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values
   require_observations(design, values.size());
   const VectorXd y = Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
   const double all = (y.array() - y.mean()).square().sum();
-  if (std::sqrt(all) <= 1e-12 * y.norm() || all == 0.0) {
-    throw std::invalid_argument("all " + std::to_string(values.size()) +
-                                " values are equal, so there is nothing that a model could "
-                                "explain; choose a measure that varies");
+  if (are_equal(y.minCoeff(), y.maxCoeff())) {
+    throw std::invalid_argument(
+        "all " + std::to_string(values.size()) +
+        " values are equal, up to rounding, so there is nothing that a model could "
+        "explain; choose a measure that varies");
   }
   const Eigen::Index size = design.columns.cols();
   const Eigen::HouseholderQR<MatrixXd> qr(design.columns);

@@ -189,7 +189,7 @@ std::string table(const PageContext& page) {
 
 // The value of a measure that is the same in all runs, and so is not drawn.
 std::optional<double> only_value(const Findings& findings, std::size_t measure) {
-  std::optional<double> value;
+  std::optional<Interval> range;
   std::size_t count = 0;
   for (const CellFindings& cell : findings.cells) {
     if (cell.measures[measure].censoring) {
@@ -199,13 +199,11 @@ std::optional<double> only_value(const Findings& findings, std::size_t measure) 
     if (!all) {
       continue;
     }
-    if (all->least != all->largest || all->least != value.value_or(all->least)) {
-      return std::nullopt;
-    }
-    value = all->least;
+    range = range ? Interval{std::min(range->low, all->least), std::max(range->high, all->largest)}
+                  : Interval{all->least, all->largest};
     count += all->count;
   }
-  return count > 1 ? value : std::nullopt;
+  return count > 1 && are_equal(range->low, range->high) ? std::optional(range->low) : std::nullopt;
 }
 
 bool any_value(const Findings& findings, std::size_t measure) {

@@ -165,6 +165,10 @@ std::optional<Interval> interval_of_rates(Relation relation, const Frequency& ce
   return Interval{std::max(0.0, low), (p * q + root_high) / below_low};
 }
 
+bool are_equal(double least, double largest) {
+  return largest - least <= kRoundingOfRuns * std::max(std::abs(least), std::abs(largest));
+}
+
 Interval tukey_fences(const Summary& summary) {
   const double reach = 1.5 * summary.quartile_range();
   return {summary.lower_quartile - reach, summary.upper_quartile + reach};

@@ -39,7 +39,7 @@ RankTest rank_test(std::span<const Observed> first, std::span<const Observed> se
 
 /// The difference of means in pooled standard deviations, corrected for small samples (Hedges
 /// 1981), with the interval of its normal approximation (Hedges and Olkin 1985). None for fewer
-/// than two values in a group, and without spread.
+/// than two values in a group, and without a spread above kRoundingOfRuns.
 std::optional<Effect> hedges_g(std::span<const double> first, std::span<const double> second,
                                double confidence);
 

@@ -22,7 +22,7 @@ struct Contrast {
   Response response;
   std::string first, second;
   Margin of_first, of_second;
-  bool equal = false;  // all values of both groups are the same, and known
+  bool equal = false;  // all values of both groups are_equal(), and known
   /// Each cell gave one and the same run for all its seeds: no intervals, and no p-values.
   bool certain = false;
   std::vector<std::string> notes;  // what was left out: see notes_on()
@@ -30,7 +30,7 @@ struct Contrast {
   // All runs of one group that count against all of the other, as if all were independent. A cell
   // whose seeds all gave one and the same run counts once.
   Effect effect;            // the odds ratio of success; Cliff's delta of a measure
-  std::optional<Effect> g;  // Hedges'; none for success, with bounds, and without spread
+  std::optional<Effect> g;  // Hedges'; none for success, with bounds, without spread
   double pooled_p = 1.0;    // of Fisher's test; of the rank test
   bool pooled_exact = true;
   double pooled_holm = 1.0;  // corrected for all contrasts of the response

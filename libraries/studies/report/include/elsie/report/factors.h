@@ -55,7 +55,7 @@ struct Observation {
 std::vector<Observation> observations(const Findings& findings, const Response& response,
                                       const std::vector<std::size_t>& cells);
 
-/// Whether all runs have the same value, or none has any.
+/// Whether the values of all runs are_equal(), or none has any.
 bool is_constant(const Findings& findings, const Response& response);
 
 /// All cells of the results.

@@ -134,6 +134,14 @@ struct Frequency {
 std::optional<Interval> interval_of_rates(Relation relation, const Frequency& cell,
                                           const Frequency& reference, double confidence);
 
+/// Values that differ by at most this part of their size are taken as equal. Rounding begins at
+/// 1e-16, but contacts amplify it from step to step: between levels without any effect, differences
+/// of 1e-7 are seen.
+inline constexpr double kRoundingOfRuns = 1e-6;
+
+/// Whether values from `least` to `largest` differ by rounding only.
+bool are_equal(double least, double largest);
+
 /// Values outside of this interval are outliers (Tukey 1977): 1.5 quartile ranges beyond quartiles.
 Interval tukey_fences(const Summary& summary);
 
