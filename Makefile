@@ -20,9 +20,9 @@ configure-program:
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
 
 # Builds what it runs, which is a part of the program, and runs the main job: a robot whose behaviours are blended by a network collects four
-# resources.
+# resources. A build folder that has the whole program keeps it, and none of its parts becomes older than the others.
 demo: configure-program
-	cmake --build --preset $(PRESET) --target elsie elsie_shipped_plugins
+	cmake --build --preset $(PRESET) --target $$([ -f $(BUILD)/lib/elsie/elsie-studies.so ] && echo elsie_complete || echo elsie elsie_shipped_plugins)
 	@mkdir -p out
 	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --record out/four_resources.mcap
 	$(ELSIE) explain out/four_resources.mcap --picture out/who_decided.png
