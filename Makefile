@@ -2,6 +2,8 @@
 PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
+# The parts of the program that the demo does not need.
+PARTS := $(patsubst %,$(BUILD)/lib/elsie/elsie-%.so,studies testing session)
 
 .PHONY: desktop program configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
@@ -22,12 +24,12 @@ configure-program:
 # Builds what it runs, which is a part of the program, and runs the main job: a robot whose behaviours are blended by a network collects four
 # resources. A build folder that has the whole program keeps it, and none of its parts becomes older than the others.
 demo: configure-program
-	cmake --build --preset $(PRESET) --target $$([ -f $(BUILD)/lib/elsie/elsie-studies.so ] && echo elsie_complete || echo elsie elsie_shipped_plugins)
+	cmake --build --preset $(PRESET) --target $(if $(wildcard $(PARTS)),elsie_complete,elsie elsie_shipped_plugins)
 	@mkdir -p out
 	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --record out/four_resources.mcap
 	$(ELSIE) explain out/four_resources.mcap --picture out/who_decided.png
 	@echo "Look at out/four_resources.png and out/who_decided.png; the whole run is in out/four_resources.csv."
-	@[ -f $(BUILD)/lib/elsie/elsie-studies.so ] || echo "\`make program\` builds what the demo does not need: batches, reports, replays."
+	@ls $(PARTS) >/dev/null 2>&1 || echo "\`make program\` builds what the demo does not need: elsie batch, replay, merge, report and test-plugin."
 
 # The whole program with all its subcommands.
 program: configure-program
@@ -48,7 +50,7 @@ test: all
 PREFIX ?= /usr/local
 install: configure-program
 	cmake --build --preset $(PRESET) --target elsie_complete elsie_help
-	cmake --install $(BUILD) --prefix $(PREFIX)
+	cmake --install $(BUILD) --prefix "$(PREFIX)"
 
 # A Debian package of the same.
 package: all

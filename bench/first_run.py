@@ -1,4 +1,4 @@
-"""How long a newcomer waits: `make demo` on a bare Debian 12, then the rest of the program, on the clock.
+"""Measures how long a newcomer waits for `make demo` on a bare Debian 12, and for the rest of the program.
 
   first_run.py     as root, with debootstrap; makes a small Debian system in a temporary folder, and removes it
 """
@@ -29,8 +29,7 @@ def inside(system, command):
 
 
 if os.geteuid() != 0 or not shutil.which("debootstrap"):
-    print("Not measured: this needs root and debootstrap.")
-    sys.exit(0)
+    sys.exit("first_run: this needs root and debootstrap")
 with tempfile.TemporaryDirectory(prefix="first_run-", dir="/var/tmp") as folder:
     made = subprocess.run(["debootstrap", "--variant=minbase", "--include=git,make,ca-certificates", "bookworm", folder], capture_output=True, text=True)
     if made.returncode != 0:

@@ -60,7 +60,7 @@ add_custom_command(
   COMMAND elsie manual > "${help}/elsie.1"
   COMMAND elsie completion bash > "${help}/elsie.bash"
   COMMAND elsie completion zsh > "${help}/_elsie"
-  DEPENDS elsie_complete
+  DEPENDS elsie_complete elsie_program elsie_commands_commands elsie_studies_commands elsie_testing_commands elsie_session_commands
   VERBATIM)
 add_custom_target(elsie_help ALL DEPENDS "${help}/elsie.1")
 install(FILES "${help}/elsie.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")

@@ -1,9 +1,11 @@
-// The parts of the program that `elsie run` needs only for views, or if the world has cameras. Each
-// is a library beside the program, which loads what the work needs: OpenGL, cairo, SQLite. A build
-// may lack all but the first of them.
+// The libraries of subcommands beside the program, which load what the work needs: OpenGL, cairo,
+// SQLite. `elsie run` needs only the first, and only for views and for cameras. A build may lack
+// the others.
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "elsie/simulation/camera_renderer.h"
 
@@ -14,6 +16,7 @@ namespace elsie::program {
 
 /// What such a library exports; functions that it does not have are null.
 struct CommandModule {
+  const char* name;
   /// Adds the subcommands of the library.
   void (*add_commands)(CLI::App& program, Job& job) = nullptr;
   /// Throws BadInput for files that cannot be written.
@@ -27,17 +30,19 @@ struct CommandModule {
 };
 
 /// The libraries, in the order in which the help lists their subcommands: lib/elsie/NAME.so.
-inline constexpr const char* kViewsModule = "elsie-commands";
+inline constexpr const char* kCommandsModule = "elsie-commands";
 inline constexpr const char* kStudiesModule = "elsie-studies";
 inline constexpr const char* kTestingModule = "elsie-testing";
 inline constexpr const char* kSessionModule = "elsie-session";
 
-/// Loads the library. Throws base::Error with a sentence when it is missing.
+/// Loads the library. Throws base::Error with a sentence when it is missing, damaged, or another.
 const CommandModule& command_module(const char* name);
 
-/// Loads the libraries that are there, up to the one with the subcommand `chosen`, the first word
-/// of the command line, and adds their subcommands. Throws BadInput if its library is missing.
-void add_module_commands(CLI::App& program, Job& job, const std::string& chosen);
+/// Loads the library with the subcommand `chosen`, the first word of the command line, and adds its
+/// subcommands; throws BadInput if it is missing. If `chosen` is none, or describes all, it loads
+/// all that are in order, and returns the subcommands of the others.
+std::vector<std::string> add_module_commands(CLI::App& program, Job& job,
+                                             const std::string& chosen);
 
 /// The function that each library exports by this name returns a const CommandModule*.
 inline constexpr const char* kCommandModule = "elsie_command_module";

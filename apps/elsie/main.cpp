@@ -4,7 +4,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -89,10 +92,11 @@ int work(int argc, char** argv) {
   Job job;
   add_run_command(program, job);
   try {
+    std::vector<std::string> not_built;
     if (!is_run(argc, argv)) {
-      add_module_commands(program, job, argc > 1 ? argv[1] : "");
+      not_built = add_module_commands(program, job, argc > 1 ? argv[1] : "");
     }
-    check_words(program, argc, argv);
+    check_words(program, not_built, argc, argv);
     program.parse(argc, argv);
   } catch (const base::Error& error) {
     std::cerr << error.message() << '\n';
@@ -112,11 +116,14 @@ int work(int argc, char** argv) {
   // Camera pictures are small: where Mesa draws them in software, handing them to threads costs
   // more than it gains. Set here: no other code runs yet that could read the environment.
   setenv("LP_NUM_THREADS", "0", 0);
-  if (argc == 2 && std::string_view(argv[1]) == kWorkerCommand) {
-    command_module(kStudiesModule).work();
-  }
-  if (argc == 2 && std::string_view(argv[1]) == kTemplateCommand) {
-    command_module(kStudiesModule).stand_by();
+  for (const auto& [command, work] : {std::pair(kWorkerCommand, &CommandModule::work),
+                                      std::pair(kTemplateCommand, &CommandModule::stand_by)}) {
+    if (argc == 2 && std::string_view(argv[1]) == command) {
+      process::end_with(finish([work = work] {
+        (command_module(kStudiesModule).*work)();
+        return int{kOtherFailure};  // it has not ended the process
+      }));
+    }
   }
   set_program_path(argv[0]);
   keep_output(argc, argv);

@@ -28,7 +28,7 @@ struct ViewOptions {
   bool any() const { return !record.files.empty() || picture || image_folder; }
 };
 
-/// The views of one run. The library of views makes them (command_module.h), because they need
+/// The views of one run. elsie-commands.so makes them (command_module.h), because they need
 /// libraries that most runs do not use.
 class RunViews {
  public:

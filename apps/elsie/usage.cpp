@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 
 #include "command.h"
 
@@ -14,8 +15,9 @@ namespace elsie::program {
 
 namespace {
 
-const CLI::App& subcommand_of(const CLI::App& program, const std::string& word) {
-  std::vector<std::string> names;
+const CLI::App& subcommand_of(const CLI::App& program, const std::vector<std::string>& not_built,
+                              const std::string& word) {
+  std::vector<std::string> names = not_built;
   std::string list;
   for (const CLI::App* command : program.get_subcommands({})) {
     if (command->get_name() == word) {
@@ -25,16 +27,18 @@ const CLI::App& subcommand_of(const CLI::App& program, const std::string& word) 
     list += (list.empty() ? "" : ", ") + command->get_name();
   }
   throw BadInput("there is no subcommand '" + word + "'" + base::did_you_mean(word, names) +
-                 "\nthere are: " + list);
+                 "\nthere are: " + list +
+                 (not_built.empty() ? "" : "; not built: " + base::joined(not_built)));
 }
 
 }  // namespace
 
-void check_words(const CLI::App& program, int argc, char** argv) {
+void check_words(const CLI::App& program, const std::vector<std::string>& not_built, int argc,
+                 char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return;
   }
-  const CLI::App& command = subcommand_of(program, argv[1]);
+  const CLI::App& command = subcommand_of(program, not_built, argv[1]);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {

@@ -56,7 +56,15 @@ void set(Element& element, const std::string& attribute, double value, const Loc
   }
 }
 
-bool is_of_layouts(const std::string& path) { return path.starts_with("layouts/"); }
+/// What has been read before anything is drawn, if the path is of it; "" for other paths.
+std::string read_before(const std::string& path) {
+  for (const char* name : {"layouts", "layout", "scatter"}) {
+    if (path.starts_with(name + std::string("/")) || path.starts_with(name + std::string("["))) {
+      return "layouts";
+    }
+  }
+  return path.ends_with("/@template") ? "templates" : "";
+}
 
 /// The problem with a distribution; "" if there is none.
 std::string mistake(const Draw& draw) {
@@ -93,12 +101,12 @@ bool check_draws(Drawing& drawing, const std::vector<Draw>& draws,
   bool is_right = true;
   std::set<std::string> paths;
   for (const Draw& draw : draws) {
-    const std::string problem = !paths.insert(draw.path).second
-                                    ? "a second time; leave out one of the two <draw>s"
-                                : !layout && is_of_layouts(draw.path)
-                                    ? "too late: the layouts are read before anything is drawn; "
-                                      "expected the path of an attribute outside of <layouts>"
-                                    : mistake(draw);
+    const std::string before = layout ? "" : read_before(draw.path);
+    const std::string problem =
+        !paths.insert(draw.path).second ? "a second time; leave out one of the two <draw>s"
+        : !before.empty()
+            ? "too late: " + before + " are read before anything is drawn; draw another attribute"
+            : mistake(draw);
     is_right &= problem.empty() || drawing.refuse(draw.location, layout.value_or(draw.id),
                                                   "draws '" + draw.path + "' " + problem);
   }

@@ -18,7 +18,7 @@ def loaded_by(*words):
     """The unwanted libraries that the program and its child initialise."""
     with tempfile.TemporaryDirectory() as folder:
         environment = dict(os.environ, LD_DEBUG="libs", LD_DEBUG_OUTPUT=os.path.join(folder, "log"))
-        run = subprocess.run([ELSIE, *words, "--quiet"], env=environment, capture_output=True, text=True)
+        run = subprocess.run([ELSIE, *words], env=environment, capture_output=True, text=True)
         if run.returncode not in (0, 1):
             sys.exit(f"{words} failed: {run.stderr}")
         text = "".join(open(os.path.join(folder, name)).read() for name in os.listdir(folder))
@@ -28,15 +28,18 @@ def loaded_by(*words):
     return sorted({name for name in UNWANTED for file in files if os.path.basename(file).startswith(name)})
 
 
-found = loaded_by("run", WORLD, "--duration", "1")
+found = loaded_by("run", WORLD, "--duration", "1", "--quiet")
 if found:
     sys.exit(f"a run of {WORLD}, which has no cameras, loads {', '.join(found)}")
-found = loaded_by("run", WORLD_WITH_CAMERAS, "--duration", "1")
+found = loaded_by("run", WORLD_WITH_CAMERAS, "--duration", "1", "--quiet")
 if not {"libelsie-render", "libepoxy"} <= set(found):
     sys.exit(f"a run of {WORLD_WITH_CAMERAS} should load what takes pictures, but loads only: {', '.join(found) or 'nothing'}")
-found = loaded_by("run", WORLD_WITH_LAYOUTS, "--duration", "1")
+found = loaded_by("run", WORLD_WITH_LAYOUTS, "--duration", "1", "--quiet")
 if found != ["layouts.so", "libpng"]:
     sys.exit(f"a run of {WORLD_WITH_LAYOUTS} should load what draws layouts and nothing more, but loads {', '.join(found) or 'nothing'}")
-found = loaded_by("check", WORLD)
+found = loaded_by("check", WORLD, "--quiet")
 if not {"elsie-commands", "libelsie-experiments"} <= set(found) or {"elsie-studies", "libelsie-studies", "libsqlite3", "libcrypto"} & set(found):
     sys.exit(f"a check should load what reads experiments, and nothing of studies, but loads {', '.join(found) or 'nothing'}")
+found = loaded_by("session", "--help")
+if {"elsie-studies", "libelsie-studies", "libsqlite3", "libelsie-testing"} & set(found):
+    sys.exit(f"a session should load nothing of studies and tests, but loads {', '.join(found)}")

@@ -46,8 +46,9 @@ TEST_CASE("The engine that worlds have by default is there, and loaded once") {
 }
 
 TEST_CASE("An engine that is missing, damaged, foreign or none is refused in a sentence") {
-  CHECK_THAT(refusal("mercury"), Contains("'mercury'") && Contains("mercury.so") &&
-                                     Contains("reinstall Elsie, or build it again"));
+  CHECK_THAT(refusal("mercury"),
+             Contains("'mercury'") && Contains("mercury.so") &&
+                 Contains("reinstall Elsie, or delete the file and build it again"));
   CHECK_THAT(refusal(broken("new_api")), Contains("api"));
   CHECK_THAT(refusal(broken("unresolved")), Contains("cannot be loaded"));
   CHECK_THAT(refusal(broken("good")), Contains("does not export 'elsie_make_engine'"));

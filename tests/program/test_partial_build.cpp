@@ -45,7 +45,7 @@ TEST_CASE("A subcommand that was not built is named, with what builds it") {
   CHECK(some.contains("run"));
   CHECK(some.contains("explain"));
   CHECK_THAT(help.out, Catch::Contains("Not built: batch, ") &&
-                           Catch::Contains("test-plugin, session; `make program` builds them"));
+                           Catch::Contains("test-plugin; `make program` builds them."));
   std::set<std::string> missing{"session"};  // which no help lists
   for (const std::string& name : all) {
     if (!some.contains(name)) missing.insert(name);
@@ -58,7 +58,7 @@ TEST_CASE("A subcommand that was not built is named, with what builds it") {
     CHECK(run.exit_code == 2);
     CHECK(run.out.empty());
     CHECK_THAT(run.err, Catch::StartsWith("elsie: `elsie " + name + "` is not built: '") &&
-                            Catch::EndsWith("build the rest with `make program`\n"));
+                            Catch::EndsWith("run `make program`, or install Elsie again\n"));
   }
 }
 
@@ -72,13 +72,44 @@ TEST_CASE("The completion and the manual page are of what was built") {
   CHECK_THAT(completion, Catch::Contains("test-plugin") && !Catch::Contains("batch"));
 }
 
-TEST_CASE("A program without the library of views runs plain worlds, and says what is wrong") {
+TEST_CASE("A mistyped subcommand that was not built is known") {
+  const Workplace here;
+  copy_part(here, "elsie-commands.so");
+  const auto run = here.sh(kPart + "bacth");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err,
+             Catch::Contains("there is no subcommand 'bacth'; did you mean 'batch'?") &&
+                 Catch::Contains("; not built: batch, replay, merge, report, test-plugin"));
+}
+
+TEST_CASE("A part of the program that is damaged harms no other") {
+  const Workplace here;
+  copy_part(here, "elsie-*.so");
+  const std::string studies = "part/lib/elsie/elsie-studies.so";
+  const auto refused = [&](const std::string& why) {
+    const auto batch = here.sh(kPart + "batch --help");
+    CHECK(batch.exit_code == 4);
+    CHECK_THAT(batch.err, Catch::Contains("elsie-studies.so") && Catch::Contains(why));
+    CHECK(here.sh(kPart + "test-plugin --help").err.empty());
+    const auto help = here.sh(kPart + "--help");
+    CHECK(help.exit_code == 0);
+    CHECK_THAT(help.err, Catch::Contains(why));
+    CHECK_THAT(help.out, Catch::Contains("test-plugin") && Catch::Contains("Not built: batch,"));
+  };
+  here.sh("head -c 20000 " + studies + " > short && cp short " + studies);
+  refused("is a library that was cut short");
+  here.sh("echo hello > " + studies);
+  refused("is not a shared library");
+  here.sh("cp part/lib/elsie/elsie-testing.so " + studies);
+  refused("is another library, 'elsie-testing.so'");
+}
+
+TEST_CASE("A program without elsie-commands.so runs plain worlds, and says what is wrong") {
   const Workplace here;
   copy_part(here, "");
   here.write("world.xml", R"(<world format="1"><limits time="1"/></world>)");
   CHECK_THAT(here.sh(kPart + "run world.xml --quiet").err, Catch::Equals(""));
   const auto run = here.sh(kPart + "picture world.xml");
   CHECK(run.exit_code == 4);
-  CHECK_THAT(run.err, Catch::Contains(
-                          "elsie-commands.so', which belongs to this program, cannot be loaded"));
+  CHECK_THAT(run.err, Catch::Contains("elsie-commands.so, cannot be read"));
 }

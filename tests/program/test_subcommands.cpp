@@ -243,3 +243,10 @@ TEST_CASE("Help has examples and exit codes") {
   }
   CHECK_THAT(here.elsie("--version").out, Catch::StartsWith("elsie 0."));
 }
+
+TEST_CASE("session says that it is for windows") {
+  const Workplace here;
+  const auto run = here.elsie("session");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Catch::Contains("`elsie session` is for windows"));
+}

@@ -33,8 +33,8 @@ TEST_CASE(
       "mkdir -p alone/bin alone/lib/elsie && cp run.mcap alone && cp \"$(command -v elsie)\" "
       "alone/bin"
       " && cp '" +
-      build_path("lib/elsie") + "'/elsie-* alone/lib/elsie && cd alone && LD_LIBRARY_PATH='" + build_path("lib") +
-      "' bin/elsie replay run.mcap --picture again.png");
+      build_path("lib/elsie") + "'/elsie-* alone/lib/elsie && cd alone && LD_LIBRARY_PATH='" +
+      build_path("lib") + "' bin/elsie replay run.mcap --picture again.png");
   CHECK(replay.err.empty());
   REQUIRE(replay.exit_code == 0);
   CHECK(here.read("run.png").size() > 5000);

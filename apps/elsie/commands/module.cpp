@@ -1,6 +1,7 @@
 // The exports of lib/elsie/elsie-commands.so.
 #include <CLI/CLI.hpp>
 
+#include "elsie/api/abi.h"
 #include "elsie/render/world_cameras.h"
 
 #include "command_module.h"
@@ -30,10 +31,13 @@ void add_commands(CLI::App& program, Job& job) {
 
 }  // namespace elsie::program
 
+ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);
+
 extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
 elsie_command_module() {
   using namespace elsie;
-  static const program::CommandModule module{.add_commands = program::add_commands,
+  static const program::CommandModule module{.name = program::kCommandsModule,
+                                             .add_commands = program::add_commands,
                                              .make_views = program::make_views,
                                              .make_cameras = render::world_cameras};
   return &module;

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 
 #include "elsie/server/server.h"
 
@@ -18,6 +19,11 @@ void add_session_command(CLI::App& program, Job& job) {
   options->add_to(*command);
   command->callback([&job, options] {
     job = [options] {
+      if (fcntl(server::kMessages, F_GETFD) < 0) {
+        throw BadInput(
+            "`elsie session` is for windows, which start it and talk to it\nstart `elsie-desktop`; "
+            "a window of your own starts it by elsie::client (docs/session.md)");
+      }
       const auto plugins = watch_plugins(*options);
       server::Server(*plugins, {data_directories(), options->words()}).serve();
       return kSuccess;

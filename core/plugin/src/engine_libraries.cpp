@@ -64,7 +64,7 @@ void* part_symbol(const std::string& what, const fs::path& file, const char* sym
   if (place) return place;
   const auto refuse = [&](const std::string& why) {
     throw PluginError("the library of " + what + ", " + file.string() + ", " + why +
-                          "; reinstall Elsie, or build it again",
+                          "; reinstall Elsie, or delete the file and build it again",
                       base::kOtherFailure);
   };
   // A loaded library was inspected before.

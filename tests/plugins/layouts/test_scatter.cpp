@@ -471,9 +471,15 @@ TEST_CASE("What would have no effect is refused in a sentence") {
   CHECK_THAT(refusal("<layouts><draw path='arena/@length' from='8' to='9'/>"
                      "<draw path='arena/@length' from='8' to='9'/></layouts>"),
              Contains("draws 'arena/@length' a second time"));
-  CHECK(refusal("<layouts><draw id='d' path='layouts/@seed' from='8' to='9'/></layouts>") ==
-        "w.xml:2: the layout 'd' draws 'layouts/@seed' too late: the layouts are read before "
-        "anything is drawn; expected the path of an attribute outside of <layouts>");
+  for (const char* path :
+       {"layouts/@seed", "layouts[1]/@seed", "layout[c]/@count", "scatter[c]/@count"}) {
+    CHECK(refusal("<layouts><draw id='d' path='" + std::string(path) +
+                  "' from='8' to='9'/></layouts>") ==
+          "w.xml:2: the layout 'd' draws '" + std::string(path) +
+              "' too late: layouts are read before anything is drawn; draw another attribute");
+  }
+  CHECK_THAT(refusal("<layouts><draw path='robot[r1]/@template' from='1' to='4'/></layouts>"),
+             Contains("too late: templates are read before anything is drawn"));
 }
 
 TEST_CASE("A distribution that cannot be drawn from is refused in a sentence") {

@@ -105,8 +105,8 @@ void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t f
 
 /// Writes the layouts that are not there yet, those of new seeds in old cells among them.
 void write_layouts(sqlite::Connection& connection, const Plan& plan) {
-  auto insert = sqlite::Statement::insert(connection, "layouts",
-                                          "cell_id, seed, world_text, sha256", " OR IGNORE");
+  auto insert = sqlite::Statement::insert_or_ignore(connection, "layouts",
+                                                    "cell_id, seed, world_text, sha256");
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     for (const auto& [seed, layout] : plan.cells[i].layouts) {
       insert.run(i, seed, layout.world_text, layout.sha256);
@@ -179,7 +179,7 @@ void renew_plan(sqlite::Connection& connection, const Plan& plan, std::size_t kn
 
 void add_runs(sqlite::Connection& connection, const Plan& plan) {
   auto insert =
-      sqlite::Statement::insert(connection, "runs", "id, cell_id, seed, repetition", " OR IGNORE");
+      sqlite::Statement::insert_or_ignore(connection, "runs", "id, cell_id, seed, repetition");
   for (const PlannedRun& run : plan.runs) {
     insert.run(run.id, run.cell, run.seed, run.repetition);
   }

@@ -21,6 +21,15 @@ std::string immutable_uri(const std::string& file) {
   return uri + "?immutable=1";
 }
 
+/// "runs (id, seed) VALUES (?, ?)"
+std::string row_of(const std::string& table, const std::string& columns) {
+  std::string marks = "?";
+  for (auto more = std::count(columns.begin(), columns.end(), ','); more > 0; --more) {
+    marks += ", ?";
+  }
+  return table + " (" + columns + ") VALUES (" + marks + ")";
+}
+
 }  // namespace
 
 bool Error::is_damage() const { return code == SQLITE_CORRUPT || code == SQLITE_NOTADB; }
@@ -42,13 +51,21 @@ void Statement::check(int code) const {
 }
 
 Statement Statement::insert(Connection& connection, const std::string& table,
-                            const std::string& columns, const std::string& or_else) {
-  std::string marks = "?";
-  for (auto more = std::count(columns.begin(), columns.end(), ','); more > 0; --more) {
-    marks += ", ?";
+                            const std::string& columns) {
+  return {connection, "INSERT INTO " + row_of(table, columns)};
+}
+
+Statement Statement::insert_or_ignore(Connection& connection, const std::string& table,
+                                      const std::string& columns) {
+  return {connection, "INSERT OR IGNORE INTO " + row_of(table, columns)};
+}
+
+void Statement::require_values(std::size_t count) const {
+  if (const int wanted = sqlite3_bind_parameter_count(statement_.get());
+      count != static_cast<std::size_t>(wanted)) {
+    throw std::logic_error("a statement with " + std::to_string(wanted) + " values was given " +
+                           std::to_string(count));
   }
-  return {connection,
-          "INSERT" + or_else + " INTO " + table + " (" + columns + ") VALUES (" + marks + ")"};
 }
 
 Statement& Statement::bind(int place, std::string_view text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -37,9 +38,12 @@ struct Bytes {
 class Statement {
  public:
   Statement(Connection& connection, std::string_view sql);
-  /// Inserts a row with values for these columns: "run_id, robot". `or_else`: " OR IGNORE".
+  /// Inserts a row with values for these columns: "run_id, robot".
   static Statement insert(Connection& connection, const std::string& table,
-                          const std::string& columns, const std::string& or_else = "");
+                          const std::string& columns);
+  /// The same; a row that would violate a constraint is left out.
+  static Statement insert_or_ignore(Connection& connection, const std::string& table,
+                                    const std::string& columns);
 
   Statement& bind(int place, std::string_view text);
   Statement& bind(int place, const std::string& text) {
@@ -67,9 +71,10 @@ class Statement {
   bool next();
   /// Runs a statement that returns no rows.
   void run();
-  /// The same with all its values, in order.
+  /// The same with all its values, in order; throws std::logic_error if it has fewer or more.
   template <class First, class... Others>
   void run(const First& first, const Others&... others) {
+    require_values(1 + sizeof...(others));
     int place = 0;
     bind(++place, first);
     (bind(++place, others), ...);
@@ -91,6 +96,7 @@ class Statement {
     void operator()(sqlite3_stmt* statement) const;
   };
   void check(int code) const;
+  void require_values(std::size_t count) const;
 
   Connection* connection_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
