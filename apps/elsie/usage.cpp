@@ -1,7 +1,8 @@
 #include "usage.h"
 
 #include <algorithm>
-#include <regex>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -29,6 +30,26 @@ const CLI::App& subcommand_of(const CLI::App& program, const std::vector<std::st
   throw BadInput("there is no subcommand '" + word + "'" + base::did_you_mean(word, names) +
                  "\nthere are: " + list +
                  (not_built.empty() ? "" : "; not built: " + base::joined(not_built)));
+}
+
+/// The texts between these words, the first and the last of which are the ends of the text; none if
+/// it does not consist of them.
+std::vector<std::string> values_between(std::string_view text,
+                                        const std::vector<std::string_view>& words) {
+  if (!text.starts_with(words.front()) || !text.ends_with(words.back())) {
+    return {};
+  }
+  text.remove_prefix(words.front().size());
+  std::vector<std::string> values;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::size_t at = i + 1 < words.size() ? text.find(words[i]) : text.rfind(words[i]);
+    if (at == std::string_view::npos) {
+      return {};
+    }
+    values.emplace_back(text.substr(0, at));
+    text.remove_prefix(at + words[i].size());
+  }
+  return values;
 }
 
 }  // namespace
@@ -61,26 +82,27 @@ void check_words(const CLI::App& program, const std::vector<std::string>& not_bu
 
 std::string usage_message(const CLI::App* command, const CLI::Error& error) {
   std::string message = error.what();
-  std::smatch found;
-  if (std::regex_match(message, found,
-                       std::regex("(.*): At Most (\\d+) required but received (\\d+)"))) {
-    message = found.str(1) + " is given " + found.str(3) + " times; it may be given once";
-  } else if (std::regex_match(message, found, std::regex("(.*): 1 required (.*) missing"))) {
-    message = found.str(1) + " takes a value, which is missing";
-  } else if (std::regex_match(message, found, std::regex("Could not convert: (\\S+) = (.*)"))) {
-    message = found.str(1) + ": '" + found.str(2) + "' is not a number of the kind that it takes";
-  } else if (std::regex_match(message, found, std::regex("(\\S+) is required"))) {
-    message = found.str(1) + " is missing";
-  } else if (std::regex_match(message, found,
-                              std::regex("(.*): Value (.*) not in range (\\S+) to (\\S+)"))) {
-    message = found.str(1) + ": '" + found.str(2) + "' is not a whole number from " + found.str(3) +
-              " to " + found.str(4);
-  } else if (message == "A subcommand is required") {
+  std::vector<std::string> found;
+  const auto has = [&](const std::vector<std::string_view>& words) {
+    found = values_between(message, words);
+    return !found.empty();
+  };
+  if (message == "A subcommand is required") {
     message = "a subcommand is missing";
-  } else if (std::regex_match(
-                 message, found,
-                 std::regex("The following arguments? (was|were) not expected: (.*)"))) {
-    message = "nothing is expected where '" + found.str(2) + "' is";
+  } else if (has({"The following argument was not expected: ", ""}) ||
+             has({"The following arguments were not expected: ", ""})) {
+    message = "nothing is expected where '" + found[0] + "' is";
+  } else if (has({"Could not convert: ", " = ", ""})) {
+    message = found[0] + ": '" + found[1] + "' is not a number of the kind that it takes";
+  } else if (has({"", ": At Most ", " required but received ", ""})) {
+    message = found[0] + " is given " + found[2] + " times; it may be given once";
+  } else if (has({"", ": 1 required ", " missing"})) {
+    message = found[0] + " takes a value, which is missing";
+  } else if (has({"", ": Value ", " not in range ", " to ", ""})) {
+    message = found[0] + ": '" + found[1] + "' is not a whole number from " + found[2] + " to " +
+              found[3];
+  } else if (has({"", " is required"})) {
+    message = found[0] + " is missing";
   }
   std::string name = command->get_name();
   for (const CLI::App* chosen : command->get_subcommands()) {
