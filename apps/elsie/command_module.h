@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/abi.h"
 #include "elsie/simulation/camera_renderer.h"
 
 #include "command.h"
@@ -48,3 +49,14 @@ std::vector<std::string> add_module_commands(CLI::App& program, Job& job,
 inline constexpr const char* kCommandModule = "elsie_command_module";
 
 }  // namespace elsie::program
+
+// Exports a CommandModule with these members, and the ABI word that is compared before the library
+// is loaded.
+#define ELSIE_EXPORT_COMMANDS(...)                                               \
+  ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);                                          \
+  extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule* \
+  elsie_command_module() {                                                       \
+    static const elsie::program::CommandModule module{__VA_ARGS__};              \
+    return &module;                                                              \
+  }                                                                              \
+  static_assert(true, "a semicolon may follow")

@@ -1,7 +1,6 @@
 // The exports of lib/elsie/elsie-commands.so.
 #include <CLI/CLI.hpp>
 
-#include "elsie/api/abi.h"
 #include "elsie/render/world_cameras.h"
 
 #include "command_module.h"
@@ -31,14 +30,7 @@ void add_commands(CLI::App& program, Job& job) {
 
 }  // namespace elsie::program
 
-ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);
-
-extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
-elsie_command_module() {
-  using namespace elsie;
-  static const program::CommandModule module{.name = program::kCommandsModule,
-                                             .add_commands = program::add_commands,
-                                             .make_views = program::make_views,
-                                             .make_cameras = render::world_cameras};
-  return &module;
-}
+ELSIE_EXPORT_COMMANDS(.name = elsie::program::kCommandsModule,
+                      .add_commands = elsie::program::add_commands,
+                      .make_views = elsie::program::make_views,
+                      .make_cameras = elsie::render::world_cameras);

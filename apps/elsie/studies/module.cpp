@@ -1,5 +1,4 @@
 // The exports of lib/elsie/elsie-studies.so.
-#include "elsie/api/abi.h"
 #include "elsie/batch/worker.h"
 
 #include "command_module.h"
@@ -19,14 +18,6 @@ void add_commands(CLI::App& program, Job& job) {
 
 }  // namespace elsie::program
 
-ELSIE_EMIT_ABI_NOTE_(ELSIE_ABI_WORD);
-
-extern "C" [[gnu::visibility("default")]] const elsie::program::CommandModule*
-elsie_command_module() {
-  using namespace elsie;
-  static const program::CommandModule module{.name = program::kStudiesModule,
-                                             .add_commands = program::add_commands,
-                                             .work = batch::work,
-                                             .stand_by = batch::stand_by};
-  return &module;
-}
+ELSIE_EXPORT_COMMANDS(.name = elsie::program::kStudiesModule,
+                      .add_commands = elsie::program::add_commands, .work = elsie::batch::work,
+                      .stand_by = elsie::batch::stand_by);
