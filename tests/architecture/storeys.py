@@ -32,7 +32,7 @@ MAY_NEED = {
     "lib/elsie/elsie-studies.so": {"libelsie-base", "libelsie", "libelsie-workshop", "libelsie-editing", "libelsie-render", "libelsie-views",
                                    "libelsie-experiments", "libelsie-studies", "elsie-commands", "libspdlog", "libfmt"},
     "lib/elsie/elsie-testing.so": {"libelsie-base", "libelsie", "libelsie-workshop", "libelsie-testing"},
-    "lib/elsie/elsie-session.so": {"libelsie-workshop", "libelsie-server"},
+    "lib/elsie/elsie-session.so": {"libelsie-base", "libelsie-workshop", "libelsie-server"},
     "bin/elsie": set(),
     "bin/elsie-desktop": {"libelsie-base", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
 }
