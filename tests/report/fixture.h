@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,24 @@ inline report::Margin margin_of(const report::Findings& findings, const report::
                                 const std::vector<std::size_t>& cells) {
   return report::margin_of(findings, response, report::balanced(findings, response, {cells}, {}),
                            0);
+}
+
+/// The response of this name; throws std::invalid_argument if there is none.
+inline report::Response response_of(const report::Findings& findings, const std::string& name) {
+  for (const report::Response& response : report::responses(findings)) {
+    if (response.name == name) return response;
+  }
+  throw std::invalid_argument("there is no " + name);
+}
+
+/// Why questions about factors are refused; "" if they are answered.
+inline std::string refusal(const report::Findings& findings, const report::Asked& asked) {
+  try {
+    report::answer(findings, asked);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
 }
 
 class Made {
