@@ -127,6 +127,11 @@ TEST_CASE("Names stand in place of numbers on an axis, in two rows when one is t
   CHECK(narrow.find(">vector summation of all<") == std::string::npos);
   CHECK(narrow.find(">vector<") + narrow.find(">vector summation<") != 2 * std::string::npos);
   CHECK(page_chart(chart, "", {1000, 200}).find(">vector summation of all<") != std::string::npos);
+  // Names of plugins have no blanks.
+  chart.x.names = {{0, "arbiter_voting"}, {1, "fusion_interval"}};
+  const std::string plugins = page_chart(chart, "", {200, 200});
+  CHECK(count(plugins, ">arbiter_</text>") == 1);
+  CHECK(count(plugins, ">voting</text>") == 1);
 }
 
 TEST_CASE("Names that begin alike end differently when they are shortened, with one ellipsis") {

@@ -67,17 +67,18 @@ double room_of_name(const Axis& axis, const Interval& range, double width) {
   return width * nearest / range.span() - 6.0;
 }
 
-// A name in two rows, cut at the blank that is nearest to its middle.
+// A name in two rows, cut at the blank or after the underscore that is nearest to its middle.
 std::pair<std::string, std::string> folded(const std::string& name) {
   std::size_t cut = std::string::npos;
   const auto off = [&](std::size_t at) {
     return std::abs(static_cast<double>(at) - 0.5 * static_cast<double>(name.size()));
   };
-  for (std::size_t at = name.find(' '); at != std::string::npos; at = name.find(' ', at + 1)) {
+  for (std::size_t at = name.find_first_of(" _"); at != std::string::npos;
+       at = name.find_first_of(" _", at + 1)) {
     if (cut == std::string::npos || off(at) < off(cut)) cut = at;
   }
-  return cut == std::string::npos ? std::pair(name, std::string())
-                                  : std::pair(name.substr(0, cut), name.substr(cut + 1));
+  if (cut == std::string::npos) return {name, ""};
+  return {name.substr(0, name[cut] == ' ' ? cut : cut + 1), name.substr(cut + 1)};
 }
 
 // A name in at most two rows of this width. What has no room is left out once: in the middle of the
