@@ -110,6 +110,7 @@ class Window {
     };
     window_.show();
     window_.activateWindow();
+    REQUIRE(wait_for([&] { return window_.isActiveWindow(); }));
     REQUIRE(wait_for([&] { return !window_.workbench().catalog().is_empty(); }));
     if (!file.isEmpty()) {
       open(file);
@@ -164,10 +165,15 @@ class Window {
     QObject::disconnect(connection);
     return end;
   }
+  /// Waits until the dialog is there and gets the keys: until then, they may be shortcuts of the
+  /// window behind it. A bare X server gives them only if it is asked.
   template <class Dialog = QDialog>
   Dialog* dialog(const char* name) {
     REQUIRE(wait_for([&] { return window_.findChild<Dialog*>(name) != nullptr; }));
-    return window_.findChild<Dialog*>(name);
+    auto* found = window_.findChild<Dialog*>(name);
+    found->activateWindow();
+    REQUIRE(wait_for([&] { return found->isActiveWindow(); }));
+    return found;
   }
   static void press(QDialog* dialog, QDialogButtonBox::StandardButton which) {
     QTest::mouseClick(dialog->findChild<QDialogButtonBox*>("buttons")->button(which),
