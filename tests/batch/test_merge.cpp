@@ -4,6 +4,7 @@
 
 #include "elsie/batch/merge.h"
 #include "elsie/batch/results_database.h"
+#include "elsie/results/sqlite.h"
 
 #include "support.h"
 #include "tables.h"
@@ -79,6 +80,20 @@ TEST_CASE("Shards that are merged are the whole, whatever their order") {
   CHECK(test::rows(merged, "PRAGMA integrity_check") == "ok\n");
   CHECK(test::rows(merged, "PRAGMA foreign_key_check").empty());
   CHECK(ResultsDatabase::open(merged).pending().empty());
+}
+
+TEST_CASE("Databases whose columns are in different orders can be merged") {
+  const test::Folder folder;
+  const std::string a = shard(folder, 1, 2, "a.sqlite");
+  const std::string b = shard(folder, 2, 2, "b.sqlite");
+  results::sqlite::Connection(b, results::sqlite::Connection::Mode::write)
+      .run(
+          "ALTER TABLE runs DROP COLUMN wall_s; ALTER TABLE runs ADD COLUMN wall_s REAL; "
+          "UPDATE runs SET wall_s = 7.5");
+  const std::string merged = folder.file("merged.sqlite");
+  CHECK(batch::merge(merged, {a, b}).pending == 0);
+  CHECK(test::rows(merged, "SELECT wall_s, state_hash FROM runs WHERE id IN (2, 4, 6)") ==
+        test::rows(b, "SELECT 7.5, state_hash FROM runs"));
 }
 
 TEST_CASE("A run in two databases counts once; missing runs can be done later") {

@@ -278,8 +278,8 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
   refused(other, "is a database of another program");
   const std::string newer = folder.file("newer.sqlite");
   ResultsDatabase::create(newer, plan);
-  test::rows(newer, "PRAGMA user_version = 6");
-  refused(newer, "has version 6 of the schema, and this program reads version 5");
+  test::rows(newer, "PRAGMA user_version = 7");
+  refused(newer, "has version 7 of the schema, and this program reads version 6");
   CHECK_THROWS_WITH(ResultsDatabase::open(folder.file("none.sqlite")), Contains("there is no"));
   CHECK_THROWS_WITH(ResultsDatabase::create(folder.file("no/r.sqlite"), plan),
                     Contains("there is no folder"));

@@ -9,72 +9,54 @@
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
-#include <sqlite3.h>
 
 #include "elsie/base/random.h"
+#include "elsie/results/database_file.h"
 #include "elsie/results/hash.h"
-
-#include "places.h"
+#include "elsie/results/sqlite.h"
 
 namespace elsie::test {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+using results::sqlite::Statement;
 
 class Writer {
  public:
-  explicit Writer(const std::filesystem::path& file) {
-    std::filesystem::remove(file);
-    if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK) fail();
-    std::ifstream schema(source_path("libraries/studies/results/src/schema.sql"));
-    std::ostringstream text;
-    text << schema.rdbuf();
-    run("PRAGMA application_id = 0x456C7369; PRAGMA user_version = 5; BEGIN;" + text.str());
+  explicit Writer(const std::filesystem::path& file)
+      : connection_((std::filesystem::remove(file), results::make_database(file))) {
+    results::make_schema(connection_);
+    connection_.run("BEGIN");
   }
-  ~Writer() { sqlite3_close(handle_); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
 
-  void run(const std::string& sql) {
-    if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
-  }
+  void run(const std::string& sql) { connection_.run(sql); }
 
   // A row; null, numbers and texts.
   void insert(const std::string& table, const Json& row) {
-    std::string columns, marks;
+    std::string columns;
     for (const auto& [name, value] : row.items()) {
       columns += (columns.empty() ? "" : ", ") + name;
-      marks += marks.empty() ? "?" : ", ?";
     }
-    sqlite3_stmt* statement = nullptr;
-    const std::string sql = "INSERT INTO " + table + " (" + columns + ") VALUES (" + marks + ")";
-    if (sqlite3_prepare_v2(handle_, sql.c_str(), -1, &statement, nullptr) != SQLITE_OK) fail();
+    auto statement = Statement::insert(connection_, table, columns);
     int place = 0;
-    for (const auto& [name, value] : row.items()) {
+    for (const auto& value : row) {
       ++place;
-      if (value.is_null()) continue;
-      if (value.is_number_integer()) {
-        sqlite3_bind_int64(statement, place, value.get<std::int64_t>());
+      if (value.is_null()) {
+        statement.bind_null(place);
+      } else if (value.is_number_integer()) {
+        statement.bind(place, value.get<std::int64_t>());
       } else if (value.is_number()) {
-        sqlite3_bind_double(statement, place, value.get<double>());
+        statement.bind(place, value.get<double>());
       } else {
-        const std::string text = value.get<std::string>();
-        sqlite3_bind_text(statement, place, text.c_str(), static_cast<int>(text.size()),
-                          SQLITE_TRANSIENT);
+        statement.bind(place, value.get<std::string>());
       }
     }
-    const bool done = sqlite3_step(statement) == SQLITE_DONE;
-    sqlite3_finalize(statement);
-    if (!done) fail();
+    statement.run();
   }
 
  private:
-  [[noreturn]] void fail() {
-    throw std::runtime_error(std::string("made-up database: ") + sqlite3_errmsg(handle_));
-  }
-
-  sqlite3* handle_ = nullptr;
+  results::sqlite::Connection connection_;
 };
 
 double thousandths(double value) { return std::round(value * 1e3) / 1e3; }

@@ -48,7 +48,7 @@ TEST_CASE("Files that are no database of results are refused in a sentence, and 
   refused(folder.file("other"), " is a database of another program; expected");
   const std::string newer = test::made_database(folder, "newer");
   test::rows(newer, "PRAGMA user_version = 7");
-  refused(newer, " has version 7 of the schema, and this program reads version 5; use the program");
+  refused(newer, " has version 7 of the schema, and this program reads version 6; use the program");
   const std::string unplanned = test::made_database(folder, "unplanned");
   test::rows(unplanned, "DELETE FROM about");
   refused(unplanned, " was not begun: its batch ended before the runs were planned; remove it and");

@@ -8,6 +8,8 @@
 
 #include "folder.h"
 
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 namespace results = elsie::results;
 namespace sqlite = elsie::results::sqlite;
 
@@ -37,11 +39,8 @@ results::RunFields full() {
 std::string text_of(const results::RunFields& run) {
   elsie::test::Folder folder;
   sqlite::Connection memory(folder.file("one.sqlite"), sqlite::Connection::Mode::create);
-  std::string marks;
-  results::for_each_field(run,
-                          [&](const char*, const auto&) { marks += marks.empty() ? "?" : ", ?"; });
-  memory.run("CREATE TABLE one (" + results::field_names() + ")");
-  sqlite::Statement insert(memory, "INSERT INTO one VALUES (" + marks + ")");
+  memory.run("CREATE TABLE one (" + results::field_columns() + ")");
+  auto insert = sqlite::Statement::insert(memory, "one", results::field_names());
   const int next = results::bind_fields(insert, 1, run);
   insert.run();
   sqlite::Statement read(memory, "SELECT * FROM one");
@@ -68,17 +67,32 @@ TEST_CASE("The table of runs has a column for each field, and its own four and `
   CHECK(count.integer(0) == 1 + std::count(columns.begin(), columns.end(), ','));
 }
 
+TEST_CASE("The columns of the fields have the types of their values") {
+  CHECK_THAT(results::field_columns(),
+             StartsWith("state TEXT NOT NULL DEFAULT 'pending', outcome TEXT, message TEXT, "
+                        "steps INTEGER, simulated_s REAL, state_hash TEXT, "));
+  CHECK_THAT(results::field_columns(), Contains(", exit_code INTEGER, "));
+}
+
+TEST_CASE("A run has one of the known states and outcomes") {
+  elsie::test::Folder folder;
+  sqlite::Connection database = results::make_database(folder.file("r.sqlite"));
+  results::make_schema(database);
+  database.run("PRAGMA foreign_keys = OFF");
+  const std::string insert =
+      "INSERT INTO runs (id, cell_id, seed, repetition, state, outcome, ended) VALUES ";
+  CHECK_NOTHROW(database.run(insert + "(1, 0, 1, 1, 'done', 'success', 'now')"));
+  CHECK_THROWS_AS(database.run(insert + "(2, 0, 2, 1, 'lost', NULL, 'now')"), sqlite::Error);
+  CHECK_THROWS_AS(database.run(insert + "(3, 0, 3, 1, 'done', 'draw', 'now')"), sqlite::Error);
+}
+
 TEST_CASE("Every field goes into a database and comes back") {
   elsie::test::Folder folder;
   sqlite::Connection database(folder.file("one.sqlite"), sqlite::Connection::Mode::create);
-  database.run("CREATE TABLE one (" + results::field_names() + ")");
-  std::string marks = "?";
-  for (int i = 1; i < 15; ++i) {
-    marks += ", ?";
-  }
+  database.run("CREATE TABLE one (" + results::field_columns() + ")");
   for (const results::RunFields& run : {full(), results::RunFields()}) {
     database.run("DELETE FROM one");
-    sqlite::Statement insert(database, "INSERT INTO one VALUES (" + marks + ")");
+    auto insert = sqlite::Statement::insert(database, "one", results::field_names());
     CHECK(results::bind_fields(insert, 1, run) == 16);
     insert.run();
     sqlite::Statement read(database, "SELECT " + results::field_names() + " FROM one");

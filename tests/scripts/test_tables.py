@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""scripts/tables and scripts/lib over a made-up database, and the pages over the archive of runs. Called with the source folder."""
+"""scripts/tables and scripts/lib over a made-up database, and the pages over the archive of runs. Called with the source folder
+and the program that makes an empty database."""
 import contextlib
 import importlib.machinery
 import importlib.util
@@ -14,6 +15,7 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 SOURCE = Path(sys.argv.pop(1)).resolve()
+EMPTY = sys.argv.pop(1)
 sys.path[:0] = [str(SOURCE / "scripts" / "lib"), str(Path(__file__).resolve().parent)]
 
 import archive  # noqa: E402
@@ -44,7 +46,7 @@ class WithFolder(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def made_up(self, **how):
-        return MadeUp(self.folder / "made_up.sqlite", SOURCE / "libraries" / "studies" / "results" / "src" / "schema.sql", **how)
+        return MadeUp(self.folder / "made_up.sqlite", EMPTY, **how)
 
     def read(self, database):
         database.close()
@@ -463,10 +465,9 @@ class Seeds(WithFolder):
         super().setUp()
         self.tables = load_script()
         self.tables.DATABASES, self.tables.COMMITS, self.tables.TABLES = self.folder, self.folder / "commits.json", self.folder / "tables"
-        self.schema = SOURCE / "libraries" / "studies" / "results" / "src" / "schema.sql"
 
     def seed(self, seed, state="done"):
-        made_up = MadeUp(self.tables.of_seed("original_step", seed), self.schema).cell(0, "arena", "fusion").cell(1, "arena", "arbitration")
+        made_up = MadeUp(self.tables.of_seed("original_step", seed), EMPTY).cell(0, "arena", "fusion").cell(1, "arena", "arbitration")
         made_up.run(0, seed, path_m=10.0 + seed)
         (made_up.run if state == "done" else made_up.pending)(1, seed)
         made_up.close()

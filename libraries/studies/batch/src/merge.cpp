@@ -28,11 +28,12 @@ constexpr const char* kOfRun[] = {"run_measures", "run_robots", "run_events", "t
 /// The states of a run, in ascending order of precedence.
 constexpr const char* kByWeight[] = {"pending", "error", "hang", "crash", "fault", "done"};
 
-/// Copies rows of a table with any columns.
+/// Copies rows of a table with any columns, in whatever order the two databases have them.
 class Copier {
  public:
   Copier(Connection& from, Connection& to, const std::string& table, const std::string& where = "")
-      : select_(from, "SELECT * FROM " + table + where), insert_(to, insert_into(table)) {}
+      : select_(from, "SELECT * FROM " + table + where),
+        insert_(Statement::insert(to, table, select_.column_names())) {}
 
   void copy() {
     while (select_.next()) {
@@ -48,14 +49,6 @@ class Copier {
   }
 
  private:
-  std::string insert_into(const std::string& table) const {
-    std::string values;
-    for (int column = 0; column < select_.columns(); ++column) {
-      values += values.empty() ? "?" : ", ?";
-    }
-    return "INSERT INTO " + table + " VALUES (" + values + ")";
-  }
-
   Statement select_;
   Statement insert_;
 };

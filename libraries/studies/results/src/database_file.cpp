@@ -4,6 +4,8 @@
 
 #include <sqlite3.h>
 
+#include "elsie/results/run_fields.h"
+
 #include "damage.h"
 
 namespace elsie::results {
@@ -206,7 +208,10 @@ sqlite::Connection make_database(const fs::path& file) {
 }
 
 void make_schema(sqlite::Connection& connection) {
-  connection.run(kSchema);
+  std::string schema = kSchema;
+  const std::string mark = "{run_fields}";
+  schema.replace(schema.find(mark), mark.size(), field_columns());
+  connection.run(schema);
   connection.run("PRAGMA application_id = " + std::to_string(kApplicationId) +
                  "; PRAGMA user_version = " + std::to_string(kSchemaVersion));
 }

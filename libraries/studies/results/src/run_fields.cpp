@@ -1,5 +1,7 @@
 #include "elsie/results/run_fields.h"
 
+#include <type_traits>
+
 #include "elsie/results/sqlite.h"
 
 namespace elsie::results {
@@ -43,6 +45,19 @@ struct Reader {
   }
 };
 
+struct ColumnType {
+  std::string operator()(RunState state) const {
+    return std::string("TEXT NOT NULL DEFAULT '") + to_string(state) + "'";
+  }
+  std::string operator()(const std::string&) const { return "TEXT"; }
+  template <class Value>
+  std::string operator()(const std::optional<Value>&) const {
+    return std::is_integral_v<Value>         ? "INTEGER"
+           : std::is_floating_point_v<Value> ? "REAL"
+                                             : "TEXT";
+  }
+};
+
 }  // namespace
 
 std::string field_names(const std::string& after) {
@@ -52,6 +67,15 @@ std::string field_names(const std::string& after) {
     names += (names.empty() ? "" : ", ") + (name + after);
   });
   return names;
+}
+
+std::string field_columns() {
+  std::string columns;
+  const RunFields initial;
+  for_each_field(initial, [&](const char* name, const auto& value) {
+    columns += std::string(columns.empty() ? "" : ", ") + name + ' ' + ColumnType()(value);
+  });
+  return columns;
 }
 
 std::optional<Outcome> outcome_of(const std::string& word) {

@@ -98,27 +98,11 @@ CREATE TABLE runs (
   cell_id     INTEGER NOT NULL REFERENCES cells(id) ON DELETE CASCADE,
   seed        INTEGER NOT NULL,       -- the 64 bits as a signed number
   repetition  INTEGER NOT NULL,       -- from 1
-  -- pending: to be done. done: it ended normally, see outcome. fault: a plugin failed and the run was ended cleanly.
-  -- crash: the process ended without a result, by a signal or because a plugin called exit(). hang: it was ended at the
-  -- wall limit. error: anything else, see message.
-  state       TEXT NOT NULL DEFAULT 'pending'
-              CHECK (state IN ('pending', 'done', 'fault', 'crash', 'hang', 'error')),
-  outcome     TEXT CHECK (outcome IN ('success', 'failure', 'time_limit')),
-  message     TEXT,                   -- one sentence: why it ended, what failed
-  steps       INTEGER,
-  simulated_s REAL,
-  solver_gave_up  INTEGER,            -- steps in which the solver of the physics gave up, and was run again with softer contacts
-  solver_unsolved INTEGER,            -- of them, those in which that did not help
-  state_hash  TEXT,                   -- 16 hexadecimal digits
-  exit_code   INTEGER,                -- of the process, if it ended by itself
-  signal      TEXT,                   -- "SIGSEGV"
-  plugin      TEXT,                   -- that was running when it failed
-  robot       TEXT,
-  step        INTEGER,
-  log         TEXT,                   -- the end of the output of a process that ended abnormally
-  wall_s      REAL,
+  {run_fields},                       -- run_fields.h declares them
   ended       TEXT,                   -- UTC, ISO 8601
   UNIQUE (cell_id, seed, repetition),
+  CHECK (state IN ('pending', 'done', 'fault', 'crash', 'hang', 'error')),
+  CHECK (outcome IN ('success', 'failure', 'time_limit')),
   CHECK ((state = 'pending') = (ended IS NULL)),
   CHECK ((state = 'done') = (outcome IS NOT NULL)),
   CHECK (solver_gave_up BETWEEN 0 AND steps + 1),  -- also counts the step that a fault ended

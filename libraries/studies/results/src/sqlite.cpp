@@ -104,6 +104,15 @@ Statement& Statement::bind_value(int place, const Statement& from, int column) {
 
 int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
 
+std::string Statement::column_names() const {
+  std::string names;
+  for (int column = 0; column < columns(); ++column) {
+    names +=
+        (names.empty() ? "" : ", ") + std::string(sqlite3_column_name(statement_.get(), column));
+  }
+  return names;
+}
+
 bool Statement::next() {
   const int code = sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) {

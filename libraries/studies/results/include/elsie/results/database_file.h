@@ -26,7 +26,7 @@ class DatabaseError : public base::Error {
 
 inline constexpr std::int64_t kApplicationId = 0x456C7369;  // "Elsi"
 /// The version of the schema that this program reads and writes.
-inline constexpr int kSchemaVersion = 5;
+inline constexpr int kSchemaVersion = 6;
 
 /// Opens an existing database. Throws DatabaseRefused if there is no such file, or if it is not a
 /// results database, has another version, was not begun, or is damaged; DatabaseError if the system

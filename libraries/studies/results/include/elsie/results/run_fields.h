@@ -1,5 +1,5 @@
 // The fields of a run, each declared once. The answer of a worker, the columns of the table `runs`,
-// and those of a CSV report follow from this list. schema.sql explains each field.
+// and those of a CSV report follow from this list.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,19 @@ using simulation::Outcome;
 struct RunFields {
   RunState state = RunState::pending;
   std::optional<Outcome> outcome;  // of a run that is done
-  std::string message;             // one sentence; may be empty
+  std::string message;             // one sentence: why it ended, what failed; may be empty
   std::optional<std::uint64_t> steps;
   std::optional<double> simulated_s;
   std::optional<std::string> state_hash;  // 16 hexadecimal digits
-  std::optional<std::string> signal;
-  std::optional<int> exit_code;
-  std::optional<std::string> plugin;
+  std::optional<std::string> signal;      // "SIGSEGV"
+  std::optional<int> exit_code;           // of the process, if it ended by itself
+  std::optional<std::string> plugin;      // that was running when it failed
   std::optional<std::string> robot;
   std::optional<std::uint64_t> step;
   std::optional<double> wall_s;
   std::optional<std::uint64_t> solver_gave_up;   // in steps, as in simulation::SolverResult
   std::optional<std::uint64_t> solver_unsolved;  // of them
-  std::optional<std::string> log;                // several lines
+  std::optional<std::string> log;  // the end of the output of a process that ended abnormally
 };
 
 /// Calls `visit(name, value)` for each field of a RunFields.
@@ -53,6 +53,9 @@ void for_each_field(Fields& run, Visit visit) {
 
 /// The names of all fields, each followed by `after`: "state, outcome, ...".
 std::string field_names(const std::string& after = "");
+
+/// The columns of all fields in the table `runs`, as SQL: "state TEXT NOT NULL, ...".
+std::string field_columns();
 
 /// Converts a word of the database to an outcome; none for any other word.
 std::optional<Outcome> outcome_of(const std::string& word);

@@ -5,8 +5,14 @@
 
 namespace elsie::results {
 
-/// `pending`: the run is not done yet. For the others see `runs` in schema.sql.
-enum class RunState { pending, done, fault, crash, hang, error };
+enum class RunState {
+  pending,  // not done yet
+  done,     // it ended normally, see its outcome
+  fault,    // a plugin failed, and the run was ended cleanly
+  crash,    // the process ended without a result, by a signal or because a plugin called exit()
+  hang,     // it was ended at the wall limit
+  error     // anything else, see its message
+};
 
 const char* to_string(RunState state);
 /// Throws std::invalid_argument for another word.

@@ -82,6 +82,8 @@ class Statement {
   }
 
   int columns() const;
+  /// "id, seed"
+  std::string column_names() const;
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
   double number(int column) const;
