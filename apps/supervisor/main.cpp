@@ -43,7 +43,7 @@ constexpr int kOtherFailure = 4;
 }
 
 /// The exit code and message for a child that ended without announcing its exit code.
-int failed(const elsie::supervisor::End& end) {
+int failed(const elsie::supervisor::End& end, const std::string& program) {
   if (end.was_killed) {
     std::cerr << "elsie: the program did not end although it was asked twice, and was killed; a "
                  "plugin has blocked signals or does not return\n";
@@ -63,8 +63,9 @@ int failed(const elsie::supervisor::End& end) {
   }
   constexpr int kNotStarted = 127;  // as in a shell; the system's loader reported the reason
   if (WEXITSTATUS(end.status) == kNotStarted) {
-    std::cerr << "elsie: the program could not be started, or a plugin has ended it with exit code "
-                 "127\n";
+    std::cerr << "elsie: '" << program
+              << "' could not be started, or a plugin has ended it with exit code 127; if nothing "
+                 "was run, install Elsie again\n";
     return kOtherFailure;
   }
   std::cerr << "elsie: the program was ended before its work was done, with exit code "
@@ -106,7 +107,7 @@ int main(int argc, char** argv) {
   try {
     const supervisor::End end = supervisor::run_child(program, arguments);
     if (!end.has_said_so) {
-      return failed(end);
+      return failed(end, program.string());
     }
     if (WIFSIGNALED(end.status)) {
       end_by(WTERMSIG(end.status));

@@ -73,7 +73,8 @@ TEST_CASE("elsie build makes a library, which runs like any other") {
   CAPTURE(first.err);
   CHECK(first.exit_code == 0);
   CHECK(first.out == "straight.so: behavior 'straight'\n");
-  CHECK(here.cached("build straight.cpp").out == "straight.so: behavior 'straight', unchanged\n");
+  CHECK(here.cached("build straight.cpp").out ==
+        "straight.so: behavior 'straight', compiled before\n");
   CHECK(here.elsie("run world.xml --plugin straight.so --quiet").exit_code == 0);
   CHECK(here.elsie("run world.xml --plugin-path . --quiet").exit_code == 0);
 }

@@ -25,6 +25,17 @@ TEST_CASE("Wrong usage ends with exit code 2 and says what is wrong") {
   }
 }
 
+TEST_CASE("A world with goals and without robots is checked with a warning") {
+  Workplace here;
+  here.write("empty.xml",
+             "<world format=\"1\"><goals><reach x=\"1\" y=\"0\"/></goals><limits time=\"1\"/>"
+             "</world>\n");
+  const auto check = here.elsie("check empty.xml");
+  CHECK(check.exit_code == 0);
+  CHECK_THAT(check.err, Catch::Contains("empty.xml: warning: the world has goals, but no robots"));
+  CHECK(here.elsie("check worlds/maze.xml").err.empty());
+}
+
 TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard output") {
   Workplace here;
   here.write("broken.xml", "<world format=\"1\">\n  <arena length=\"1,5\"/>\n</world>\n");
@@ -39,6 +50,8 @@ TEST_CASE("Bad input ends with exit code 2, a sentence, and nothing on standard 
   expect("run nowhere.xml --json", "nowhere.xml");
   std::filesystem::create_symlink("loop", here.file("loop"));
   expect("plugins --plugin-path loop", "elsie: --plugin-path: 'loop' is not a directory\n");
+  here.write("no_plugin.cpp", "int main() {}\n");
+  expect("plugins --plugin no_plugin.cpp", "'no_plugin.cpp' is a shared library without a plugin");
   expect("plugins --plugin loop.so", "elsie: --plugin: there is no file 'loop.so'\n");
   expect("run broken.xml", "broken.xml:2:");
   expect("check broken.xml", "1,5");

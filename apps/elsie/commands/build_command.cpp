@@ -63,7 +63,7 @@ int build(const BuildOptions& options) {
   copy_whole(built.library, output);
   for (const auto& plugin : file.plugins) {
     out() << output.string() << ": " << plugin::kind_name(plugin.kind) << " '" << plugin.name << "'"
-          << (built.from_cache ? ", unchanged" : "") << '\n';
+          << (built.from_cache ? ", compiled before" : "") << '\n';
   }
   return kSuccess;
 }

@@ -55,6 +55,9 @@ std::string check_world(const std::string& text, const std::string& file, const 
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
   }
+  if (world.robots.empty() && !world.goals.empty()) {
+    std::cerr << file << ": warning: the world has goals, but no robots that could reach them\n";
+  }
   if (options.expand) {
     out() << world::write_world(world);
   }

@@ -236,7 +236,9 @@ Inspection inspect_file(const std::filesystem::path& path) {
     check_end(file, header);
     const auto word = read_word(file, segments);
     if (!word) {
-      other("is a shared library, but not a plugin library of Elsie");
+      other(
+          "is a shared library without a plugin of Elsie; expected a declaration such as "
+          "ELSIE_BEHAVIOR in its source");
     }
     result.abi_word = *word;
     if (header.e_machine != kMachine) {

@@ -37,8 +37,14 @@ inline Part wheel(const std::string& name, const Chassis& chassis, double x, dou
 
 /// Returns `given`, or else the length of the chassis, but at least so much that wheels do not
 /// overlap. Axles below the ends of a chassis keep it from rearing up when it starts and stops.
+/// Throws if front and rear wheels would be inside each other.
 inline double wheelbase_or_default(double given, const Chassis& chassis) {
-  return given > 0.0 ? given : std::max(chassis.length, 2.5 * chassis.wheel_radius);
+  if (given == 0.0) return std::max(chassis.length, 2.5 * chassis.wheel_radius);
+  require(given >= 2.0 * chassis.wheel_radius,
+          "its front and rear wheels would be inside each other: its wheelbase is " +
+              std::to_string(given) + " m, the diameter of a wheel " +
+              std::to_string(2.0 * chassis.wheel_radius) + " m");
+  return given;
 }
 
 /// Throws if two wheels are nearer to each other than `least`, m.

@@ -242,6 +242,7 @@ TEST_CASE("Drives refuse a chassis that they do not fit") {
   using Catch::Contains;
   CHECK_THAT(refusal("mecanum", {{"wheelbase", 0.03}}), Contains("inside each other"));
   CHECK_THAT(refusal("car", {{"wheelbase", 0.03}}), Contains("inside each other"));
+  CHECK_THAT(refusal("tricycle", {{"wheelbase", 0.001}}), Contains("its wheelbase is 0.001000 m"));
   CHECK_THAT(refusal("synchro", {{"radius", 0.01}}), Contains("inside each other"));
   CHECK_THAT(refusal("omnidirectional", {{"radius", 0.01}}), Contains("inside each other"));
   CHECK_THAT(refusal("skid_steer", {{"wheelbase", 0.2}}), Contains("shorter than its track"));
