@@ -104,6 +104,15 @@ TEST_CASE("A part of the program that is damaged harms no other") {
   refused("is another library, 'elsie-testing.so'");
 }
 
+TEST_CASE("A program that cannot be started is named") {
+  const Workplace here;
+  copy_part(here, "elsie-commands.so");
+  here.sh(": > part/lib/elsie/elsie-program");
+  const auto help = here.sh(kPart + "--help");
+  CHECK(help.exit_code == 4);
+  CHECK_THAT(help.err, Catch::Contains("part/lib/elsie/elsie-program' could not be started"));
+}
+
 TEST_CASE("A program without elsie-commands.so runs plain worlds, and says what is wrong") {
   const Workplace here;
   copy_part(here, "");
