@@ -44,7 +44,9 @@ TEST_CASE("Differences from rounding are no effect") {
     const Contrast one = compared(metres, 1e-7);
     CHECK_FALSE(one.equal);
     CHECK(one.difference == 0.0);
+    CHECK(one.effect.value == 0.0);
     CHECK(one.paired.p == 1.0);
+    CHECK(one.pooled_p == Approx(1.0));
     CHECK_THAT(one.notes, Catch::VectorContains(note));
   }
   SECTION("a difference is known, and only the spread is rounding") {

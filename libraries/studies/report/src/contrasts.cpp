@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
@@ -152,6 +154,24 @@ std::set<std::size_t> cells_with(const Results& results, const std::string& part
   return cells;
 }
 
+/// Gives values that are_equal() one value, the least of them.
+class Rounding {
+ public:
+  explicit Rounding(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    for (const double value : values) {
+      if (least_.empty() || !are_equal(least_.back(), value)) least_.push_back(value);
+    }
+  }
+  double operator()(double value) const {
+    return *std::prev(std::upper_bound(least_.begin(), least_.end(), value));
+  }
+  bool leaves_one() const { return least_.size() == 1; }
+
+ private:
+  std::vector<double> least_;
+};
+
 std::string interval_text(const std::optional<Interval>& interval, int digits) {
   return interval ? brief(interval->low, digits) + " to " + brief(interval->high, digits) : "";
 }
@@ -182,21 +202,21 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
   found.certain = balance.certain();
   found.notes = notes_on(balance);
   bool bounds = false;
-  double least = of_first.front().of.value, largest = least;
+  std::vector<double> all_values;
   for (const std::vector<Observation>* const group : {&of_first, &of_second}) {
     for (const Observation& one : *group) {
       bounds |= one.of.bound;
-      least = std::min(least, one.of.value);
-      largest = std::max(largest, one.of.value);
+      all_values.push_back(one.of.value);
     }
   }
-  found.equal = !bounds && are_equal(least, largest);
+  const Rounding rounded(std::move(all_values));
+  found.equal = !bounds && rounded.leaves_one();
   std::vector<Observed> a, b;
   std::vector<double> values_a, values_b;
   const auto take = [&](const std::vector<Observation>& from, std::vector<Observed>& to,
                         std::vector<double>& values) {
     for (const Observation& one : from) {
-      to.push_back({found.equal ? least : one.of.value, one.of.bound});
+      to.push_back({rounded(one.of.value), one.of.bound});
       values.push_back(to.back().value);
     }
   };

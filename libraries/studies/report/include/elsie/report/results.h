@@ -1,4 +1,5 @@
-// The contents of a results database as plain data: see libraries/studies/results/src/schema.sql.
+// The contents of a results database as plain data: see schema.sql and run_fields.h in
+// libraries/studies/results.
 #pragma once
 
 #include <cstddef>

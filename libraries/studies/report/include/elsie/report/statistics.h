@@ -84,7 +84,7 @@ inline constexpr std::size_t kFewestForBootstrap = 5;
 /// The interval of a median: between two order statistics (Thompson 1936), so that it contains the
 /// median at least as often as stated, for any distribution. None when the sample is too small: at
 /// 95 %, fewer than six values. Values may be infinite. It is for judging a cell at any confidence;
-/// the medians of curves, which bounds may interrupt, have that of survival_of().
+/// the medians of times, some of which are only bounds, have that of survival_of().
 std::optional<Interval> median_interval(std::span<const double> values, double confidence);
 
 /// The percentile bootstrap interval of a statistic (Efron 1979; Efron and Tibshirani 1993, chapter
