@@ -27,8 +27,7 @@ inline void click_on(QWidget* widget, Qt::MouseButton button = Qt::LeftButton,
 inline void press_key(QWidget* in, Qt::Key key, Qt::KeyboardModifiers keys = {}) {
   if (!in->window()->isActiveWindow() && !QApplication::activeModalWidget() &&
       !QApplication::activePopupWidget()) {
-    in->window()->activateWindow();
-    static_cast<void>(QTest::qWaitForWindowActive(in->window()));
+    activate(*in->window());
   }
   QTest::keyClick(in->window()->windowHandle(), key, keys);
 }

@@ -144,7 +144,7 @@ TEST_CASE("What was added from the tool bar is deleted by the key") {
   auto* dialog = window.dialog("element_dialog");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
-  window->activateWindow();
+  activate(window.window());
   REQUIRE(wait_for([&] { return window->scene().hasFocus(); }));
   CHECK(window.bench().text() != kRoom);
   window.after([&] { press_key(&window->scene(), Qt::Key_Delete); });
@@ -164,7 +164,7 @@ TEST_CASE("A film that is cancelled gives the run back, also one that has ended"
   QObject::connect(exporter, &Exporter::film_ended, &window.window(),
                    [&](bool) { has_ended = true; });
   exporter->write_film(window.folder() + "/run.avi");
-  auto* progress = window.dialog<QProgressDialog>("film_progress");
+  auto* progress = window.get<QProgressDialog>("film_progress");
   REQUIRE(wait_for([&] { return progress->value() > 3; }));
   QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
   REQUIRE(wait_for([&] { return has_ended; }));
@@ -186,8 +186,7 @@ TEST_CASE("A click in the tree chooses; Enter and a double click edit") {
   REQUIRE(wait_for(edited));
   window->findChild<QDialog*>("element_dialog")->close();
   REQUIRE(wait_for([&] { return !edited(); }));
-  window->activateWindow();
-  REQUIRE(wait_for([&] { return window->isActiveWindow(); }));
+  activate(window.window());
   auto* rows = tree->tree()->viewport();
   const QPoint at = tree->tree()->visualItemRect(tree->item("robot[r1]")).center();
   QTest::mouseDClick(window->windowHandle(), Qt::LeftButton, {}, rows->mapTo(&window.window(), at));

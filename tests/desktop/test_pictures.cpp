@@ -274,7 +274,7 @@ TEST_CASE("Pictures: a network that learns, a film that is written, and runs to 
 
   play_until(window, 4.0);
   window->findChild<Exporter*>()->write_film(window.folder() + "/run.avi");
-  auto* progress = window.dialog("film_progress");
+  auto* progress = window.get<QDialog>("film_progress");
   progress->show();  // it waits some seconds, and goes with a film that is ready
   CHECK(progress->grab().save(qEnvironmentVariable("ELSIE_PICTURES", ".") + "/film_progress.png"));
   REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("film_progress"); }));

@@ -18,6 +18,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -40,6 +41,16 @@ inline QString world_file(const QString& name) {
 
 inline bool wait_for(const std::function<bool()>& is_so) {
   return QTest::qWaitFor(is_so, kPatience_ms);
+}
+
+/// Gives a window the keys. A bare X server does it only if it is asked, and not before the window
+/// is shown.
+inline bool is_activated(QWidget& window) {
+  if (!window.isActiveWindow()) window.activateWindow();
+  return window.isActiveWindow();
+}
+inline void activate(QWidget& window) {
+  REQUIRE(wait_for([&] { return is_activated(window); }));
 }
 
 /// Does something with the modal dialog of that name, once it is there.
@@ -109,8 +120,7 @@ class Window {
       return answer;
     };
     window_.show();
-    window_.activateWindow();
-    REQUIRE(wait_for([&] { return window_.isActiveWindow(); }));
+    activate(window_);
     REQUIRE(wait_for([&] { return !window_.workbench().catalog().is_empty(); }));
     if (!file.isEmpty()) {
       open(file);
@@ -165,14 +175,17 @@ class Window {
     QObject::disconnect(connection);
     return end;
   }
-  /// Waits until the dialog is there and gets the keys: until then, they may be shortcuts of the
-  /// window behind it. A bare X server gives them only if it is asked.
+  /// Waits until the dialog is shown and gets the keys: until then, they may be shortcuts of the
+  /// window behind it.
   template <class Dialog = QDialog>
   Dialog* dialog(const char* name) {
-    REQUIRE(wait_for([&] { return window_.findChild<Dialog*>(name) != nullptr; }));
-    auto* found = window_.findChild<Dialog*>(name);
-    found->activateWindow();
-    REQUIRE(wait_for([&] { return found->isActiveWindow(); }));
+    Dialog* found = nullptr;
+    REQUIRE(wait_for([&] {
+      const auto all = window_.findChildren<Dialog*>(name);  // one may be about to be deleted
+      const auto shown = std::find_if(all.begin(), all.end(), std::mem_fn(&QWidget::isVisible));
+      found = shown == all.end() ? nullptr : *shown;
+      return found && is_activated(*found);
+    }));
     return found;
   }
   static void press(QDialog* dialog, QDialogButtonBox::StandardButton which) {
