@@ -40,8 +40,8 @@ inline constexpr const char* kSessionModule = "elsie-session";
 const CommandModule& command_module(const char* name);
 
 /// Loads the library with the subcommand `chosen`, the first word of the command line, and adds its
-/// subcommands; throws BadInput if it is missing. If `chosen` is none, or describes all, it loads
-/// all that are in order, and returns the subcommands of the others.
+/// subcommands; throws BadInput if it is missing. Without a subcommand, and for one that describes
+/// all, it loads every library that can be loaded, and returns the subcommands of the others.
 std::vector<std::string> add_module_commands(CLI::App& program, Job& job,
                                              const std::string& chosen);
 

@@ -32,8 +32,8 @@ const CLI::App& subcommand_of(const CLI::App& program, const std::vector<std::st
                  (not_built.empty() ? "" : "; not built: " + base::joined(not_built)));
 }
 
-/// The texts between these words, the first and the last of which are the ends of the text; none if
-/// it does not consist of them.
+/// Splits a text at these words, of which it must begin with the first and end with the last.
+/// Returns what is between them, or nothing.
 std::vector<std::string> values_between(std::string_view text,
                                         const std::vector<std::string_view>& words) {
   if (!text.starts_with(words.front()) || !text.ends_with(words.back())) {

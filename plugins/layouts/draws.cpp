@@ -56,7 +56,7 @@ void set(Element& element, const std::string& attribute, double value, const Loc
   }
 }
 
-/// What has been read before anything is drawn, if the path is of it; "" for other paths.
+/// The part of the world that is read before anything is drawn, if the path leads into it; else "".
 std::string read_before(const std::string& path) {
   for (const char* name : {"layouts", "layout", "scatter"}) {
     if (path.starts_with(name + std::string("/")) || path.starts_with(name + std::string("["))) {

@@ -28,11 +28,13 @@ TEST_CASE("Wrong usage ends with exit code 2 and says what is wrong") {
 TEST_CASE("A world with goals and without robots is checked with a warning") {
   Workplace here;
   here.write("empty.xml",
-             "<world format=\"1\"><goals><reach x=\"1\" y=\"0\"/></goals><limits time=\"1\"/>"
+             "<world format=\"1\"><goals>\n<travel distance=\"1\"/></goals><limits time=\"1\"/>"
              "</world>\n");
   const auto check = here.elsie("check empty.xml");
   CHECK(check.exit_code == 0);
-  CHECK_THAT(check.err, Catch::Contains("empty.xml: warning: the world has goals, but no robots"));
+  CHECK_THAT(check.err, Catch::Contains("empty.xml:2: warning: the world has no robot"));
+  here.write("endure.xml", "<world format=\"1\"><goals><endure time=\"1\"/></goals></world>\n");
+  CHECK(here.elsie("check endure.xml").err.empty());
   CHECK(here.elsie("check worlds/maze.xml").err.empty());
 }
 

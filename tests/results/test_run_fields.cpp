@@ -1,6 +1,4 @@
 // The fields of a run: each stands in one place, and everything that names them follows from it.
-#include <algorithm>
-
 #include <catch2/catch.hpp>
 
 #include "elsie/results/database_file.h"
@@ -55,16 +53,13 @@ std::string text_of(const results::RunFields& run) {
 
 }  // namespace
 
-TEST_CASE("The table of runs has a column for each field, and its own four and `ended` besides") {
+TEST_CASE("The table of runs has a column for each field") {
   elsie::test::Folder folder;
   sqlite::Connection database = results::make_database(folder.file("r.sqlite"));
   results::make_schema(database);
-  std::string columns = results::field_names();
-  columns += ", id, cell_id, seed, repetition, ended";
-  CHECK_NOTHROW(sqlite::Statement(database, "SELECT " + columns + " FROM runs"));
-  sqlite::Statement count(database, "SELECT count(*) FROM pragma_table_info('runs')");
-  REQUIRE(count.next());
-  CHECK(count.integer(0) == 1 + std::count(columns.begin(), columns.end(), ','));
+  CHECK(database.text("SELECT group_concat(name, ' ') FROM pragma_table_info('runs')") ==
+        "id cell_id seed repetition state outcome message steps simulated_s state_hash signal "
+        "exit_code plugin robot step wall_s solver_gave_up solver_unsolved log ended");
 }
 
 TEST_CASE("The columns of the fields have the types of their values") {

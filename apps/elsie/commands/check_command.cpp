@@ -35,6 +35,23 @@ struct CheckOptions {
   bool quiet = false;
 };
 
+/// Warns of the first goal that only robots can reach, if there are none.
+void warn_of_goals(const world::World& world) {
+  const auto goal =
+      std::find_if(world.goals.begin(), world.goals.end(), [](const world::Goal& each) {
+        return !std::holds_alternative<world::EndureGoal>(each) &&
+               !std::holds_alternative<world::NoCollisionGoal>(each) &&
+               !std::holds_alternative<world::BatteryGoal>(each);
+      });
+  if (world.robots.empty() && goal != world.goals.end()) {
+    const auto location = std::visit([](const auto& each) { return each.location; }, *goal);
+    std::cerr << base::Problem{location.file, location.line,
+                               "warning: the world has no robot that could reach this goal"}
+                     .text()
+              << '\n';
+  }
+}
+
 /// The line about a world without mistakes.
 std::string check_world(const std::string& text, const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
@@ -55,9 +72,7 @@ std::string check_world(const std::string& text, const std::string& file, const 
   for (const world::Warning& warning : world::warnings(world)) {
     std::cerr << warning.text() << '\n';
   }
-  if (world.robots.empty() && !world.goals.empty()) {
-    std::cerr << file << ": warning: the world has goals, but no robots that could reach them\n";
-  }
+  warn_of_goals(world);
   if (options.expand) {
     out() << world::write_world(world);
   }

@@ -236,9 +236,7 @@ Inspection inspect_file(const std::filesystem::path& path) {
     check_end(file, header);
     const auto word = read_word(file, segments);
     if (!word) {
-      other(
-          "is a shared library without a plugin of Elsie; expected a declaration such as "
-          "ELSIE_BEHAVIOR in its source");
+      other("is a shared library without a plugin of Elsie");
     }
     result.abi_word = *word;
     if (header.e_machine != kMachine) {

@@ -43,7 +43,8 @@ inline double wheelbase_or_default(double given, const Chassis& chassis) {
   require(given >= 2.0 * chassis.wheel_radius,
           "its front and rear wheels would be inside each other: its wheelbase is " +
               std::to_string(given) + " m, the diameter of a wheel " +
-              std::to_string(2.0 * chassis.wheel_radius) + " m");
+              std::to_string(2.0 * chassis.wheel_radius) +
+              " m; make it longer, or 0 for the length of the chassis");
   return given;
 }
 

@@ -15,13 +15,17 @@ class Omnidirectional final : public drives::RollingDrive {
 
   /// The wheels of a differential drive that turns likewise: they stand on the same circle.
   elsie::WheelPair wheels(const elsie::Chassis& chassis) const override {
-    return {chassis.wheel_radius,
-            radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis))};
+    return {chassis.wheel_radius, circle(chassis)};
   }
 
  private:
+  /// The radius of the circle on which the wheels stand, m.
+  double circle(const elsie::Chassis& chassis) const {
+    return radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis));
+  }
+
   void add_wheels(const elsie::Chassis& chassis, elsie::BodyPlan& plan) const override {
-    const double r = radius > 0.0 ? radius : std::max(chassis.half_axle, drives::sweep(chassis));
+    const double r = circle(chassis);
     for (int i = 0; i < 3; ++i) {
       const double at = (1.0 + 2.0 * i) / 3.0 * std::numbers::pi;
       const elsie::WheelJoint joint{.torque = chassis.wheel_torque, .rollers_rad = 0.0};

@@ -10,7 +10,7 @@
 
 namespace elsie::results {
 
-/// The text of schema.sql.
+/// The text of schema.sql, without the fields of runs.
 extern const char* const kSchema;
 
 namespace {

@@ -1,4 +1,5 @@
 -- The results of one experiment; docs/results-database.md describes them for users who query the database.
+-- make_schema() adds the fields of a run, which run_fields.h declares.
 -- The plan is written before the first run begins; each run is written in one transaction when it
 -- has ended. So a row of `runs` is either pending and empty, or complete.
 -- PRAGMA application_id is 0x456C7369 ("Elsi"), PRAGMA user_version the version of this schema.

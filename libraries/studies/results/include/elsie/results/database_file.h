@@ -45,7 +45,7 @@ bool is_vacant(const std::filesystem::path& file);
 /// Creates a file without tables, or uses a vacant one. Throws DatabaseRefused.
 sqlite::Connection make_database(const std::filesystem::path& file);
 
-/// Creates the empty tables of schema.sql. Call it in a transaction.
+/// Creates the empty tables of schema.sql and run_fields.h. Call it in a transaction.
 void make_schema(sqlite::Connection& connection);
 
 /// Sets the options of every connection that writes.
