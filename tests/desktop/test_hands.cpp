@@ -219,6 +219,7 @@ TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in us
 
 TEST_CASE("A drag and back leaves no entry in the history, and no star") {
   Window window;
+  window.bench().set_merging_ms(kPatience_ms);
   window.open(window.file(kRoom));
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("obstacle[crate]") != nullptr; }));

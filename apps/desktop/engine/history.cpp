@@ -1,11 +1,6 @@
 #include "engine/history.h"
 
 namespace elsie::desktop {
-namespace {
-
-constexpr qint64 kMerging_ms = 2000;
-
-}  // namespace
 
 void History::clear() {
   entries_.clear();
@@ -14,10 +9,11 @@ void History::clear() {
 
 void History::push(Entry entry) {
   entries_.resize(place_);
+  entry.at_ms = clock_.elapsed();
   if (!entries_.empty()) {
     Entry& last = entries_.back();
     if (!entry.merge.isEmpty() && last.merge == entry.merge && last.file == entry.file &&
-        last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < kMerging_ms) {
+        last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < merging_ms_) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
       last.inverse = 0;  // the text leads back

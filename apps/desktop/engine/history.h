@@ -1,6 +1,7 @@
 // What can be undone.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QString>
 #include <cstdint>
 #include <vector>
@@ -19,14 +20,18 @@ class History {
     QString file;               // of the texts: their file names start from there
     std::uint64_t inverse = 0;  // the engine's number of the inverse edit; 0: none
     int engine = 0;             // the engine's generation()
-    qint64 at_ms = 0;
-    bool is_opened = false;  // one of the texts is not a world: they are opened, as a file is
+    bool is_opened = false;     // one of the texts is not a world: they are opened, as a file is
+    qint64 at_ms = 0;           // set by push()
   };
+
+  History() { clock_.start(); }
 
   void clear();
   /// Adds an entry, and forgets the undone ones. Merges it with the last entry if both allow that;
   /// an entry that then leads back to where it began is dropped.
   void push(Entry entry);
+  /// Entries are merged when less time than this lies between them.
+  void set_merging_ms(qint64 ms) { merging_ms_ = ms; }
   /// Forgets the inverses, because the engine no longer has them.
   void drop_inverses();
 
@@ -43,6 +48,8 @@ class History {
  private:
   std::vector<Entry> entries_;
   std::size_t place_ = 0;  // the entries before it are in effect
+  qint64 merging_ms_ = 2000;
+  QElapsedTimer clock_;
 };
 
 }  // namespace elsie::desktop

@@ -1,4 +1,3 @@
-#include <QDateTime>
 #include <QDir>
 #include <algorithm>
 #include <iterator>
@@ -94,8 +93,7 @@ void Workbench::remember(const QString& name, const QString& merge, const QStrin
                          const Json& answer) {
   if (before != history_text_) {
     history_.push({name, merge, before, history_text_, file_,
-                   answer.value("undo", std::uint64_t{0}), engine_.generation(),
-                   QDateTime::currentMSecsSinceEpoch()});
+                   answer.value("undo", std::uint64_t{0}), engine_.generation()});
   }
   keep();
   Q_EMIT history_changed();
@@ -164,8 +162,7 @@ void Workbench::send_typed(const QString& name, const QString& merge) {
 // There is no world that could become another one: the text is opened, and undo leads back by text.
 void Workbench::open_as_edit(const QString& text, const QString& name, const QString& merge) {
   if (text != history_text_) {
-    history_.push({name, merge, history_text_, text, file_, 0, engine_.generation(),
-                   QDateTime::currentMSecsSinceEpoch(), true});
+    history_.push({name, merge, history_text_, text, file_, 0, engine_.generation(), true});
     history_text_ = text;
     keep();
   }
