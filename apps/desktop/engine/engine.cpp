@@ -7,7 +7,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr int kBetweenSnapshots_ms = 30;
-constexpr int kReport_ms = 500;  // the time for writing a report
+constexpr int kReport_ms = 3000;  // for writing a report on a busy machine
 constexpr int kBetweenLooks_ms = 100;
 
 }  // namespace

@@ -23,7 +23,8 @@ namespace {
 constexpr int kMessages = 150;
 constexpr int kMemory = 151;
 constexpr std::size_t kLongestReport = 65'536;
-constexpr int kPatience_ms = 1000;  // time for a process to end
+constexpr int kPatience_ms = 1000;  // for a process whose connection was closed here
+constexpr int kReport_ms = 3000;    // for one that closed it: it writes a report
 
 /// A descriptor that is closed with its owner.
 class Descriptor {
@@ -113,7 +114,7 @@ class Connection::Impl {
     flush();
     if (open_ && !read_into(received_, messages_.get())) {
       open_ = false;
-      closed_ = std::chrono::steady_clock::now();
+      deadline_ = Clock::now() + std::chrono::milliseconds(kReport_ms);
     }
     read_output();
     std::vector<Json> messages;
@@ -137,7 +138,7 @@ class Connection::Impl {
     }
     reap(WNOHANG);
     if (process_ > 0) {
-      if (std::chrono::steady_clock::now() - closed_ > std::chrono::milliseconds(kPatience_ms)) {
+      if (Clock::now() > deadline_) {
         end_by(SIGKILL);
       }
       return std::nullopt;
@@ -149,7 +150,7 @@ class Connection::Impl {
   void close() {
     messages_ = Descriptor();
     open_ = false;
-    closed_ = std::chrono::steady_clock::now();
+    deadline_ = Clock::now() + std::chrono::milliseconds(kPatience_ms);
   }
 
   void end_by(int signal) {
@@ -161,6 +162,8 @@ class Connection::Impl {
   snapshots::Reader& reader() { return reader_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void start(const std::string& program, const std::vector<std::string>& arguments, int theirs,
              int their_output) {
     posix_spawn_file_actions_t actions;
@@ -227,7 +230,7 @@ class Connection::Impl {
   pid_t process_ = -1;
   int exit_code_ = 0;
   bool open_ = true;
-  std::chrono::steady_clock::time_point closed_;
+  Clock::time_point deadline_;  // for ending, once the connection is closed
   std::string unsent_, received_, report_;
 };
 

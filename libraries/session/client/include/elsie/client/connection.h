@@ -43,7 +43,7 @@ class Connection {
   /// The messages that have arrived since the last call.
   std::vector<Json> receive();
   /// The end of the process, once it has ended and all its messages have been received. Kills a
-  /// process that still runs one second after it closed the connection.
+  /// process that still runs three seconds after it closed the connection.
   std::optional<SessionEnd> ended();
   /// Closes the connection, so that the process ends. No messages are received after that. ended()
   /// reports the end of the process, and kills it if it still runs one second later.
