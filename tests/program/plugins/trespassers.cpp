@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -31,7 +32,12 @@ std::string wish() {
   if (wish() == "round") {
     std::fesetround(FE_UPWARD);
   }
-  while (wish() == "loop") {
+  if (wish() == "loop") {
+    if (const char* const sign = std::getenv("TRESPASS_SIGN")) {
+      std::ofstream{sign};  // for a test that waits until the loop is reached
+    }
+    for (volatile bool is_looping = true; is_looping;) {
+    }
   }
   return true;
 }();
