@@ -79,9 +79,9 @@ TEST_CASE("All tools fit a window of 1280 pixels") {
   Window window;
   window.open(window.file(kRoom));
   window->resize(1280, 800);
-  QTest::qWait(50);
   for (const char* name : {"tools", "environment"}) {
     auto* bar = window.get<QToolBar>(name);
+    REQUIRE(wait_for([&] { return window->width() == 1280 && bar->geometry().right() < 1280; }));
     const auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
     REQUIRE(more);
     CHECK_FALSE(more->isVisible());
@@ -150,6 +150,7 @@ TEST_CASE("Physics parameters are changed while it runs, and the run is that of 
   window.bench().set_speed(1.0);
   click_on(window.get<QToolButton>("run"));
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
+  window.bench().set_speed(0.1);  // it must not end before the change
   window.act("physics");
   QDialog* dialog = window.dialog("element_dialog");
   auto* form = dialog->findChild<Form*>("form_physics");

@@ -34,6 +34,7 @@ TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a ru
 
   window.bench().run();
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
+  window.bench().set_speed(0.1);  // it must not end before the change
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]", Qt::RightButton);
   dialog = nullptr;
   REQUIRE(wait_for([&] {
