@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStatusBar>
+#include <memory>
 
 #include <catch2/catch.hpp>
 
@@ -190,25 +191,26 @@ TEST_CASE("The views are in the menu, and F6 goes round the windows") {
 TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About names Qt") {
   Window window;
   open_room(window);
-  const auto closed = [](QString& text) {
+  const auto text_when_shown = [] {
+    auto text = std::make_shared<QString>();
     auto* waiting = new QTimer(qApp);
-    QObject::connect(waiting, &QTimer::timeout, waiting, [waiting, &text] {
+    QObject::connect(waiting, &QTimer::timeout, waiting, [waiting, text] {
       if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
         waiting->deleteLater();
-        text = box->text();
+        *text = box->text();
         box->close();
       }
     });
     waiting->start(20);
+    return text;
   };
-  QString keys, about;
-  closed(keys);
+  const auto keys = text_when_shown();
   press_key(&window.window(), Qt::Key_F1);
-  CHECK(keys.contains("F5"));
-  CHECK(keys.contains("In the view"));
-  closed(about);
+  CHECK(keys->contains("F5"));
+  CHECK(keys->contains("In the view"));
+  const auto about = text_when_shown();
   pick(window, "Help", "about");
-  CHECK(about.contains(qVersion()));
+  CHECK(about->contains(qVersion()));
 
   answer_when_asked("commands_dialog", [](QDialog* dialog) {
     auto* choice = dialog->findChild<QComboBox*>();
