@@ -42,6 +42,15 @@ class OwnTime {
   QElapsedTimer clock_;
 };
 
+/// How slow the machine is now: 25 ms where the limits were found. At most 100, because a window
+/// that waits a second for the end of an engine must fail on any machine.
+double time_of_making_a_window_ms() {
+  const OwnTime time;
+  MainWindow window(build_file("elsie"), {});
+  window.show();
+  return std::clamp(time.ms(), 25.0, 100.0);
+}
+
 /// Does one thing after another with a window, and lets its events through in between.
 class User {
  public:
@@ -153,6 +162,7 @@ TEST_CASE("A thousand random orders, and the window neither waits nor forgets") 
   const int count = wished ? std::atoi(wished) : 1000;
   Window window;
   window.open(window.file(kRoom, "first.xml"));
+  const double unit_ms = time_of_making_a_window_ms();
   User user(window, 15);
   for (int i = 0; i < count; ++i) {
     user.act();
@@ -161,9 +171,9 @@ TEST_CASE("A thousand random orders, and the window neither waits nor forgets") 
   std::sort(gaps.begin(), gaps.end());
   const double most = gaps.back(), usual = gaps[gaps.size() * 99 / 100];
   WARN("of " << gaps.size() << " turns 99 % took less than " << usual << " ms, all less than "
-             << most << " ms");
-  CHECK(usual < 100.0);
-  CHECK(most < 250.0);
+             << most << " ms; a window is made in " << unit_ms << " ms");
+  CHECK(usual < 4.0 * unit_ms);
+  CHECK(most < 10.0 * unit_ms);
 
   const QString file = window.file(kRoom, "last.xml");
   window.open(file);
