@@ -119,7 +119,6 @@ EndAgain::EndAgain(const RunRecord& before, double wall_limit_s)
     retire();
     throw std::runtime_error("cannot create the timer for the wall limit of the run");
   }
-  set_timer(wall_limit_s_);
 }
 
 EndAgain::~EndAgain() {
@@ -139,6 +138,8 @@ void EndAgain::set_timer(double seconds) const noexcept {
     timer_settime(timer_, 0, &times, nullptr);
   }
 }
+
+void EndAgain::start_clock() const noexcept { set_timer(wall_limit_s_); }
 
 void EndAgain::started(const simulation::Simulation& simulation) { step_ = simulation.steps(); }
 

@@ -29,9 +29,13 @@ class WallLimitMet {};
 /// Must be made in the thread of the run; only one at a time.
 class EndAgain final : public simulation::Observer, private files::EmergencyWriter {
  public:
-  /// `before` must outlive this. `wall_limit_s`: from now on; 0: none.
+  /// `before` must outlive this. `wall_limit_s`: from start_clock() on; 0: none.
   EndAgain(const batch::RunRecord& before, double wall_limit_s);
   ~EndAgain() override;
+
+  /// To be called before the simulation is made, as in a batch: loading plugins is not part of the
+  /// run.
+  void start_clock() const noexcept;
 
   void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;

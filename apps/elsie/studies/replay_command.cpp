@@ -230,9 +230,10 @@ void add_replay_command(CLI::App& program, Job& job) {
   again.views.record.add_to(*command);
   describe_formats(*command);
   command
-      ->add_option("--wall-limit", again.wall_limit_s,
-                   "Seconds on the clock after which the run is ended; 0: never. Default: the "
-                   "batch's limit for a run that met it, else never")
+      ->add_option(
+          "--wall-limit", again.wall_limit_s,
+          "Seconds on the clock, once plugins are loaded, after which the run is ended; 0: "
+          "never. Default: the batch's limit for a run that met it, else never")
       ->check(non_negative_number())
       ->type_name("SECONDS");
   command->add_flag("--quiet", again.quiet,

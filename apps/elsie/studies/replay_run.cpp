@@ -168,6 +168,9 @@ int replay_run(const RunAgainOptions& options) {
     std::cerr << "elsie: " << difference << '\n';
   }
   tell_of(run, options);
+  if (end) {
+    end->start_clock();
+  }
   Simulation simulation(restored.world(), restored.host(),
                         {.seed = run.job.seed,
                          .measure_time = options.views.record.times,
