@@ -83,7 +83,8 @@ class Patience {
     const auto now = Clock::now();
     if (const int come = requests.exchange(0); come > 0) {
       // timeout(1), schedulers and shells send a signal to a process and to its group: one request.
-      if (asked_ == 0 || now - last_ > std::chrono::milliseconds(500)) {
+      // Further requests do not extend the time.
+      if (asked_ == 0 || (asked_ == 1 && now - last_ > std::chrono::milliseconds(500))) {
         ++asked_;
         last_ = now;
       }
