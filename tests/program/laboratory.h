@@ -32,7 +32,8 @@ class Laboratory : public Workplace {
   static constexpr const char* kSpeeds =
       "<vary name=\"speed\" path=\"robot[r1]/@max_speed\" values=\"0.05; 0.1; 0.4\"/>";
 
-  /// The plugin `dawdling` takes a second for each step after half a simulated second.
+  /// The plugin `dawdling` takes a second for each step after half a simulated second; see also
+  /// kDawdlesOnRequest.
   static constexpr const char* kTwoDawdledSteps = "<limits time=\"0.52\"/>";
 
   static std::string experiment(const std::string& worlds, const std::string& factors, int seeds,
@@ -58,8 +59,22 @@ class Laboratory : public Workplace {
       "workers_of() { for p in $(cat /proc/$1/task/$1/children); do\n"
       "  if [ \"$(cat /proc/$p/comm 2>/dev/null)\" = elsie-run ]; then echo $p; fi; done; }\n";
 
+  /// For the shell: dawdled steps wait until `pass_one` lets one go on, or `pass_all` all. On a
+  /// cluster both take the number of a shard.
+  static inline const std::string kDawdlesOnRequest =
+      "export FAULTY_DAWDLES_UNTIL=\"$PWD/go\"\n"
+      "pass_one() { touch go$1; while [ -e go$1 ]; do sleep 0.02; done; }\n"
+      "pass_all() { mkdir go$1; }\n";
+
   ProgramRun batch(const std::string& arguments) const {
     return elsie("batch " + arguments + " --plugin-path " + plugins());
+  }
+  /// Without the time of dawdled steps.
+  ProgramRun elsie_at_once(const std::string& arguments) const {
+    return sh("FAULTY_DAWDLES_UNTIL=. elsie " + arguments);
+  }
+  ProgramRun batch_at_once(const std::string& arguments) const {
+    return elsie_at_once("batch " + arguments + " --plugin-path " + plugins());
   }
   static std::string plugins() { return elsie::test::build_path("tests/program/plugins"); }
   std::string table(const std::string& name) const { return all_tables(file(name).string()); }

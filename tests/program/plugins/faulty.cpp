@@ -1,4 +1,5 @@
 // Plugins that fail after half a second, each in its own way, for the tests of the program.
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -118,10 +120,13 @@ struct Overflows {
     return hidden(depth) > 0 ? deeper(depth + 1) + here[0] : 0.0;
   }
 };
-/// Prints a line for tests that wait, then loops for ever.
+/// Prints a line for tests that wait, and makes a file that they ask for, then loops for ever.
 void loop() {
   constexpr std::string_view kText = "for ever\n";
   [[maybe_unused]] const ssize_t count = write(STDERR_FILENO, kText.data(), kText.size());
+  if (const char* const sign = std::getenv("FAULTY_LOOP_SIGN")) {
+    close(creat(sign, 0600));
+  }
   while (hidden(true)) {
   }
 }
@@ -168,9 +173,21 @@ struct CrashesElsewhere {
     return {};
   }
 };
+/// Takes a second; or, if a test names a file, the time until it is there. It is removed, so that
+/// one step goes on; a folder stays, so that all do. Each task of a cluster has its own file.
 struct Dawdles {
   elsie::Motion operator()() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    using std::chrono::milliseconds;
+    if (const char* const name = std::getenv("FAULTY_DAWDLES_UNTIL")) {
+      const char* const task = std::getenv("SLURM_ARRAY_TASK_ID");
+      const std::string file = std::string(name) + (task ? task : "");
+      constexpr int kMost = 30'000;  // five minutes
+      for (int i = 0; i < kMost && unlink(file.c_str()) != 0 && errno == ENOENT; ++i) {
+        std::this_thread::sleep_for(milliseconds(10));
+      }
+    } else {
+      std::this_thread::sleep_for(milliseconds(1000));
+    }
     return elsie::WheelPair().motion({10, 10});
   }
 };
