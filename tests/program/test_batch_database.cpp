@@ -46,14 +46,16 @@ TEST_CASE("A batch whose database is taken away stops, and says where its result
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   /// Changes the database between the first run and the second.
   const auto batch_during = [&](const std::string& action) {
-    return here.sh("elsie batch faulty.xml --workers 1 --quiet --plugin-path " +
+    return here.sh(Laboratory::kDawdlesOnRequest +
+                   "elsie batch faulty.xml --workers 1 --quiet --plugin-path " +
                    Laboratory::plugins() +
                    " & batch=$!\n"
+                   "pass_one; pass_one\n"
                    "while ! sqlite3 faulty.sqlite 'SELECT count(*) FROM runs WHERE state = "
                    "\"done\"' 2>/dev/null | grep -q 1; do sleep 0.05; done\n" +
                    action +
                    "\n"
-                   "wait $batch && code=$? || code=$?\n"
+                   "pass_all; wait $batch && code=$? || code=$?\n"
                    "exit $code");
   };
   SECTION("renamed: it is put back, and the batch continues") {
@@ -64,7 +66,7 @@ TEST_CASE("A batch whose database is taken away stops, and says where its result
                             Contains("elsewhere.sqlite': put it back"));
     here.check_sound("elsewhere.sqlite");
     fs::rename(here.file("elsewhere.sqlite"), here.file("faulty.sqlite"));
-    CHECK(here.batch("faulty.xml --quiet --resume").exit_code == 0);
+    CHECK(here.batch_at_once("faulty.xml --quiet --resume").exit_code == 0);
     CHECK(here.query("faulty.sqlite", "SELECT state FROM runs") == "done\ndone\n");
   }
   SECTION("replaced: the other file is left alone") {

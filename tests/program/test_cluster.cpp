@@ -71,18 +71,22 @@ TEST_CASE(
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 6);
   const auto run = here.with_slurm(
       // Each shard has two runs. After its first run, one process is killed, one task is cancelled.
+      Laboratory::kDawdlesOnRequest +
       "follow faulty.xml --cluster slurm --shards 3 --database all.sqlite & follower=$!\n"
       "until_there 1\n"
+      "pass_one 1; pass_one 1\n"
       "until grep -q '\"ended\":1' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
       "kill -9 $(tasks 1)\n"
+      "pass_one 2; pass_one 2\n"
       "until grep -q '\"ended\":1' all.sqlite-shards/shard-2.json; do sleep 0.05; done\n"
       "scancel $(cat all.sqlite-shards/cluster.json | sed "
       "'s/.*\"job\":\"\\([0-9]*\\)\".*/\\1/')_2\n"
-      "wait $follower && code=$? || code=$?\n"
+      "pass_all 3; wait $follower && code=$? || code=$?\n"
       "echo code $code\n"
       "sqlite3 all.sqlite-shards/shard-1.sqlite \"SELECT id, ended FROM runs WHERE state = "
       "'done'\" "
       "> before\n"
+      "pass_all 1; pass_all 2\n"
       "batch faulty.xml --cluster slurm --resume --database all.sqlite\n"
       "sqlite3 all.sqlite 'SELECT id, ended FROM runs' > after\n");
   CAPTURE(run.out, run.err);
@@ -102,6 +106,7 @@ TEST_CASE("A follower that is killed or leaves can be followed by another") {
   const Cluster here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
   const auto run = here.with_slurm(
+      Laboratory::kDawdlesOnRequest +
       "follow faulty.xml --cluster slurm --shards 2 --database all.sqlite & follower=$!\n"
       "until_begun all.sqlite 1\n"
       "kill -9 $follower; wait $follower || true\n"
@@ -113,6 +118,7 @@ TEST_CASE("A follower that is killed or leaves can be followed by another") {
       "wait $follower && code=$? || code=$?\n"
       "echo code $code\n"
       "batch faulty.xml --cluster slurm --resume --detach --database all.sqlite\n"
+      "pass_all 1; pass_all 2\n"
       "batch faulty.xml --cluster slurm --resume --json --database all.sqlite > summary.json\n");
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
@@ -163,13 +169,18 @@ TEST_CASE("A task that returns to the queue continues where it was") {
   const Cluster here;
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run = here.with_slurm(
+      Laboratory::kDawdlesOnRequest +
       "follow faulty.xml --cluster slurm --shards 1 --database all.sqlite & follower=$!\n"
       "until_there 1\n"
+      "pass_one 1; pass_one 1\n"
       "until grep -q '\"ended\":1' all.sqlite-shards/shard-1.json; do sleep 0.05; done\n"
       "scontrol requeue 1_1\n"
+      "while [ -n \"$(tasks 1)\" ]; do sleep 0.05; done; pass_all 1\n"
       // Slurm delays such a task before it begins again; not here.
-      "for i in 1 2 3 4 5; do scontrol update jobid=1_1 starttime=now 2>&1 || true; sleep 1; done\n"
-      "wait $follower\n");
+      "while :; do scontrol update jobid=1_1 starttime=now || true; sleep 1; done > updates 2>&1 & "
+      "updates=$!\n"
+      "wait $follower && code=$? || code=$?\n"
+      "kill $updates; exit $code\n");
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
   CHECK(here.table("all.sqlite") == here.alone("faulty.xml"));
