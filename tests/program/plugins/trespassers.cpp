@@ -162,6 +162,7 @@ struct BlocksSignals {
     sigset_t all;
     sigfillset(&all);
     sigprocmask(SIG_SETMASK, &all, nullptr);
+    static_cast<void>(write(STDERR_FILENO, "blocked\n", 8));
   }
 };
 struct BlocksSignalsAndLoops {
