@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,18 @@ inline constexpr const char* kSecond =
     "robot[+]=<robot id=\"r2\" x=\"1\"><behaviors><turn_right/></behaviors>"
     "<coordinator><arbiter_suppression/></coordinator></robot>";
 
+/// Whether it comes true within two minutes.
+inline bool comes_true(const std::function<bool()>& is_true) {
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+  while (!is_true()) {
+    if (std::chrono::steady_clock::now() > patience) {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
 class Session {
  public:
   explicit Session(const std::vector<std::string>& arguments = {})
@@ -71,8 +84,11 @@ class Session {
     return ask({{"do", "edit"}, {"edits", edits}});
   }
   /// Waits for the next event of this kind that nobody has asked for yet.
-  Json event(const std::string& kind) {
-    return wait([&](const Json& message) { return message.value("event", "") == kind; });
+  Json event(const std::string& kind) { return event_of({kind}); }
+  Json event_of(const std::vector<std::string>& kinds) {
+    return wait([&](const Json& message) {
+      return std::find(kinds.begin(), kinds.end(), message.value("event", "")) != kinds.end();
+    });
   }
   /// Whether one has come by now.
   bool has_event(const std::string& kind) {

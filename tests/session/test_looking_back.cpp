@@ -64,7 +64,7 @@ TEST_CASE("Looking back changes nothing, and a run that goes on cannot be looked
   CHECK(x_of_first(session) == -1.0F);
   session.ask({{"do", "step"}});
   CHECK(session.connection().snapshots().take()->facts.steps > 30);
-  session.ask({{"do", "speed"}, {"factor", 1}});
+  session.ask({{"do", "speed"}, {"factor", 0.001}});
   session.ask({{"do", "run"}});
   CHECK(at(session, 0.0).contains("refused"));
   session.ask({{"do", "speed"}, {"factor", 0}});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 #include "elsie/editing/document.h"
 
@@ -50,9 +49,7 @@ class Visitor {
     switch (random_.below(10)) {
       case 0:
       case 1:
-        session.ask({{"do", "run"}});
-        std::this_thread::sleep_for(std::chrono::milliseconds(random_.below(3)));
-        session.ask({{"do", "pause"}});
+        run_until(0.01 * static_cast<double>(random_.below(300)));
         break;
       case 2:
       case 3:
@@ -91,9 +88,29 @@ class Visitor {
     }
   }
 
+  /// Forgets the ends of runs up to now; returns the last one, if there was any.
+  Json last_end() {
+    session.ask({{"do", "ping"}});  // what was sent before is there
+    while (session.has_event("ended")) {
+      end_ = session.event("ended");
+    }
+    return end_;
+  }
+
   Session session;
 
  private:
+  /// To this time, which the clock does not affect, or to the end of the run.
+  void run_until(double time_s) {
+    last_end();
+    if (session.ask({{"do", "run"}, {"until_s", time_s}}).contains("refused")) {
+      return;
+    }
+    const Json event = session.event_of({"paused", "ended"});
+    if (event["event"] == "ended") {
+      end_ = event;
+    }
+  }
   Json take(const Json& order) {
     CAPTURE(order.dump());
     const Json answer = session.ask(order);
@@ -108,6 +125,7 @@ class Visitor {
   RandomEdits random_;
   std::string file_, text_;
   std::vector<Json> undos_;
+  Json end_;
 };
 
 }  // namespace
@@ -133,13 +151,9 @@ TEST_CASE("Whatever is ordered is answered, and the command line repeats the run
     }
     Session& session = visitor.session;
     session.ask({{"do", "watch"}, {"what", Json::array()}});
-    // Runs may have ended before.
-    Json end;
-    while (session.has_event("ended")) {
-      end = session.event("ended");
-    }
-    if (!session.ask({{"do", "run"}}).contains("refused")) {
-      session.ask({{"do", "pause"}});
+    Json end = visitor.last_end();  // runs may have ended before
+    if (!session.ask({{"do", "step"}}).contains("refused")) {
+      end = visitor.last_end();
       const Json sooner = session.edit({"limits/@time=20"});
       if (sooner.contains("refused") ||
           sooner["text"].get<std::string>().find("wall_time") != std::string::npos ||

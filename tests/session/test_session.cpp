@@ -1,6 +1,10 @@
 // Sessions: a document and its run in a process of their own.
+#include <chrono>
 #include <csignal>
-#include <thread>
+#include <cstdlib>
+#include <filesystem>
+
+#include <sys/wait.h>
 
 #include "session.h"
 
@@ -92,15 +96,21 @@ TEST_CASE("A run that is under way becomes the edited world, as with --at") {
 TEST_CASE("A run can be paused, paced and left") {
   Session session;
   session.open(kRoom);
-  session.ask({{"do", "speed"}, {"factor", 0.5}});
+  constexpr double kSpeed = 0.1;
+  session.ask({{"do", "speed"}, {"factor", kSpeed}});
+  const auto begun = std::chrono::steady_clock::now();
   session.ask({{"do", "run"}});
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  REQUIRE(comes_true([&] {
+    const auto snapshot = session.connection().snapshots().take();
+    return snapshot && snapshot->facts.time_s > 0.025;
+  }));
   session.ask({{"do", "pause"}});
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
   const auto paused = session.connection().snapshots().take();
   REQUIRE(paused);
   const std::uint64_t steps = paused->facts.steps;
-  CHECK(paused->facts.time_s > 0.0);
-  CHECK(paused->facts.time_s < 1.0);
+  CHECK(paused->facts.time_s > 0.025);
+  CHECK(paused->facts.time_s < kSpeed * taken.count() + 0.02);  // a control period ahead
   session.ask({{"do", "step"}});
   CHECK(session.ask({{"do", "pause"}}).contains("answer"));
   CHECK(session.connection().snapshots().take()->facts.steps == steps + 1);
@@ -160,31 +170,54 @@ TEST_CASE("A plugin that ends its process leaves the other end alive, with its n
   CHECK_THAT(end.report, Catch::Contains("'" + plugin + "'"));
 }
 
+namespace {
+
+/// A session whose plugin `looping` makes a file when it loops.
+class LoopingSession {
+ public:
+  LoopingSession() {
+    setenv("FAULTY_LOOP_SIGN", sign_.c_str(), 1);
+    session_.emplace(
+        std::vector<std::string>{"--plugin", build_path("tests/program/plugins/faulty.so")});
+    unsetenv("FAULTY_LOOP_SIGN");
+  }
+  void run_until_it_loops() {
+    std::string text = kRoom;
+    text.replace(text.find("turn_left"), 9, "looping");
+    REQUIRE_FALSE(session_->open(text).contains("refused"));
+    session_->ask({{"do", "run"}});
+    REQUIRE(comes_true([&] { return std::filesystem::exists(sign_); }));
+  }
+  Session* operator->() { return &*session_; }
+
+ private:
+  const Workplace place_;
+  const std::string sign_ = place_.file("it_loops").string();
+  std::optional<Session> session_;
+};
+
+}  // namespace
+
 // A program that a shell starts in the background ignores SIGQUIT.
 TEST_CASE("A session that is told to quit names its plugin, whatever signals its window ignores") {
-  std::string text = kRoom;
-  text.replace(text.find("turn_left"), 9, "looping");
   const auto before = std::signal(SIGQUIT, SIG_IGN);
-  Session session({"--plugin", test::build_path("tests/program/plugins/faulty.so")});
+  LoopingSession session;
   std::signal(SIGQUIT, before);
-  REQUIRE_FALSE(session.open(text).contains("refused"));
-  session.ask({{"do", "run"}});
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it loops by then
-  session.connection().quit();
-  CHECK_THAT(session.end().report, Catch::Contains("'looping'"));
+  session.run_until_it_loops();
+  session->connection().quit();
+  CHECK_THAT(session->end().report, Catch::Contains("'looping'"));
 }
 
 TEST_CASE("A session whose window is gone ends, also when a plugin does not return") {
-  std::string text = kRoom;
-  text.replace(text.find("turn_left"), 9, "looping");
-  Session session({"--plugin", test::build_path("tests/program/plugins/faulty.so")});
-  REQUIRE_FALSE(session.open(text).contains("refused"));
-  session.ask({{"do", "run"}});
-  std::this_thread::sleep_for(std::chrono::seconds(1));  // it loops by then
-  session.connection().close();
-  // Nobody ends it meanwhile: ended() would.
-  std::this_thread::sleep_for(std::chrono::seconds(8));
-  const auto end = session.connection().ended();
+  LoopingSession session;
+  session.run_until_it_loops();
+  session->connection().close();
+  // Nobody ends it meanwhile: ended() would. Its process is the only child of this one.
+  REQUIRE(comes_true([] {
+    siginfo_t child{};
+    return waitid(P_ALL, 0, &child, WEXITED | WNOWAIT | WNOHANG) == 0 && child.si_pid != 0;
+  }));
+  const auto end = session->connection().ended();
   REQUIRE(end);
   CHECK_THAT(end->report, Catch::Contains("'looping'"));
 }
