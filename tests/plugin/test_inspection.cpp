@@ -61,7 +61,7 @@ TEST_CASE("A plugin library tells its ABI word without being loaded") {
 
 TEST_CASE("What does not claim to be a plugin library is of no interest") {
   CHECK(inspect_file(fixture("stranger")).kind == FileKind::other);
-  CHECK_THAT(inspect_file(fixture("stranger")).sentence, Contains("not a plugin library of Elsie"));
+  CHECK_THAT(inspect_file(fixture("stranger")).sentence, Contains("without a plugin of Elsie"));
   CHECK(inspect_file("/").kind == FileKind::other);
   CHECK(inspect_file("/").sentence == "is a directory");
   const std::string text = "a shopping list";
