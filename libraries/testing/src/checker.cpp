@@ -388,26 +388,6 @@ class Checker {
     }
   }
 
-  /// The increase of used memory by `action`, in bytes.
-  template <class Action>
-  static double growth(Action action) {
-    const std::size_t before = memory_in_use();
-    action();
-    return static_cast<double>(memory_in_use()) - static_cast<double>(before);
-  }
-
-  /// The lasting increase, which recurs each time: the allocator's lists of free blocks may take a
-  /// few rounds to fill.
-  template <class Action>
-  static double steady_growth(double least, Action action) {
-    constexpr int kRounds = 8;
-    double smallest = growth(action);
-    for (int i = 1; i < kRounds && smallest > least; ++i) {
-      smallest = std::min(smallest, growth(action));
-    }
-    return smallest;
-  }
-
   void check_memory() {
     if (!typical_ || !told_.empty()) {
       return;  // with wrong answers, further checks say little
