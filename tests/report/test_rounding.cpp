@@ -1,4 +1,5 @@
 // Values that differ by rounding only.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,13 @@ TEST_CASE("Differences from rounding are no effect") {
     CHECK(one.paired.p == Approx(2.0 / 64.0));
     CHECK(one.notes.empty());
   }
+}
+
+TEST_CASE("Infinite values are equal to themselves only") {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  CHECK(are_equal(kInfinite, kInfinite));
+  CHECK_FALSE(are_equal(1.0, kInfinite));
+  CHECK_FALSE(are_equal(-kInfinite, kInfinite));
 }
 
 TEST_CASE("A model whose residuals are rounding says that its p-values mean nothing") {

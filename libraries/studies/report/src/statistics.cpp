@@ -166,7 +166,8 @@ std::optional<Interval> interval_of_rates(Relation relation, const Frequency& ce
 }
 
 bool are_equal(double least, double largest) {
-  return largest - least <= kRoundingOfRuns * std::max(std::abs(least), std::abs(largest));
+  const double larger = std::max(std::abs(least), std::abs(largest));
+  return least == largest || (std::isfinite(larger) && largest - least <= kRoundingOfRuns * larger);
 }
 
 Interval tukey_fences(const Summary& summary) {
