@@ -2,6 +2,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -12,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/history.h"
 #include "hands.h"
 #include "scene/scene_view.h"
 #include "world/form.h"
@@ -219,16 +221,24 @@ TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in us
 
 TEST_CASE("A drag and back leaves no entry in the history, and no star") {
   Window window;
-  window.bench().set_merging_ms(kPatience_ms);
   window.open(window.file(kRoom));
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("obstacle[crate]") != nullptr; }));
   click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
-  window.after([&] { press_key(&scene, Qt::Key_Right); });
-  CHECK(window.bench().undo_name() == "move crate");
-  CHECK(window->isWindowModified());
-  window.after([&] { press_key(&scene, Qt::Key_Left); });
-  REQUIRE(window.bench().text() == kRoom);
+  const auto move = [&](Qt::Key key) { window.after([&] { press_key(&scene, key); }); };
+  while (true) {
+    QElapsedTimer clock;
+    clock.start();
+    move(Qt::Key_Right);
+    CHECK(window.bench().undo_name() == "move crate");
+    CHECK(window->isWindowModified());
+    move(Qt::Key_Left);
+    REQUIRE(window.bench().text() == kRoom);
+    if (clock.elapsed() < History::kMerging_ms) break;
+    while (!window.bench().undo_name().isEmpty()) {  // too slow to be one entry: once more
+      window.after([&] { window.act("undo"); });
+    }
+  }
   CHECK(window.bench().undo_name().isEmpty());
   CHECK_FALSE(window->isWindowModified());
 }

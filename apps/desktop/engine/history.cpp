@@ -13,7 +13,7 @@ void History::push(Entry entry) {
   if (!entries_.empty()) {
     Entry& last = entries_.back();
     if (!entry.merge.isEmpty() && last.merge == entry.merge && last.file == entry.file &&
-        last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < merging_ms_) {
+        last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < kMerging_ms) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
       last.inverse = 0;  // the text leads back

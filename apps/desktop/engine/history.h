@@ -24,14 +24,15 @@ class History {
     qint64 at_ms = 0;           // set by push()
   };
 
+  static constexpr qint64 kMerging_ms = 2000;
+
   History() { clock_.start(); }
 
   void clear();
-  /// Adds an entry, and forgets the undone ones. Merges it with the last entry if both allow that;
-  /// an entry that then leads back to where it began is dropped.
+  /// Adds an entry, and forgets the undone ones. Merges it with the last entry if both allow that
+  /// and less than kMerging_ms lie between them; an entry that then leads back to where it began is
+  /// dropped.
   void push(Entry entry);
-  /// Entries are merged when less time than this lies between them.
-  void set_merging_ms(qint64 ms) { merging_ms_ = ms; }
   /// Forgets the inverses, because the engine no longer has them.
   void drop_inverses();
 
@@ -48,7 +49,6 @@ class History {
  private:
   std::vector<Entry> entries_;
   std::size_t place_ = 0;  // the entries before it are in effect
-  qint64 merging_ms_ = 2000;
   QElapsedTimer clock_;
 };
 

@@ -106,8 +106,6 @@ class Workbench : public QObject {
   void type(const QString& text);
   void undo();
   void redo();
-  /// Changes of the same kind become one in the history when less time lies between them.
-  void set_merging_ms(qint64 ms) { history_.set_merging_ms(ms); }
   QString undo_name() const;  // "" if there is nothing
   QString redo_name() const;
   /// @}
