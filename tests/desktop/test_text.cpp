@@ -8,7 +8,6 @@
 #include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
-#include <functional>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -16,9 +15,12 @@
 #include "text/completion.h"
 #include "text/problems_panel.h"
 #include "text/world_editor.h"
+#include "waiting.h"
 
+using elsie::desktop::activate;
 using elsie::desktop::complete;
 using elsie::desktop::ProblemsPanel;
+using elsie::desktop::wait_for;
 using elsie::desktop::WorldEditor;
 
 namespace {
@@ -42,8 +44,6 @@ QString lines(int count) {
   }
   return text;
 }
-
-bool wait_for(const std::function<bool()>& is_so) { return QTest::qWaitFor(is_so, 60'000); }
 
 /// Waits for a timer of its own: those that were started before and are shorter have fired by then,
 /// however slow the machine is.
@@ -205,10 +205,7 @@ TEST_CASE("problems lead to their lines by Enter, double click and F8") {
   ProblemsPanel panel;
   panel.resize(400, 200);
   panel.show();
-  REQUIRE(wait_for([&] {
-    panel.activateWindow();
-    return panel.isActiveWindow();
-  }));
+  activate(panel);
   panel.set_problems({{QStringLiteral("/w/a.xml"), 3, QStringLiteral("one")},
                       {QStringLiteral("/w/b.xml"), 7, QStringLiteral("two")}});
   QSignalSpy go(&panel, &ProblemsPanel::go_to);

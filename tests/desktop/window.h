@@ -26,31 +26,16 @@
 #include <catch2/catch.hpp>
 
 #include "main_window.h"
+#include "waiting.h"
 #include "world/world_tree.h"
 
 namespace elsie::desktop {
-
-inline constexpr int kPatience_ms = 60'000;
 
 inline QString build_file(const QString& name) {
   return QApplication::applicationDirPath() + '/' + name;
 }
 inline QString world_file(const QString& name) {
   return build_file("../share/elsie/worlds/" + name + ".xml");
-}
-
-inline bool wait_for(const std::function<bool()>& is_so) {
-  return QTest::qWaitFor(is_so, kPatience_ms);
-}
-
-/// Gives a window the keys. A bare X server does it only if it is asked, and not before the window
-/// is shown.
-inline bool is_activated(QWidget& window) {
-  if (!window.isActiveWindow()) window.activateWindow();
-  return window.isActiveWindow();
-}
-inline void activate(QWidget& window) {
-  REQUIRE(wait_for([&] { return is_activated(window); }));
 }
 
 /// Does something with the modal dialog of that name, once it is there.
