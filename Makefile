@@ -1,9 +1,9 @@
-# The two commands of the README are `make demo` and `make test`. Both install what is missing on Debian 12 first.
+# The two commands of the README are `make demo` and `make test`. Both install what is missing on Debian 12 and 13 first.
 PRESET ?= release
 BUILD := build/$(PRESET)
 ELSIE := $(BUILD)/bin/elsie
-# The parts of the program that the demo does not need.
-PARTS := $(patsubst %,$(BUILD)/lib/elsie/elsie-%.so,studies testing session)
+# .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
+CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
 .PHONY: desktop program configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
@@ -14,31 +14,27 @@ dependencies:
 	@scripts/install-dependencies
 
 configure: dependencies
-	@cmake --preset $(PRESET) --log-level=WARNING
+	@$(CONFIGURE) --preset $(PRESET)
 
-# The program and its plugins: needs fewer packages than the tests do. A build folder that has the tests keeps them.
+# The program with all its subcommands and plugins: needs fewer packages than the tests do. A build folder that has the tests keeps them.
 configure-program:
 	@scripts/install-dependencies --program
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
+	@[ -f $(BUILD)/build.ninja ] || $(CONFIGURE) --preset $(PRESET) -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
 
-# Builds what it runs, which is a part of the program, and runs the main job: a robot whose behaviours are blended by a network collects four
-# resources. A build folder that has the whole program keeps it, and none of its parts becomes older than the others.
-demo: configure-program
-	cmake --build --preset $(PRESET) --target $(if $(wildcard $(PARTS)),elsie_complete,elsie elsie_shipped_plugins)
+program: configure-program
+	cmake --build --preset $(PRESET) --target elsie_complete
+
+# Builds the program and runs the main job: a robot whose behaviours are blended by a network collects four resources.
+demo: program
 	@mkdir -p out
 	$(ELSIE) run worlds/four_resources.xml --seed 1 --picture out/four_resources.png --record out/four_resources.csv --record out/four_resources.mcap
 	$(ELSIE) explain out/four_resources.mcap --picture out/who_decided.png
 	@echo "Look at out/four_resources.png and out/who_decided.png; the whole run is in out/four_resources.csv."
-	@ls $(PARTS) >/dev/null 2>&1 || echo "\`make program\` builds what the demo does not need: elsie batch, replay, merge, report and test-plugin."
-
-# The whole program with all its subcommands.
-program: configure-program
-	cmake --build --preset $(PRESET) --target elsie_complete
 
 # Builds and starts the window: docs/desktop.md.
 desktop:
 	@scripts/install-dependencies --desktop
-	@[ -f $(BUILD)/build.ninja ] || cmake --preset $(PRESET) --log-level=WARNING -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
+	@[ -f $(BUILD)/build.ninja ] || $(CONFIGURE) --preset $(PRESET) -DELSIE_BUILD_TESTS=OFF -DELSIE_BUILD_BENCHMARKS=OFF
 	@cmake $(BUILD) --log-level=WARNING >/dev/null
 	cmake --build --preset $(PRESET) --target elsie_complete elsie_desktop
 	$(BUILD)/bin/elsie-desktop
@@ -58,13 +54,13 @@ package: all
 
 # The unit tests under the address and undefined-behaviour sanitizers.
 sanitize: dependencies
-	@cmake --preset asan --log-level=WARNING
+	@$(CONFIGURE) --preset asan
 	cmake --build --preset asan --target elsie_unit_tests
 	ctest --preset asan
 
 # What several threads do, under the thread sanitizer.
 sanitize-threads: dependencies
-	@cmake --preset tsan --log-level=WARNING
+	@$(CONFIGURE) --preset tsan
 	cmake --build --preset tsan --target elsie_thread_tests
 	ctest --preset tsan
 
@@ -72,14 +68,14 @@ sanitize-threads: dependencies
 FUZZ_SECONDS ?= 60
 fuzz: configure
 	cmake --build --preset $(PRESET) --target elsie_complete
-	@cmake --preset fuzz --log-level=WARNING
+	@$(CONFIGURE) --preset fuzz
 	cmake --build --preset fuzz --target elsie_fuzzers
 	scripts/fuzz $(FUZZ_SECONDS) build/fuzz $(BUILD)
 
 # The same for a few seconds, with the build of `make sanitize`.
 fuzz-check: configure
 	cmake --build --preset $(PRESET) --target elsie_complete
-	@cmake --preset asan --log-level=WARNING
+	@$(CONFIGURE) --preset asan
 	cmake --build --preset asan --target elsie_fuzzers
 	scripts/fuzz 5 build/asan $(BUILD)
 
@@ -105,8 +101,7 @@ coverage: configure
 	scripts/coverage $(BUILD)
 
 # The pictures of worlds in docs/.
-pictures: configure-program
-	cmake --build --preset $(PRESET) --target elsie_complete
+pictures: program
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
 	scripts/layout-pictures $(BUILD)
 	scripts/report-pictures $(BUILD)
@@ -122,8 +117,7 @@ tables: configure
 	scripts/tables $(BUILD) --seeds $(SEEDS)
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
-reference: configure-program
-	cmake --build --preset $(PRESET) --target elsie_complete
+reference: program
 	scripts/reference $(BUILD)
 
 # The first page of the tutorial, followed on a fresh clone of what is committed: docs/tutorial/transcript.md, and the pictures of the tutorial.

@@ -92,11 +92,10 @@ int work(int argc, char** argv) {
   Job job;
   add_run_command(program, job);
   try {
-    std::vector<std::string> not_built;
     if (!is_run(argc, argv)) {
-      not_built = add_module_commands(program, job, argc > 1 ? argv[1] : "");
+      command_module().add_commands(program, job);
     }
-    check_words(program, not_built, argc, argv);
+    check_words(program, argc, argv);
     program.parse(argc, argv);
   } catch (const base::Error& error) {
     std::cerr << error.message() << '\n';
@@ -120,7 +119,7 @@ int work(int argc, char** argv) {
                                       std::pair(kTemplateCommand, &CommandModule::stand_by)}) {
     if (argc == 2 && std::string_view(argv[1]) == command) {
       process::end_with(finish([work = work] {
-        (command_module(kStudiesModule).*work)();
+        (command_module().*work)();
         return int{kOtherFailure};  // it has not ended the process
       }));
     }

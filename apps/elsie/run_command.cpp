@@ -141,7 +141,7 @@ std::optional<process::Watchdog> watchdog_of(const RunOptions& options) {
 
 /// Pictures for sensors with cameras; the library is loaded when a world has one.
 std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
-  return command_module(kCommandsModule).make_cameras(world);
+  return command_module().make_cameras(world);
 }
 
 /// The simulation of a valid world, with changes that can be made.
@@ -171,8 +171,7 @@ int run(const RunOptions& options) {
         "--threads " + std::to_string(options.threads) +
         ": a budget of a plugin is measured in one thread; leave out --threads or the budget");
   }
-  auto views =
-      options.views.any() ? command_module(kCommandsModule).make_views(options.views) : nullptr;
+  auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
   const auto changes = changes_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include "elsie/base/near_name.h"
-#include "elsie/base/words.h"
 
 #include "command.h"
 
@@ -16,20 +15,20 @@ namespace elsie::program {
 
 namespace {
 
-const CLI::App& subcommand_of(const CLI::App& program, const std::vector<std::string>& not_built,
-                              const std::string& word) {
-  std::vector<std::string> names = not_built;
+const CLI::App& subcommand_of(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> names;
   std::string list;
   for (const CLI::App* command : program.get_subcommands({})) {
     if (command->get_name() == word) {
       return *command;
     }
-    names.push_back(command->get_name());
-    list += (list.empty() ? "" : ", ") + command->get_name();
+    if (!command->get_group().empty()) {  // `elsie session`, which windows start, is not listed
+      names.push_back(command->get_name());
+      list += (list.empty() ? "" : ", ") + command->get_name();
+    }
   }
   throw BadInput("there is no subcommand '" + word + "'" + base::did_you_mean(word, names) +
-                 "\nthere are: " + list +
-                 (not_built.empty() ? "" : "; not built: " + base::joined(not_built)));
+                 "\nthere are: " + list);
 }
 
 /// Splits a text at these words, of which it must begin with the first and end with the last.
@@ -54,12 +53,11 @@ std::vector<std::string> values_between(std::string_view text,
 
 }  // namespace
 
-void check_words(const CLI::App& program, const std::vector<std::string>& not_built, int argc,
-                 char** argv) {
+void check_words(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return;
   }
-  const CLI::App& command = subcommand_of(program, not_built, argv[1]);
+  const CLI::App& command = subcommand_of(program, argv[1]);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {

@@ -12,9 +12,8 @@ class Error;
 namespace elsie::program {
 
 /// Checks that the first argument is a subcommand or an option, and that options exist. Throws
-/// BadInput with the nearest word, also among the subcommands that are `not_built`.
-void check_words(const CLI::App& program, const std::vector<std::string>& not_built, int argc,
-                 char** argv);
+/// BadInput with the nearest word.
+void check_words(const CLI::App& program, int argc, char** argv);
 
 /// A sentence for an error of the command line's parser.
 std::string usage_message(const CLI::App* command, const CLI::Error& error);
