@@ -54,7 +54,8 @@ function(elsie_add_plugin name)
   endif()
 endfunction()
 
-# Catch2's main() takes four times as long to compile as a test: once for all tests of a project, if the package of Catch2 does not have it compiled.
+# Catch2's main() takes four times as long to compile as a test: once for all tests of a project, if the package of Catch2 2.13 does not have it
+# compiled.
 function(elsie_catch_main)
   if(NOT TARGET Catch2::Catch2WithMain)
     set(source "${CMAKE_CURRENT_BINARY_DIR}/catch_main.cpp")

@@ -2,7 +2,7 @@
 
 #include "elsie/plugin/abi_word.h"
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using elsie::plugin::abi_mismatch;
 using elsie::plugin::host_abi_word;
 

@@ -15,7 +15,7 @@
 using namespace elsie;
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Catch::Matchers::EndsWith;
 namespace fs = std::filesystem;
 

@@ -10,7 +10,7 @@
 #include "elsie/plugin/declaration_check.h"
 
 using namespace elsie;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using elsie::plugin::check_declaration;
 using elsie::plugin::check_declarations;
 

@@ -19,7 +19,7 @@
 using namespace elsie;
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Catch::Matchers::Message;
 using elsie::test::wheels;
 namespace fs = std::filesystem;

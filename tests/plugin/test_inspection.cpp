@@ -17,7 +17,7 @@
 
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Bytes = std::vector<std::byte>;
 
 namespace {

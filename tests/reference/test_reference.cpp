@@ -8,7 +8,7 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 TEST_CASE("The world reference has every element and attribute") {
   const std::string page = reference::world_reference();

@@ -6,7 +6,7 @@
 
 #include "folder.h"
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Catch::Matchers::StartsWith;
 namespace results = elsie::results;
 namespace sqlite = elsie::results::sqlite;

@@ -12,7 +12,7 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 TEST_CASE("An empty world has the default of everything") {
   const world::World world = read("");

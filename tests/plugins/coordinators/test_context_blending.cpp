@@ -8,7 +8,7 @@
 #include "world_builder.h"
 
 using namespace elsie;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using elsie::test::active;
 using elsie::test::check_near;
 using elsie::test::Coordinated;

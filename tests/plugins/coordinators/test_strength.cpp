@@ -2,7 +2,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using elsie::test::active;
 using elsie::test::check_near;
 using elsie::test::Coordinated;

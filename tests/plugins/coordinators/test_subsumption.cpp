@@ -2,7 +2,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using elsie::test::active;
 using elsie::test::Coordinated;
 using elsie::test::rates;

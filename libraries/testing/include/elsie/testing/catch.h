@@ -1,4 +1,4 @@
-// The test library with Catch2 2.13: expectations are Catch2 matchers; this header lets Catch2
+// The test library with Catch2 2.13 or 3: expectations are Catch2 matchers; this header lets Catch2
 // print what they check.
 //
 //   CHECK_THAT(shy.respond(now), turns_left());
@@ -9,7 +9,12 @@
 #include <string>
 #include <vector>
 
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+using Catch::Approx;  // as in Catch2 2.13, so that a test compiles with both
+#else
 #include <catch2/catch.hpp>
+#endif
 
 #include "elsie/testing/testing.h"
 
