@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A different record for each run.
-batch::RunRecord record_of(std::int64_t run) {
+batch::RunRecord merged_record(std::int64_t run) {
   batch::RunRecord record =
       test::some_record(simulation::hash_text(static_cast<std::uint64_t>(run)));
   record.robots[0].distance_m = static_cast<double>(run);
@@ -45,7 +45,7 @@ std::string shard(const test::Folder& folder, std::size_t index, std::size_t of,
   auto database = ResultsDatabase::create(file, plan);
   for (const std::int64_t run : database.pending()) {
     if (complete || run != 6) {
-      database.write(run, record_of(run));
+      database.write(run, merged_record(run));
     }
   }
   return file;

@@ -16,6 +16,7 @@
 #include "elsie/batch/worker_pool.h"
 
 #include "support.h"
+#include "variable.h"
 
 using namespace elsie;
 using Catch::Contains;
@@ -91,18 +92,6 @@ batch::Job job_with_faulty(const std::string& plugin = "thrifty") {
                    test::build_path("tests/program/plugins/faulty.so")};
   return job;
 }
-
-/// Sets a variable of the environment for the processes of a test.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) { setenv(name, value, 1); }
-  ~Variable() { unsetenv(name_); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-};
 
 }  // namespace
 

@@ -26,7 +26,7 @@ using namespace elsie::desktop;
 
 namespace {
 
-QPoint pixel(Window& window, const elsie::Vector3& point) {
+QPoint pixel_at(Window& window, const elsie::Vector3& point) {
   const auto at = window->scene().pixel_of(point);
   REQUIRE(at);
   return at->toPoint();
@@ -68,12 +68,12 @@ TEST_CASE("Shift and a click choose several things in the view") {
   open_room(window);
   SceneView& scene = window->scene();
   auto* tree = window.get<WorldTree>("world_tree");
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
-  click_at(&scene, pixel(window, {-1.0, 0.0, 0.05}), Qt::LeftButton, Qt::ShiftModifier);
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
+  click_at(&scene, pixel_at(window, {-1.0, 0.0, 0.05}), Qt::LeftButton, Qt::ShiftModifier);
   CHECK(tree->selection().size() == 2);
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}), Qt::LeftButton, Qt::ShiftModifier);
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}), Qt::LeftButton, Qt::ShiftModifier);
   CHECK(tree->selection() == QStringList{"robot[r1]"});
-  click_at(&scene, pixel(window, {-1.5, -1.5, 0.0}));
+  click_at(&scene, pixel_at(window, {-1.5, -1.5, 0.0}));
   CHECK(tree->selection().isEmpty());
 }
 
@@ -81,10 +81,10 @@ TEST_CASE("A double click in the view follows a robot, and leaves it again") {
   Window window;
   open_room(window);
   SceneView& scene = window->scene();
-  const QPoint at = pixel(window, {-1.0, 0.0, 0.05});
+  const QPoint at = pixel_at(window, {-1.0, 0.0, 0.05});
   QTest::mouseDClick(&scene, Qt::LeftButton, {}, at);
   CHECK(scene.followed() == "robot[r1]");
-  QTest::mouseDClick(&scene, Qt::LeftButton, {}, pixel(window, {-1.0, 0.0, 0.05}));
+  QTest::mouseDClick(&scene, Qt::LeftButton, {}, pixel_at(window, {-1.0, 0.0, 0.05}));
   CHECK(scene.followed().isEmpty());
 }
 
@@ -93,11 +93,11 @@ TEST_CASE("A box is turned by its knob and resized by its corner") {
   open_room(window);
   SceneView& scene = window->scene();
   press_key(&scene, Qt::Key_7);
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
   const auto knob = scene.handle(SceneView::Tool::turn);
   REQUIRE(knob);
   window.after([&] {
-    drag_by_hand(&scene, Qt::LeftButton, knob->toPoint(), pixel(window, {1.0, 1.8, 0.0}));
+    drag_by_hand(&scene, Qt::LeftButton, knob->toPoint(), pixel_at(window, {1.0, 1.8, 0.0}));
   });
   CHECK(number_in(window, "obstacle[crate]", "heading_deg") == Approx(90.0).margin(3.0));
   CHECK(window.bench().undo_name() == "turn crate");
@@ -105,7 +105,7 @@ TEST_CASE("A box is turned by its knob and resized by its corner") {
   REQUIRE(wait_for([&] { return scene.handle(SceneView::Tool::resize).has_value(); }));
   const QPoint corner = scene.handle(SceneView::Tool::resize)->toPoint();
   window.after([&] {
-    drag_by_hand(&scene, Qt::LeftButton, corner, pixel(window, {1.4, 1.3, 0.0}));
+    drag_by_hand(&scene, Qt::LeftButton, corner, pixel_at(window, {1.4, 1.3, 0.0}));
   });
   CHECK(number_in(window, "obstacle[crate]", "length") == Approx(0.8).margin(0.05));
   CHECK(number_in(window, "obstacle[crate]", "width") == Approx(0.6).margin(0.05));
@@ -119,11 +119,11 @@ TEST_CASE("A cylinder stays round, and a prism keeps its form, when they are res
     window.after([&] { window.bench().edit({"obstacle[crate]=" + element}, "replace"); });
     SceneView& scene = window->scene();
     press_key(&scene, Qt::Key_7);
-    click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+    click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
     REQUIRE(wait_for([&] { return scene.handle(SceneView::Tool::resize).has_value(); }));
     const QPoint corner = scene.handle(SceneView::Tool::resize)->toPoint();
     window.after([&] {
-      drag_by_hand(&scene, Qt::LeftButton, corner, pixel(window, {to.x(), to.y(), 0.0}));
+      drag_by_hand(&scene, Qt::LeftButton, corner, pixel_at(window, {to.x(), to.y(), 0.0}));
     });
   };
   resize("<static_cylinder id=\"crate\" x=\"1\" y=\"1\" radius=\"0.2\"/>", {1.4, 1.25});
@@ -142,7 +142,7 @@ TEST_CASE("Ctrl during a drag snaps to 0.1 m, Shift makes it finer") {
   open_room(window);
   SceneView& scene = window->scene();
   press_key(&scene, Qt::Key_7);
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
   const auto drag = [&](const QPoint& to, Qt::KeyboardModifiers keys) {
     const QPoint from = scene.handle(SceneView::Tool::move)->toPoint();
     QTest::mousePress(&scene, Qt::LeftButton, {}, from);
@@ -151,13 +151,13 @@ TEST_CASE("Ctrl during a drag snaps to 0.1 m, Shift makes it finer") {
     QApplication::sendEvent(&scene, &move);
     QTest::mouseRelease(&scene, Qt::LeftButton, keys, to);
   };
-  window.after([&] { drag(pixel(window, {0.43, 0.68, 0.0}), Qt::ControlModifier); });
+  window.after([&] { drag(pixel_at(window, {0.43, 0.68, 0.0}), Qt::ControlModifier); });
   CHECK(number_in(window, "obstacle[crate]", "x") == Approx(0.4).margin(1e-9));
   CHECK(number_in(window, "obstacle[crate]", "y") == Approx(0.7).margin(1e-9));
   REQUIRE(
       wait_for([&] { return scene.stage().body_of("obstacle[crate]")->frame.origin.x < 0.41; }));
   const double x = number_in(window, "obstacle[crate]", "x");
-  window.after([&] { drag(pixel(window, {1.4, 0.7, 0.0}), Qt::ShiftModifier); });
+  window.after([&] { drag(pixel_at(window, {1.4, 0.7, 0.0}), Qt::ShiftModifier); });
   CHECK(number_in(window, "obstacle[crate]", "x") - x == Approx(0.2).margin(0.02));
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("Arrow keys in the view move what is chosen by 10 cm, with Shift by 1 
   Window window;
   open_room(window);
   SceneView& scene = window->scene();
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
   window.after([&] { press_key(&scene, Qt::Key_Up); });
   CHECK(number_in(window, "obstacle[crate]", "y") == Approx(1.1));
   window.after([&] { press_key(&scene, Qt::Key_Left, Qt::ShiftModifier); });
@@ -360,7 +360,7 @@ TEST_CASE("A scene that is none leaves the stage empty, and the window alive") {
 TEST_CASE("Where a robot is now, and how fast, is shown beside what it was given") {
   Window window;
   open_room(window);
-  click_at(&window->scene(), pixel(window, {-1.0, 0.0, 0.05}));
+  click_at(&window->scene(), pixel_at(window, {-1.0, 0.0, 0.05}));
   press_key(&window->scene(), Qt::Key_Space);
   auto* properties = window.get<Properties>("properties");
   auto* x = properties->form().findChild<QLabel*>("x_live");

@@ -5,7 +5,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
 namespace {
@@ -77,9 +76,4 @@ TEST_CASE("A wrong command line is refused with a sentence") {
   REQUIRE(program.process().waitForFinished(kPatience_ms));
   CHECK(program.process().exitCode() == 2);
   CHECK(program.process().readAllStandardError().contains("expected one world, but found 2"));
-}
-
-int main(int argc, char** argv) {
-  QCoreApplication application(argc, argv);
-  return Catch::Session().run(argc, argv);
 }

@@ -1,7 +1,7 @@
 // Layouts of a world file that is edited: they are edited, and what they draw is not.
 #include <catch2/catch.hpp>
 
-#include "elsie/editing/document.h"
+#include "elsie/editing/layout_document.h"
 
 #include "../world/equal.h"
 #include "../world/fixture.h"
@@ -13,7 +13,7 @@ using editing::Document;
 
 namespace {
 
-const std::string kWorld = R"(<world format="1">
+const std::string kLayouts = R"(<world format="1">
   <obstacles>
     <static_box id="wall" x="1"/>
   </obstacles>
@@ -26,19 +26,19 @@ const std::string kWorld = R"(<world format="1">
 </world>
 )";
 
-Document document(std::uint64_t seed = 1, const std::string& text = kWorld) {
+Document layout_document(std::uint64_t seed = 1, const std::string& text = kLayouts) {
   world::ReadOptions reading = options();
   reading.check_plugins = false;
   reading.seed = seed;
   return Document(text, kFolder + "world.xml", host(), reading);
 }
 
-std::string refusal(const std::string& edit) {
-  Document d = document();
+std::string layout_refusal(const std::string& edit) {
+  Document d = layout_document();
   try {
     d.apply(edit);
   } catch (const world::WorldError& error) {
-    CHECK(d.text() == kWorld);
+    CHECK(d.text() == kLayouts);
     return error.problems().front().message;
   }
   return "";
@@ -47,49 +47,49 @@ std::string refusal(const std::string& edit) {
 }  // namespace
 
 TEST_CASE("An edit of a layout changes its text, and the world follows") {
-  Document d = document();
+  Document d = layout_document();
   CHECK(d.world().boxes.size() == 4);
   const auto undo = d.apply("scatter[clutter]/@count=9");
   CHECK(d.world().boxes.size() == 10);
   CHECK_THAT(d.text(), Contains("<scatter id=\"clutter\" count=\"9\">"));
   d.apply(undo);
-  CHECK(d.text() == kWorld);
+  CHECK(d.text() == kLayouts);
   CHECK(d.world().boxes.size() == 4);
 }
 
 TEST_CASE("The seed of layouts is edited, and undone as a text as well") {
-  Document d = document();
+  Document d = layout_document();
   const double before = d.world().boxes.back().x;
   const auto undo = d.apply("layouts/@seed=5");
   CHECK_THAT(d.text(), Contains("<layouts seed=\"5\"> <!-- drawn -->"));
   CHECK(d.world().boxes.back().x != before);
-  Document other = document(1, d.text());
+  Document other = layout_document(1, d.text());
   other.apply(undo.texts());
   CHECK(other.world().boxes.back().x == before);
 }
 
 TEST_CASE("Layouts are added and removed") {
-  Document d = document();
+  Document d = layout_document();
   d.apply("scatter[+]=<scatter id=\"food\"><resource/></scatter>");
   CHECK(d.world().boxes.size() == 5);
   d.apply("scatter[clutter]/@remove=true");
   CHECK(d.world().boxes.size() == 2);
-  Document empty = document(1, "<world format=\"1\"/>\n");
+  Document empty = layout_document(1, "<world format=\"1\"/>\n");
   empty.apply("layout[+]=<maze columns=\"3\" rows=\"3\"/>");
   CHECK(empty.world().boxes.size() > 1);
 }
 
 TEST_CASE("An edit of what a layout has drawn is refused, with the layout's name") {
-  CHECK(refusal("obstacle[clutter2]/@x=0.5") ==
+  CHECK(layout_refusal("obstacle[clutter2]/@x=0.5") ==
         "the layout 'clutter' draws this, another one from each seed; edit what scatter[clutter] "
         "says instead");
-  CHECK_THAT(refusal("robot[r1]/@max_speed=0.3"), Contains("the layout 'fleet' draws this"));
-  CHECK_THAT(refusal("robot[r2]/@remove=true"), Contains("the layout 'fleet' draws this"));
-  CHECK_THAT(refusal("robot[r3]/@max_speed=0.3"), Contains("there is no"));
+  CHECK_THAT(layout_refusal("robot[r1]/@max_speed=0.3"), Contains("the layout 'fleet' draws this"));
+  CHECK_THAT(layout_refusal("robot[r2]/@remove=true"), Contains("the layout 'fleet' draws this"));
+  CHECK_THAT(layout_refusal("robot[r3]/@max_speed=0.3"), Contains("there is no"));
 }
 
 TEST_CASE("What is there beside layouts is edited as ever, and the layouts keep clear of it") {
-  Document d = document();
+  Document d = layout_document();
   d.apply("obstacle[wall]/@length=4");
   CHECK(d.world().boxes[0].length == 4.0);
   d.apply("robot[*]/@max_speed=0.3");
@@ -97,19 +97,19 @@ TEST_CASE("What is there beside layouts is edited as ever, and the layouts keep 
   CHECK(d.world().robots.at(1).max_speed == 0.3);
 }
 
-TEST_CASE("A document has the layouts of the run's seed") {
-  std::string by_run = kWorld;
+TEST_CASE("A layout_document has the layouts of the run's seed") {
+  std::string by_run = kLayouts;
   by_run.replace(by_run.find(" seed=\"4\""), 9, "");
-  CHECK_FALSE(same(document(1, by_run).world(), document(2, by_run).world()));
-  CHECK(same(document(4, by_run).world(), document(1).world()));
+  CHECK_FALSE(same(layout_document(1, by_run).world(), layout_document(2, by_run).world()));
+  CHECK(same(layout_document(4, by_run).world(), layout_document(1).world()));
 }
 
 TEST_CASE("The layout that draws something is found, though others stand on its line") {
-  std::string text = kWorld;
+  std::string text = kLayouts;
   text.replace(text.find("    <scatter id=\"fleet\""), 4, "");
   text.replace(text.find("</scatter>\n<scatter"), 11, "</scatter>");
   text.replace(text.find("\n      <static_box/>\n    "), 25, "<static_box/>");
-  Document d = document(1, text);
+  Document d = layout_document(1, text);
   CHECK_THAT(text, Contains("</scatter><scatter"));
   try {
     d.apply("robot[r1]/@max_speed=0.3");
@@ -120,13 +120,13 @@ TEST_CASE("The layout that draws something is found, though others stand on its 
 }
 
 TEST_CASE("An edit of an attribute that a <draw> draws is refused, with the layout's name") {
-  std::string text = kWorld;
+  std::string text = kLayouts;
   text.replace(text.find("    <scatter id=\"fleet\""), 0,
                "    <draw id=\"place\" path=\"obstacle[wall]/@y\" from=\"2\" to=\"3\"/>\n");
   text.replace(text.find("      <static_box/>"), 0,
                "      <in_box/><draw path=\"@length\" from=\"0.2\" to=\"0.3\"/>\n");
-  Document d = document(1, text);
-  const auto refusal = [&](const std::string& edit) -> std::string {
+  Document d = layout_document(1, text);
+  const auto layout_refusal = [&](const std::string& edit) -> std::string {
     try {
       d.apply(edit);
       return "";
@@ -134,10 +134,10 @@ TEST_CASE("An edit of an attribute that a <draw> draws is refused, with the layo
       return error.what();
     }
   };
-  CHECK_THAT(refusal("obstacle[wall]/@y=1"), Contains("the layout 'place' draws this"));
-  CHECK_THAT(refusal("scatter[clutter]/static_box/@length=1"),
+  CHECK_THAT(layout_refusal("obstacle[wall]/@y=1"), Contains("the layout 'place' draws this"));
+  CHECK_THAT(layout_refusal("scatter[clutter]/static_box/@length=1"),
              Contains("the layout 'clutter' draws this"));
-  CHECK(refusal("scatter[clutter]/in_box/@length=4") == "");
-  CHECK(refusal("obstacle[wall]/@x=2") == "");
+  CHECK(layout_refusal("scatter[clutter]/in_box/@length=4") == "");
+  CHECK(layout_refusal("obstacle[wall]/@x=2") == "");
   CHECK(d.world().boxes[0].x == 2.0);
 }

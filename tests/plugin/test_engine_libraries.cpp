@@ -12,14 +12,14 @@
 
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 
 constexpr const char* kEntry = "elsie_make_engine";
 
 /// The sentence with which an engine is refused, which is no fault of the user's input.
-std::string refusal(const std::string& name) {
+std::string engine_refusal(const std::string& name) {
   try {
     engine_symbol(name, kEntry);
   } catch (const PluginError& error) {
@@ -46,10 +46,10 @@ TEST_CASE("The engine that worlds have by default is there, and loaded once") {
 }
 
 TEST_CASE("An engine that is missing, damaged, foreign or none is refused in a sentence") {
-  CHECK_THAT(refusal("mercury"),
+  CHECK_THAT(engine_refusal("mercury"),
              Contains("'mercury'") && Contains("mercury.so") &&
                  Contains("reinstall Elsie, or delete the file and build it again"));
-  CHECK_THAT(refusal(broken("new_api")), Contains("api"));
-  CHECK_THAT(refusal(broken("unresolved")), Contains("cannot be loaded"));
-  CHECK_THAT(refusal(broken("good")), Contains("does not export 'elsie_make_engine'"));
+  CHECK_THAT(engine_refusal(broken("new_api")), Contains("api"));
+  CHECK_THAT(engine_refusal(broken("unresolved")), Contains("cannot be loaded"));
+  CHECK_THAT(engine_refusal(broken("good")), Contains("does not export 'elsie_make_engine'"));
 }

@@ -13,7 +13,7 @@
 
 using namespace elsie;
 using namespace elsie::plugin;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using Catch::Matchers::Message;
 
 namespace {
@@ -61,71 +61,72 @@ const ParameterDeclaration& named(const Declaration& declaration, const std::str
   throw std::out_of_range(name);
 }
 
-std::string refusal(const std::string& name, const ParameterValue& value) {
+std::string value_refusal(const std::string& name, const ParameterValue& value) {
   return check_value(named(walker(), name), value).value_or("");
 }
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 TEST_CASE("A value at the edge of its range is allowed, one beyond is not") {
-  CHECK(refusal("speed", 0.0).empty());
-  CHECK(refusal("speed", 50.0).empty());
-  CHECK(refusal("speed", 60.0) ==
+  CHECK(value_refusal("speed", 0.0).empty());
+  CHECK(value_refusal("speed", 50.0).empty());
+  CHECK(value_refusal("speed", 60.0) ==
         "speed is 60, but must be a number at least 0 and at most 50 rad/s");
-  CHECK(refusal("speed", -1e-300) ==
+  CHECK(value_refusal("speed", -1e-300) ==
         "speed is -1e-300, but must be a number at least 0 and at most 50 rad/s");
-  CHECK(refusal("gain", 1e-300).empty());
-  CHECK(refusal("gain", 0.0) == "gain is 0, but must be a number above 0");
-  CHECK(refusal("level", std::int64_t{9}).empty());
-  CHECK(refusal("level", std::int64_t{10}) == "level is 10, but must be a whole number at most 9");
+  CHECK(value_refusal("gain", 1e-300).empty());
+  CHECK(value_refusal("gain", 0.0) == "gain is 0, but must be a number above 0");
+  CHECK(value_refusal("level", std::int64_t{9}).empty());
+  CHECK(value_refusal("level", std::int64_t{10}) ==
+        "level is 10, but must be a whole number at most 9");
 }
 
 TEST_CASE("Numbers must be finite, also where there is no range") {
-  CHECK(refusal("speed", kNan) ==
+  CHECK(value_refusal("speed", kNotANumber) ==
         "speed is nan, which is not finite, but must be a number at least 0 and at most 50 rad/s");
-  CHECK(refusal("gain", kInfinity) ==
+  CHECK(value_refusal("gain", kInfinity) ==
         "gain is inf, which is not finite, but must be a number above 0");
-  CHECK(refusal("weights", std::vector{1.0, kNan}) ==
+  CHECK(value_refusal("weights", std::vector{1.0, kNotANumber}) ==
         "weights is '1 nan', of which not every number is finite, but must be a list of numbers, "
         "each at least -1");
 }
 
 TEST_CASE("Each number of a list must be in range") {
-  CHECK(refusal("weights", std::vector{0.0, -1.0, 5.0}).empty());
-  CHECK(refusal("weights", std::vector<double>{}).empty());
-  CHECK(refusal("weights", std::vector{0.0, -2.0}) ==
+  CHECK(value_refusal("weights", std::vector{0.0, -1.0, 5.0}).empty());
+  CHECK(value_refusal("weights", std::vector<double>{}).empty());
+  CHECK(value_refusal("weights", std::vector{0.0, -2.0}) ==
         "weights is '0 -2', but must be a list of numbers, each at least -1");
 }
 
 TEST_CASE("A text must be one of the choices, with a hint at the nearest") {
-  CHECK(refusal("mode", std::string("high")).empty());
-  CHECK(refusal("mode", std::string("hihg")) ==
+  CHECK(value_refusal("mode", std::string("high")).empty());
+  CHECK(value_refusal("mode", std::string("hihg")) ==
         "mode is 'hihg', but must be one of 'low', 'high'; did you mean 'high'?");
-  CHECK(refusal("model", std::string("anything at all")).empty());
+  CHECK(value_refusal("model", std::string("anything at all")).empty());
 }
 
 TEST_CASE("A value of another type is refused") {
-  CHECK(refusal("speed", std::int64_t{3}) ==
+  CHECK(value_refusal("speed", std::int64_t{3}) ==
         "speed is 3, but must be a number at least 0 and at most 50 rad/s");
-  CHECK(refusal("level", 3.0) == "level is 3, but must be a whole number at most 9");
-  CHECK(refusal("shy", std::string("yes")) == "shy is 'yes', but must be true or false");
-  CHECK(refusal("model", true) == "model is true, but must be the path of a file");
+  CHECK(value_refusal("level", 3.0) == "level is 3, but must be a whole number at most 9");
+  CHECK(value_refusal("shy", std::string("yes")) == "shy is 'yes', but must be true or false");
+  CHECK(value_refusal("model", true) == "model is true, but must be the path of a file");
 }
 
 TEST_CASE("A number that the plugin's member cannot hold is refused") {
-  CHECK(refusal("level", std::int64_t{std::numeric_limits<int>::min()}).empty());
-  CHECK_THAT(refusal("level", std::int64_t{std::numeric_limits<int>::min()} - 1),
+  CHECK(value_refusal("level", std::int64_t{std::numeric_limits<int>::min()}).empty());
+  CHECK_THAT(value_refusal("level", std::int64_t{std::numeric_limits<int>::min()} - 1),
              Contains("does not fit its type in the plugin"));
-  CHECK(refusal("count", std::int64_t{4294967295}).empty());
-  CHECK_THAT(refusal("count", std::int64_t{4294967296}),
+  CHECK(value_refusal("count", std::int64_t{4294967295}).empty());
+  CHECK_THAT(value_refusal("count", std::int64_t{4294967296}),
              Contains("does not fit its type in the plugin"));
-  CHECK_THAT(refusal("count", std::int64_t{-1}), Contains("a whole number at least 0"));
-  CHECK_THAT(refusal("byte", std::int64_t{256}), Contains("(0 to 255)"));
-  CHECK_THAT(refusal("factor", 1e39), Contains("does not fit its type in the plugin"));
-  CHECK(refusal("factor", 1e38).empty());
+  CHECK_THAT(value_refusal("count", std::int64_t{-1}), Contains("a whole number at least 0"));
+  CHECK_THAT(value_refusal("byte", std::int64_t{256}), Contains("(0 to 255)"));
+  CHECK_THAT(value_refusal("factor", 1e39), Contains("does not fit its type in the plugin"));
+  CHECK(value_refusal("factor", 1e38).empty());
 }
 
 TEST_CASE("What is given is set, the rest keeps its default, and the object is configured once") {

@@ -10,35 +10,13 @@
 
 #include "places.h"
 #include "support.h"
+#include "variable.h"
 
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Sets the environment variable, and puts it back afterwards.
-class Variable {
- public:
-  explicit Variable(const std::string& value) {
-    if (const char* const before = getenv(kPluginPathVariable)) {
-      before_ = before;
-    }
-    setenv(kPluginPathVariable, value.c_str(), 1);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-  ~Variable() {
-    if (before_) {
-      setenv(kPluginPathVariable, before_->c_str(), 1);
-    } else {
-      unsetenv(kPluginPathVariable);
-    }
-  }
-
- private:
-  std::optional<std::string> before_;
-};
 
 std::vector<std::string> origins(const std::vector<SearchDirectory>& directories) {
   std::vector<std::string> result;
@@ -51,7 +29,7 @@ std::vector<std::string> origins(const std::vector<SearchDirectory>& directories
 }  // namespace
 
 TEST_CASE("Given directories come first, then the environment's, then the program's own") {
-  const Variable variable("/env/one:/env/two");
+  const Variable variable(kPluginPathVariable, "/env/one:/env/two");
   const std::vector<fs::path> given{"/given/one", "/given/two"};
   const auto path = default_search_path(given);
   REQUIRE(path.size() >= 5);
@@ -66,12 +44,12 @@ TEST_CASE("Given directories come first, then the environment's, then the progra
 }
 
 TEST_CASE("The program's and the library's directory are one entry when they are the same") {
-  const Variable variable("");
+  const Variable variable(kPluginPathVariable, "");
   CHECK(origins(default_search_path()) == std::vector<std::string>{"next to the program"});
 }
 
 TEST_CASE("Empty and repeated entries of the variable are passed over") {
-  const Variable variable("::/env/one::/env/./one/:/env/two:");
+  const Variable variable(kPluginPathVariable, "::/env/one::/env/./one/:/env/two:");
   const std::vector<fs::path> given{"/env/two"};
   const auto path = default_search_path(given);
   REQUIRE(path.size() == 3);
@@ -83,7 +61,7 @@ TEST_CASE("Empty and repeated entries of the variable are passed over") {
 TEST_CASE("Plugins are found through the environment variable") {
   Folder folder;
   folder.with("good");
-  const Variable variable(folder.path());
+  const Variable variable(kPluginPathVariable, folder.path());
   const Host host(default_search_path());
   CHECK(host.find(elsie::PluginKind::behavior, "good"));
   CHECK(host.file_of(elsie::PluginKind::behavior, "good") == folder / "good.so");

@@ -14,6 +14,7 @@
 #include "elsie/plugin/host.h"
 
 #include "support.h"
+#include "variable.h"
 
 using namespace elsie;
 using namespace elsie::build;
@@ -40,24 +41,6 @@ double speed_of(const SourceBuild& build) {
   const auto object = host.create<Behavior>(PluginKind::behavior, "straight");
   return answer(*object).left;
 }
-
-/// Sets a variable of the environment for the life of the object.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) {
-      before_ = before;
-    }
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::string before_;
-};
 
 std::string refusal(const std::filesystem::path& source, const std::filesystem::path& cache) {
   try {

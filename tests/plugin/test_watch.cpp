@@ -14,6 +14,7 @@
 #include "elsie/plugin/host.h"
 
 #include "support.h"
+#include "variable.h"
 #include "wheels.h"
 
 using namespace elsie;
@@ -67,24 +68,6 @@ void write_text(const fs::path& file, const std::string& text) {
 long entries(const fs::path& folder) {
   return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
 }
-
-/// Sets a variable of the environment for the life of the object.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) {
-      before_ = before;
-    }
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() { before_.empty() ? unsetenv(name_) : setenv(name_, before_.c_str(), 1); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::string before_;
-};
 
 /// A plugin of the fixtures' name "good", whose parameter has this default; its maximum is 10.
 std::string own_good(const std::string& gain) {

@@ -17,8 +17,8 @@ plugin::Object<Behavior> follower(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "follow_the_leader", std::move(parameters));
 }
 
-/// The answer to a leader at this distance and direction.
-Response answer(double distance_m, double theta_deg, test::Parameters parameters = {}) {
+/// The follow to a leader at this distance and direction.
+Response follow(double distance_m, double theta_deg, test::Parameters parameters = {}) {
   Situation now;
   now.mate("leader", distance_m * std::cos(radians(theta_deg)),
            distance_m * std::sin(radians(theta_deg)), true);
@@ -26,9 +26,9 @@ Response answer(double distance_m, double theta_deg, test::Parameters parameters
 }
 
 /// A leader straight ahead, at exactly this distance.
-Motion ahead(double distance_m) { return answer(distance_m, 0.0).command; }
+Motion ahead(double distance_m) { return follow(distance_m, 0.0).command; }
 
-void check(const Motion& command, double left, double right) {
+void check_follow(const Motion& command, double left, double right) {
   CHECK(rates(command).left == Approx(left).margin(1e-12));
   CHECK(rates(command).right == Approx(right).margin(1e-12));
 }
@@ -45,12 +45,12 @@ TEST_CASE("A leader straight ahead is driven to at one of two speeds, and not to
 }
 
 TEST_CASE("A leader to the side is turned to, the faster the farther it is off") {
-  check(answer(1.0, 90).command, -9, 9);
-  check(answer(1.0, -90).command, 9, -9);
-  check(answer(0.4, 90).command, -18, 18);
-  check(answer(0.4, -45).command, 9, -9);
-  CHECK(rates(answer(0.29, 90).command) == WheelRates{0, 0});
-  CHECK(rates(answer(0.29, 9).command) == WheelRates{0, 0});
+  check_follow(follow(1.0, 90).command, -9, 9);
+  check_follow(follow(1.0, -90).command, 9, -9);
+  check_follow(follow(0.4, 90).command, -18, 18);
+  check_follow(follow(0.4, -45).command, 9, -9);
+  CHECK(rates(follow(0.29, 90).command) == WheelRates{0, 0});
+  CHECK(rates(follow(0.29, 9).command) == WheelRates{0, 0});
 }
 
 TEST_CASE("Up to the threshold it drives straight on, beyond it turns: far, near, left, right") {
@@ -59,8 +59,9 @@ TEST_CASE("Up to the threshold it drives straight on, beyond it turns: far, near
     const double speed = distance < 0.5 ? 30 : 40;
     for (const double side : {1.0, -1.0}) {
       CAPTURE(distance, side);
-      check(answer(distance, side * 9.999).command, speed, speed);
-      check(answer(distance, side * 10.001).command, -side * gain * 10.001, side * gain * 10.001);
+      check_follow(follow(distance, side * 9.999).command, speed, speed);
+      check_follow(follow(distance, side * 10.001).command, -side * gain * 10.001,
+                   side * gain * 10.001);
     }
   }
   // Exactly at the threshold.
@@ -76,13 +77,14 @@ TEST_CASE("Up to the threshold it drives straight on, beyond it turns: far, near
 TEST_CASE("The direction is wrapped: it takes the shorter way round") {
   Situation now;
   now.at(0, 0, 170).mate("leader", std::cos(radians(-170)), std::sin(radians(-170)), true);
-  check(follower()->respond(now.perception()).command, -2, 2);  // 20 deg to the left, not -340
+  check_follow(follower()->respond(now.perception()).command, -2,
+               2);  // 20 deg to the left, not -340
   Situation other;
   other.at(0, 0, -170).mate("leader", std::cos(radians(170)), std::sin(radians(170)), true);
-  check(follower()->respond(other.perception()).command, 2, -2);
+  check_follow(follower()->respond(other.perception()).command, 2, -2);
   Situation behind;
   behind.mate("leader", -1, 0, true);
-  check(follower()->respond(behind.perception()).command, -18, 18);  // 180, not -180
+  check_follow(follower()->respond(behind.perception()).command, -18, 18);  // 180, not -180
 }
 
 TEST_CASE("Without a leader in reach it stands still and is not active") {
@@ -107,14 +109,14 @@ TEST_CASE("A leader follows nobody") {
 TEST_CASE("Of several leaders it follows the nearest") {
   Situation now;
   now.mate("far", 0, 0.9, true).mate("mate", 0.1, 0).mate("near", 0, -0.4, true);
-  check(follower()->respond(now.perception()).command, 18, -18);
+  check_follow(follower()->respond(now.perception()).command, 18, -18);
 }
 
 TEST_CASE("The farther the leader, the higher the activation; near it, it is not zero") {
-  CHECK(answer(0.8, 0).activation == 1.0);
-  CHECK(answer(0.5, 50).activation == Approx(1.0));
-  CHECK(answer(0.4, 0).activation == Approx(0.8));
-  CHECK(answer(0.2, 0).activation == Approx(0.4));
+  CHECK(follow(0.8, 0).activation == 1.0);
+  CHECK(follow(0.5, 50).activation == Approx(1.0));
+  CHECK(follow(0.4, 0).activation == Approx(0.8));
+  CHECK(follow(0.2, 0).activation == Approx(0.4));
 }
 
 TEST_CASE("It says when a leader comes into reach and when it goes, and forgets at a reset") {
@@ -139,11 +141,11 @@ TEST_CASE("Every constant of the law is a parameter") {
   const test::Parameters parameters{
       {"turn_above", 20.0}, {"far_distance", 1.0}, {"far_gain", 0.3},     {"far_speed", 7.0},
       {"near_gain", 0.4},   {"near_speed", 5.0},   {"stop_distance", 0.6}};
-  check(answer(1.0, 19.9, parameters).command, 7, 7);
-  check(answer(1.001, 30, parameters).command, -9, 9);
-  check(answer(0.9, 30, parameters).command, -12, 12);
-  check(answer(0.7, 15, parameters).command, 5, 5);
-  check(answer(0.59, 90, parameters).command, 0, 0);
+  check_follow(follow(1.0, 19.9, parameters).command, 7, 7);
+  check_follow(follow(1.001, 30, parameters).command, -9, 9);
+  check_follow(follow(0.9, 30, parameters).command, -12, 12);
+  check_follow(follow(0.7, 15, parameters).command, 5, 5);
+  check_follow(follow(0.59, 90, parameters).command, 0, 0);
 }
 
 TEST_CASE("A follower that would stop before it comes near is refused") {

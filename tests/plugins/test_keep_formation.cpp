@@ -15,7 +15,7 @@ plugin::Object<Behavior> keeper(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "keep_formation", std::move(parameters));
 }
 
-bool raised(const Response& response, const char* name) {
+bool reports(const Response& response, const char* name) {
   for (const Event& event : response.events) {
     if (event.name == std::string_view(name)) {
       return true;
@@ -30,7 +30,7 @@ bool is_place(const test::Parameters& parameters, double back, double left, int 
   Situation now;
   now.at(1 - left, 2 - back, 90).mate("leader", 1, 2, true, 90, leader_index);
   now.self.team_index = team_index;
-  return raised(keeper(parameters)->respond(now.perception()), "in_position");
+  return reports(keeper(parameters)->respond(now.perception()), "in_position");
 }
 
 /// Slot 1 of a column, 0.3 m behind a leader at the origin that heads east.
@@ -165,14 +165,14 @@ TEST_CASE("It reports when it comes into position and when it leaves it") {
     return behavior->respond(now.perception());
   };
   Response response = at(0.1);
-  CHECK(raised(response, "leader_in_reach"));
+  CHECK(reports(response, "leader_in_reach"));
   CHECK(response.events.size() == 1);
-  CHECK(raised(at(0.01), "in_position"));
+  CHECK(reports(at(0.01), "in_position"));
   CHECK(at(0.29).events.empty());
-  CHECK(raised(at(0.31), "out_of_position"));
+  CHECK(reports(at(0.31), "out_of_position"));
   CHECK(at(0.29).events.empty());
-  CHECK(raised(at(0.0), "in_position"));
-  CHECK(raised(behavior->respond(Situation().perception()), "leader_out_of_reach"));
+  CHECK(reports(at(0.0), "in_position"));
+  CHECK(reports(behavior->respond(Situation().perception()), "leader_out_of_reach"));
   CHECK(at(0.0).events.size() == 2);
   Random random;
   behavior->reset(random);

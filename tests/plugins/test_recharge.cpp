@@ -41,7 +41,7 @@ std::vector<std::string> events(const Response& response) {
 using Names = std::vector<std::string>;
 using elsie::test::rates;
 
-void check(const Motion& command, double left, double right) {
+void check_rates(const Motion& command, double left, double right) {
   CHECK(rates(command).left == Approx(left).margin(1e-12));
   CHECK(rates(command).right == Approx(right).margin(1e-12));
 }
@@ -72,13 +72,13 @@ TEST_CASE("The law of its turns and straights") {
   CHECK(rates(command(std::nextafter(0.5, 0.0), 0)) == WheelRates{30, 30});
   CHECK(rates(command(0.1, 0)) == WheelRates{30, 30});
   CHECK(rates(command(std::nextafter(0.1, 0.0), 0)) == WheelRates{0, 0});
-  check(command(1.0, 9.999), 40, 40);
-  check(command(1.0, 10.001), -1.0001, 1.0001);
-  check(command(1.0, -10.001), 1.0001, -1.0001);
-  check(command(0.3, -9.999), 30, 30);
-  check(command(0.3, 10.001), -2.0002, 2.0002);
-  check(command(0.3, 180), -36, 36);
-  check(command(0.05, 90), 0, 0);
+  check_rates(command(1.0, 9.999), 40, 40);
+  check_rates(command(1.0, 10.001), -1.0001, 1.0001);
+  check_rates(command(1.0, -10.001), 1.0001, -1.0001);
+  check_rates(command(0.3, -9.999), 30, 30);
+  check_rates(command(0.3, 10.001), -2.0002, 2.0002);
+  check_rates(command(0.3, 180), -36, 36);
+  check_rates(command(0.05, 90), 0, 0);
 }
 
 TEST_CASE("It becomes more urgent as the battery empties") {

@@ -36,7 +36,7 @@ Situation nothing() { return seeing(2, 2, 2, 2, 2); }
 Motion answer(Situation now, test::Parameters parameters = {}) {
   return wall_follow(std::move(parameters))->respond(now.perception()).command;
 }
-void check(const Motion& motion, double forward, double turn) {
+void check_motion(const Motion& motion, double forward, double turn) {
   CHECK(motion.forward == Approx(forward).margin(1e-9));
   CHECK(motion.turn == Approx(turn).margin(1e-9));
 }
@@ -44,23 +44,23 @@ void check(const Motion& motion, double forward, double turn) {
 }  // namespace
 
 TEST_CASE("Next to the wall, at the distance, it drives straight on") {
-  check(answer(beside(0.3, -90)), 0.2, 0);
-  check(answer(beside(0.3, 90), {{"side", "left"}}), 0.2, 0);
+  check_motion(answer(beside(0.3, -90)), 0.2, 0);
+  check_motion(answer(beside(0.3, 90), {{"side", "left"}}), 0.2, 0);
 }
 
 TEST_CASE("Too far away it steers towards the wall, too near away from it, as pure pursuit does") {
   // The point to reach is 0.3 m ahead and 0.1 m to the side: a circle of curvature 2 y / (x2 + y2).
-  check(answer(beside(0.4, -90)), 0.2, -0.2 * 2 * 0.1 / 0.1);
-  check(answer(beside(0.2, -90)), 0.2, 0.2 * 2 * 0.1 / 0.1);
-  check(answer(beside(0.4, 90), {{"side", "left"}}), 0.2, 0.2 * 2 * 0.1 / 0.1);
-  check(answer(beside(0.4, -90), {{"lookahead", 0.4}}), 0.2, -0.2 * 2 * 0.1 / 0.17);
+  check_motion(answer(beside(0.4, -90)), 0.2, -0.2 * 2 * 0.1 / 0.1);
+  check_motion(answer(beside(0.2, -90)), 0.2, 0.2 * 2 * 0.1 / 0.1);
+  check_motion(answer(beside(0.4, 90), {{"side", "left"}}), 0.2, 0.2 * 2 * 0.1 / 0.1);
+  check_motion(answer(beside(0.4, -90), {{"lookahead", 0.4}}), 0.2, -0.2 * 2 * 0.1 / 0.17);
 }
 
 TEST_CASE("It turns along a wall that it heads for or away from") {
   const double turn = 0.2 * 2 * std::sin(radians(20)) / 0.3;
-  check(answer(beside(0.3, -70)), 0.2, turn);
-  check(answer(beside(0.3, -110)), 0.2, -turn);
-  check(answer(beside(0.3, 70), {{"side", "left"}}), 0.2, -turn);
+  check_motion(answer(beside(0.3, -70)), 0.2, turn);
+  check_motion(answer(beside(0.3, -110)), 0.2, -turn);
+  check_motion(answer(beside(0.3, 70), {{"side", "left"}}), 0.2, -turn);
 }
 
 TEST_CASE("Where the turn would be faster than it may, it slows down") {
@@ -70,16 +70,16 @@ TEST_CASE("Where the turn would be faster than it may, it slows down") {
 }
 
 TEST_CASE("It ignores what is on its other side") {
-  check(answer(beside(0.2, 90)), 0.2, 0);
-  check(answer(beside(0.2, -90), {{"side", "left"}}), 0.2, 0);
+  check_motion(answer(beside(0.2, 90)), 0.2, 0);
+  check_motion(answer(beside(0.2, -90), {{"side", "left"}}), 0.2, 0);
   CHECK(wall_follow()->respond(beside(0.2, 90).perception()).activation == 0.0);
 }
 
 TEST_CASE("Something nearer ahead than the distance makes it turn away from the wall's side") {
-  check(answer(seeing(2, 2, 0.3, 2, 0.3)), 0.2, 0);
-  check(answer(seeing(2, 2, std::nextafter(0.3, 0.0), 2, 0.3)), 0, 1.5);
-  check(answer(seeing(0.3, 2, 0.29, 2, 2), {{"side", "left"}}), 0, -1.5);
-  check(answer(seeing(2, 2, 0.29, 2, 2)), 0, 1.5);  // a wall straight ahead
+  check_motion(answer(seeing(2, 2, 0.3, 2, 0.3)), 0.2, 0);
+  check_motion(answer(seeing(2, 2, std::nextafter(0.3, 0.0), 2, 0.3)), 0, 1.5);
+  check_motion(answer(seeing(0.3, 2, 0.29, 2, 2), {{"side", "left"}}), 0, -1.5);
+  check_motion(answer(seeing(2, 2, 0.29, 2, 2)), 0, 1.5);  // a wall straight ahead
 }
 
 TEST_CASE("It drives on once the way is clear by a fifth more") {
@@ -87,11 +87,11 @@ TEST_CASE("It drives on once the way is clear by a fifth more") {
   const auto ahead = [&](double distance_m) {
     return behavior->respond(seeing(2, 2, distance_m, 2, 0.3).perception()).command;
   };
-  check(ahead(0.31), 0.2, 0);
-  check(ahead(0.29), 0, 1.5);
-  check(ahead(0.359), 0, 1.5);
-  check(ahead(0.361), 0.2, 0);
-  check(ahead(0.31), 0.2, 0);
+  check_motion(ahead(0.31), 0.2, 0);
+  check_motion(ahead(0.29), 0, 1.5);
+  check_motion(ahead(0.359), 0, 1.5);
+  check_motion(ahead(0.361), 0.2, 0);
+  check_motion(ahead(0.31), 0.2, 0);
 }
 
 TEST_CASE("Beams look ahead up to the front angle, and to the side beyond") {
@@ -100,14 +100,14 @@ TEST_CASE("Beams look ahead up to the front angle, and to the side beyond") {
     now.beam(azimuth_deg, 0.25);
     return answer(std::move(now), std::move(parameters));
   };
-  check(at(30), 0, 1.5);
-  check(at(-30), 0, 1.5);
-  check(at(31), 0.2, 0);  // to the left, where no wall is expected
+  check_motion(at(30), 0, 1.5);
+  check_motion(at(-30), 0, 1.5);
+  check_motion(at(31), 0.2, 0);  // to the left, where no wall is expected
   CHECK(at(-31).turn > 0.0);
   CHECK(at(-31).forward > 0.0);  // the wall, too near
-  check(at(31, {{"front_angle", 31.0}}), 0, 1.5);
+  check_motion(at(31, {{"front_angle", 31.0}}), 0, 1.5);
   CHECK(at(-150).turn < 0.0);  // around the corner that it has passed
-  check(at(-151), 0.2, 0);
+  check_motion(at(-151), 0.2, 0);
 }
 
 TEST_CASE("What is farther than the reach is no wall") {
@@ -167,7 +167,7 @@ TEST_CASE("The order of the sensors does not matter") {
   Situation other;
   other.beam(-90, 0.35, 2).beam(0, 2, 2).beam(-50, 0.45, 2);
   const Motion same = answer(seeing(2, 2, 2, 0.45, 0.35));
-  check(answer(std::move(other)), same.forward, same.turn);
+  check_motion(answer(std::move(other)), same.forward, same.turn);
 }
 
 TEST_CASE("Where the wall ends it goes round the corner, and after three quarters has lost it") {
@@ -183,12 +183,12 @@ TEST_CASE("Where the wall ends it goes round the corner, and after three quarter
       if (response.activation == 0.0) {
         REQUIRE(response.events.size() == 1);
         CHECK(response.events[0].name == "wall_lost");
-        check(response.command, 0.2, 0);
+        check_motion(response.command, 0.2, 0);
         break;
       }
       CHECK(response.activation == 1.0);
       CHECK(response.events.empty());
-      check(response.command, 0.2, side * 0.2 / 0.3);
+      check_motion(response.command, 0.2, side * 0.2 / 0.3);
       heading_deg += side;
     }
     CHECK(steps == Approx(270).margin(1));
@@ -200,14 +200,14 @@ TEST_CASE("A wall that it finds again on its way round is followed on") {
   behavior->respond(beside(0.3, -90).perception());
   behavior->respond(nothing().perception());
   const Response again = behavior->respond(beside(0.3, -90).perception());
-  check(again.command, 0.2, 0);
+  check_motion(again.command, 0.2, 0);
   CHECK(again.events.empty());
 }
 
 TEST_CASE("Without a wall it drives straight on and is not active; finding one raises an event") {
   const auto behavior = wall_follow();
   const Response searching = behavior->respond(nothing().perception());
-  check(searching.command, 0.2, 0);
+  check_motion(searching.command, 0.2, 0);
   CHECK(searching.activation == 0.0);
   CHECK(searching.strength == 0.0);
   CHECK(searching.events.empty());

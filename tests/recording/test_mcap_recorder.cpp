@@ -24,7 +24,7 @@ class SilentMeasure final : public Measure {
   }
 };
 
-world::World two_robots() {
+world::World two_named_robots() {
   world::World world;
   world.name = "two";
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("go_to_point", 2, {{"x", 3.0}})));
@@ -52,7 +52,7 @@ std::map<std::string, std::string> metadata_of(const std::filesystem::path& file
 
 TEST_CASE("Poses and states are those of their time, bit for bit") {
   McapFile file;
-  Simulation simulation(two_robots(), shipped());
+  Simulation simulation(two_named_robots(), shipped());
   const auto result = record(simulation, file.path);
   auto all = recorded(file.path);
   const auto& states = all["/robots/r1/state"];
@@ -76,7 +76,7 @@ TEST_CASE("Poses and states are those of their time, bit for bit") {
 
 TEST_CASE("Readings, commands and traces are those of the last decision, and have its time") {
   McapFile file;
-  world::World world = two_robots();
+  world::World world = two_named_robots();
   world.physics.control_steps = 4;
   Simulation simulation(world, shipped());
   record(simulation, file.path);
@@ -114,7 +114,7 @@ TEST_CASE("Readings, commands and traces are those of the last decision, and hav
 
 TEST_CASE("How long behaviours take is recorded on request only") {
   McapFile file;
-  Simulation simulation(two_robots(), shipped(), {.measure_time = true});
+  Simulation simulation(two_named_robots(), shipped(), {.measure_time = true});
   record(simulation, file.path, {.with_times = true});
   auto all = recorded(file.path);
   CHECK(all["/robots/r1/trace"].back().content.at("behaviors")[0].at("time_s").get<double>() > 0.0);
@@ -122,7 +122,7 @@ TEST_CASE("How long behaviours take is recorded on request only") {
 
 TEST_CASE("The file says what ran: world, seed, program, periods; and how it ended") {
   McapFile file;
-  Simulation simulation(two_robots(), shipped(), {.seed = 18446744073709551615ULL});
+  Simulation simulation(two_named_robots(), shipped(), {.seed = 18446744073709551615ULL});
   const auto result = record(simulation, file.path, {.rate_hz = 20, .program = "elsie 1.2.3"});
   CHECK(mcap::Reader(file.path).header().library == "elsie 1.2.3");
   const auto run = metadata_of(file.path, "elsie.run");
@@ -272,7 +272,7 @@ TEST_CASE("The scene is written at the start, and again when a box has left it")
 
 TEST_CASE("There is a sample at the very end, wherever that is between two periods") {
   McapFile file;
-  world::World world = two_robots();
+  world::World world = two_named_robots();
   world.limits.time = 1.23;
   Simulation simulation(world, shipped());
   const auto result = record(simulation, file.path, {.rate_hz = 5});
@@ -284,7 +284,7 @@ TEST_CASE("There is a sample at the very end, wherever that is between two perio
 
 TEST_CASE("A sample is in the file a second later, however long the next one takes") {
   McapFile file;
-  world::World world = two_robots();
+  world::World world = two_named_robots();
   world.limits.time = 100;
   Simulation simulation(world, shipped());
   recording::McapRecorder recorder(file.path, {.rate_hz = 0.1});
@@ -341,7 +341,7 @@ TEST_CASE("A measure that fails in the end fails the run, and the recording is w
 
 TEST_CASE("Text that is not UTF-8 becomes text that is") {
   McapFile file;
-  world::World world = two_robots();
+  world::World world = two_named_robots();
   world.name = "caf\xe9 \"quoted\"";
   world.limits.time = 0.1;
   Simulation simulation(world, shipped());

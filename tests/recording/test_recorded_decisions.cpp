@@ -17,7 +17,7 @@ using traces::Trace;
 
 namespace {
 
-world::World two_robots() {
+world::World two_deciding_robots() {
   world::World world;
   world.name = "two, \"robots\"";
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("go_to_point", 2, {{"x", 3.0}})));
@@ -53,7 +53,7 @@ world::World nested() {
 
 TEST_CASE("A trace tells of world, seed, periods, robots, coordinators and behaviours") {
   const McapFile file;
-  world::World world = two_robots();
+  world::World world = two_deciding_robots();
   world.file = "two.xml";
   world.physics.control_steps = 5;
   Simulation simulation(std::move(world), shipped(), {.seed = 18446744073709551615u});
@@ -81,7 +81,7 @@ TEST_CASE("A trace tells of world, seed, periods, robots, coordinators and behav
 
 TEST_CASE("A trace tells what each coordinator made of each behaviour, and the command") {
   const McapFile file;
-  Simulation simulation(two_robots(), shipped());
+  Simulation simulation(two_deciding_robots(), shipped());
   record(simulation, file.path);
   const Trace trace = read_trace(file.path);
   const auto& winner = trace.robots[0].members[0].notes.at(0);
@@ -234,8 +234,8 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
 
 TEST_CASE("A run is the same, bit for bit, whether it is traced or not; two traces are, too") {
   const McapFile a, b;
-  const auto hash = Simulation(two_robots(), shipped()).run().state_hash;
-  Simulation simulation(two_robots(), shipped());
+  const auto hash = Simulation(two_deciding_robots(), shipped()).run().state_hash;
+  Simulation simulation(two_deciding_robots(), shipped());
   CHECK(record(simulation, a.path).state_hash == hash);
   simulation.reset();
   CHECK(record(simulation, b.path).state_hash == hash);
@@ -314,7 +314,7 @@ TEST_CASE("A recording in which nothing changes still shows that the run goes on
 
 TEST_CASE("Times that behaviours took are added up, when they were recorded") {
   const McapFile a, b;
-  Simulation measured(two_robots(), shipped(), {.seed = 1, .measure_time = true});
+  Simulation measured(two_deciding_robots(), shipped(), {.seed = 1, .measure_time = true});
   record(measured, a.path, {.with_times = true});
   const Trace trace = read_trace(a.path);
   const auto& times = trace.robots[0].members[0].times;
@@ -329,7 +329,7 @@ TEST_CASE("Times that behaviours took are added up, when they were recorded") {
 
 TEST_CASE("A recording that cannot be written to its end says so") {
   if (std::filesystem::exists("/dev/full")) {
-    Simulation simulation(two_robots(), shipped());
+    Simulation simulation(two_deciding_robots(), shipped());
     CHECK_THROWS_WITH(record(simulation, "/dev/full"),
                       "recording '/dev/full' could not be written: No space left on device");
   }

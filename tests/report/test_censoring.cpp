@@ -37,7 +37,7 @@ Expectation about_time() {
   return expectation;
 }
 
-Claim judged(const MadeExperiment& made_up, const Expectation& expectation) {
+Claim claimed(const MadeExperiment& made_up, const Expectation& expectation) {
   return Made(made_up, expecting(expectation)).findings().verdicts.at(0).claims.at(0);
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("An expectation about times that the limit cut off knows their lower b
   Expectation expectation = about_time();
   SECTION("of the mean") {
     expectation.at_most = 35.0;  // the mean of the bounds is 28.8, but this is only a bound
-    const Claim claim = judged(with_stopped(3), expectation);
+    const Claim claim = claimed(with_stopped(3), expectation);
     CHECK_FALSE(claim.holds);
     CHECK_FALSE(claim.value);
     CHECK(claim.sentence ==
@@ -119,30 +119,30 @@ TEST_CASE("An expectation about times that the limit cut off knows their lower b
           "expected at most 35 s");
     expectation.at_most.reset();
     expectation.at_least = 28.0;
-    CHECK(judged(with_stopped(3), expectation).holds);
+    CHECK(claimed(with_stopped(3), expectation).holds);
     expectation.about = 28.8;
-    CHECK_FALSE(judged(with_stopped(3), expectation).holds);
+    CHECK_FALSE(claimed(with_stopped(3), expectation).holds);
   }
   SECTION("of the median, which is known below the limit") {
     expectation.statistic = Statistic::median;
     expectation.at_most = 26.0;
-    CHECK(judged(with_stopped(3), expectation).holds);
-    CHECK(judged(with_stopped(3), expectation).value == 25.5);
-    CHECK_FALSE(judged(with_stopped(6), expectation).holds);
+    CHECK(claimed(with_stopped(3), expectation).holds);
+    CHECK(claimed(with_stopped(3), expectation).value == 25.5);
+    CHECK_FALSE(claimed(with_stopped(6), expectation).holds);
     expectation.confidence = 0.95;  // up to the ninth of ten, which was stopped
-    CHECK_FALSE(judged(with_stopped(3), expectation).holds);
+    CHECK_FALSE(claimed(with_stopped(3), expectation).holds);
   }
   SECTION("of the standard deviation: not known") {
     expectation.statistic = Statistic::standard_deviation;
     expectation.at_most = 100.0;
-    CHECK(judged(with_stopped(3), expectation).sentence ==
+    CHECK(claimed(with_stopped(3), expectation).sentence ==
           "standard deviation of time_s of a is not known: 3 runs were stopped by the time limit; "
           "expected at most 100 s");
   }
   SECTION("of the successful runs: they have times") {
     expectation.runs = elsie::experiment::Runs::successes;
     expectation.at_most = 24.0;
-    CHECK(judged(with_stopped(3), expectation).holds);
+    CHECK(claimed(with_stopped(3), expectation).holds);
   }
   SECTION("relative to another cell: not known") {
     MadeExperiment made_up = with_stopped(3);
@@ -151,7 +151,7 @@ TEST_CASE("An expectation about times that the limit cut off knows their lower b
     expectation.relation = Relation::difference;
     expectation.reference = {{"scheme", "a"}};
     expectation.at_most = 10.0;
-    CHECK_THAT(judged(made_up, expectation).sentence,
+    CHECK_THAT(claimed(made_up, expectation).sentence,
                Contains("is not known: of a 3 runs were stopped by the time limit"));
   }
 }
@@ -196,9 +196,9 @@ TEST_CASE("A run that failed early is not a fast one") {
   SECTION("in an expectation") {
     Expectation expectation = about_time();
     expectation.at_most = 30.0;
-    CHECK_THAT(judged(made_up, expectation).sentence,
+    CHECK_THAT(claimed(made_up, expectation).sentence,
                Contains("1 run was stopped by the time limit and 2 runs failed"));
-    CHECK_FALSE(judged(made_up, expectation).holds);
+    CHECK_FALSE(claimed(made_up, expectation).holds);
   }
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("A world without goals has no rate of success") {
   expectation.measure = "success";
   expectation.statistic = Statistic::rate;
   expectation.at_most = 0.0;
-  CHECK(judged(without_goals(), expectation).sentence ==
+  CHECK(claimed(without_goals(), expectation).sentence ==
         "success rate of a is not known: its world has no goals, so a run can neither succeed nor "
         "fail; expected at most 0");
 }
@@ -263,18 +263,18 @@ TEST_CASE("A difference below 0 is given as less") {
   expectation.reference = {{"scheme", "a"}};
   expectation.at_most = -0.2;
   CHECK(
-      judged(made_up, expectation).sentence ==
+      claimed(made_up, expectation).sentence ==
       "mean path_length_m of b is 0.5 m less than that of a (4.5 m, 3 runs, against 5 m, 3 runs), "
       "expected at least 0.2 m less than in the cell with scheme a");
   expectation.at_least = -0.8;
   expectation.at_most = 0.1;
   expectation.tolerance = 0.05;
   CHECK_THAT(
-      judged(made_up, expectation).sentence,
+      claimed(made_up, expectation).sentence,
       Contains("expected at most 0.8 m less and at most 0.1 m more than in the cell with scheme "
                "a give or take 0.05 m"));
   expectation.reference = {{"scheme", "b"}};
-  CHECK_THAT(judged(made_up, expectation).sentence, Contains("of a is 0.5 m more than that of b"));
+  CHECK_THAT(claimed(made_up, expectation).sentence, Contains("of a is 0.5 m more than that of b"));
 }
 
 TEST_CASE("A typical run has the commonest outcome, is in the middle, and is no outlier") {

@@ -9,7 +9,7 @@ using namespace elsie::report;
 
 namespace {
 
-std::vector<Observed> known(std::initializer_list<double> times) {
+std::vector<Observed> known_times(std::initializer_list<double> times) {
   std::vector<Observed> all;
   for (const double time : times) all.push_back({time, false});
   return all;
@@ -71,10 +71,10 @@ TEST_CASE("Bounds at the time of an event are still at risk then") {
 }
 
 TEST_CASE("Without bounds the curve is the plain distribution, and the median the usual one") {
-  CHECK(survival_of(known({4, 1, 3, 2}), 0.95).median == 2.5);
-  CHECK(survival_of(known({5, 1, 3}), 0.95).median == 3.0);
-  CHECK(survival_of(known({7}), 0.95).median == 7.0);
-  CHECK(survival_of(known({7, 7, 7}), 0.95).median == 7.0);
+  CHECK(survival_of(known_times({4, 1, 3, 2}), 0.95).median == 2.5);
+  CHECK(survival_of(known_times({5, 1, 3}), 0.95).median == 3.0);
+  CHECK(survival_of(known_times({7}), 0.95).median == 7.0);
+  CHECK(survival_of(known_times({7, 7, 7}), 0.95).median == 7.0);
 }
 
 TEST_CASE("The median is unknown when more than half remain, and when half remain to the end") {

@@ -18,7 +18,7 @@ using simulation::Simulation;
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -164,7 +164,7 @@ TEST_CASE("A measure that fails is named, with the step") {
 
 TEST_CASE("So is one that reports what is no number") {
   Script script;
-  script.value = [] { return kNan; };
+  script.value = [] { return kUndefined; };
   Run run(script);
   Simulation simulation(run.world, run.scripted.host);
   CHECK_THROWS_WITH(simulation.run(),

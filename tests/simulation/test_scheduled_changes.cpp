@@ -20,7 +20,7 @@ using simulation::TimedChange;
 namespace {
 
 /// Noise, a wanderer, a crowd.
-world::World lively() {
+world::World lively_world() {
   world::World world;
   world.arena.length = world.arena.width = 4;
   for (int i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ const std::vector<TimedChange> kChanges{
 };
 
 RunResult result_of(std::uint64_t seed, const std::vector<TimedChange>& changes) {
-  return Simulation(lively(), shipped(), {seed}).run({}, changes);
+  return Simulation(lively_world(), shipped(), {seed}).run({}, changes);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ TEST_CASE("The same changes before the same steps give the same run, bit for bit
 
 TEST_CASE("Whether a run makes its changes or a caller between two steps is the same") {
   const RunResult scheduled = result_of(5, kChanges);
-  Simulation simulation(lively(), shipped(), {5});
+  Simulation simulation(lively_world(), shipped(), {5});
   while (simulation.outcome() == simulation::Outcome::running) {
     std::vector<simulation::Change> now;
     for (const TimedChange& timed : kChanges) {
@@ -82,7 +82,7 @@ TEST_CASE("Whether a run makes its changes or a caller between two steps is the 
 }
 
 TEST_CASE("After a reset a run with changes and one without are those of a new simulation") {
-  Simulation simulation(lively(), shipped(), {5});
+  Simulation simulation(lively_world(), shipped(), {5});
   simulation.run({}, kChanges);
   simulation.reset();
   CHECK(simulation.run().state_hash == result_of(5, {}).state_hash);
@@ -405,7 +405,7 @@ TEST_CASE("What gets another id starts again, which a note says with the time") 
 
 TEST_CASE("What no engine can do is refused before the run") {
   for (const char* engine : {"ode", "planar"}) {
-    world::World world = lively();
+    world::World world = lively_world();
     world.physics.engine = engine;
     const Simulation simulation(world, shipped());
     const auto refusal = [&](const char* path, const char* value) {
@@ -429,7 +429,7 @@ TEST_CASE("What no engine can do is refused before the run") {
 }
 
 TEST_CASE("All edits that cannot be made are reported before the run") {
-  const Simulation simulation(lively(), shipped());
+  const Simulation simulation(lively_world(), shipped());
   const std::vector<TimedChange> wrong{{2.0, {"robot[r1]/@yy", "1"}},
                                        {3.0, {"physics/@engine", "planar"}},
                                        {4.0, {"robot[r9]/@x", "0"}},

@@ -9,7 +9,7 @@ using elsie::testing::Plugins;
 
 namespace {
 
-std::filesystem::path broken() {
+std::filesystem::path broken_library() {
   return test::build_path("tests/testing/plugins/broken_plugins.so");
 }
 
@@ -18,10 +18,10 @@ std::filesystem::path broken() {
 TEST_CASE("Plugins of the search path are found by name, and those of a given library, too") {
   CHECK(Plugins::found().host().find(PluginKind::behavior, "wander"));
   CHECK_FALSE(Plugins::found().host().find(PluginKind::behavior, "sound"));
-  const Plugins both{broken()};
+  const Plugins both{broken_library()};
   CHECK(both.host().find(PluginKind::behavior, "wander"));
   CHECK(both.host().find(PluginKind::behavior, "sound"));
-  const Plugins folder{broken().parent_path()};
+  const Plugins folder{broken_library().parent_path()};
   CHECK(folder.host().find(PluginKind::behavior, "sound"));
 }
 

@@ -39,9 +39,9 @@ QString step_of(const Json& parent, std::size_t index, const QString& list) {
   return count > 1 ? name + '[' + QString::number(number) + ']' : name;
 }
 
-void visit(const ElementPlace& place, const std::function<bool(const ElementPlace&)>& see) {
+void visit_from(const ElementPlace& place, const std::function<bool(const ElementPlace&)>& see) {
   if (see(place)) {
-    visit_children(place, [&](const ElementPlace& child) { visit(child, see); });
+    visit_children(place, [&](const ElementPlace& child) { visit_from(child, see); });
   }
 }
 
@@ -61,7 +61,7 @@ void visit_children(const ElementPlace& place,
 
 void visit(const Json& world, const std::function<bool(const ElementPlace&)>& see) {
   if (world.is_object()) {
-    visit(ElementPlace{&world, nullptr, {}, {}}, see);
+    visit_from(ElementPlace{&world, nullptr, {}, {}}, see);
   }
 }
 

@@ -61,7 +61,7 @@ Motion decided(const NamedHost& named, std::vector<world::BehaviorUse> behaviors
   return simulation.robot(0).command;
 }
 
-CommandSets triangle(double centre, double half_width) {
+CommandSets triangles(double centre, double half_width) {
   return {FuzzySet::triangle(centre, half_width), FuzzySet::triangle(centre, half_width)};
 }
 
@@ -89,9 +89,9 @@ TEST_CASE("A blend is to the outside a behaviour like any other") {
 
 TEST_CASE("A blend passes its members' sets outwards before defuzzification") {
   NamedHost named;
-  named.add("a", wheels(0, 0), triangle(0, 5))
-      .add("b", wheels(20, 20), triangle(20, 10))
-      .add("c", wheels(8, 8), triangle(8, 4));
+  named.add("a", wheels(0, 0), triangles(0, 5))
+      .add("b", wheels(20, 20), triangles(20, 10))
+      .add("c", wheels(8, 8), triangles(8, 4));
   const auto fuzzy = coordinator("fusion_fuzzy");
   const Motion flat = decided(named, {behavior("a"), behavior("b"), behavior("c")}, fuzzy);
   const Motion nested =
@@ -99,7 +99,7 @@ TEST_CASE("A blend passes its members' sets outwards before defuzzification") {
   check_near(nested, flat);
   // If the pair had been decided first, at (0 x 5 + 20 x 10) / 15 = 13.3, the command would differ.
   NamedHost settled;
-  settled.add("pair", wheels(40.0 / 3, 40.0 / 3)).add("c", wheels(8, 8), triangle(8, 4));
+  settled.add("pair", wheels(40.0 / 3, 40.0 / 3)).add("c", wheels(8, 8), triangles(8, 4));
   const WheelRates early = rates(decided(settled, {behavior("pair"), behavior("c")}, fuzzy));
   CHECK(std::abs(early.left - rates(flat).left) > 1.0);
 }

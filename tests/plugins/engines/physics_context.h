@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -119,6 +120,16 @@ inline world::Arena open_field(double size = 40.0) {
   arena.length = arena.width = size;
   arena.walls = false;
   return arena;
+}
+
+inline constexpr auto kNobody = Engine::kNobody;
+inline constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// The distance (m) at which a ray hits something, or kNone.
+inline double cast(const PhysicsContext& context, const Vector3& from, const Vector3& along,
+                   double range = 20.0, std::size_t except = kNobody) {
+  const auto hit = context.engine->cast_ray(from, along, range, except);
+  return hit ? hit->distance : kNone;
 }
 
 }  // namespace elsie::physics

@@ -56,8 +56,8 @@ std::vector<Vector2> regular(int corners, double radius) {
 
 const std::vector<Vector2> kTriangle{{0.0, 0.0}, {0.6, 0.0}, {0.0, 0.3}};
 
-std::optional<double> cast(const PhysicsContext& context, const Vector3& from,
-                           const Vector3& along) {
+std::optional<double> distance_to_box(const PhysicsContext& context, const Vector3& from,
+                                      const Vector3& along) {
   const auto hit = context.engine->cast_ray(from, along, 20.0, Engine::kNobody);
   return hit && hit->body.kind == BodyKind::box ? std::optional(hit->distance) : std::nullopt;
 }
@@ -110,24 +110,24 @@ TEST_CASE("A ray meets a cylinder and a prism at their exact distance") {
   // Turned by 90 degrees, its right angle is at (-2 + 0.1, 1 - 0.2).
   context.engine->add_box(prism(BoxKind::fixed, -2.0, 1.0, kTriangle, 90.0));
   for (const double off : {0.0, 0.1, -0.25, 0.2999}) {
-    CHECK(cast(context, {-0.5, off, 0.1}, {1.0, 0.0, 0.0}).value() ==
+    CHECK(distance_to_box(context, {-0.5, off, 0.1}, {1.0, 0.0, 0.0}).value() ==
           Approx(1.5 - std::sqrt(0.09 - off * off)));
   }
-  CHECK(!cast(context, {-0.5, 0.3001, 0.1}, {1.0, 0.0, 0.0}));
-  CHECK(!cast(context, {-0.5, 0.0, 0.2001}, {1.0, 0.0, 0.0}));
-  CHECK(cast(context, {1.1, 0.1, 1.0}, {0.0, 0.0, -1.0}).value() == Approx(0.8));
-  CHECK(cast(context, {1.1, 0.1, 0.1}, {0.0, 0.0, -1.0}).value() == 0.0);  // inside
+  CHECK(!distance_to_box(context, {-0.5, 0.3001, 0.1}, {1.0, 0.0, 0.0}));
+  CHECK(!distance_to_box(context, {-0.5, 0.0, 0.2001}, {1.0, 0.0, 0.0}));
+  CHECK(distance_to_box(context, {1.1, 0.1, 1.0}, {0.0, 0.0, -1.0}).value() == Approx(0.8));
+  CHECK(distance_to_box(context, {1.1, 0.1, 0.1}, {0.0, 0.0, -1.0}).value() == 0.0);  // inside
 
   // The side along y is at x = -1.9, that along x at y = 0.8; the slope joins their ends.
-  CHECK(cast(context, {0.0, 1.0, 0.1}, {-1.0, 0.0, 0.0}).value() == Approx(1.9));
-  CHECK(cast(context, {-2.0, 0.0, 0.1}, {0.0, 1.0, 0.0}).value() == Approx(0.8));
-  CHECK(cast(context, {-2.0, 2.0, 0.1}, {0.0, -1.0, 0.0}).value() == Approx(2.0 - 1.2));
-  CHECK(cast(context, {-3.0, 1.1, 0.1}, {1.0, 0.0, 0.0}).value() == Approx(1.1 - 0.15));
-  CHECK(!cast(context, {-3.0, 0.799, 0.1}, {1.0, 0.0, 0.0}));
-  CHECK(!cast(context, {-3.0, 1.401, 0.1}, {1.0, 0.0, 0.0}));
-  CHECK(cast(context, {-1.95, 0.9, 0.7}, {0.0, 0.0, -1.0}).value() == Approx(0.5));
+  CHECK(distance_to_box(context, {0.0, 1.0, 0.1}, {-1.0, 0.0, 0.0}).value() == Approx(1.9));
+  CHECK(distance_to_box(context, {-2.0, 0.0, 0.1}, {0.0, 1.0, 0.0}).value() == Approx(0.8));
+  CHECK(distance_to_box(context, {-2.0, 2.0, 0.1}, {0.0, -1.0, 0.0}).value() == Approx(2.0 - 1.2));
+  CHECK(distance_to_box(context, {-3.0, 1.1, 0.1}, {1.0, 0.0, 0.0}).value() == Approx(1.1 - 0.15));
+  CHECK(!distance_to_box(context, {-3.0, 0.799, 0.1}, {1.0, 0.0, 0.0}));
+  CHECK(!distance_to_box(context, {-3.0, 1.401, 0.1}, {1.0, 0.0, 0.0}));
+  CHECK(distance_to_box(context, {-1.95, 0.9, 0.7}, {0.0, 0.0, -1.0}).value() == Approx(0.5));
   // In the box around the prism, but beside it.
-  CHECK(!cast(context, {-2.15, 1.3, 0.7}, {0.0, 0.0, -1.0}));
+  CHECK(!distance_to_box(context, {-2.15, 1.3, 0.7}, {0.0, 0.0, -1.0}));
 }
 
 TEST_CASE("A pyramid holds a cylinder and a prism from their nearest point on") {

@@ -14,7 +14,6 @@ using world::BoxKind;
 
 namespace {
 
-constexpr auto kNobody = Engine::kNobody;
 constexpr double kNear = 1e-9;  // m
 
 /// 90 degrees wide, about 53 high, 1 m long: at distance d it is 2 d wide and d high.

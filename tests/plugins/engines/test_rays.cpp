@@ -16,17 +16,8 @@ using world::BoxKind;
 
 namespace {
 
-constexpr auto kNobody = Engine::kNobody;
-constexpr double kNone = std::numeric_limits<double>::infinity();
-
 Vector3 level(double degrees_) {
   return {std::cos(radians(degrees_)), std::sin(radians(degrees_)), 0.0};
-}
-
-double cast(const PhysicsContext& context, const Vector3& from, const Vector3& along,
-            double range = 20.0, std::size_t except = kNobody) {
-  const auto hit = context.engine->cast_ray(from, along, range, except);
-  return hit ? hit->distance : kNone;
 }
 
 // The oracle: goes through faces instead of slabs.

@@ -23,15 +23,7 @@ using world::BoxKind;
 
 namespace {
 
-constexpr auto kNobody = Engine::kNobody;
-constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kPressed = 1e-3;  // m: how far bodies may be pressed into each other
-
-double cast(const PhysicsContext& context, const Vector3& from, const Vector3& along,
-            double range = 20.0) {
-  const auto hit = context.engine->cast_ray(from, along, range, kNobody);
-  return hit ? hit->distance : kNone;
-}
 
 /// The moments of inertia of a body that stands alone.
 Vector3 moments(const Shape& shape, double mass) {
