@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string kWorld = "worlds/learned_priorities.xml";
+const std::string kLearners = "worlds/learned_priorities.xml";
 
 /// A note of the run about its network, for example its error.
 std::string note(const json& run) { return run.at("notes").at(0).at("text"); }
@@ -21,7 +21,8 @@ std::string note(const json& run) { return run.at("notes").at(0).at("text"); }
 
 TEST_CASE("train writes weights with which a run trains nothing and does the same") {
   Workplace here;
-  const auto trained = here.elsie("train " + kWorld + " --robot r1 --seed 4 --weights r1.weights");
+  const auto trained =
+      here.elsie("train " + kLearners + " --robot r1 --seed 4 --weights r1.weights");
   CAPTURE(trained.err);
   REQUIRE(trained.exit_code == 0);
   CHECK_THAT(trained.out, Catch::StartsWith("r1, fusion_neural_network: network 2-2-2-2, seed 4\n"
@@ -31,9 +32,10 @@ TEST_CASE("train writes weights with which a run trains nothing and does the sam
                                           Catch::Contains("about seed 4\n") &&
                                           Catch::EndsWith("\nend\n"));
 
-  const json own = json::parse(here.elsie("run " + kWorld + " --seed 4 --duration 20 --json").out);
+  const json own =
+      json::parse(here.elsie("run " + kLearners + " --seed 4 --duration 20 --json").out);
   const json loaded = json::parse(
-      here.elsie("run " + kWorld +
+      here.elsie("run " + kLearners +
                  " --seed 4 --duration 20 --json --set robot[r1]/coordinator/@weights=r1.weights")
           .out);
   CHECK_THAT(note(own), Catch::Contains("trained on two_sensors_two_behaviors.txt: mean error"));
@@ -44,14 +46,14 @@ TEST_CASE("train writes weights with which a run trains nothing and does the sam
 TEST_CASE("train --json has the largest seed as a number, digit by digit") {
   const Workplace here;
   const auto run =
-      here.elsie("train " + kWorld + " --seed 18446744073709551615 --presentations 9 --json");
+      here.elsie("train " + kLearners + " --seed 18446744073709551615 --presentations 9 --json");
   CHECK(json::parse(run.out).at("seed") == json(18446744073709551615U));
 }
 
 TEST_CASE("Weights of other layers than the default need not be announced in the world") {
   const Workplace here;
-  REQUIRE(here.elsie("train " + kWorld + " --hidden '4 4' --weights w").exit_code == 0);
-  const std::string run = "run " + kWorld + " --quiet --set robot[r1]/coordinator/@weights=w";
+  REQUIRE(here.elsie("train " + kLearners + " --hidden '4 4' --weights w").exit_code == 0);
+  const std::string run = "run " + kLearners + " --quiet --set robot[r1]/coordinator/@weights=w";
   CHECK(here.elsie(run).exit_code == 0);
   const auto refused = here.elsie(run + " --set 'robot[r1]/coordinator/@hidden=2 2'");
   CHECK(refused.exit_code == 2);
@@ -62,7 +64,7 @@ TEST_CASE("Weights of other layers than the default need not be announced in the
 TEST_CASE("train gives the same bytes again for the same seed, and others for another") {
   Workplace here;
   for (const char* run : {"a --seed 2", "b --seed 2", "c --seed 3"}) {
-    REQUIRE(here.elsie("train " + kWorld + " --quiet --weights " + run).exit_code == 0);
+    REQUIRE(here.elsie("train " + kLearners + " --quiet --weights " + run).exit_code == 0);
   }
   CHECK(here.read("a") == here.read("b"));
   CHECK(here.read("a") != here.read("c"));
@@ -70,7 +72,7 @@ TEST_CASE("train gives the same bytes again for the same seed, and others for an
 
 TEST_CASE("train takes its options from the command line, and says how it went") {
   Workplace here;
-  const auto run = here.elsie("train " + kWorld +
+  const auto run = here.elsie("train " + kLearners +
                               " --hidden '4 4' --learning-rate 0.5 --momentum 0.2 --threshold 0.001"
                               " --presentations 90000 --json --curve curve.png");
   CAPTURE(run.err);
@@ -94,7 +96,7 @@ TEST_CASE("train takes its options from the command line, and says how it went")
 TEST_CASE("train --progress prints lines of JSON before the object") {
   Workplace here;
   const std::string most = " --presentations 2000000 --threshold 0 --json";
-  const auto run = here.elsie("train " + kWorld + most + " --progress");
+  const auto run = here.elsie("train " + kLearners + most + " --progress");
   CAPTURE(run.err);
   std::istringstream lines(run.out);
   std::vector<json> objects;
@@ -110,26 +112,26 @@ TEST_CASE("train --progress prints lines of JSON before the object") {
     CHECK(objects[i].at("presentations").get<std::uint64_t>() >= last);
     last = objects[i].at("presentations");
   }
-  CHECK(objects.back() == json::parse(here.elsie("train " + kWorld + most).out));
-  CHECK(here.elsie("train " + kWorld + " --progress").exit_code == 2);
+  CHECK(objects.back() == json::parse(here.elsie("train " + kLearners + most).out));
+  CHECK(here.elsie("train " + kLearners + " --progress").exit_code == 2);
 }
 
 TEST_CASE("train --stdin reads the world from standard input, and files beside its name") {
   Workplace here;
-  const auto from_file = here.elsie("train " + kWorld + " --json");
-  const auto from_input = here.elsie("train " + kWorld + " --stdin --json < " + kWorld);
+  const auto from_file = here.elsie("train " + kLearners + " --json");
+  const auto from_input = here.elsie("train " + kLearners + " --stdin --json < " + kLearners);
   CHECK(from_input.exit_code == 0);
   CHECK(from_input.out == from_file.out);
-  const auto wrong = here.elsie("train " + kWorld + " --stdin --json < /dev/null");
+  const auto wrong = here.elsie("train " + kLearners + " --stdin --json < /dev/null");
   CHECK(wrong.exit_code == 2);
-  CHECK(wrong.err.find(kWorld) != std::string::npos);
+  CHECK(wrong.err.find(kLearners) != std::string::npos);
 }
 
 TEST_CASE("A network on the plateau ends train with exit code 1, and says so") {
   Workplace here;
   int untrained = 0;
   for (int seed = 1; seed <= 6; ++seed) {
-    const auto run = here.elsie("train " + kWorld + " --hidden '2 2 2 2' --weights w --seed " +
+    const auto run = here.elsie("train " + kLearners + " --hidden '2 2 2 2' --weights w --seed " +
                                 std::to_string(seed));
     if (run.exit_code == 0) {
       CHECK_THAT(run.out, !Catch::Contains("untrained"));
@@ -150,29 +152,29 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
     <robot id="b" x="1"/></robots></world>)");
   here.write("short.txt", "1 1 0 1\n1 1 0\n");
   const std::vector<std::pair<std::string, std::string>> wrong = {
-      {kWorld + " --robot r2", "there is no robot 'r2' in this world; did you mean 'r1'?"},
+      {kLearners + " --robot r2", "there is no robot 'r2' in this world; did you mean 'r1'?"},
       {"two.xml", "say which with --robot: a, b"},
       {"two.xml --robot a",
        "'arbiter_suppression' of the robot 'a' does not learn; those that do: "
        "arbiter_neural_network, fusion_neural_network"},
       {"two.xml --robot b", "has no coordinator"},
-      {kWorld + " --behavior explore", "there is no behaviour 'explore' in robot 'r1'"},
-      {kWorld + " --behavior go_to_point", "holds no other behaviours"},
-      {kWorld + " --hidden 4,4", "hidden is '4,4'"},
-      {kWorld + " --learning-rate 1", "below 1"},
-      {kWorld + " --learning-rate 2", "learning_rate is 2"},
-      {kWorld + " --momentum 0", "--momentum"},
-      {kWorld + " --momentum 1", "below 1"},
-      {kWorld + " --threshold -1", "threshold is -1"},
-      {kWorld + " --presentations 0", "presentations is 0"},
-      {kWorld + " --training short.txt",
+      {kLearners + " --behavior explore", "there is no behaviour 'explore' in robot 'r1'"},
+      {kLearners + " --behavior go_to_point", "holds no other behaviours"},
+      {kLearners + " --hidden 4,4", "hidden is '4,4'"},
+      {kLearners + " --learning-rate 1", "below 1"},
+      {kLearners + " --learning-rate 2", "learning_rate is 2"},
+      {kLearners + " --momentum 0", "--momentum"},
+      {kLearners + " --momentum 1", "below 1"},
+      {kLearners + " --threshold -1", "threshold is -1"},
+      {kLearners + " --presentations 0", "presentations is 0"},
+      {kLearners + " --training short.txt",
        "short.txt:2: 3 numbers, expected 4: 2 inputs (one for each "
        "range sensor: left, right), then 2 outputs"},
-      {kWorld + " --training nothing.txt", "nothing.txt: there is no such file"},
-      {kWorld + " --curve curve.jpg", "must end in .png or .svg"},
-      {kWorld + " --presentations 99999999999999999999", "is not a whole number, or too large"},
-      {kWorld + " --presentations 1e5", "'1e5' is not a whole number"},
-      {kWorld + " --set robot[r1]/coordinator/@seed=3 --seed 4", "has the seed 3 of its own"},
+      {kLearners + " --training nothing.txt", "nothing.txt: there is no such file"},
+      {kLearners + " --curve curve.jpg", "must end in .png or .svg"},
+      {kLearners + " --presentations 99999999999999999999", "is not a whole number, or too large"},
+      {kLearners + " --presentations 1e5", "'1e5' is not a whole number"},
+      {kLearners + " --set robot[r1]/coordinator/@seed=3 --seed 4", "has the seed 3 of its own"},
       {"nothing.xml", "nothing.xml"}};
   for (const auto& [arguments, message] : wrong) {
     const auto run = here.elsie("train " + arguments + " --weights w");
@@ -182,16 +184,16 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
     CHECK(here.read("w").empty());
   }
   here.write("precious.xml", "<world/>");
-  const auto over = here.elsie("train " + kWorld + " --weights precious.xml");
+  const auto over = here.elsie("train " + kLearners + " --weights precious.xml");
   CHECK(over.exit_code == 2);
   CHECK_THAT(over.err, Catch::Contains("is not a weight file"));
   CHECK(here.read("precious.xml") == "<world/>");
-  CHECK(here.elsie("train " + kWorld + " --weights no/such/folder/w").exit_code == 2);
+  CHECK(here.elsie("train " + kLearners + " --weights no/such/folder/w").exit_code == 2);
 }
 
 TEST_CASE("An interrupted training writes nothing") {
   Workplace here;
-  const auto run = here.sh("elsie train " + kWorld +
+  const auto run = here.sh("elsie train " + kLearners +
                            " --presentations 1000000000000 --weights w --json --progress > lines & "
                            "pid=$!\n"
                            "until [ -s lines ]; do sleep 0.02; done\n"
@@ -244,7 +246,7 @@ TEST_CASE("A coordinator is trained for its robot, equipped as in a run") {
 
 TEST_CASE("Weights and learning curve do not go to one file") {
   const Workplace here;
-  const auto run = here.elsie("train " + kWorld + " --weights both.png --curve ./both.png");
+  const auto run = here.elsie("train " + kLearners + " --weights both.png --curve ./both.png");
   CHECK(run.exit_code == 2);
   CHECK(run.err == "elsie: --weights and --curve would both go to './both.png'; name two files\n");
   CHECK(here.read("both.png").empty());
@@ -263,7 +265,7 @@ TEST_CASE("A mistake in an option is reported for the option, not for a line of 
       {"--presentations 0 --threshold -1",
        "elsie: --threshold, --presentations: presentations is 0"}};
   for (const auto& [options, message] : wrong) {
-    const auto run = here.elsie("train " + kWorld + " " + options);
+    const auto run = here.elsie("train " + kLearners + " " + options);
     CAPTURE(options);
     CHECK(run.exit_code == 2);
     CHECK_THAT(run.err, Catch::StartsWith(message));
@@ -274,31 +276,32 @@ TEST_CASE("A mistake in an option is reported for the option, not for a line of 
 TEST_CASE("A mistake in the world is reported for its line, with any options") {
   const Workplace here;
   here.write("short.txt", "1 1 0 1\n1 1 0\n");
-  const auto run = here.elsie("train " + kWorld +
+  const auto run = here.elsie("train " + kLearners +
                               " --set robot[r1]/coordinator/@training=short.txt"
                               " --learning-rate 0.5 --threshold 0.1");
   CHECK(run.exit_code == 2);
-  CHECK_THAT(run.err, Catch::StartsWith(kWorld + ":22: plugin") &&
+  CHECK_THAT(run.err, Catch::StartsWith(kLearners + ":22: plugin") &&
                           Catch::Contains("short.txt:2: 3 numbers"));
 }
 
 TEST_CASE("check reports a training file that does not fit, with the line of the world") {
   Workplace here;
   const auto run = here.elsie(
-      "check " + kWorld +
+      "check " + kLearners +
       " --set robot[r1]/coordinator/@training=../training_sets/three_sensors_two_behaviors.txt");
   CHECK(run.exit_code == 2);
-  CHECK_THAT(run.err, Catch::StartsWith(kWorld + ":") &&
+  CHECK_THAT(run.err, Catch::StartsWith(kLearners + ":") &&
                           Catch::Contains("plugin 'fusion_neural_network'") &&
                           Catch::Contains("three_sensors_two_behaviors.txt:1: 5 numbers, expected "
                                           "4: 2 inputs (one for each range sensor: left, right)"));
-  CHECK(here.elsie("check " + kWorld).exit_code == 0);
+  CHECK(here.elsie("check " + kLearners).exit_code == 0);
 }
 
 TEST_CASE("The robot with learned priorities arrives, whatever the seed") {
   Workplace here;
   for (int seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
-    CHECK(here.elsie("run " + kWorld + " --quiet --seed " + std::to_string(seed)).exit_code == 0);
+    CHECK(here.elsie("run " + kLearners + " --quiet --seed " + std::to_string(seed)).exit_code ==
+          0);
   }
 }

@@ -19,7 +19,6 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using elsie::test::wheels;
 using simulation::PluginFault;
 using simulation::Simulation;
 
@@ -93,7 +92,7 @@ TEST_CASE("Robots are asked in several threads, each in one at a time") {
     }
     std::this_thread::sleep_for(std::chrono::microseconds(50));
     --busy[me];
-    return wheels(5, 4);
+    return test::wheels(5, 4);
   });
   Simulation simulation(many(), scripted.host, threads(3));
   for (int i = 0; i < 20; ++i) simulation.step();
@@ -107,7 +106,7 @@ TEST_CASE("A plugin that wants one thread is asked in one, in the order of the r
   auto answer = std::make_shared<Scripted::Answer>([&](const Perception& now) {
     order.push_back(now.self().team_index);
     seen.insert(std::this_thread::get_id());
-    return wheels(5, 4);
+    return test::wheels(5, 4);
   });
   plugin::Host host(shipped_directory());
   Declaration declaration;
@@ -129,7 +128,7 @@ TEST_CASE("The fault of the first robot that fails ends the run, with the events
     ScriptedHost scripted([](const Perception& now) -> Response {
       const int me = now.self().team_index;
       if (now.time_s() > 0.045 && me % 20 == 13) throw std::runtime_error("lost");
-      Response response = wheels(3, 3);
+      Response response = test::wheels(3, 3);
       response.events.push_back({"hello"});
       return response;
     });
