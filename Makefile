@@ -79,7 +79,7 @@ fuzz-check: configure
 	cmake --build --preset asan --target elsie_fuzzers
 	scripts/fuzz 5 build/asan $(BUILD)
 
-# Benchmarks: docs/performance.md.
+# Benchmarks: docs/internals/performance.md.
 bench: all
 	scripts/benchmark $(BUILD)
 
@@ -91,11 +91,11 @@ figures: all
 world-hashes: all
 	scripts/world-hashes $(BUILD) --renew tests/program/world_hashes.txt
 
-# Lines, sizes and needs of the libraries: docs/architecture.md.
+# Lines, sizes and needs of the libraries: docs/internals/architecture.md.
 library-table: all
 	scripts/library-table $(BUILD)
 
-# How often the intervals of reports hold the true value: docs/statistics.md.
+# How often the intervals of reports hold the true value: docs/research/statistics.md.
 coverage: configure
 	cmake --build --preset $(PRESET) --target bench_interval_coverage
 	scripts/coverage $(BUILD)
@@ -106,12 +106,12 @@ pictures: program
 	scripts/layout-pictures $(BUILD)
 	scripts/report-pictures $(BUILD)
 
-# The four-resource world with every coordinator, 20 seeds each: docs/four-resources.md.
+# The four-resource world with every coordinator, 20 seeds each: docs/research/four-resources.md.
 four-resources: all
 	scripts/coordination-figures $(BUILD)
 
-# The published experiments, the deciding experiment and the study of every coordinator: docs/experiments.md, docs/original-step.md,
-# docs/every-coordinator.md. Goes on where it was stopped; SEEDS of the deciding experiment, at most 20, take two and a half hours in all.
+# The published experiments, the deciding experiment and the study of every coordinator: docs/research/experiments.md, docs/research/original-step.md,
+# docs/research/every-coordinator.md. Goes on where it was stopped; SEEDS of the deciding experiment, at most 20, take two and a half hours in all.
 SEEDS ?= 20
 tables: configure
 	scripts/tables $(BUILD) --seeds $(SEEDS)
@@ -120,10 +120,10 @@ tables: configure
 reference: program
 	scripts/reference $(BUILD)
 
-# The first page of the tutorial, followed on a fresh clone of what is committed: docs/tutorial/transcript.md, and the pictures of the tutorial.
+# The first page of the tutorial, followed on a fresh clone of what is committed: docs/internals/tutorial-transcript.md, and the pictures of the tutorial.
 transcript: configure
 	cmake --build --preset $(PRESET) --target elsie_complete elsie_help
-	tests/tutorial/follow --clone . --transcript docs/tutorial/transcript.md docs/tutorial/1-*.md
+	tests/tutorial/follow --clone . --transcript docs/internals/tutorial-transcript.md docs/tutorial/1-*.md
 	tests/tutorial/follow --installed $(BUILD) --pictures docs/tutorial/[1-9]-*.md
 
 # The reference of the C++ headers; a warning is an error.

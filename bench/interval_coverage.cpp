@@ -1,5 +1,5 @@
 // interval_coverage [EXPERIMENTS]: how often intervals hold the true value, as a table for
-// docs/statistics.md. Two thousand experiments take some minutes.
+// docs/research/statistics.md. Two thousand experiments take some minutes.
 #include <charconv>
 #include <cstdio>
 #include <string_view>

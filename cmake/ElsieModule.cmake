@@ -1,7 +1,7 @@
 # elsie_module(NAME SOURCES file... [ALONE file...] [USES module...] [LIBRARIES target...])
 #
 # Adds a module. Its public headers are in include/elsie/NAME/. It sees the headers of the modules under USES, and of theirs, and no
-# others, which separates the layers of docs/architecture.md: these modules must have been added before. Sources under ALONE are in no batch
+# others, which separates the layers of docs/internals/architecture.md: these modules must have been added before. Sources under ALONE are in no batch
 # (ELSIE_UNITY).
 function(elsie_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;ALONE;USES;LIBRARIES")
@@ -40,7 +40,7 @@ function(elsie_module name)
   foreach(used IN LISTS arg_USES)
     if(NOT TARGET elsie_module_${used})
       message(FATAL_ERROR "The module '${name}' uses '${used}', which is no module of a lower storey, nor one that comes before it in its own "
-                          "storey: nothing looks upwards (docs/architecture.md, \"Storeys\").")
+                          "storey: nothing looks upwards (docs/internals/architecture.md, \"Storeys\").")
     endif()
     target_include_directories(elsie_module_${name}
                                PUBLIC $<TARGET_PROPERTY:elsie_module_${used},INTERFACE_INCLUDE_DIRECTORIES>)
@@ -51,8 +51,8 @@ endfunction()
 
 # elsie_library(NAME FILE file-name MODULES module... [USES library...] [COMPONENT component])
 #
-# Adds a storey of docs/architecture.md: a shared library of some modules, elsie::NAME, component NAME of the package, that links to the storeys under USES and to what its
-# modules need, and to nothing else: the linker refuses symbols of other storeys, and CMake modules that use headers of other storeys.
+# Adds a storey of docs/internals/architecture.md: a shared library of some modules, elsie::NAME, component NAME of the package, that links to
+# the storeys under USES and to what its modules need, and to nothing else: the linker refuses symbols of other storeys, and CMake modules that use headers of other storeys.
 function(elsie_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "FILE;COMPONENT" "MODULES;USES")
   if(NOT arg_COMPONENT)
@@ -74,7 +74,7 @@ function(elsie_library name)
     list(REMOVE_ITEM uses ${seen})
     if(uses)
       message(FATAL_ERROR "The module '${module}' of the storey '${name}' uses ${uses}, which is not in this storey or in one that it links to "
-                          "(docs/architecture.md, \"Storeys\"). Add the storey under USES of elsie_library(${name} ...) if it is below.")
+                          "(docs/internals/architecture.md, \"Storeys\"). Add the storey under USES of elsie_library(${name} ...) if it is below.")
     endif()
     get_target_property(folder elsie_module_${module} ELSIE_FOLDER)
     get_target_property(libraries elsie_module_${module} ELSIE_LIBRARIES)

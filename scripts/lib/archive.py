@@ -1,4 +1,4 @@
-"""The published results: for each experiment a table of all its runs, docs/tables/NAME.csv.gz, and the builds that did them, docs/tables/builds.json.
+"""The published results, in docs/research/tables/: for each experiment a table of all its runs, NAME.csv.gz, and the builds that did them, builds.json.
 
 The pages are written from these tables alone, so that the figures on them can be checked without a single run.
 """

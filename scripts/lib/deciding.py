@@ -1,4 +1,4 @@
-"""The deciding experiment (docs/original-step.md): in which of the set-ups that the original may have had do its conclusions hold?
+"""The deciding experiment (docs/research/original-step.md): in which of the set-ups that the original may have had do its conclusions hold?
 
 A set-up is one level of each unknown of the original. In each, fusion and arbitration do the same seeds with networks of the same sizes.
 """
@@ -194,7 +194,7 @@ class Share:
         self.share = holds / judged if judged else None
 
     def verdict(self):
-        """The rule of docs/original-step.md."""
+        """The rule of docs/research/original-step.md."""
         if not self.judged:
             return "not to be decided"
         return "confirmed" if self.low >= COMPLETES else "refuted" if self.high <= FAILS else "not to be decided"

@@ -1,4 +1,4 @@
-"""The pages of the published experiments: which experiments they are about, and what is generated on them, all from docs/tables/."""
+"""The pages of the published experiments: which experiments they are about, and what is generated on them, all from docs/research/tables/."""
 import archive
 import deciding
 import deciding_figures

@@ -1,4 +1,4 @@
-"""The tables of docs/experiments.md and docs/every-coordinator.md, from the archive of runs."""
+"""The tables of docs/research/experiments.md and docs/research/every-coordinator.md, from the archive of runs."""
 import math
 from statistics import mean
 

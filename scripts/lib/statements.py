@@ -1,4 +1,4 @@
-"""The figures in the prose of docs/experiments.md, docs/every-coordinator.md and docs/original-step.md, computed from the archive of runs."""
+"""The figures in the prose of the pages of the published experiments, in docs/research/, computed from the archive of runs."""
 import math
 from statistics import mean
 
@@ -174,7 +174,7 @@ def every_coordinator(every):
 
 
 def original_step(published_):
-    """Of docs/original-step.md."""
+    """Of docs/research/original-step.md."""
     arena, clutter = published_.arena, published_.clutter
     yield Claim(STEP, "The original's figures give {:.2f} and {:.2f} in cases 1 and 2, and {:.2f} in case 7", *(
         ORIGINAL[case, "fusion"][0] / ORIGINAL[case, "arbitration"][0] for case in "127"))

@@ -46,7 +46,7 @@ BROUGHT = {
     "libQt6Gui": {"libGL", "libEGL", "libpng16"},
 }
 
-# The modules of each storey, in the order of docs/architecture.md: none includes a header of a later one.
+# The modules of each storey, in the order of docs/internals/architecture.md: none includes a header of a later one.
 MODULES = {
     "libelsie-base": ["base", "files"],
     "libelsie": ["api", "plugin", "world", "physics", "simulation"],

@@ -237,7 +237,7 @@ TEST_CASE("In a longer language every text is translated, and the window still f
   QCoreApplication::removeTranslator(&marked);
 }
 
-// Hidden: takes half a minute. Prints what is said of it in docs/performance.md.
+// Hidden: takes half a minute. Prints what is said of it in docs/internals/performance.md.
 TEST_CASE("A world of 60,000 boxes opens while the window says what goes on", "[.boxes]") {
   constexpr int kBoxes = 60'000, kSide = 245;
   constexpr double kApart = 0.4;  // m

@@ -266,7 +266,7 @@ TEST_CASE("A program of one's own runs a shipped world by its name from any fold
 
 TEST_CASE("The page on sessions quotes the example, which edits and runs a world") {
   const fs::path source(elsie::test::source_path(""));
-  CHECK(blocks(read(source / "docs" / "session.md"), "cpp").at(0) ==
+  CHECK(blocks(read(source / "docs" / "internals" / "session.md"), "cpp").at(0) ==
         read(source / "examples" / "07-session" / "main.cpp"));
   Workplace here;
   const std::string program = elsie::test::build_path("examples") + "/own_session " +

@@ -1,5 +1,6 @@
 // What pages name is there: files, links, versions.
-#include <map>
+#include <algorithm>
+#include <cctype>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -12,6 +13,44 @@
 #include "program.h"
 
 using namespace elsie::test;
+
+namespace {
+
+/// A page without its fenced code, which has brackets, too.
+std::string without_code(const std::string& page) {
+  std::istringstream lines(page);
+  std::string text;
+  bool is_code = false;
+  for (std::string line; std::getline(lines, line);) {
+    is_code ^= line.starts_with("```");
+    text += is_code ? "" : line + '\n';
+  }
+  return text;
+}
+
+/// What links to the headings of a page end in: `## In a viewer` gives "in-a-viewer".
+std::set<std::string> headings(const std::string& page) {
+  std::set<std::string> found;
+  std::istringstream lines(without_code(page));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t text = line.find_first_not_of('#');
+    if (text == 0 || text == line.npos || line[text] != ' ') {
+      continue;
+    }
+    std::string anchor;
+    for (const char c : line.substr(text + 1)) {
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_') {
+        anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      } else if (c == ' ') {
+        anchor += '-';
+      }
+    }
+    found.insert(anchor);
+  }
+  return found;
+}
+
+}  // namespace
 
 TEST_CASE("Every file of ours that a help text names exists") {
   const Workplace here;
@@ -42,28 +81,26 @@ TEST_CASE("Every file of ours that a help text names exists") {
   CHECK(count >= 20);
 }
 
-TEST_CASE("The page on versions shows the ABI word as it is") {
-  CHECK_THAT(read(elsie::test::source_path("docs/versioning.md")),
+TEST_CASE("The page on the ABI word shows it as it is") {
+  CHECK_THAT(read(elsie::test::source_path("docs/internals/abi-word.md")),
              Catch::Contains("    " ELSIE_ABI_API ELSIE_ABI_RUNTIME ELSIE_ABI_CONTAINERS));
 }
 
-TEST_CASE("Links between the docs lead somewhere") {
+TEST_CASE("Links between the docs lead to files, and to headings of pages") {
   for (const fs::path& page : pages()) {
-    // Code has brackets, too.
-    std::istringstream lines(read(page));
-    std::string text;
-    bool is_code = false;
-    for (std::string line; std::getline(lines, line);) {
-      is_code ^= line.starts_with("```");
-      text += is_code ? "" : line + '\n';
-    }
+    const std::string text = without_code(read(page));
     for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
       const std::string link = text.substr(at + 2, text.find(')', at) - at - 2);
-      if (link.find("://") != std::string::npos || link.starts_with('#')) {
+      if (link.find("://") != std::string::npos) {
         continue;
       }
       CAPTURE(page.string(), link);
-      CHECK(fs::exists(page.parent_path() / link.substr(0, link.find('#'))));
+      const std::size_t mark = std::min(link.find('#'), link.size());
+      const fs::path file = mark == 0 ? page : page.parent_path() / link.substr(0, mark);
+      CHECK(fs::exists(file));
+      if (mark < link.size() && file.extension() == ".md") {
+        CHECK(headings(read(file)).contains(link.substr(mark + 1)));
+      }
     }
   }
 }

@@ -190,11 +190,11 @@ TEST_CASE("The interval of a difference of rates keeps its promise in the mean o
   }
 }
 
-TEST_CASE("The table of docs/statistics.md is what the simulation gives") {
+TEST_CASE("The table of docs/research/statistics.md is what the simulation gives") {
   // Fewer experiments than `make coverage` does: each number within five standard errors of both.
   constexpr int kFew = 60, kMany = 2000;
   std::ostringstream page;
-  page << std::ifstream(elsie::test::source_path("docs/statistics.md")).rdbuf();
+  page << std::ifstream(elsie::test::source_path("docs/research/statistics.md")).rdbuf();
   for (const elsie::test::CoverageRow& row : elsie::test::simulate_coverage(kFew)) {
     const std::string start = "\n| " + row.interval + " | " + row.drawn + " |";
     const std::size_t at = page.str().find(start);

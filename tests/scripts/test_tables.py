@@ -15,6 +15,7 @@ import xml.etree.ElementTree
 from pathlib import Path
 
 SOURCE = Path(sys.argv.pop(1)).resolve()
+RESEARCH = SOURCE / "docs" / "research"
 EMPTY = sys.argv.pop(1)
 sys.path[:0] = [str(SOURCE / "scripts" / "lib"), str(Path(__file__).resolve().parent)]
 
@@ -380,21 +381,21 @@ class Published(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.published = pages.Published(SOURCE / "docs" / "tables")
+        cls.published = pages.Published(RESEARCH / "tables")
 
     def test_every_generated_part_of_the_pages_is_that_of_the_archive(self):
         for page, generated in self.published.parts().items():
-            text = (SOURCE / "docs" / page).read_text()
+            text = (RESEARCH / page).read_text()
             for name, part in generated.items():
                 with self.subTest(page=page, part=name):
                     self.assertIn(f"<!-- {name} -->\n\n{part}\n\n<!-- end of {name} -->\n", text)
 
     def test_every_figure_in_the_prose_is_that_of_the_archive(self):
-        self.assertEqual(self.published.problems(SOURCE / "docs"), [])
+        self.assertEqual(self.published.problems(RESEARCH), [])
 
     def test_the_files_of_every_experiment_are_in_the_commit_that_its_page_names(self):
         experiments = {**self.published.every, **self.published.deciding}
-        text = "".join((SOURCE / "docs" / page).read_text() for page in pages.PAGES)
+        text = "".join((RESEARCH / page).read_text() for page in pages.PAGES)
         for name, runs in experiments.items():
             commit, file = runs.build.get("files", runs.build["commit"]), SOURCE / "experiments" / f"{name}.xml"
             self.assertIn(commit, text)
@@ -454,7 +455,7 @@ class Pages(WithFolder):
         both = "<!-- a -->\nold\n<!-- end of a -->\n"
         for text in ("above\n", "<!-- a -->\nold\n", "old\n<!-- end of a -->\n", both + both):
             self.write(text)
-            self.assertIn("docs/page.md lacks the lines <!-- a --> and <!-- end of a -->", self.told(lambda: self.fill(self.page, {"a": "new"})))
+            self.assertIn("docs/research/page.md lacks the lines <!-- a --> and <!-- end of a -->", self.told(lambda: self.fill(self.page, {"a": "new"})))
             self.assertEqual(self.page.read_text(), text)
 
 
@@ -529,7 +530,7 @@ class Prose(unittest.TestCase):
         sentence = "took {:.0f} s instead of {:.0f} s"
         self.assertEqual(self.found(claims.Claim("page.md", sentence, 203.4, 293.7)), [])
         [told] = self.found(claims.Claim("page.md", sentence, 203.6, 293.7))
-        self.assertIn('docs/page.md does not match the databases, which give "took 204 s instead of 294 s"', told)
+        self.assertIn('docs/research/page.md does not match the databases, which give "took 204 s instead of 294 s"', told)
 
     def test_what_is_generated_does_not_count_as_prose(self):
         self.assertEqual(len(self.found(claims.Claim("page.md", "It took {} s.", 99))), 1)

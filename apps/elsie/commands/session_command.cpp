@@ -22,7 +22,7 @@ void add_session_command(CLI::App& program, Job& job) {
       if (fcntl(server::kMessages, F_GETFD) < 0) {
         throw BadInput(
             "`elsie session` is for windows, which start it and talk to it\nstart `elsie-desktop`; "
-            "a window of your own starts it by elsie::client (docs/session.md)");
+            "a window of your own starts it by elsie::client (docs/internals/session.md)");
       }
       const auto plugins = watch_plugins(*options);
       server::Server(*plugins, {data_directories(), options->words()}).serve();

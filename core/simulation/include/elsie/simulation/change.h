@@ -7,8 +7,8 @@
 // plugins unless their declaration forbids it (ParameterFacts::live). The plugin then keeps what it
 // remembers, and its random stream continues. For all other edits, the new world is read and
 // checked like a file, and the simulation becomes that world: it recreates what the edit affects,
-// from a plugin object to the physics engine; the rest keeps its state. See docs/running.md for the
-// cost of edits.
+// from a plugin object to the physics engine; the rest keeps its state. docs/changing-a-world.md
+// gives the cost of edits.
 //
 // All edits of one call are made, or none. reset() forgets them. A run with the same seed and the
 // same edits before the same steps is the same, bit for bit.

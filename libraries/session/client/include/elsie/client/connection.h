@@ -1,7 +1,7 @@
 // A connection to the process of a session, which holds the document and its run. Plugins that
 // crash, loop or wait only affect that process.
 //
-// Messages are JSON objects, one per line; docs/session.md lists them. Only the destructor waits
+// Messages are JSON objects, one per line; docs/internals/session.md lists them. Only the destructor waits
 // for the other process.
 #pragma once
 
