@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api site install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -131,6 +131,11 @@ api: dependencies
 	@mkdir -p out
 	doxygen Doxyfile
 	@echo "Look at out/api/html/index.html."
+
+# The pages as a site with search.
+site:
+	@scripts/install-dependencies --site
+	@scripts/site
 
 format: dependencies
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i

@@ -105,6 +105,16 @@ TEST_CASE("Links between the docs lead to files, and to headings of pages") {
   }
 }
 
+TEST_CASE("Every page is listed in the navigation of the site") {
+  const fs::path source(elsie::test::source_path(""));
+  const std::string site = read(source / "mkdocs.yml");
+  for (const fs::path& page : pages()) {
+    const std::string name = page.lexically_relative(source).string();
+    CAPTURE(name);
+    CHECK(site.find(" " + name + "\n") != site.npos);
+  }
+}
+
 TEST_CASE("Every file that the recipes for contributors name exists") {
   const fs::path source(elsie::test::source_path(""));
   const std::string page = read(source / "CONTRIBUTING.md");
