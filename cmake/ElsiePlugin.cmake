@@ -66,6 +66,14 @@ function(elsie_catch_main)
   endif()
 endfunction()
 
+# Refuses a name that a test of this folder has already.
+function(elsie_check_test_name name)
+  if(TEST "${name}")
+    message(FATAL_ERROR "there is a test '${name}' already; give one of the two another name: elsie_add_plugin_test(NAME ...) or "
+                        "elsie_add_world_test(WORLD.xml NAME ...)")
+  endif()
+endfunction()
+
 # elsie_add_plugin_test(NAME source... [PLUGINS plugin...])
 #
 # A test program test_NAME with the test library, and with Catch2 if it was found (find_package() comes first), as a test of this name. It finds the
@@ -76,6 +84,7 @@ function(elsie_add_plugin_test name)
   if(NOT TARGET elsie::testing)
     message(FATAL_ERROR "elsie_add_plugin_test(${name} ...) needs the test library; write find_package(elsie REQUIRED COMPONENTS testing)")
   endif()
+  elsie_check_test_name(${name})
   add_executable(test_${name} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(test_${name} PRIVATE elsie::testing)
   if(TARGET Catch2::Catch2)
@@ -97,14 +106,22 @@ function(elsie_add_plugin_test name)
   set_tests_properties(${name} PROPERTIES ENVIRONMENT_MODIFICATION "${folders}")
 endfunction()
 
-# elsie_add_world_test(WORLD.xml)
+# elsie_add_world_test(WORLD.xml [NAME name])
 #
-# Adds a test that runs a world of this folder with the plugins built here; it must reach its goals.
+# Adds a test that runs a world of this folder with the plugins built here; it must reach its goals. Without NAME the test is called like the file,
+# with the folder in it: a/world for a/world.xml.
 function(elsie_add_world_test world)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "NAME" "")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "elsie_add_world_test(${world} ${arg_UNPARSED_ARGUMENTS}): expected one world, and perhaps NAME and a name")
+  endif()
   if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${world}")
     message(FATAL_ERROR "elsie_add_world_test(${world}): there is no such file in ${CMAKE_CURRENT_SOURCE_DIR}")
   endif()
-  get_filename_component(name "${world}" NAME_WE)
-  add_test(NAME ${name} COMMAND "${ELSIE_PROGRAM}" run "${CMAKE_CURRENT_SOURCE_DIR}/${world}" --plugin-path
-                                "${CMAKE_CURRENT_BINARY_DIR}" --quiet)
+  if(NOT arg_NAME)
+    string(REGEX REPLACE "\\.xml$" "" arg_NAME "${world}")
+  endif()
+  elsie_check_test_name("${arg_NAME}")
+  add_test(NAME "${arg_NAME}" COMMAND "${ELSIE_PROGRAM}" run "${CMAKE_CURRENT_SOURCE_DIR}/${world}" --plugin-path
+                                      "${CMAKE_CURRENT_BINARY_DIR}" --quiet)
 endfunction()
