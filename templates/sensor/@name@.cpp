@@ -1,4 +1,5 @@
-// @name@: what it senses, in a sentence; and a behaviour that reads it, in the same library.
+// @name@: what it senses, in a sentence; and a behaviour that reads it, in the same library. A sensor
+// alone needs no behaviour: remove it here, in the test and in the world.
 #include <cmath>
 
 #include <elsie/api/behavior.h>
@@ -9,10 +10,11 @@
 class @Class@ final : public elsie::SensorOf<@Class@Reading> {
  public:
   // Parameters of the world file. Their defaults are set only here.
-  double lamp_x = 0.0;
-  double lamp_y = 0.0;
-  double error = 0.0;
+  double lamp_x = 0.0;  // m
+  double lamp_y = 0.0;  // m
+  double error = 0.0;   // a part of the brightness
 
+  // Called in every control period. `now.world` casts rays; elsie/api/sensor.h lists what else it has.
   @Class@Reading sense(const elsie::SensorContext& now) override {
     const auto& eye = now.frame.origin;  // the sensor's own place in the world
     const double distance = std::hypot(lamp_x - eye.x, lamp_y - eye.y);
@@ -33,8 +35,8 @@ ELSIE_SENSOR(@Class@, "@name@", "Sees how bright a lamp is",
 // Turns to the side that is brighter: Braitenberg's vehicle 2b.
 class Seek@Class@ final : public elsie::Behavior {
  public:
-  double speed = 0.2;
-  double gain = 100.0;
+  double speed = 0.2;   // m/s
+  double gain = 100.0;  // rad/s
 
   elsie::Response respond(const elsie::Perception& now) override {
     double balance = 0.0;  // left minus right, as a part of the sum

@@ -78,6 +78,15 @@ TEST_CASE("Members on the page") {
   CHECK(team.asked("seek") == 0);
 }
 
+TEST_CASE("Elements on the page") {
+  testing::Team layers;
+  layers.member("drive", 1, testing::active(1, testing::wheels(10, 10)))
+      .member("alarm", 1, testing::active(1, testing::wheels(-5, 5)));
+  testing::Coordinator robot("arbiter_subsumption", layers, {{"threshold", 0.5}},
+                             {{"suppress", {{"by", "alarm"}, {"of", "drive"}}}});
+  CHECK_THAT(robot.decide(), testing::commands_wheels(-5, 5));
+}
+
 TEST_CASE("A coordinator that asks further gets the answers given to its members") {
   const auto likes_to_turn_left = [](const elsie::Motion& command) {
     return command.turn > 0.0 ? 1.0 : 0.2;

@@ -190,12 +190,17 @@ ELSIE_BEHAVIOR(
          .meaning = "distance of backing up: random, from half of this to one and a half"}),
     elsie::parameter("back_speed", &Escape::back_speed,
                      {.unit = "m/s", .above = 0, .max = 50, .meaning = "speed of backing up"}),
-    elsie::parameter("turn_min", &Escape::turn_min,
-                     {.unit = "deg", .above = 0, .max = 360, .meaning = "the smallest turn"}),
-    elsie::parameter("turn_max", &Escape::turn_max,
-                     {.unit = "deg", .above = 0, .max = 360, .meaning = "the largest turn"}),
+    elsie::parameter(
+        "turn_min", &Escape::turn_min,
+        {.unit = "deg", .above = 0, .max = 360, .meaning = "the smallest turn, in degrees"}),
+    elsie::parameter(
+        "turn_max", &Escape::turn_max,
+        {.unit = "deg", .above = 0, .max = 360, .meaning = "the largest turn, in degrees"}),
     elsie::parameter("turn_rate", &Escape::turn_rate,
-                     {.unit = "rad/s", .above = 0, .max = 100, .meaning = "rate of the turn"}),
+                     {.unit = "rad/s",
+                      .above = 0,
+                      .max = 100,
+                      .meaning = "rate of the turn, in radians per second"}),
     elsie::reacts_to(elsie::events::Collision::kFacts.name),
     elsie::raises("stuck", "the robot does not move as commanded: the manoeuvre begins"),
     elsie::raises("freed", "the manoeuvre is over, and the robot moved as it should"));

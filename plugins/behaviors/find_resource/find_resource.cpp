@@ -124,7 +124,8 @@ ELSIE_BEHAVIOR(
          .min = 0,
          .max = 50,
          .meaning =
-             "beyond this distance from the picture's middle, it turns to the resource in place"}),
+             "beyond this distance from the picture's middle, in hundredths of its width, it turns "
+             "to the resource in place"}),
     elsie::parameter("gain", &FindResource::gain,
                      {.unit = "rad/s",
                       .min = 0,
@@ -143,8 +144,8 @@ ELSIE_BEHAVIOR(
                      {.unit = "1/100 width",
                       .min = -50,
                       .max = 50,
-                      .meaning = "while nothing is seen it acts as if a resource were here; -50 is "
-                                 "the left edge"}),
+                      .meaning = "while nothing is seen it acts as if a resource were here, in "
+                                 "hundredths of the width; -50 is the left edge"}),
     elsie::parameter(
         "search_activation", &FindResource::search_activation,
         {.min = 0,

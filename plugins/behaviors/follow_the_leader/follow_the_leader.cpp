@@ -43,7 +43,8 @@ ELSIE_BEHAVIOR(
         {.unit = "deg",
          .min = 0,
          .max = 180,
-         .meaning = "beyond this angle from the heading, it turns to the leader in place"}),
+         .meaning =
+             "beyond this angle from the heading, in degrees, it turns to the leader in place"}),
     elsie::parameter(
         "far_distance", &FollowTheLeader::far_distance,
         {.unit = "m", .above = 0, .meaning = "from this distance on, the leader is far"}),

@@ -148,7 +148,8 @@ ELSIE_BEHAVIOR(
         {.unit = "deg",
          .min = 0,
          .max = 180,
-         .meaning = "beyond this angle from the heading, it turns to the charger in place"}),
+         .meaning =
+             "beyond this angle from the heading, in degrees, it turns to the charger in place"}),
     elsie::parameter(
         "far_distance", &Recharge::far_distance,
         {.unit = "m", .above = 0, .meaning = "from this distance on, the charger is far"}),

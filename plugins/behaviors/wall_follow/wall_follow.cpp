@@ -193,8 +193,8 @@ ELSIE_BEHAVIOR(
                      {.unit = "deg",
                       .min = 0,
                       .max = 60,
-                      .meaning = "range sensors look ahead up to this azimuth to either side, and "
-                                 "to the side beyond it, up to 150"}),
+                      .meaning = "range sensors look ahead up to this azimuth to either side, in "
+                                 "degrees, and to the side beyond it, up to 150"}),
     elsie::parameter("speed", &WallFollow::speed,
                      {.unit = "m/s", .above = 0, .max = 50, .meaning = "along the wall"}),
     elsie::parameter("lookahead", &WallFollow::lookahead,
@@ -202,6 +202,9 @@ ELSIE_BEHAVIOR(
                       .above = 0,
                       .meaning = "it steers to a point this far on; shorter is sharper"}),
     elsie::parameter("turn_rate", &WallFollow::turn_rate,
-                     {.unit = "rad/s", .above = 0, .max = 100, .meaning = "fastest turn"}),
+                     {.unit = "rad/s",
+                      .above = 0,
+                      .max = 100,
+                      .meaning = "fastest turn, in radians per second"}),
     elsie::raises("wall_found", "it has a wall to follow"),
     elsie::raises("wall_lost", "it has driven around the end of the wall and has lost it"));
