@@ -44,7 +44,9 @@ const std::set<std::string> kCutShort = {
 
 /// Long command lines, with additions that shorten them here.
 const std::map<std::string, std::string> kInPart = {
-    {"elsie batch experiments/obstacles.xml", " --shard 1/120 --database obstacles.sqlite"}};
+    {"elsie batch experiments/obstacles.xml", " --shard 1/120 --database obstacles.sqlite"},
+    {"elsie run worlds/scattered/swarm.xml --set arena/@length=60 --set arena/@width=60",
+     " --set endure/@time=1"}};
 
 /// The line without blanks and a comment at its end, unless it has quotation marks.
 std::string command_of(const std::string& line) {
