@@ -1,4 +1,4 @@
-"""Measures how long a newcomer waits for `make demo` on a bare Debian 12, and for the rest of the program.
+"""Measures how long a newcomer waits for `make demo` on a bare Debian 12.
 
   first_run.py     as root, with debootstrap; makes a small Debian system in a temporary folder, and removes it
 """
@@ -13,8 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 STEPS = {
     "`make demo`: packages": "scripts/install-dependencies --program",
-    "`make demo`: builds what it runs, and runs it": "make demo",
-    "`make program`: builds the rest of the program": "make program",
+    "`make demo`: builds the program, and runs a world": "make demo",
 }
 
 
