@@ -184,7 +184,12 @@ class Scattering {
       }
       const double area = covered(bodies_[are_alike_ ? 0 : count]);
       // The nearest count: the last may be left out.
-      if (missing < 0.5 * area || count == kMost) break;
+      if (missing < 0.5 * area) break;
+      if (count == kMost) {
+        return refuse("has a density of " + number_text(*scatter_.density) +
+                      ", which takes more than " + std::to_string(kMost) +
+                      " things; lower the density, or scatter larger things");
+      }
       missing -= area;
       ++count;
     }

@@ -185,6 +185,28 @@ TEST_CASE("Dots and bars say what they are, and a ring is an outline more") {
   CHECK(count(page_chart(chart, "", {400, 0}), "<path") == count(rings, "<path") - 2);
 }
 
+TEST_CASE("All names of an axis stand in their chart, in order, when no value is known") {
+  LineChart chart;
+  chart.x.names = {{0, "calm"}, {1, "restless"}, {2, "nervous"}, {3, "mad"}};
+  chart.y = {.label = "time", .unit = "s", .low = 0.0, .high = 120.0};
+  Series series{.marked = true, .bars = true};
+  for (int i = 0; i < 4; ++i) {
+    series.points.push_back({1.0 * i, kUnknown});
+    series.spread.push_back({100, std::numeric_limits<double>::infinity()});
+  }
+  chart.series = {series};
+  const std::string text = page_chart(chart, "", {400, 200});
+  double before = 40.0;  // left of it are the numbers of the other axis
+  for (const auto& name : chart.x.names) {
+    const std::size_t at = text.rfind("<text x=\"", text.find(">" + name.text + "<"));
+    REQUIRE(at != std::string::npos);
+    const double x = std::stod(text.substr(at + 9));
+    CHECK(x > before + 40.0);
+    before = x;
+  }
+  CHECK(before < 380.0);
+}
+
 TEST_CASE("Parts of a bar are above each other and leave no gap") {
   RowChart chart;
   chart.rows = {{.name = "x", .bars = {{{0, 4}, 1, {0.0, 0.3}}, {{0, 4}, 2, {0.3, 1.0}}}}};

@@ -27,6 +27,7 @@ Interval data_range(const LineChart& chart, double Vector2::*coordinate, const A
       range.include(series.spread[i].high);
     }
   }
+  if (!axis.names.empty()) return {axis.names.front().at - 0.5, axis.names.back().at + 0.5};
   if (range.empty()) return {0.0, 1.0};
   if (axis.logarithmic) {  // whole powers of ten
     const double low = std::floor(range.low);
@@ -34,7 +35,6 @@ Interval data_range(const LineChart& chart, double Vector2::*coordinate, const A
   }
   const double extra = margin ? 0.05 * range.span() : 0.0;
   range = range.widened();
-  if (!axis.names.empty()) return {axis.names.front().at - 0.5, axis.names.back().at + 0.5};
   return {range.low - extra, range.high + extra};
 }
 
