@@ -1,7 +1,7 @@
 // Layouts of a world file that is edited: they are edited, and what they draw is not.
 #include <catch2/catch.hpp>
 
-#include "elsie/editing/layout_document.h"
+#include "elsie/editing/document.h"
 
 #include "../world/equal.h"
 #include "../world/fixture.h"
@@ -97,7 +97,7 @@ TEST_CASE("What is there beside layouts is edited as ever, and the layouts keep 
   CHECK(d.world().robots.at(1).max_speed == 0.3);
 }
 
-TEST_CASE("A layout_document has the layouts of the run's seed") {
+TEST_CASE("A document has the layouts of the run's seed") {
   std::string by_run = kLayouts;
   by_run.replace(by_run.find(" seed=\"4\""), 9, "");
   CHECK_FALSE(same(layout_document(1, by_run).world(), layout_document(2, by_run).world()));

@@ -17,7 +17,7 @@ plugin::Object<Behavior> follower(test::Parameters parameters = {}) {
   return test::make<Behavior>(PluginKind::behavior, "follow_the_leader", std::move(parameters));
 }
 
-/// The follow to a leader at this distance and direction.
+/// The answer to a leader at this distance and direction.
 Response follow(double distance_m, double theta_deg, test::Parameters parameters = {}) {
   Situation now;
   now.mate("leader", distance_m * std::cos(radians(theta_deg)),

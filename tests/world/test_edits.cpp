@@ -8,7 +8,7 @@ using namespace elsie::test;
 
 namespace {
 
-const char* const kWorld = R"(
+const char* const kEdited = R"(
   <obstacles><static_box id="wall" x="1"/><dynamic_box x="2"/></obstacles>
   <robots>
     <robot id="r1" max_speed="0.3">
@@ -22,10 +22,10 @@ const char* const kWorld = R"(
   </robots>
   <goals><endure time="5"/></goals>)";
 
-world::World with(std::vector<std::string> edits) { return read(kWorld, std::move(edits)); }
+world::World edited(std::vector<std::string> edits) { return read(kEdited, std::move(edits)); }
 
-std::string wrong(const std::string& edit) {
-  const std::string text = problems(kWorld, {edit});
+std::string refused(const std::string& edit) {
+  const std::string text = problems(kEdited, {edit});
   const std::string before = "--set " + edit + ": ";
   CAPTURE(text);
   REQUIRE(text.starts_with(before));
@@ -47,31 +47,31 @@ double low(const world::ElementUse& use) { return std::get<double>(use.parameter
 
 TEST_CASE("An element is added at the end of a list or before a member") {
   const std::string robot = "=<robot id=\"r9\" x=\"-1\"/>";
-  CHECK(ids(with({"robot[+]" + robot}).robots) == "r1 r2 r9");
-  CHECK(ids(with({"robots/robot[+]" + robot}).robots) == "r1 r2 r9");
-  CHECK(ids(with({"robot[+1]" + robot}).robots) == "r9 r1 r2");
-  CHECK(ids(with({"robot[+2]" + robot}).robots) == "r1 r9 r2");
-  CHECK(ids(with({"robot[+3]" + robot}).robots) == "r1 r2 r9");
-  CHECK(with({"robot[+]" + robot, "robot[r9]/@y=3"}).robots.at(2).y == 3);
-  CHECK(ids(with({"robot[r1]/sensor[+2]=<bumper/>"}).robots[0].sensors) == "left bumper eye");
-  CHECK(ids(with({"robot[r1]/sensors/beam[+1]=<beam id=\"b\"/>"}).robots[0].sensors) ==
+  CHECK(ids(edited({"robot[+]" + robot}).robots) == "r1 r2 r9");
+  CHECK(ids(edited({"robots/robot[+]" + robot}).robots) == "r1 r2 r9");
+  CHECK(ids(edited({"robot[+1]" + robot}).robots) == "r9 r1 r2");
+  CHECK(ids(edited({"robot[+2]" + robot}).robots) == "r1 r9 r2");
+  CHECK(ids(edited({"robot[+3]" + robot}).robots) == "r1 r2 r9");
+  CHECK(edited({"robot[+]" + robot, "robot[r9]/@y=3"}).robots.at(2).y == 3);
+  CHECK(ids(edited({"robot[r1]/sensor[+2]=<bumper/>"}).robots[0].sensors) == "left bumper eye");
+  CHECK(ids(edited({"robot[r1]/sensors/beam[+1]=<beam id=\"b\"/>"}).robots[0].sensors) ==
         "b left eye");
-  CHECK(ids(with({"robot[r1]/behavior[both]/behavior[+1]=<avoid/>"})
+  CHECK(ids(edited({"robot[r1]/behavior[both]/behavior[+1]=<avoid/>"})
                 .robots[0]
                 .behaviors[1]
                 .inside.at(0)
                 .behaviors) == "avoid roam");
-  CHECK(ids(with({"dynamic_box[+1]=<dynamic_box id=\"crate\" x=\"3\"/>"}).boxes) ==
+  CHECK(ids(edited({"dynamic_box[+1]=<dynamic_box id=\"crate\" x=\"3\"/>"}).boxes) ==
         "wall crate dynamic_box_1");
-  CHECK(std::get<world::EndureGoal>(with({"goal[+1]=<endure time=\"1\"/>"}).goals[0]).time == 1);
+  CHECK(std::get<world::EndureGoal>(edited({"goal[+1]=<endure time=\"1\"/>"}).goals[0]).time == 1);
 }
 
 TEST_CASE("A list or an element that is missing is made") {
-  CHECK(with({"charger[+]=<charger x=\"1\"/>"}).chargers.at(0).x == 1);
-  CHECK(with({"team[+]=<team id=\"crew\"/>"}).teams.size() == 3);
-  CHECK(with({"limits[+]=<limits time=\"9\"/>"}).limits.time == 9);
-  const world::World w = with({"robot[r2]/sensor[+]=<beam/>", "robot[r2]/behavior[+]=<roam/>",
-                               "robot[r2]/coordinator[+]=<pick/>", "robot[r2]/body[+]=<body/>"});
+  CHECK(edited({"charger[+]=<charger x=\"1\"/>"}).chargers.at(0).x == 1);
+  CHECK(edited({"team[+]=<team id=\"crew\"/>"}).teams.size() == 3);
+  CHECK(edited({"limits[+]=<limits time=\"9\"/>"}).limits.time == 9);
+  const world::World w = edited({"robot[r2]/sensor[+]=<beam/>", "robot[r2]/behavior[+]=<roam/>",
+                                 "robot[r2]/coordinator[+]=<pick/>", "robot[r2]/body[+]=<body/>"});
   CHECK(ids(w.robots[1].sensors) == "beam");
   CHECK(ids(w.robots[1].behaviors) == "roam");
   CHECK(w.robots[1].coordinator->plugin == "pick");
@@ -79,12 +79,12 @@ TEST_CASE("A list or an element that is missing is made") {
 
 TEST_CASE("An element may be added in several places at once, and inside of a plugin's") {
   for (const char* path : {"robot[*]/sensor[+]", "sensor[+]"}) {
-    const world::World w = with({std::string(path) + "=<beam id=\"new\"/>"});
+    const world::World w = edited({std::string(path) + "=<beam id=\"new\"/>"});
     CHECK(ids(w.robots[0].sensors) == "left eye new");
     CHECK(ids(w.robots[1].sensors) == "new");
   }
-  const auto eye = with({"eye/threshold[+1]=<threshold low=\"0.05\"/>",
-                         "robot[r1]/sensor[eye]/threshold[+]=<threshold low=\"0.9\"/>"})
+  const auto eye = edited({"eye/threshold[+1]=<threshold low=\"0.05\"/>",
+                           "robot[r1]/sensor[eye]/threshold[+]=<threshold low=\"0.9\"/>"})
                        .robots[0]
                        .sensors[1];
   REQUIRE(eye.elements.size() == 4);
@@ -94,74 +94,77 @@ TEST_CASE("An element may be added in several places at once, and inside of a pl
 }
 
 TEST_CASE("An added element without an id gets one as in a file, and others keep theirs") {
-  CHECK(ids(with({"robot[r1]/sensor[+1]=<beam/>", "robot[r1]/sensor[+]=<beam/>",
-                  "robot[r1]/sensor[+1]=<eye/>"})
+  CHECK(ids(edited({"robot[r1]/sensor[+1]=<beam/>", "robot[r1]/sensor[+]=<beam/>",
+                    "robot[r1]/sensor[+1]=<eye/>"})
                 .robots[0]
                 .sensors) == "eye_2 beam left eye beam_2");
-  CHECK(ids(with({"obstacle[+1]=<dynamic_box x=\"3\"/>"}).boxes) ==
+  CHECK(ids(edited({"obstacle[+1]=<dynamic_box x=\"3\"/>"}).boxes) ==
         "dynamic_box_2 wall dynamic_box_1");
 }
 
 TEST_CASE("An element that replaces another never takes an id that is in use") {
-  CHECK(ids(with({"robot[r1]/sensor[eye]=<beam/>", "robot[r1]/sensor[+]=<eye/>",
-                  "robot[r1]/sensor[beam]=<eye/>"})
+  CHECK(ids(edited({"robot[r1]/sensor[eye]=<beam/>", "robot[r1]/sensor[+]=<eye/>",
+                    "robot[r1]/sensor[beam]=<eye/>"})
                 .robots[0]
                 .sensors) == "left eye_2 eye");
 }
 
 TEST_CASE("An element that cannot be added is refused in a sentence") {
-  CHECK(wrong("robot[+]=<robot id=\"r1\" x=\"3\"/>") ==
+  CHECK(refused("robot[+]=<robot id=\"r1\" x=\"3\"/>") ==
         "a second robot with the id 'r1'; the first is there already (world.xml:4)");
-  CHECK(wrong("robot[+4]=<robot id=\"r9\"/>") ==
+  CHECK(refused("robot[+4]=<robot id=\"r9\"/>") ==
         "an element cannot be added as robot[+4]; expected robot[+] for the end, or a number from "
         "1 to 3");
-  CHECK(wrong("robot[+0]=<robot id=\"r9\"/>").starts_with("an element cannot be added as"));
-  CHECK(wrong("robot[+x]=<robot id=\"r9\"/>").starts_with("an element cannot be added as"));
-  CHECK(wrong("robt[+]=<robot id=\"r9\"/>") ==
+  CHECK(refused("robot[+0]=<robot id=\"r9\"/>").starts_with("an element cannot be added as"));
+  CHECK(refused("robot[+x]=<robot id=\"r9\"/>").starts_with("an element cannot be added as"));
+  CHECK(refused("robt[+]=<robot id=\"r9\"/>") ==
         "nothing called 'robt' can be added to <world>; did you mean 'robot'?");
-  CHECK(wrong("robot[r1]/beam[+]=<beam/>") ==
+  CHECK(refused("robot[r1]/beam[+]=<beam/>") ==
         "nothing called 'beam' can be added to <robot>; there may be: body, drive, segment, "
         "sensor, behavior, coordinator");
-  CHECK(wrong("robot[r9]/sensor[+]=<beam/>") == "there is no robot[r9]; there are: r1, r2");
-  CHECK(wrong("static_box[+]=<dynamic_box/>") ==
+  CHECK(refused("robot[r9]/sensor[+]=<beam/>") == "there is no robot[r9]; there are: r1, r2");
+  CHECK(refused("static_box[+]=<dynamic_box/>") ==
         "the path adds a <static_box>, but the element is a <dynamic_box>");
-  CHECK(wrong("robot[r1]/coordinator[+]=<pick/>") ==
+  CHECK(refused("robot[r1]/coordinator[+]=<pick/>") ==
         "<coordinator> holds one element, which is there already; to replace it, leave out the "
         "brackets: coordinator=<...>");
-  CHECK(wrong("robot[r1]/body[+]=<body/>") ==
+  CHECK(refused("robot[r1]/body[+]=<body/>") ==
         "<robot> holds one <body>, which is there already; to replace it, leave out the brackets: "
         "body=<...>");
-  CHECK(wrong("robot[+]/@x=3").starts_with("an element that is added stands at the end of a path"));
-  CHECK(wrong("robot[+]/sensor[1]=<beam/>")
+  CHECK(
+      refused("robot[+]/@x=3").starts_with("an element that is added stands at the end of a path"));
+  CHECK(refused("robot[+]/sensor[1]=<beam/>")
             .starts_with("an element that is added stands at the end of a path"));
-  CHECK(wrong("robot[+]=3").starts_with("the path leads to an element"));
-  CHECK_THAT(wrong("obstacle[+]=<beam/>"), Catch::Contains("<obstacles> may not hold <beam>"));
-  CHECK_THAT(wrong("robot[+]=<robot/>"), Catch::Contains("lacks the attribute 'id'"));
-  CHECK_THAT(wrong("robot[r1]/sensor[+]=<lidar/>"), Catch::Contains("lidar"));
-  CHECK_THAT(wrong("robot[r1]/sensor[+]=<beam remove=\"true\"/>"),
+  CHECK(refused("robot[+]=3").starts_with("the path leads to an element"));
+  CHECK_THAT(refused("obstacle[+]=<beam/>"), Catch::Contains("<obstacles> may not hold <beam>"));
+  CHECK_THAT(refused("robot[+]=<robot/>"), Catch::Contains("lacks the attribute 'id'"));
+  CHECK_THAT(refused("robot[r1]/sensor[+]=<lidar/>"), Catch::Contains("lidar"));
+  CHECK_THAT(refused("robot[r1]/sensor[+]=<beam remove=\"true\"/>"),
              Catch::Contains("could remove; to remove an element"));
 }
 
 TEST_CASE("An attribute that is removed has its default again") {
-  CHECK(with({"robot[r1]/@max_speed/@remove=true"}).robots[0].max_speed ==
+  CHECK(edited({"robot[r1]/@max_speed/@remove=true"}).robots[0].max_speed ==
         world::Robot().max_speed);
-  CHECK(with({"robot[r1]/@max_speed/@remove=false"}).robots[0].max_speed == 0.3);
-  CHECK(with({"robot[r1]/body/@mass/@remove=true"}).robots[0].body.mass == world::RobotBody().mass);
-  CHECK_FALSE(with({"coordinator/@weighted/@remove=true"})
+  CHECK(edited({"robot[r1]/@max_speed/@remove=false"}).robots[0].max_speed == 0.3);
+  CHECK(edited({"robot[r1]/body/@mass/@remove=true"}).robots[0].body.mass ==
+        world::RobotBody().mass);
+  CHECK_FALSE(edited({"coordinator/@weighted/@remove=true"})
                   .robots[0]
                   .coordinator->parameters.contains("weighted"));
-  CHECK(ids(with({"robot[r1]/sensor[left]/@id/@remove=true"}).robots[0].sensors) == "beam eye");
-  CHECK(with({"robot[*]/@max_speed/@remove=true"}).robots[0].max_speed == world::Robot().max_speed);
+  CHECK(ids(edited({"robot[r1]/sensor[left]/@id/@remove=true"}).robots[0].sensors) == "beam eye");
+  CHECK(edited({"robot[*]/@max_speed/@remove=true"}).robots[0].max_speed ==
+        world::Robot().max_speed);
 }
 
 TEST_CASE("An attribute that cannot be removed is refused in a sentence") {
-  CHECK(wrong("robot[r2]/@max_speed/@remove=true") ==
+  CHECK(refused("robot[r2]/@max_speed/@remove=true") ==
         "<robot> does not set 'max_speed'; it sets: id, x, y");
-  CHECK(wrong("robot[r1]/@max_sped/@remove=true") ==
+  CHECK(refused("robot[r1]/@max_sped/@remove=true") ==
         "<robot> does not set 'max_sped'; did you mean 'max_speed'?");
-  CHECK(wrong("robot[r1]/@max_speed/@remove=yes") ==
+  CHECK(refused("robot[r1]/@max_speed/@remove=yes") ==
         "remove=\"yes\" of <robot>: expected true or false");
-  CHECK(problems(kWorld, {"robot[r1]/@id/@remove=true"})
+  CHECK(problems(kEdited, {"robot[r1]/@id/@remove=true"})
             .starts_with("world.xml:4: <robot> lacks the attribute 'id'"));
-  CHECK(wrong("robot[r1]/@x/@y=3").starts_with("expected the name of an attribute after \"@\""));
+  CHECK(refused("robot[r1]/@x/@y=3").starts_with("expected the name of an attribute after \"@\""));
 }

@@ -8,7 +8,7 @@ using namespace elsie::test;
 
 namespace {
 
-const char* const kWorld = R"(
+const char* const kOverridden = R"(
   <obstacles><static_box x="1"/><dynamic_box id="crate" x="2"/></obstacles>
   <robots>
     <robot id="r1">
@@ -23,8 +23,10 @@ const char* const kWorld = R"(
   </robots>
   <goals><endure time="5"/></goals>)";
 
-world::World with(std::vector<std::string> overrides) { return read(kWorld, std::move(overrides)); }
-std::string wrong(const std::string& override) { return problems(kWorld, {override}); }
+world::World with(std::vector<std::string> overrides) {
+  return read(kOverridden, std::move(overrides));
+}
+std::string wrong(const std::string& override) { return problems(kOverridden, {override}); }
 
 }  // namespace
 
@@ -168,7 +170,7 @@ TEST_CASE("A path that is none is refused in words") {
 
 namespace {
 
-const char* const kNested = R"(
+const char* const kNestedPlugins = R"(
   <robots>
     <robot id="r1">
       <sensors>
@@ -193,7 +195,9 @@ const char* const kNested = R"(
     </robot>
   </robots>)";
 
-world::Robot nested(const std::string& override) { return read(kNested, {override}).robots[0]; }
+world::Robot nested(const std::string& override) {
+  return read(kNestedPlugins, {override}).robots[0];
+}
 std::string text(const world::PluginUse& use, std::size_t element, const char* name) {
   return std::get<std::string>(use.elements.at(element).parameters.at(name));
 }
@@ -242,7 +246,7 @@ TEST_CASE("A path leads to what a behaviour holds, at any depth") {
 
 TEST_CASE("A path that leads nowhere inside of a plugin says what is there instead") {
   const auto message = [](const std::string& override) {
-    const std::string found = problems(kNested, {override});
+    const std::string found = problems(kNestedPlugins, {override});
     const std::string before = "--set " + override + ": ";
     REQUIRE(found.starts_with(before));
     return found.substr(before.size());
@@ -395,10 +399,10 @@ TEST_CASE("What cannot be taken away is refused in words") {
 }
 
 TEST_CASE("An attribute called template is a robot's or a parameter like others") {
-  CHECK(problems(kNested, {"coordinator/inhibit/@template=x"}) ==
+  CHECK(problems(kNestedPlugins, {"coordinator/inhibit/@template=x"}) ==
         "--set coordinator/inhibit/@template=x: <inhibit> has no attribute 'template'; it may "
         "have: by, of");
-  CHECK(read(kNested, {"@name=robot[r1]/@template=x"}).name == "robot[r1]/@template=x");
+  CHECK(read(kNestedPlugins, {"@name=robot[r1]/@template=x"}).name == "robot[r1]/@template=x");
 }
 
 TEST_CASE("A path to an element replaces it by another") {
@@ -427,18 +431,18 @@ TEST_CASE("What replaces an element is checked like the file, and blamed on the 
 }
 
 TEST_CASE("An element is not replaced when something was set in it before: that would be lost") {
-  CHECK(
-      problems(kWorld, {"robot[r1]/coordinator/@weighted=true", "robot[r1]/coordinator=<pick/>"}) ==
-      "--set robot[r1]/coordinator=<pick/>: this replaces the element in which "
-      "'robot[r1]/coordinator/@weighted=true' is set before; set that afterwards, or in the new "
-      "element");
-  CHECK(problems(kWorld, {"robot[r1]/coordinator=<layers/>", "robot[r1]/coordinator=<pick/>"}) ==
-        "");
-  CHECK(problems(kWorld,
+  CHECK(problems(kOverridden,
+                 {"robot[r1]/coordinator/@weighted=true", "robot[r1]/coordinator=<pick/>"}) ==
+        "--set robot[r1]/coordinator=<pick/>: this replaces the element in which "
+        "'robot[r1]/coordinator/@weighted=true' is set before; set that afterwards, or in the new "
+        "element");
+  CHECK(problems(kOverridden,
+                 {"robot[r1]/coordinator=<layers/>", "robot[r1]/coordinator=<pick/>"}) == "");
+  CHECK(problems(kOverridden,
                  {"robot[r1]/coordinator=<sum/>", "robot[r1]/coordinator/@weighted=true"}) == "");
   CHECK_THAT(
-      problems(kWorld, {"robot[r1]/coordinator=<sum/>", "robot[r1]/coordinator/@weighted=true",
-                        "robot[r1]/coordinator=<pick/>"}),
+      problems(kOverridden, {"robot[r1]/coordinator=<sum/>", "robot[r1]/coordinator/@weighted=true",
+                             "robot[r1]/coordinator=<pick/>"}),
       Catch::Contains("'robot[r1]/coordinator/@weighted=true' is set before"));
 }
 
@@ -446,7 +450,7 @@ TEST_CASE("Files that overrides name are looked for beside the file in which the
   const auto with_song = [](const std::string& from, const std::string& song) {
     world::ReadOptions reading = options({"robot[r1]/behavior[roam]/@song=" + song});
     reading.overrides_from = from;
-    return world::parse_world("<world format=\"1\">" + std::string(kWorld) + "</world>",
+    return world::parse_world("<world format=\"1\">" + std::string(kOverridden) + "</world>",
                               kFolder + "world.xml", host(), reading);
   };
   const world::World w = with_song(kFolder + "data/songs/other.xml", "one.txt");

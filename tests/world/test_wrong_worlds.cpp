@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string message_of(const std::string& file) {
+std::string message_of_wrong(const std::string& file) {
   world::ReadOptions reading;
   reading.data_directories = {kFolder + "data"};
   reading.check_plugins = true;
@@ -50,7 +50,7 @@ TEST_CASE("Each wrong world gives its message") {
     if (file.extension() == ".xml") {
       ++count;
       CAPTURE(file.filename().string());
-      const std::string message = message_of(file.string());
+      const std::string message = message_of_wrong(file.string());
       CHECK(message + "\n" == text_of(file.replace_extension(".txt").string()));
       CHECK(std::count(message.begin(), message.end(), '\n') == 0);
     }
@@ -71,26 +71,28 @@ TEST_CASE("Nesting of any depth is refused in words") {
 }
 
 TEST_CASE("What is no file is refused in words") {
-  CHECK(message_of(kFolder + "wrong") == "wrong: this is a directory; expected an XML file");
-  CHECK(message_of(kFolder + "data/everythin.xml") ==
+  CHECK(message_of_wrong(kFolder + "wrong") == "wrong: this is a directory; expected an XML file");
+  CHECK(message_of_wrong(kFolder + "data/everythin.xml") ==
         "data/everythin.xml: there is no such file; did you mean 'everything.xml'?");
-  CHECK(message_of(kFolder + "nowhere/at_all.xml") == "nowhere/at_all.xml: there is no such file");
+  CHECK(message_of_wrong(kFolder + "nowhere/at_all.xml") ==
+        "nowhere/at_all.xml: there is no such file");
   const Folder folder;
   fs::create_symlink("loop.xml", folder / "loop.xml");
   fs::create_symlink("gone.xml", folder / "link.xml");
-  CHECK_THAT(message_of((folder / "loop.xml").string()),
+  CHECK_THAT(message_of_wrong((folder / "loop.xml").string()),
              Catch::EndsWith("loop.xml: this is a link that leads back to itself; expected an XML "
                              "file"));
-  CHECK_THAT(message_of((folder / "link.xml").string()),
+  CHECK_THAT(message_of_wrong((folder / "link.xml").string()),
              Catch::EndsWith("link.xml: this is a link to 'gone.xml', but there is no such file"));
-  CHECK(message_of("/dev/null") == "/dev/null: this is a device, not a file; expected an XML file");
-  CHECK(message_of("") == "'': the name of a file is missing; expected that of an XML file");
+  CHECK(message_of_wrong("/dev/null") ==
+        "/dev/null: this is a device, not a file; expected an XML file");
+  CHECK(message_of_wrong("") == "'': the name of a file is missing; expected that of an XML file");
 }
 
 TEST_CASE("A file that no world can fill is not read") {
   const Draft draft("<world format='1'/>");
   fs::resize_file(draft.path(), (std::uintmax_t{256} << 20) + 1);
-  CHECK_THAT(message_of(draft.path()),
+  CHECK_THAT(message_of_wrong(draft.path()),
              Catch::EndsWith(
                  ": this is 268.5 MB long; files of up to 256 MB are read; expected an XML file"));
 }
@@ -101,7 +103,7 @@ TEST_CASE("An element with very many attributes is refused soon") {
     text += " a" + std::to_string(i) + "='1'\n";
   }
   const Draft draft(text + "/>");
-  CHECK_THAT(message_of(draft.path()),
+  CHECK_THAT(message_of_wrong(draft.path()),
              Catch::EndsWith(":501: <world> has more than 500 attributes; no element has so many"));
 }
 
@@ -113,7 +115,7 @@ TEST_CASE("Markup characters in values do not hide that there are very many attr
       text += " a" + std::to_string(i) + "=\"" + value + "\"";
     }
     const Draft draft(text + "/>");
-    CHECK_THAT(message_of(draft.path()), Catch::Contains("a quote may be missing"));
+    CHECK_THAT(message_of_wrong(draft.path()), Catch::Contains("a quote may be missing"));
   }
 }
 
