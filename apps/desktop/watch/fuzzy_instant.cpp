@@ -10,7 +10,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 double between(const fuzzy::Range& range, std::size_t place) {
   return range.low + (range.high - range.low) * static_cast<double>(place) /
@@ -56,12 +56,12 @@ FuzzyGrid fuzzy_grid(const fuzzy::Model& model, std::size_t output, std::size_t 
     }
     for (std::size_t column = 0; column < FuzzyGrid::kAcross; ++column) {
       held[across] = between(model.inputs()[across].range, column);
-      outputs.assign(outputs.size(), kNone);
+      outputs.assign(outputs.size(), kNoValue);
       try {
         model.evaluate(held, outputs, workspace);
         grid.values.push_back(outputs[output]);
       } catch (const std::invalid_argument&) {  // a formula has no value there
-        grid.values.push_back(kNone);
+        grid.values.push_back(kNoValue);
       }
     }
   }

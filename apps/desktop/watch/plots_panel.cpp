@@ -25,7 +25,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr std::size_t kMost = 6000;  // samples of a number: 200 s at 30 per second
+constexpr std::size_t kMostSamples = 6000;  // samples of a number: 200 s at 30 per second
 constexpr int kName = Qt::UserRole;
 constexpr int kStrip_lines = 7;  // the least height of a strip
 
@@ -187,7 +187,7 @@ void PlotsPanel::record(const QString& path, const Json& value, double time) {
   Curve& curve = found->second;
   curve.emplace_back(
       time, value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
-  if (curve.size() > kMost) {
+  if (curve.size() > kMostSamples) {
     curve.pop_front();
   }
 }

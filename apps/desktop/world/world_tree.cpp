@@ -19,7 +19,7 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr int kPath = Qt::UserRole;
+constexpr int kPathRole = Qt::UserRole;
 constexpr int kIsList = Qt::UserRole + 1;
 
 QString detail_of(const Json& element) {
@@ -95,7 +95,7 @@ WorldTree::WorldTree(Workbench& workbench, QString team, QWidget* parent)
       Q_EMIT selected(chosen_);
       const QList<QTreeWidgetItem*> rows = tree_->selectedItems();
       if (rows.size() == 1 && rows.front()->data(0, kIsList).toBool()) {
-        Q_EMIT list_selected(rows.front()->data(0, kPath).toString(), rows.front()->text(0));
+        Q_EMIT list_selected(rows.front()->data(0, kPathRole).toString(), rows.front()->text(0));
       }
     }
   });
@@ -123,7 +123,7 @@ bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
   const bool is_by_mouse = wish->reason() == QContextMenuEvent::Mouse;
   const QTreeWidgetItem* item = is_by_mouse ? tree_->itemAt(wish->pos()) : tree_->currentItem();
   const bool is_thing = item && !item->data(0, kIsList).toBool();
-  const QString path = is_thing ? item->data(0, kPath).toString() : QString();
+  const QString path = is_thing ? item->data(0, kPathRole).toString() : QString();
   const QPoint at = is_by_mouse || !item
                         ? wish->globalPos()
                         : tree_->viewport()->mapToGlobal(tree_->visualItemRect(item).center());
@@ -139,7 +139,7 @@ bool WorldTree::eventFilter(QObject* watched, QEvent* event) {
 
 void WorldTree::wish_edit(const QTreeWidgetItem* item) {
   if (!item->data(0, kIsList).toBool()) {
-    Q_EMIT edit_wished(item->data(0, kPath).toString());
+    Q_EMIT edit_wished(item->data(0, kPathRole).toString());
   }
 }
 
@@ -196,7 +196,7 @@ QStringList WorldTree::selection() const {
   QStringList paths;
   for (const QTreeWidgetItem* item : tree_->selectedItems()) {
     if (!item->data(0, kIsList).toBool()) {
-      paths << item->data(0, kPath).toString();
+      paths << item->data(0, kPathRole).toString();
     }
   }
   return paths;
@@ -271,7 +271,7 @@ void WorldTree::build(const std::vector<Shown>& shown) {
                             : new QTreeWidgetItem(made[static_cast<std::size_t>(parent)]);
     made.push_back(item);
     keys_.push_back(key);
-    item->setData(0, kPath, place.path);
+    item->setData(0, kPathRole, place.path);
     item->setData(0, kIsList, !place.list.isEmpty());
     if (place.list.isEmpty()) {
       items_.insert(place.path, item);
