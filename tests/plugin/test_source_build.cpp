@@ -315,10 +315,71 @@ TEST_CASE("A sensor whose sense() is misspelt is not compiled, and a sentence sa
   CHECK(refusal(here / "s.cpp", cache.path()) == "it was built");
 }
 
+TEST_CASE("A cache that other users could fill or replace is refused") {
+  namespace fs = std::filesystem;
+  const fs::perms all = fs::perms::all;
+  Folder here;
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  fs::create_directory(here / "open");
+  fs::permissions(here / "open", all);
+  CHECK_THAT(refusal(here / "straight.cpp", here / "open"),
+             Contains("/open for compiled plugins may be written by other users; libraries that "
+                      "others put there would run as you: remove it, or name a folder of your own "
+                      "in the environment variable ELSIE_CACHE"));
+  CHECK_THAT(
+      refusal(here / "straight.cpp", here / "open/cache"),
+      Contains("is in " + (here / "open").string() + ", which may be written by other users"));
+  CHECK_FALSE(fs::exists(here / "open/cache"));
+  fs::create_directory_symlink(here / "open", here / "link");
+  CHECK_THAT(refusal(here / "straight.cpp", here / "link/cache"),
+             Contains("which may be written by other users"));
+
+  // As in /tmp, only its owner can rename what is in this folder.
+  fs::permissions(here / "open", all | fs::perms::sticky_bit);
+  REQUIRE(refusal(here / "straight.cpp", here / "open/cache") == "it was built");
+  for (const fs::path& folder :
+       {here / "open/cache", *fs::directory_iterator(here / "open/cache")}) {
+    CHECK(fs::status(folder).permissions() == fs::perms::owner_all);
+  }
+  constexpr uid_t kSomeoneElse = 65533;
+  if (chown((here / "open/cache").c_str(), kSomeoneElse, kSomeoneElse) == 0) {  // only root may
+    CHECK_THAT(refusal(here / "straight.cpp", here / "open/cache"),
+               Contains("belongs to another user (number 65533)"));
+    fs::create_directory_symlink(here.path(), here / "theirs");
+    REQUIRE(lchown((here / "theirs").c_str(), kSomeoneElse, kSomeoneElse) == 0);
+    CHECK_THAT(refusal(here / "straight.cpp", here / "theirs/cache"),
+               Contains("theirs, which belongs to another user"));
+  }
+}
+
+TEST_CASE("A library in the cache that is not the one that was compiled is not used") {
+  Folder here, cache;
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  const auto library = build_source(here / "straight.cpp", cache.path()).library;
+  std::filesystem::copy_file(library, here / "copy.so");
+  SECTION("it was overwritten") { write(library, std::string_view("something else")); }
+  SECTION("it is a link") {
+    std::filesystem::remove(library);
+    std::filesystem::create_symlink(here / "copy.so", library);
+  }
+  const SourceBuild again = build_source(here / "straight.cpp", cache.path());
+  CHECK_FALSE(again.from_cache);
+  CHECK_FALSE(std::filesystem::is_symlink(again.library));
+  CHECK(speed_of(again) == 3.0);
+}
+
 TEST_CASE("The cache is where the environment says") {
   const Variable own("ELSIE_CACHE", "");
   const Variable user("XDG_CACHE_HOME", "/x");
+  const Variable home("HOME", "/h");
   CHECK(cache_directory() == "/x/elsie");
+  const Variable relative("XDG_CACHE_HOME", "x");
+  CHECK(cache_directory() == "/h/.cache/elsie");
+  const Variable homeless("HOME", "");
+  CHECK(cache_directory() ==
+        std::filesystem::temp_directory_path() / ("elsie-" + std::to_string(geteuid())));
   const Variable named("ELSIE_CACHE", "/y");
   CHECK(cache_directory() == "/y");
 }

@@ -82,6 +82,19 @@ std::string own_good(const std::string& gain) {
 
 }  // namespace
 
+TEST_CASE("A copy that other users could replace before it is loaded is refused") {
+  Folder folder, temporary;
+  folder.with("twin_a");
+  fs::permissions(temporary.path(), fs::perms::all);
+  const Variable there("TMPDIR", temporary.path());
+  const Host host = copies_of(folder);
+  CHECK_FALSE(host.find(PluginKind::behavior, "twin"));
+  CHECK_THAT(host.report().warnings.at(0),
+             Contains("twin_a.so: the folder ") && Contains(" for copies of plugins is in ") &&
+                 Contains(", which may be written by other users") && Contains("TMPDIR"));
+  CHECK(entries(temporary.path()) == 0);
+}
+
 TEST_CASE("A renewed host shares what has not changed, and loads what has beside the old one") {
   Folder folder;
   folder.with("good").with("twin_a", "twin.so");

@@ -14,6 +14,8 @@
 
 #include "elsie/files/write_whole.h"
 
+#include "own_folder.h"
+
 namespace elsie::build {
 namespace {
 
@@ -75,25 +77,19 @@ void sweep(const fs::path& cache) {
 }  // namespace
 
 CacheEntry::CacheEntry(const fs::path& source, const std::string& compiler, const fs::path& cache)
-    : cache_(cache),
-      folder_(cache /
-              (source.stem().string() + '-' + Hash().add(source.string()).add(compiler).text())),
-      stem_(source.stem().string()) {
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) {
-    throw plugin::PluginError("the folder " + folder_.string() +
-                              " for compiled plugins cannot be made: " + error.message() +
-                              "; name another one in the environment variable ELSIE_CACHE");
-  }
-}
+    : cache_(own_folder(cache, kCompiledPlugins)),
+      folder_(own_folder(cache_ / (source.stem().string() + '-' +
+                                   Hash().add(source.string()).add(compiler).text()),
+                         kCompiledPlugins)),
+      stem_(source.stem().string()) {}
 
 std::optional<SourceBuild> CacheEntry::find() const {
   std::ifstream record(folder_ / "inputs");
   SourceBuild build;
   build.from_cache = true;
-  std::string name;
-  if (!std::getline(record, name)) {
+  std::string library_hash, name;
+  if (!is_own_file(folder_ / "inputs") || !(record >> library_hash) ||
+      !std::getline(record >> std::ws, name)) {
     return std::nullopt;
   }
   build.library = folder_ / name;
@@ -104,7 +100,9 @@ std::optional<SourceBuild> CacheEntry::find() const {
     }
     build.inputs.emplace_back(file);
   }
-  if (!fs::exists(build.library)) {
+  // Nobody else can replace the library before it is loaded: see own_folder().
+  const auto content = is_own_file(build.library) ? content_of(build.library) : std::nullopt;
+  if (!content || Hash().add(*content).text() != library_hash) {
     return std::nullopt;
   }
   std::error_code ignored;  // the cache may be read-only
@@ -138,8 +136,9 @@ SourceBuild CacheEntry::keep(const fs::path& library, std::vector<fs::path> inpu
     record += hash + ' ' + file.string() + '\n';
   }
   const std::string name = stem_ + '-' + all.text() + ".so";
+  const std::string library_hash = Hash().add(content_of(library).value_or("")).text();
   fs::rename(library, folder_ / name);
-  files::write_whole_or_throw(folder_ / "inputs", name + '\n' + record);
+  files::write_whole_or_throw(folder_ / "inputs", library_hash + ' ' + name + '\n' + record);
   tidy(folder_ / name);
   return {folder_ / name, std::move(inputs), false, {}};
 }

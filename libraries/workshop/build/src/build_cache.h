@@ -16,11 +16,11 @@ namespace elsie::build {
 class CacheEntry {
  public:
   /// `compiler`: a text that identifies the compiler and its flags. Throws plugin::PluginError when
-  /// the folder cannot be made.
+  /// the folder cannot be made, or when other users could change what is in it.
   CacheEntry(const std::filesystem::path& source, const std::string& compiler,
              const std::filesystem::path& cache);
 
-  /// The library, if nothing has changed since.
+  /// The library, if neither it nor what it was made from has changed since.
   std::optional<SourceBuild> find() const;
 
   /// A file for the compiler to write; each process has its own.

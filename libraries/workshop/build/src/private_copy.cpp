@@ -15,6 +15,8 @@
 
 #include "elsie/files/emergency.h"
 
+#include "own_folder.h"
+
 namespace elsie::build {
 
 namespace fs = std::filesystem;
@@ -78,6 +80,13 @@ PrivateCopy::PrivateCopy(const fs::path& file) {
     error = {errno, std::generic_category()};
     folder_.clear();
   } else {
+    try {
+      own_folder(folder_, kCopiesOfPlugins);
+    } catch (...) {
+      clean_up_now();
+      retire();
+      throw;
+    }
     file_ = folder_ + "/" + file.filename().string();
     path_ = file_;
     fs::copy_file(file, path_, error);

@@ -211,20 +211,22 @@ bool is_source(const fs::path& file) {
 }
 
 fs::path cache_directory() {
-  const auto variable = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return fs::path(value ? value : "");
-  };
-  if (const fs::path own = variable("ELSIE_CACHE"); !own.empty()) {
+  if (const char* const own = std::getenv("ELSIE_CACHE"); own && *own) {
     return own;
   }
-  if (const fs::path user = variable("XDG_CACHE_HOME"); !user.empty()) {
+  // A relative path is invalid (XDG Base Directory Specification): it would name another folder in
+  // each working directory.
+  const auto absolute = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return value && fs::path(value).is_absolute() ? fs::path(value) : fs::path();
+  };
+  if (const fs::path user = absolute("XDG_CACHE_HOME"); !user.empty()) {
     return user / "elsie";
   }
-  if (const fs::path home = variable("HOME"); !home.empty()) {
+  if (const fs::path home = absolute("HOME"); !home.empty()) {
     return home / ".cache" / "elsie";
   }
-  return fs::temp_directory_path() / "elsie";
+  return fs::temp_directory_path() / ("elsie-" + std::to_string(geteuid()));
 }
 
 SourceBuild build_source(const fs::path& source, const fs::path& cache, const std::stop_token& stop,

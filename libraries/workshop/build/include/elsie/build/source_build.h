@@ -44,8 +44,8 @@ class BuildError : public plugin::PluginError {
 /// Whether a file's name is one of C++ source: .cpp, .cc, .cxx.
 bool is_source(const std::filesystem::path& file);
 
-/// $ELSIE_CACHE, else elsie/ in $XDG_CACHE_HOME or ~/.cache, else in the folder for temporary
-/// files.
+/// $ELSIE_CACHE, else elsie/ in $XDG_CACHE_HOME or ~/.cache, else elsie-NUMBER in the folder for
+/// temporary files, with the user's number. $XDG_CACHE_HOME and $HOME count if they are absolute.
 std::filesystem::path cache_directory();
 
 /// The number of libraries kept of one source.
@@ -56,7 +56,8 @@ inline constexpr int kCacheDays = 60;
 /// Compiles the source unless the cache has it. `stop` ends the compiler. `begins` is called before
 /// it starts, and not for a library from the cache. Throws BuildError, also when it was stopped,
 /// and when its files were saved during every one of a few attempts; plugin::PluginError when there
-/// is no such file, no compiler, no headers, or no folder to write to.
+/// is no such file, no compiler, no headers, or no folder to write to, and when users other than
+/// this one and root could write to the cache or replace it.
 SourceBuild build_source(const std::filesystem::path& source,
                          const std::filesystem::path& cache = cache_directory(),
                          const std::stop_token& stop = {},
