@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "elsie/base/grid.h"
+#include "elsie/space/grid.h"
 #include "elsie/world/footprint.h"
 
 #include "drawing.h"
@@ -39,10 +39,10 @@ class Occupied {
   bool has_room_for(const Body& body, double gap) const;
 
  private:
-  base::Grid::Block cells(const Footprint& area) const;
+  space::Grid::Block cells(const Footprint& area) const;
 
   world::Arena arena_;
-  base::Grid grid_;
+  space::Grid grid_;
   std::vector<Footprint> there_;
 };
 

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/base/grid.h"
+#include "elsie/space/grid.h"
 
-using elsie::base::Grid;
+using elsie::space::Grid;
 
 TEST_CASE("A grid finds what was put into the cells of a rectangle") {
   Grid grid(4.0, 4.0);

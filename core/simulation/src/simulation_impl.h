@@ -321,7 +321,7 @@ class Simulation::Impl {
     }
   }
 
-  void update_team(std::size_t index, std::vector<base::Grid::Id>& memory) {
+  void update_team(std::size_t index, std::vector<space::Grid::Id>& memory) {
     Robot& robot = *robots_[index];
     const Pose& pose = robot.state().pose;
     robot.mates().clear();

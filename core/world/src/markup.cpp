@@ -8,7 +8,7 @@
 #include <strings.h>
 #include <tinyxml2.h>
 
-#include "elsie/base/read_whole.h"
+#include "elsie/files/read_whole.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
@@ -114,7 +114,7 @@ std::string read_text(const std::string& file) {
              did_you_mean_file(path.filename().string(), {path.parent_path().string()}));
   }
   try {
-    return base::read_whole(file, 256'000'000);
+    return files::read_whole(file, 256'000'000);
   } catch (const std::runtime_error& why) {
     fail(file, 0, std::string("this ") + why.what() + "; expected an XML file");
   }

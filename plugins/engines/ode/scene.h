@@ -9,8 +9,8 @@
 
 #include "elsie/api/body.h"
 #include "elsie/api/sensor.h"
-#include "elsie/base/grid.h"
 #include "elsie/physics/engine.h"
+#include "elsie/space/grid.h"
 
 #include "shapes.h"
 
@@ -26,7 +26,7 @@ struct SensedSolid {
 
 class Scene {
  public:
-  using Id = base::Grid::Id;
+  using Id = space::Grid::Id;
 
   explicit Scene(const world::Arena& arena);
 
@@ -69,8 +69,8 @@ class Scene {
     SensedSolid solid;             // as sensors see it
     std::vector<Cylinder> wheels;  // of a robot
     double wheels_top = 0.0;
-    base::Grid::Block block;  // in which it is entered
-    base::Grid::Block next;   // of its place
+    space::Grid::Block block;  // in which it is entered
+    space::Grid::Block next;   // of its place
   };
 
   bool place(Id id, const Aabb& bounds, double reach);
@@ -78,7 +78,7 @@ class Scene {
     return entry.sensed && !(entry.is_robot && entry.body.index == except);
   }
 
-  base::Grid grid_;
+  space::Grid grid_;
   std::vector<Entry> entries_;
 };
 

@@ -33,7 +33,7 @@ inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other
 
 /// Memory of one thread that is used again for each robot.
 struct SensingMemory {
-  std::vector<base::Grid::Id> near;
+  std::vector<space::Grid::Id> near;
   std::vector<RayQuery> rays;
   Pyramid volume;
 };

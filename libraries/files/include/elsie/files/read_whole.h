@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace elsie::base {
+namespace elsie::files {
 
 inline constexpr std::uintmax_t kAnySize = ~std::uintmax_t{0};
 
@@ -18,4 +18,4 @@ std::string why_unreadable(const std::filesystem::path& file, std::uintmax_t mos
 /// "cannot be read: " and the system's reason.
 std::string read_whole(const std::filesystem::path& file, std::uintmax_t most);
 
-}  // namespace elsie::base
+}  // namespace elsie::files

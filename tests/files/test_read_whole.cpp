@@ -5,13 +5,13 @@
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
 
-#include "elsie/base/read_whole.h"
+#include "elsie/files/read_whole.h"
 
 #include "folder.h"
 
 using Catch::Contains;
-using elsie::base::read_whole;
-using elsie::base::why_unreadable;
+using elsie::files::read_whole;
+using elsie::files::why_unreadable;
 namespace fs = std::filesystem;
 
 TEST_CASE("What is in a file is read byte by byte") {

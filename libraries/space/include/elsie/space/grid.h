@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace elsie::base {
+namespace elsie::space {
 
 /// Cells at the border reach to infinity, so that an object outside of the arena is still found.
 class Grid {
@@ -59,4 +59,4 @@ class Grid {
   std::vector<std::vector<Id>> cells_;
 };
 
-}  // namespace elsie::base
+}  // namespace elsie::space

@@ -1,4 +1,4 @@
-#include "elsie/base/read_whole.h"
+#include "elsie/files/read_whole.h"
 
 #include <cerrno>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace elsie::base {
+namespace elsie::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ std::string read_whole(const fs::path& file, std::uintmax_t most) {
   }
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::files

@@ -1,9 +1,9 @@
-#include "elsie/base/grid.h"
+#include "elsie/space/grid.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace elsie::base {
+namespace elsie::space {
 namespace {
 
 // A few robots wide, so that a ray of one metre crosses few cells and a cell holds few bodies.
@@ -37,4 +37,4 @@ void Grid::erase(Id id, const Block& block) {
   }
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::space
