@@ -33,6 +33,18 @@ TEST_CASE("Every setting that differs is named with both values") {
           Contains("pointer=4, where this program has pointer=8"));
 }
 
+TEST_CASE("A flag that changes type information or exceptions is named") {
+  const std::string host(host_abi_word());
+  const auto with = [&](const std::string& setting, const std::string& other) {
+    std::string word = host;
+    return word.replace(word.find(setting), setting.size(), other);
+  };
+  CHECK_THAT(*abi_mismatch(host, with("rtti=on", "rtti=off by -fno-rtti")),
+             Contains("was built with rtti=off by -fno-rtti, where this program has rtti=on"));
+  CHECK(abi_mismatch(host, with("exceptions=on", "exceptions=off by -fno-exceptions")));
+  CHECK(abi_mismatch(host, with("wchar_t=4", "wchar_t=2 by -fshort-wchar")));
+}
+
 TEST_CASE("A setting that one side does not know is a difference") {
   CHECK_THAT(*abi_mismatch("api=0.1;pointer=8", "api=0.1"),
              Contains("with no pointer, where this program has pointer=8"));

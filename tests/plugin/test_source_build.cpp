@@ -254,6 +254,33 @@ TEST_CASE("Flags of the user's own are part of what is cached") {
   CHECK(built("-DSPEED=1.0") == 1.0);
 }
 
+TEST_CASE("Flags that change layouts, calls or type information are refused, by name") {
+  Folder here, cache;
+  write(here / "straight.cpp", std::string_view(kSource));
+  write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
+  // Some by the compiler, and those that it cannot see by the host, before the library is loaded.
+  for (const std::string flag : {
+         "-fpack-struct", "-fshort-enums",
+#if defined(__x86_64__)
+             "-mabi=ms",
+#endif
+             "-fno-rtti", "-fno-exceptions", "-fshort-wchar"
+       }) {
+    CAPTURE(flag);
+    const Variable flags("CXXFLAGS", flag);
+    std::string refused;
+    try {
+      const SourceBuild build = build_source(here / "straight.cpp", cache.path());
+      const Host host({{build.library, "given"}});
+      refused = host.report().warnings.empty() ? "" : host.report().warnings.front();
+      CHECK_FALSE(is_loaded(build.library));
+    } catch (const BuildError& error) {
+      refused = error.what();
+    }
+    CHECK_THAT(refused, Contains(flag));
+  }
+}
+
 TEST_CASE("The user's flags prevail over ours, and libraries come after the source") {
   Folder here, cache;
   write(here / "compiler", "#!/bin/sh\n[ \"$1\" = --version ] || echo \"$@\" > " +

@@ -12,7 +12,7 @@
 /// version is not above its own. Before 1.0, any change that breaks a plugin raises the minor
 /// version and older plugins are refused too.
 #define ELSIE_API_MAJOR 0
-#define ELSIE_API_MINOR 10
+#define ELSIE_API_MINOR 11
 
 #define ELSIE_ABI_TEXT_(x) #x
 #define ELSIE_ABI_TEXT(x) ELSIE_ABI_TEXT_(x)
@@ -49,11 +49,54 @@
 #define ELSIE_ABI_SANITIZER ";sanitizer=none"
 #endif
 
+// The values name the flag to leave out: a refusal shows them.
+#if defined(__cpp_rtti)
+#define ELSIE_ABI_RTTI ";rtti=on"
+#else
+#define ELSIE_ABI_RTTI ";rtti=off by -fno-rtti"
+#endif
+
+#if defined(__cpp_exceptions)
+#define ELSIE_ABI_EXCEPTIONS ";exceptions=on"
+#else
+#define ELSIE_ABI_EXCEPTIONS ";exceptions=off by -fno-exceptions"
+#endif
+
+#if __SIZEOF_WCHAR_T__ == 4
+#define ELSIE_ABI_WCHAR ";wchar_t=4"
+#else
+#define ELSIE_ABI_WCHAR ";wchar_t=2 by -fshort-wchar"
+#endif
+
+// On x86-64, -mlong-double-64 and -mlong-double-128 change it, and the names of functions with it.
+#define ELSIE_ABI_LONG_DOUBLE ";long_double_bits=" ELSIE_ABI_TEXT(__LDBL_MANT_DIG__)
+
 #define ELSIE_ABI_POINTER ";pointer=" ELSIE_ABI_TEXT(__SIZEOF_POINTER__)
 
+// What no macro tells is refused by the compiler.
+namespace elsie::detail {
+struct Unpacked {
+  char first;
+  double second;
+};
+enum Enumeration { kItsOnlyValue };
+static_assert(sizeof(Unpacked) == 2 * sizeof(double),
+              "this plugin is compiled with -fpack-struct, or after #pragma pack, so that its "
+              "objects do not fit Elsie's: leave that out");
+static_assert(sizeof(Enumeration) == sizeof(int),
+              "this plugin is compiled with -fshort-enums, so that its objects do not fit Elsie's: "
+              "leave that out");
+#if defined(__x86_64__)
+static_assert(__is_same(void(), void __attribute__((sysv_abi)) ()),
+              "this plugin is compiled with -mabi=ms, so that it calls functions otherwise than "
+              "Elsie: leave that out");
+#endif
+}  // namespace elsie::detail
+
 /// The ABI word of this translation unit.
-#define ELSIE_ABI_WORD \
-  ELSIE_ABI_API ELSIE_ABI_RUNTIME ELSIE_ABI_CONTAINERS ELSIE_ABI_SANITIZER ELSIE_ABI_POINTER
+#define ELSIE_ABI_WORD                                                                       \
+  ELSIE_ABI_API ELSIE_ABI_RUNTIME ELSIE_ABI_CONTAINERS ELSIE_ABI_SANITIZER ELSIE_ABI_POINTER \
+      ELSIE_ABI_RTTI ELSIE_ABI_EXCEPTIONS ELSIE_ABI_WCHAR ELSIE_ABI_LONG_DOUBLE
 
 /// Owner and type of the ELF note that carries the word.
 #define ELSIE_ABI_NOTE_OWNER "elsie"
