@@ -293,15 +293,15 @@ TEST_CASE("Traces and events do not point into a library that is gone") {
   Stage stage;
   Simulation& simulation = stage.start();
   stage.step();
-  const auto reason = [&] { return std::string(simulation.robot(0).members[0].trace.reason); };
-  const char* const before = simulation.robot(0).members[0].trace.reason;
+  const auto reason = [&] { return simulation.robot(0).members[0].trace.reason; };
+  const std::string before = reason();
   CHECK(reason() == "by number 1");
   stage.replace(2);
   CHECK(Versions::loaded() == 1);
   CHECK(reason() == "by number 1");
   stage.step();
   CHECK(reason() == "by number 2");
-  CHECK(std::string(before) == "by number 1");
+  CHECK(before == "by number 1");
   stage.step();  // perceives the event that was raised before
   const auto events = simulation.events();
   CHECK(std::count_if(events.begin(), events.end(),

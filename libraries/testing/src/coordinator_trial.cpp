@@ -76,9 +76,6 @@ class CoordinatorTrial final : public Trial {
       throw Wrong("its trace says that member " + std::to_string(row.inhibited_by) +
                   " inhibits another, but there is no such member");
     }
-    if (!row.reason) {
-      throw Wrong("a reason in its trace is a null pointer; leave it alone where there is none");
-    }
     answer.add("a weight in its trace", row.weight);
     answer.add("a share in its trace", row.share);
     answer.add("who inhibits whom in its trace", row.inhibited_by);

@@ -71,8 +71,6 @@ class PluginObject {
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
   /// Resets the object, with the random stream of this path at its start. Its parameters stay.
   void reset(std::uint64_t seed, const std::string& path);
-  /// Clears the last answer of an object that was replaced.
-  virtual void forget_answers(Undo& /*undo*/) {}
 
   /// Data that few objects have.
   struct Extras {

@@ -95,7 +95,6 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
     object.held.swap(*old);
     undo_.add([&object, old] { object.held.swap(*old); });
   });
-  object.forget_answers(undo_);
   return true;
 }
 

@@ -16,7 +16,6 @@
 #include "elsie/api/sensor.h"
 #include "elsie/world/description.h"
 
-#include "plugins/names.h"
 #include "plugins/plugin_object.h"
 
 namespace elsie::simulation {
@@ -27,7 +26,6 @@ using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 /// with the places and wheels that edits try.
 class Shared {
  public:
-  Names names;
   /// The core's drives of robots with such wheels: radius and half axle, m.
   std::map<std::pair<double, double>, std::shared_ptr<DriveSlot>> drives;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -264,7 +263,7 @@ void Controller::check_trace() {
   const auto fail = [&](const std::string& problem) {
     setting_.guard.fail(*coordinator_->use, problem);
   };
-  for (Member& member : members_) {
+  for (const Member& member : members_) {
     const TraceRow& trace = member.trace;
     if (trace.inhibited_by >= static_cast<int>(members_.size())) {
       fail("its trace says that member " + std::to_string(trace.inhibited_by) +
@@ -283,10 +282,6 @@ void Controller::check_trace() {
            std::to_string(trace.weight) +
            "; expected 0 or more, unless the user set a priority below 0");
     }
-    const char* const reason = member.trace.reason ? member.trace.reason : "";
-    const char*& kept = slot_of(member).reason;
-    if (std::strcmp(reason, kept) != 0) kept = setting_.names.keep(reason);
-    member.trace.reason = kept;
   }
 }
 

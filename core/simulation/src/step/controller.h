@@ -18,7 +18,6 @@
 #include "elsie/world/error.h"
 
 #include "plugins/guard.h"
-#include "plugins/names.h"
 #include "plugins/plugin_object.h"
 
 namespace elsie::simulation {
@@ -41,7 +40,6 @@ class Controller final : public Coordination, private Member::Runner {
   struct Setting {
     Guard& guard;
     Wishes& wishes;
-    Names& names;
     bool measure_time;
   };
 
@@ -88,15 +86,10 @@ class Controller final : public Coordination, private Member::Runner {
     void equip(Component& object, const Example& example) const override {
       static_cast<Behavior&>(object).equipped(example.perception);
     }
-    void forget_answers(Undo& undo) override {  // the old library holds the names of its events
-      undo.keep(response);
-      forget();
-    }
     Coordination* inside_of_it() override { return inside.get(); }
     void forget() override { response = {}; }
 
     std::unique_ptr<Controller> inside;  // of a behaviour that holds others
-    const char* reason = "";             // of its trace; a kept copy
     Response response;
   };
   struct Chief final : ObjectOf<Coordinator, PluginKind::coordinator> {

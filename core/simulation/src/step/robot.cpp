@@ -43,8 +43,7 @@ Robot::Robot(const world::World& world, std::size_t index, Commons& commons,
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     make_sensor(*sensors_[i], description.sensors[i], host, problems);
   }
-  controller_.emplace(description, host,
-                      Controller::Setting{guard_, *this, shared_->names, options.measure_time},
+  controller_.emplace(description, host, Controller::Setting{guard_, *this, options.measure_time},
                       problems);
   make_drive(host, problems);
   throw_if_any(problems);
@@ -279,7 +278,7 @@ void Robot::decide(const Instant& now) {
   guard_.begin_step(now.step);
   perceived_events_.clear();
   for (const events::AnyEvent& event : raised_) {
-    perceived_events_.push_back({shared_->names.keep(events::name_of(event))});
+    perceived_events_.push_back({std::string(events::name_of(event))});
   }
   raised_.clear();
   logged_ = 0;

@@ -153,7 +153,7 @@ class AccountRecorder::Impl {
     }
   }
 
-  std::uint32_t place_of(const char* reason) {
+  std::uint32_t place_of(const std::string& reason) {
     std::string text = output::one_line(reason);
     if (text.empty()) {
       return 0;

@@ -1,7 +1,6 @@
 #include "elsie/traces/trace_rows.h"
 
 #include <charconv>
-#include <cstring>
 
 #include "elsie/base/number_text.h"
 #include "elsie/output/rounded.h"
@@ -40,8 +39,7 @@ TraceRow kept(TraceRow row) {
 bool same(const TraceRow& a, const TraceRow& b) {
   return a.asked == b.asked && a.command == b.command && a.activation == b.activation &&
          a.strength == b.strength && a.weight == b.weight && a.share == b.share &&
-         a.inhibited_by == b.inhibited_by &&
-         (a.reason == b.reason || std::strcmp(a.reason, b.reason) == 0);
+         a.inhibited_by == b.inhibited_by && a.reason == b.reason;
 }
 
 const simulation::TracedMember* inhibitor_of(const simulation::TracedMember& member,

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/component.h"
@@ -29,7 +31,7 @@ struct TraceRow {
   double share = 0.0;       // its part in the result, in [0, 1]
   int inhibited_by = -1;    // index of the member that silenced it; -1: none
   double time_s = 0.0;      // duration of respond() on the clock; 0 unless it is being measured
-  const char* reason = "";  // one or two words; a literal: "highest priority"
+  std::string reason;       // one or two words: "highest priority"
 };
 
 /// One behaviour as its coordinator sees it.
@@ -85,7 +87,10 @@ class Member {
   /// Forgets the last answer. The simulator calls this before each decision.
   void begin_step() {
     response_ = nullptr;
+    std::string text = std::move(trace.reason);  // keeps its memory for the next reason
+    text.clear();
     trace = {};
+    trace.reason = std::move(text);
   }
 
  private:

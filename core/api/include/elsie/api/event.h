@@ -1,15 +1,14 @@
 // Named events.
 #pragma once
 
-#include <string_view>
+#include <string>
 
 namespace elsie {
 
 /// An event that a behaviour or the simulator raises: an element of the finite event space of a
-/// robot. `name` refers to text that lives as long as the plugin, usually a literal. A behaviour
-/// raises only events that its declaration names (elsie::raises()).
+/// robot. A behaviour raises only events that its declaration names (elsie::raises()).
 struct Event {
-  std::string_view name;
+  std::string name;
 };
 
 }  // namespace elsie
