@@ -1,3 +1,4 @@
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -50,6 +51,101 @@ TEST_CASE("Sound declarations have no faults") {
   reacting.reacts_to = {"collision", "stuck"};
   CHECK(check_declaration(reacting).empty());
   CHECK(check_declarations(std::vector{behavior(), sensor()}).empty());
+}
+
+namespace {
+
+/// A reading with an array, whose length and names are made in one of several ways.
+template <class List>
+struct ScanReading {
+  static constexpr const char* kind = "scan";
+  List ranges_m{};
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    static constexpr const char* kNames[] = {"right", "ahead", "left"};
+    for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+      visitor(kNames[i], ranges_m[i]);
+    }
+  }
+};
+struct ThreeByDefault : std::vector<double> {
+  ThreeByDefault() : std::vector<double>(3, 0.0) {}
+};
+struct NumberedReading {
+  static constexpr const char* kind = "numbered";
+  double ranges_m[2] = {};
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    for (int i = 0; i < 2; ++i) {
+      visitor(("range_" + std::to_string(i)).c_str(), ranges_m[i]);
+    }
+  }
+};
+struct RepeatedReading {
+  static constexpr const char* kind = "repeated";
+  double one = 0.0, two = 0.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("one", one);
+    visitor("one", two);
+  }
+};
+/// Elsie's kind, as an older header had it.
+struct OldRangeReading {
+  static constexpr const char* kind = "range";
+  double distance_m = 0.0;
+  double max_range_m = 0.0;
+};
+/// The same size, and other places.
+struct SwappedRangeReading {
+  static constexpr const char* kind = "range";
+  double max_range_m = 0.0;
+  double distance_m = 0.0;
+  bool hit = false;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("distance_m", distance_m);
+    visitor("hit", hit);
+  }
+};
+
+/// The faults of a sensor that makes such readings.
+template <class Reading>
+std::string faults_of_sensor() {
+  class Scanner final : public SensorOf<Reading> {
+   public:
+    Reading sense(const SensorContext&) override { return {}; }
+  };
+  std::string all;
+  for (const std::string& fault : check_declaration(
+           declare<Scanner>(PluginKind::sensor, "scanner", "Scans", produces<Reading>()))) {
+    all += fault + '\n';
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("The numbers of a reading have literals as names, and are there from the beginning") {
+  CHECK(faults_of_sensor<ScanReading<std::array<double, 3>>>().empty());
+  CHECK(faults_of_sensor<ScanReading<ThreeByDefault>>().empty());
+  CHECK_THAT(faults_of_sensor<ScanReading<std::vector<double>>>(),
+             Contains("sensor 'scanner': reading 'scan' lists no numbers in visit() when it is "
+                      "new; every reading must list the same ones: give arrays their full size "
+                      "from the beginning"));
+  CHECK_THAT(faults_of_sensor<NumberedReading>(),
+             Contains("reading 'numbered' lists the number 'range_0' in visit() under a name that "
+                      "is made at run time; every name must be a literal"));
+  CHECK_THAT(faults_of_sensor<RepeatedReading>(), Contains("'one' is declared twice"));
+}
+
+TEST_CASE("A reading with the name of one of Elsie's own has its layout") {
+  CHECK(faults_of_sensor<RangeReading>().empty());
+  for (const std::string& faults :
+       {faults_of_sensor<OldRangeReading>(), faults_of_sensor<SwappedRangeReading>()}) {
+    CHECK_THAT(faults, Contains("reading 'range' has another layout than Elsie's reading of that "
+                                "name; include elsie/api/reading.h"));
+  }
 }
 
 TEST_CASE("Each fault of a declaration is found and named") {

@@ -23,14 +23,36 @@ class Beam final : public SensorOf<RangeReading> {
   RangeReading sense(const SensorContext&) override { return {}; }
 };
 
-struct OldRangeReading {
-  static constexpr const char* kind = "range";
+// One kind of reading by two versions of its header, of the same size.
+struct EchoReading {
+  static constexpr const char* kind = "echo";
   double distance_m = 0.0;
+  double loudness = 0.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("distance_m", distance_m);
+    visitor("loudness", loudness);
+  }
+};
+struct OldEchoReading {
+  static constexpr const char* kind = "echo";
+  double loudness = 0.0;
+  double distance_m = 0.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("distance_m", distance_m);
+    visitor("loudness", loudness);
+  }
 };
 
-class OldBeam final : public SensorOf<OldRangeReading> {
+class OldSonar final : public SensorOf<OldEchoReading> {
  public:
-  OldRangeReading sense(const SensorContext&) override { return {}; }
+  OldEchoReading sense(const SensorContext&) override { return {}; }
+};
+
+class Listen final : public Behavior {
+ public:
+  Response respond(const Perception&) override { return {}; }
 };
 
 class Bumper final : public SensorOf<ProximityReading> {
@@ -221,8 +243,10 @@ inline plugin::Host make_host() {
       parameter(
           "max_range", &Beam::max_range,
           {.unit = "m", .above = 0, .max = 100, .meaning = "reads this if nothing is near"})));
-  host.add(declare<OldBeam>(PluginKind::sensor, "old_beam", "A beam of another version",
-                            produces<OldRangeReading>()));
+  host.add(declare<OldSonar>(PluginKind::sensor, "old_sonar", "A sonar of another version",
+                             produces<OldEchoReading>()));
+  host.add(declare<Listen>(PluginKind::behavior, "listen", "Drives by what it hears",
+                           needs<EchoReading>()));
   host.add(declare<Bumper>(PluginKind::sensor, "bumper", "Feels whether anything is near",
                            produces<ProximityReading>()));
   host.add(declare<Avoid>(

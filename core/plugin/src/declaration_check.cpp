@@ -1,9 +1,12 @@
 #include "elsie/plugin/declaration_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
+
+#include <dlfcn.h>
 
 #include "elsie/api/simulator_events.h"
 #include "elsie/plugin/kind_name.h"
@@ -160,13 +163,41 @@ class Checker {
     }
   }
 
+  void check_reading(const ReadingDeclaration& reading) {
+    check_name("reading", reading.kind);
+    const std::string subject = "reading '" + reading.kind + "' ";
+    if (reading.size == 0) fault(subject + "has no size");
+    static const std::array kOwn{ReadingDeclaration::of<RangeReading>(),
+                                 ReadingDeclaration::of<ProximityReading>(),
+                                 ReadingDeclaration::of<VisionReading>()};
+    for (const ReadingDeclaration& own : kOwn) {
+      if (own.kind == reading.kind && !own.fits(reading)) {
+        fault(subject + "has another layout than Elsie's reading of that name; include " +
+              "elsie/api/reading.h for that one, or give your own another name");
+      }
+    }
+    if (reading.lists_numbers && reading.numbers.empty()) {
+      fault(subject + "lists no numbers in visit() when it is new; every reading must list the " +
+            "same ones: give arrays their full size from the beginning");
+    }
+    for (const ListedNumber& number : reading.numbers) {
+      dl_find_object library{};  // that contains it
+      if (!number.literal || _dl_find_object(const_cast<char*>(number.literal), &library) != 0) {
+        fault(subject + "lists the number " + base::name_in_quotes(number.name) +
+              " in visit() under a name that is made at run time; every name must be a literal, " +
+              "such as \"front_left\"");
+        return;  // its other names are of no use either
+      }
+    }
+    check_unique("listed number", reading.numbers, &ListedNumber::name);
+  }
+
   void check_readings() {
-    const auto check = [this](const ReadingDeclaration& reading) {
-      check_name("reading", reading.kind);
-      if (reading.size == 0) fault("reading '" + reading.kind + "' has no size");
-    };
-    std::for_each(declaration_.needs.begin(), declaration_.needs.end(), check);
-    std::for_each(declaration_.produces.begin(), declaration_.produces.end(), check);
+    for (const auto* readings : {&declaration_.needs, &declaration_.produces}) {
+      for (const ReadingDeclaration& reading : *readings) {
+        check_reading(reading);
+      }
+    }
     const PluginKind kind = declaration_.kind;
     const bool is_sensor = kind == PluginKind::sensor;
     const std::size_t produced = declaration_.produces.size();

@@ -158,7 +158,7 @@ class CoordinationCheck {
     for (const SensorUse& sensor : robot_.sensors) {
       const Declaration* made = host_.find(PluginKind::sensor, sensor.plugin);
       const ReadingDeclaration* reading = made ? reading_of(*made, need) : nullptr;
-      if (reading && reading->size == need.size) {
+      if (reading && reading->fits(need)) {
         met = true;
       } else if (reading) {
         other_version = &sensor;
@@ -174,7 +174,7 @@ class CoordinationCheck {
       std::vector<std::string> makers;
       for (const Declaration* sensor : host_.all(PluginKind::sensor)) {
         const ReadingDeclaration* reading = reading_of(*sensor, need);
-        if (reading && reading->size == need.size) makers.push_back("<" + sensor->name + ">");
+        if (reading && reading->fits(need)) makers.push_back("<" + sensor->name + ">");
       }
       problems_.add(use.location, what + ", but " + in_words(robot_) +
                                       " has no sensor that makes them" +

@@ -90,19 +90,20 @@ void Robot::check_needs() const {
   for_each(Order::outer_first, [&](PluginObject& each, const std::string& path, const auto&) {
     if (each.kind != PluginKind::behavior) return;
     for (const ReadingDeclaration& need : each.declaration->needs) {
-      const auto is_kind = [&](const ReadingGroup& group) { return group.kind.name == need.kind; };
-      const auto of_size = [&](const ReadingGroup& group) {
-        return is_kind(group) && group.kind.size == need.size;
+      const auto is_kind = [&](const auto& slot) {
+        return slot->declaration->produces.front().kind == need.kind;
       };
-      if (std::none_of(groups_.begin(), groups_.end(), of_size)) {
-        const bool other = std::any_of(groups_.begin(), groups_.end(), is_kind);
+      const auto fits = [&](const auto& slot) {
+        return is_kind(slot) && slot->declaration->produces.front().fits(need);
+      };
+      if (std::none_of(sensors_.begin(), sensors_.end(), fits)) {
+        const bool other = std::any_of(sensors_.begin(), sensors_.end(), is_kind);
         throw ReplacementRefused(
             "robot '" + description_->id + "', " + path + ": it needs readings of the kind '" +
             need.kind + "', " +
-            (other
-                 ? "but its sensors make them with another size; build all these plugins with the "
-                   "same header"
-                 : "which no sensor of the robot makes"));
+            (other ? "but its sensors make them with another layout; build all these plugins with "
+                     "the same header"
+                   : "which no sensor of the robot makes"));
       }
     }
   });

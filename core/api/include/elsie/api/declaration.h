@@ -90,12 +90,6 @@ struct EventDeclaration {
   std::string meaning;
 };
 
-/// A kind of reading that a plugin needs or produces.
-struct ReadingDeclaration {
-  std::string kind;
-  std::size_t size = 0;  // bytes of the struct, to detect headers of different versions
-};
-
 struct Declaration {
   PluginKind kind = PluginKind::behavior;
   std::string name;
@@ -179,7 +173,7 @@ HoldsItem<Class> holds_behaviors(Coordination* Class::*member) {
 template <class Reading>
 auto needs() {
   return [](Declaration& declaration) {
-    declaration.needs.push_back({Reading::kind, sizeof(Reading)});
+    declaration.needs.push_back(ReadingDeclaration::of<Reading>());
   };
 }
 
@@ -187,7 +181,7 @@ auto needs() {
 template <class Reading>
 auto produces(bool updates_all = false) {
   return [updates_all](Declaration& declaration) {
-    declaration.produces.push_back({Reading::kind, sizeof(Reading)});
+    declaration.produces.push_back(ReadingDeclaration::of<Reading>());
     declaration.updates_all = updates_all;
   };
 }

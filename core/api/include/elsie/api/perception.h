@@ -106,6 +106,8 @@ class Sensed {
 namespace detail {
 /// Throws std::out_of_range with a sentence: there are only `count` readings of this kind.
 [[noreturn]] void no_such_reading(const char* kind, std::size_t i, std::size_t count);
+/// Throws std::logic_error with a sentence: a sensor makes other readings of this name.
+[[noreturn]] void other_layout(const ReadingKind& wanted, const ReadingGroup& made);
 }  // namespace detail
 
 /// A view of the readings of one type, to loop over.
@@ -171,12 +173,15 @@ class Perception {
   /// The control period: the time from one decision to the next, s.
   double period_s() const { return data_->period_s; }
   /// The readings of one kind, e.g. `readings<elsie::RangeReading>()`; empty when no sensor
-  /// produces them.
+  /// produces them. Throws std::logic_error when a sensor produces others of the same name.
   template <class Reading>
   Readings<Reading> readings() const {
     constexpr ReadingKind wanted = ReadingKind::of<Reading>();
     for (const ReadingGroup& group : data_->groups) {
-      if (group.kind == wanted) return Readings<Reading>(group.readings);
+      if (!group.kind.has_name_of(wanted)) continue;
+      if (group.kind.size != wanted.size) [[unlikely]]
+        detail::other_layout(wanted, group);
+      return Readings<Reading>(group.readings);
     }
     return {};
   }

@@ -4,6 +4,7 @@
 // behaviour is asked. A sensor adds its own noise, from its own random stream.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -120,6 +121,11 @@ struct Carrier {
   std::span<const Colour> resource_colours;  // see Surroundings
 };
 
+namespace detail {
+/// Throws std::domain_error with a sentence.
+[[noreturn]] void not_finite(const char* name, double value);
+}  // namespace detail
+
 /// A sensor without the type of its reading. Derive from SensorOf<Reading> instead.
 class Sensor : public Component {
  public:
@@ -167,25 +173,37 @@ class SensorOf : public Sensor {
   virtual void sense_into(const SensorContext& now, Reading& reading) { reading = sense(now); }
 
   ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
-  void update(const SensorContext& now) final { sense_into(now, reading_); }
+  void update(const SensorContext& now) final {
+    sense_into(now, reading_);
+    require_finite();
+  }
   /// Sets the present reading, for update_all().
-  void set_reading(Reading reading) { reading_ = std::move(reading); }
+  void set_reading(Reading reading) {
+    reading_ = std::move(reading);
+    require_finite();
+  }
   const void* reading() const final { return &reading_; }
   void forget() final { reading_ = Reading{}; }
   void list_values(std::vector<NamedValue>& values) const final {
-    const auto add = [&values](const char* name, auto value) {
-      values.push_back({name, static_cast<double>(value)});
-    };
-    if constexpr (kVisitable) {
-      reading_.visit(add);
+    if constexpr (kListsNumbers<Reading>) {
+      reading_.visit([&values](const char* name, auto value) {
+        values.push_back({name, static_cast<double>(value)});
+      });
     }
   }
 
  private:
-  static constexpr bool kVisitable =
-      requires(const Reading& reading, void (*visitor)(const char*, double)) {
-    reading.visit(visitor);
-  };
+  void require_finite() const {
+    if constexpr (kListsNumbers<Reading>) {
+      reading_.visit([](const char* name, auto value) {
+        if constexpr (std::is_floating_point_v<decltype(value)>) {
+          if (!std::isfinite(value)) [[unlikely]] {
+            detail::not_finite(name, static_cast<double>(value));
+          }
+        }
+      });
+    }
+  }
 
   Reading reading_{};
 };
