@@ -65,6 +65,8 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"parameter_that_is_required", "it may come from a template"},
     {"parameter_required_file_empty", "files"},
     {"remove_without_template", "whether there is a template"},
+    {"parameter_file_empty", "the default is a file, so that an empty text is none"},
+    {"template_is_a_folder", "files"},
     {"template_missing", "files"},
     {"template_elsewhere", "files"},
     {"template_is_a_world", "other files"},

@@ -91,7 +91,7 @@ ParameterValue Attributes::read(const AttributePlace& place, std::string_view te
   if (!parsed.value) {
     throw std::invalid_argument(parsed.problem);
   }
-  if (place.field.type != ParameterType::file || (text.empty() && !place.field.required)) {
+  if (place.field.type != ParameterType::file || (text.empty() && place.field.may_be_no_file())) {
     return std::move(*parsed.value);
   }
   const Location where{world_.file, 0};

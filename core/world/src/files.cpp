@@ -86,12 +86,18 @@ std::string Files::name_for_world(const std::string& found, const std::string& w
 
 std::string Files::why_not(const Location& from, const std::string& attribute,
                            const std::string& value) const {
-  const fs::path beside = fs::path(folder(from)) / value;
-  std::error_code error;
-  return fs::is_directory(beside, error)
-             ? "'" + beside.lexically_normal().string() +
-                   "' is a directory; expected the path of a file"
-             : "there is no such file; looked " + places(from, attribute, value);
+  if (value.empty()) return "expected the path of a file";
+  std::vector<std::string> folders{folder(from)};
+  folders.insert(folders.end(), data_directories_.begin(), data_directories_.end());
+  for (const std::string& each : folders) {
+    const fs::path path = fs::path(each) / value;
+    std::error_code error;
+    if (fs::is_directory(path, error)) {
+      return "'" + path.lexically_normal().string() +
+             "' is a directory; expected the path of a file";
+    }
+  }
+  return "there is no such file; looked " + places(from, attribute, value);
 }
 
 std::string Files::places(const Location& from, const std::string& attribute,

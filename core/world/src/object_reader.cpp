@@ -276,10 +276,8 @@ class ObjectReader {
     if (!parsed.value) {
       refuse_value(element, attribute, parsed.problem);
     } else if (parameter.type != ParameterType::file ||
-               (attribute.value.empty() && !parameter.facts.required)) {
+               (attribute.value.empty() && field_of(parameter).may_be_no_file())) {
       declared.values[parameter.name] = std::move(*parsed.value);
-    } else if (attribute.value.empty()) {
-      refuse_value(element, attribute, "expected the path of a file");
     } else if (const auto file = files_->find(attribute.value, attribute.where)) {
       set_file(parameter, *file, files_->name_for_world(*file, attribute.value), declared);
     } else {

@@ -57,8 +57,8 @@ class Templates {
     const auto file = files_.find(from.value, from.where);
     const Element* base = file ? load(*file, from.where) : nullptr;
     if (!file) {
-      problems_.add(from.where, "the template '" + from.value + "' is not there; looked " +
-                                    files_.places(from.where, from.name, from.value));
+      problems_.add(from.where, "the template '" + from.value +
+                                    "': " + files_.why_not(from.where, from.name, from.value));
     }
     if (base) {
       overlay(template_vocabulary(), robot, *base);

@@ -62,6 +62,8 @@ struct Field {
   /// object with the attribute is created again.
   void (*change)(LiveRobot&, const AttributePlace&, const ParameterValue&) = nullptr;
   bool is_live() const { return change != nullptr; }
+  /// Whether an empty text stands for no file, as the default does.
+  bool may_be_no_file() const { return default_value == ParameterValue(std::string()); }
 };
 
 /// A plugin's parameter as a field.
