@@ -34,6 +34,21 @@ TEST_CASE("What elsie new makes runs as it is, without a build system") {
   }
 }
 
+TEST_CASE("A template may have folders, and nobody's folder is taken for scratch") {
+  Workplace here;
+  std::filesystem::create_directories(here.file("mine/templates/behavior/models/@name@"));
+  std::filesystem::create_directories(here.file("shy.new"));
+  here.write("shy.new/notes", "mine");
+  here.write("mine/templates/behavior/@name@.cpp", "// @Class@\n");
+  here.write("mine/templates/behavior/models/@name@/@kind@.fcl", "(* @name@ *)\n");
+  const auto made = here.sh("ELSIE_DATA_PATH=mine elsie new behavior shy");
+  CAPTURE(made.err);
+  CHECK(made.exit_code == 0);
+  CHECK(here.read("shy/shy.cpp") == "// Shy\n");
+  CHECK(here.read("shy/models/shy/behavior.fcl") == "(* shy *)\n");
+  CHECK(here.read("shy.new/notes") == "mine");
+}
+
 TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
   Workplace here;
   const auto refused = [&](const std::string& arguments) {

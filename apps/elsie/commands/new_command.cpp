@@ -2,17 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
+#include <sys/stat.h>
 
+#include "elsie/files/read_whole.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/plugin/kind_name.h"
 
@@ -164,24 +167,42 @@ fs::path template_folder(const std::string& kind) {
                  "); is Elsie installed whole?");
 }
 
+constexpr std::uintmax_t kLongestTemplate = 1'000'000;  // bytes
+
 /// Writes all files or none.
 void write_project(const NewOptions& options, const fs::path& folder) {
-  fs::path scratch = folder;
-  scratch += ".new";
+  const fs::path above = fs::absolute(folder).parent_path();
   std::error_code error;
-  fs::remove_all(scratch, error);
-  if (!fs::create_directories(scratch, error)) {
-    throw BadInput("the folder '" + folder.string() + "' cannot be made: " + error.message());
+  fs::create_directories(above, error);
+  // Under a name of its own: nobody else's folder is touched.
+  std::string name = (above / ".elsie-new-XXXXXX").string();
+  if (error || !mkdtemp(name.data())) {
+    throw BadInput("the folder '" + folder.string() + "' cannot be made: " +
+                   (error ? error : std::error_code(errno, std::generic_category())).message());
   }
+  const fs::path scratch = name;
   try {
     for (const std::string& part : {std::string("any"), options.kind}) {
-      for (const auto& entry : fs::directory_iterator(template_folder(part))) {
-        std::ifstream in(entry.path(), std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(in), {}};
-        files::write_whole_or_throw(scratch / filled_in(entry.path().filename().string(), options),
-                                    filled_in(text, options));
+      const fs::path templates = template_folder(part);
+      for (const auto& entry : fs::recursive_directory_iterator(templates)) {
+        const std::string place = entry.path().lexically_relative(templates).string();
+        const fs::path made = scratch / filled_in(place, options);
+        if (entry.is_directory()) {
+          fs::create_directories(made);
+          continue;
+        }
+        std::string text;
+        try {
+          text = files::read_whole(entry.path(), kLongestTemplate);
+        } catch (const std::runtime_error& why) {
+          throw BadInput("the template '" + entry.path().string() + "' " + why.what());
+        }
+        files::write_whole_or_throw(made, filled_in(text, options));
       }
     }
+    const mode_t others = umask(0);
+    umask(others);
+    fs::permissions(scratch, fs::perms(0777 & ~others));  // as of any new folder
     fs::rename(scratch, folder);
   } catch (...) {
     fs::remove_all(scratch, error);
