@@ -26,7 +26,9 @@ std::string sha256(std::string_view bytes) {
 }
 
 std::string file_content(const std::string& path) {
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
+  const int refusal = errno;
   // Reads in large pieces, because libraries with debug information are large.
   std::string content;
   std::string piece(1U << 20U, '\0');
@@ -34,8 +36,10 @@ std::string file_content(const std::string& path) {
     content.append(piece, 0, static_cast<std::size_t>(in.gcount()));
   }
   if (!in.eof()) {
+    const int error = in.is_open() ? errno : refusal;
     throw std::runtime_error("'" + path +
-                             "' cannot be read: " + std::generic_category().message(errno));
+                             "' cannot be read: " + std::generic_category().message(error) +
+                             (error == EMFILE ? "; let the program have more (ulimit -n)" : ""));
   }
   return content;
 }

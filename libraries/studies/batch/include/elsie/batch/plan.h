@@ -171,7 +171,8 @@ class FileCheck {
   explicit FileCheck(const Plan& plan);
 
   /// Returns the first file of this cell that was changed or removed; none if all are unchanged.
-  /// Reads a file only if its size or time differs.
+  /// Reads a file only if its size or time differs. Throws std::runtime_error with a sentence when
+  /// a file that is there cannot be read.
   std::optional<std::string> changed(std::size_t cell);
 
  private:
