@@ -11,6 +11,7 @@
 
 #include <unistd.h>
 
+#include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
 #include "elsie/simulation/simulation.h"
 
@@ -73,8 +74,7 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
   if (isatty(STDERR_FILENO)) {
     std::cerr << "\r\033[K";  // the progress bar
   }
-  char at[48];
-  std::snprintf(at, sizeof(at), "elsie: at %.2f s, ", simulation.time_s());
+  const std::string at = "elsie: at " + base::fixed_text(simulation.time_s(), 2) + " s, ";
   for (const std::string& problem : renewal->problems) {
     std::cerr << problem << '\n';
   }

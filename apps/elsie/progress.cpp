@@ -10,6 +10,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "elsie/base/number_text.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/simulation/simulation.h"
 
@@ -62,9 +63,9 @@ std::string bar_text(double part) {
   std::string bar(static_cast<std::size_t>(part * kBarWidth), '=');
   bar += '>';
   bar.resize(kBarWidth + 1, ' ');
-  char percent[16];
-  std::snprintf(percent, sizeof(percent), "%3.0f %%", 100.0 * part);
-  return "[" + bar + "] " + percent;
+  const std::string percent = base::fixed_text(100.0 * part, 0);
+  return "[" + bar + "] " + std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') +
+         percent + " %";
 }
 
 void ProgressBar::started(const simulation::Simulation&) {
@@ -83,8 +84,9 @@ void ProgressBar::stepped(const simulation::Simulation& simulation) {
   last_drawn_ = now;
   const double part = std::min(1.0, simulation.time_s() / simulation.time_limit_s());
   const double speed = simulation.time_s() / std::chrono::duration<double>(now - start_).count();
-  std::fprintf(stderr, "\r%s  %.1f s  %.0f x real time ", bar_text(part).c_str(),
-               simulation.time_s(), speed);
+  std::fprintf(stderr, "\r%s  %s s  %s x real time ", bar_text(part).c_str(),
+               base::fixed_text(simulation.time_s(), 1).c_str(),
+               base::fixed_text(speed, 0).c_str());
   std::fflush(stderr);
 }
 

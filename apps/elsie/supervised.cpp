@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <locale>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -76,7 +77,11 @@ std::ostream& out() {
   // Never destroyed: it is used until the process ends, and flushed before.
   static auto* const buffer =
       new __gnu_cxx::stdio_filebuf<char>(kept_output, std::ios::out | std::ios::binary);
-  static auto* const stream = new std::ostream(buffer);
+  static auto* const stream = [] {
+    auto* const made = new std::ostream(buffer);
+    made->imbue(std::locale::classic());  // whatever a plugin has set for new streams
+    return made;
+  }();
   return *stream;
 }
 

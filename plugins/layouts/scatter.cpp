@@ -1,6 +1,7 @@
 #include "scatter.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -205,7 +206,8 @@ class Scattering {
     Element& thing = made()[i];
     const Body& body = bodies_[are_alike_ ? 0 : i];
     const std::string own_heading = thing.value(kHeading);
-    const double own_heading_deg = std::strtod(own_heading.c_str(), nullptr);  // 0 for ""
+    double own_heading_deg = 0.0;  // of ""
+    std::from_chars(own_heading.data(), own_heading.data() + own_heading.size(), own_heading_deg);
     Random random = drawing_.stream(scatter_.id + "/" + std::to_string(i + 1));
     for (int attempt = 0;; ++attempt) {
       const auto spot = places_.next(i, attempt, random);

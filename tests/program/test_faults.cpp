@@ -299,6 +299,25 @@ TEST_CASE("An unhandled signal ends the program as usual, and leaves no copies")
   for (const std::string signal : {"USR1", "PIPE", "XCPU"}) {
     CAPTURE(signal);
     const auto run = world.here.sh(
+TEST_CASE("A locale that a plugin sets changes no number") {
+  const Workplace here;
+  if (here.sh("localedef -i de_DE -f UTF-8 $PWD/de_DE > none 2>&1").exit_code != 0) {
+    WARN("no locale can be made here");
+    return;
+  }
+  const auto train = [&](const std::string& variable) {
+    auto text = here.sh("LOCPATH=$PWD " + variable +
+                        " elsie train worlds/learned_priorities.xml --presentations 20 "
+                        "--plugin-path " +
+                        elsie::test::build_path("tests/program/plugins"))
+                    .out;
+    return text.substr(text.find("\n\n"));  // without the time that it took
+  };
+  const std::string usual = train("");
+  CHECK_THAT(usual, Contains("answer") && Contains("0."));
+  CHECK(train("FAULTY_LEAVES_BEHIND=locale") == usual);
+}
+
         "rm -rf copies err; mkdir copies; export TMPDIR=$PWD/copies; ulimit -c 0\n"
         "elsie run world.xml --watch --plugin-path " +
         elsie::test::build_path("tests/program/plugins") +

@@ -183,10 +183,10 @@ TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 
                         Catch::Contains("the share of 'scripted' in its trace is "
                                         "1.500000; expected a part of the whole"));
   CHECK_THROWS_WITH(step(1.0, -0.25),
-                    Catch::Contains("the share of 'scripted' in its trace is -0.250000; expected a "
+                    Catch::Contains("the share of 'scripted' in its trace is -0.25; expected a "
                                     "part of the whole command, from 0 to 1"));
   CHECK_THROWS_WITH(step(-0.5, 1.0),
-                    Catch::Contains("the weight of 'scripted' in its trace is -0.500000; expected "
+                    Catch::Contains("the weight of 'scripted' in its trace is -0.5; expected "
                                     "0 or more"));
 }
 

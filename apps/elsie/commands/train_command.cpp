@@ -169,10 +169,8 @@ std::string answers(const neural::Lesson& lesson) {
       row.push_back(rough(input));
     }
     for (std::size_t k = 0; k < lesson.outputs.size(); ++k) {
-      char answer[32];
-      std::snprintf(answer, sizeof(answer), "%.4f", lesson.assessment.answer(s)[k]);
       row.push_back(rough(lesson.samples.targets(s)[k]));
-      row.emplace_back(answer);
+      row.push_back(base::fixed_text(lesson.assessment.answer(s)[k], 4));
     }
   }
   std::string text;
@@ -191,10 +189,9 @@ std::string answers(const neural::Lesson& lesson) {
 
 void print(const Report& report, const TrainOptions& options) {
   const neural::Lesson& lesson = report.lesson;
-  char seconds[32];
-  std::snprintf(seconds, sizeof(seconds), "%.2f", report.seconds);
   out() << header(report) << '\n'
-        << neural::summary(lesson.training, lesson.assessment) << ", in " << seconds << " s\n";
+        << neural::summary(lesson.training, lesson.assessment) << ", in "
+        << base::fixed_text(report.seconds, 2) << " s\n";
   if (!report.warning.empty()) {
     out() << report.warning << '\n';
   }

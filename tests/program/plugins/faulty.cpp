@@ -1,6 +1,7 @@
 // Plugins that fail after half a second, each in its own way, for the tests of the program.
 #include <cerrno>
 #include <chrono>
+#include <clocale>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -59,6 +60,8 @@ void pause_here() { pause(); }
   }
   return true;
 }();
+  } else if (what == "locale") {
+    return std::setlocale(LC_ALL, "de_DE") != nullptr;  // where LOCPATH has it
 
 /// The compiler cannot see into this function, so that the faults below stay.
 template <class Value>

@@ -3,6 +3,8 @@
 #include <numbers>
 #include <string>
 
+#include "elsie/base/number_text.h"
+
 namespace elsie::simulation {
 namespace {
 
@@ -15,7 +17,7 @@ std::optional<std::string> problem_with(const Camera& camera, int largest) {
   }
   if (!(camera.horizontal_fov_rad > 0.0 && camera.horizontal_fov_rad < std::numbers::pi)) {
     return "its camera has a horizontal field of view of " +
-           std::to_string(degrees(camera.horizontal_fov_rad)) +
+           base::number_text(degrees(camera.horizontal_fov_rad), 6) +
            " degrees, which must be above 0 and below 180";
   }
   return std::nullopt;

@@ -6,12 +6,15 @@
 #include <limits>
 #include <utility>
 
+#include "elsie/base/number_text.h"
+
 namespace elsie::simulation {
 namespace {
 
 std::string text(const Motion& motion) {
-  return "forward " + std::to_string(motion.forward) + " m/s, lateral " +
-         std::to_string(motion.lateral) + " m/s, turn " + std::to_string(motion.turn) + " rad/s";
+  return "forward " + base::number_text(motion.forward) + " m/s, lateral " +
+         base::number_text(motion.lateral) + " m/s, turn " + base::number_text(motion.turn) +
+         " rad/s";
 }
 
 /// Faults the plugin if these are not fuzzy sets.
@@ -33,7 +36,8 @@ void require_degrees(std::span<const double> desirability, const world::PluginUs
                      Guard& guard) {
   for (const double degree : desirability) {
     if (!(degree >= 0.0 && degree <= 1.0)) {
-      guard.fail(use, "it rates a command " + std::to_string(degree) + ", which is not in [0, 1]");
+      guard.fail(use,
+                 "it rates a command " + base::number_text(degree) + ", which is not in [0, 1]");
     }
   }
 }
@@ -245,7 +249,7 @@ void Controller::check(const Slot& slot, const Response& response) const {
         std::pair("lateral_strength", response.lateral_strength),
         std::pair("turn_strength", response.turn_strength)}) {
     if (!(value >= 0.0 && value <= 1.0)) [[unlikely]] {
-      fail(std::string("its ") + what + " is " + std::to_string(value) +
+      fail(std::string("its ") + what + " is " + base::number_text(value) +
            ", which is not in [0, 1]");
     }
   }
@@ -275,11 +279,11 @@ void Controller::check_trace() {
     constexpr double kRounding = 1e-9;
     if (trace.share < -kRounding || trace.share > 1.0 + kRounding) {
       fail("the share of '" + std::string(member.name()) + "' in its trace is " +
-           std::to_string(trace.share) + "; expected a part of the whole command, from 0 to 1");
+           base::number_text(trace.share) + "; expected a part of the whole command, from 0 to 1");
     }
     if (trace.weight < 0.0 && member.priority() >= 0.0) {
       fail("the weight of '" + std::string(member.name()) + "' in its trace is " +
-           std::to_string(trace.weight) +
+           base::number_text(trace.weight) +
            "; expected 0 or more, unless the user set a priority below 0");
     }
   }

@@ -9,6 +9,8 @@
 
 #include <epoxy/gl.h>
 
+#include "elsie/base/number_text.h"
+
 #include "atlas.h"
 #include "egl_context.h"
 #include "instances.h"
@@ -82,7 +84,7 @@ class Renderer::Impl {
       }
       if (!(camera.horizontal_fov_rad > 0.0 && camera.horizontal_fov_rad < std::numbers::pi)) {
         throw std::invalid_argument("a camera with a horizontal field of view of " +
-                                    std::to_string(degrees(camera.horizontal_fov_rad)) +
+                                    base::number_text(degrees(camera.horizontal_fov_rad), 6) +
                                     " degrees takes no picture; it must be above 0 and below 180");
       }
     }
