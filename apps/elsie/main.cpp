@@ -14,6 +14,7 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/error.h"
+#include "elsie/base/thrown.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
 
@@ -56,11 +57,8 @@ int finish(const Job& job) {
   } catch (const base::Error& error) {
     std::cerr << error.message() << '\n';
     return error.exit_code();
-  } catch (const std::exception& error) {
-    std::cerr << "elsie: " << error.what() << '\n';
-    return kOtherFailure;
   } catch (...) {
-    std::cerr << "elsie: something was thrown that is not a std::exception\n";
+    std::cerr << "elsie: " << base::what_was_thrown() << '\n';
     return kOtherFailure;
   }
 }

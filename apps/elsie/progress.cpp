@@ -31,7 +31,8 @@ volatile std::sig_atomic_t interrupted = 0;
 RepeatedRequest request;
 sigset_t blocked_at_start;  // blocked by the parent process
 
-void interrupt(int) {
+void interrupt(int signal, siginfo_t* info, void* context) {
+  process::report_own_signal(signal, *info, context);
   const RepeatedRequest::Kind kind = request.come();
   interrupted = 1;
   if (kind == RepeatedRequest::Kind::second) {
@@ -47,7 +48,25 @@ volatile std::sig_atomic_t check_is_drawn = 0;
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
-void end_at_once(int) {
+/// Sets a handler, or leaves the signal ignored if it is and `unless_ignored`. Returns what was set
+/// before.
+struct sigaction set_handler(int signal, void (*handler)(int, siginfo_t*, void*),
+                             bool unless_ignored) {
+  struct sigaction before {};
+  sigaction(signal, nullptr, &before);
+  const bool is_ignored = (before.sa_flags & SA_SIGINFO) == 0 && before.sa_handler == SIG_IGN;
+  if (!is_ignored || !unless_ignored) {
+    struct sigaction action {};
+    action.sa_sigaction = handler;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+  }
+  return before;
+}
+
+void end_at_once(int signal, siginfo_t* info, void* context) {
+  process::report_own_signal(signal, *info, context);
   if (check_is_drawn != 0) {
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kWipe.data(), kWipe.size());
   }
@@ -120,9 +139,7 @@ void CheckProgress::draw(std::size_t checked, std::size_t all) {
 void end_at_once_when_interrupted() {
   pthread_sigmask(SIG_BLOCK, nullptr, &blocked_at_start);
   for (const int signal : kSignals) {
-    if (std::signal(signal, end_at_once) == SIG_IGN) {
-      std::signal(signal, SIG_IGN);
-    }
+    set_handler(signal, end_at_once, true);
   }
 }
 
@@ -130,17 +147,14 @@ InterruptGuard::InterruptGuard() {
   interrupted = 0;
   request.forget();
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    before_[i] = std::signal(kSignals[i], interrupt);
     // Ignored hang-ups (nohup) stay ignored; Ctrl-C also ends runs in the background of a script.
-    if (before_[i] == SIG_IGN && kSignals[i] == SIGHUP) {
-      std::signal(SIGHUP, SIG_IGN);
-    }
+    before_[i] = set_handler(kSignals[i], interrupt, kSignals[i] == SIGHUP);
   }
 }
 
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    std::signal(kSignals[i], before_[i]);
+    sigaction(kSignals[i], &before_[i], nullptr);
   }
 }
 

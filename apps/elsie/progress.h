@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstddef>
 #include <string>
 
@@ -64,7 +65,7 @@ class InterruptGuard final : public simulation::Observer {
   /// Unblocks the signals, because a plugin may have blocked them.
   void let_signals_in();
 
-  std::array<void (*)(int), 3> before_;
+  std::array<struct sigaction, 3> before_;
   bool has_warned_ = false;
 };
 

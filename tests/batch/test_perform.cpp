@@ -223,7 +223,8 @@ TEST_CASE("A plugin that fails is named with robot and step, and partial results
     CHECK(record.plugin == plugin);
     CHECK(record.robot == "r1");
     CHECK(record.step == 50U);
-    CHECK_THAT(record.message, Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50"));
+    CHECK_THAT(record.message,
+               Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50 (at 0.5 s)"));
     CHECK(record.steps == 50U);
     CHECK_FALSE(record.outcome);
     CHECK(record.measures.empty());
@@ -287,7 +288,8 @@ TEST_CASE("A measure that cannot report does not hide which plugin failed before
   CHECK(failed.plugin == "throwing");
   CHECK(failed.robot == "r1");
   CHECK(failed.step == 50U);
-  CHECK_THAT(failed.message, Contains("plugin 'throwing' of robot 'r1' failed in step 50"));
+  CHECK_THAT(failed.message,
+             Contains("plugin 'throwing' of robot 'r1' failed in step 50 (at 0.5 s)"));
   CHECK(failed.steps == 50U);
   REQUIRE(failed.trajectories.size() == 1);
   CHECK(nlohmann::json::parse(failed.trajectories[0].poses).size() == 6);

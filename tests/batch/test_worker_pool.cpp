@@ -141,7 +141,7 @@ TEST_CASE("A worker's last line names the culprit") {
   CHECK(record.robot == "r1");
   CHECK(record.step == 50U);
   CHECK(record.message ==
-        "plugin 'wander' (id 'roam') of robot 'r1' crashed with SIGSEGV in step 50");
+        "plugin 'wander' (id 'roam') of robot 'r1' crashed with SIGSEGV in step 50 (at 0.5 s)");
 
   const auto left = result_of("printf '\\n!wander\\twander\\tr1\\t\\t\\n' >&3; exit 3");
   CHECK(left.state == batch::RunState::crash);
@@ -192,7 +192,7 @@ TEST_CASE("A worker that takes too long reports the plugin at work, and is ended
   CHECK(asked.step == 50U);
   CHECK(asked.message ==
         "the run did not end within 0.3 s on the clock and was ended, while plugin 'looping' of "
-        "robot 'r1' was at work in step 50");
+        "robot 'r1' was at work in step 50 (at 0.5 s)");
 }
 
 TEST_CASE("A slow run is reported by its step: no plugin is to blame") {

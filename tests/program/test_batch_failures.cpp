@@ -44,13 +44,14 @@ TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported
       here.query("faulty.sqlite",
                  "SELECT log FROM runs JOIN cells ON cells.id = cell_id WHERE world = "
                  "'segfaulting'");
-  CHECK_THAT(log, Contains("segmentation fault (SIGSEGV) in step 50") && Contains("the stack"));
+  CHECK_THAT(
+      log, Contains("segmentation fault (SIGSEGV) in step 50 (at 0.5 s)") && Contains("the stack"));
   CHECK(
       here.query("faulty.sqlite", "SELECT message FROM runs WHERE plugin = 'looping'") ==
       "the run did not end within 10 s on the clock and was ended, while plugin 'looping' of robot "
-      "'r1' was at work in step 50\n");
+      "'r1' was at work in step 50 (at 0.5 s)\n");
   CHECK(here.query("faulty.sqlite", "SELECT message FROM runs WHERE plugin = 'segfaulting'") ==
-        "plugin 'segfaulting' of robot 'r1' crashed with SIGSEGV in step 50\n");
+        "plugin 'segfaulting' of robot 'r1' crashed with SIGSEGV in step 50 (at 0.5 s)\n");
   // Data recorded before a plugin threw is kept, without measures.
   CHECK(here.query("faulty.sqlite",
                    "SELECT count(*) FROM trajectories JOIN runs ON runs.id = run_id "
@@ -66,7 +67,8 @@ TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported
   };
   const auto fault = here.elsie("replay faulty.sqlite " + number("throwing"));
   CHECK(fault.exit_code == 0);
-  CHECK_THAT(fault.out, Contains("the same: plugin 'throwing' of robot 'r1' failed in step 50"));
+  CHECK_THAT(fault.out,
+             Contains("the same: plugin 'throwing' of robot 'r1' failed in step 50 (at 0.5 s)"));
   const auto crash = here.elsie("replay faulty.sqlite " + number("segfaulting"));
   CHECK(crash.exit_code == 3);
   CHECK_THAT(crash.out, Contains("before: crash, plugin 'segfaulting' of robot 'r1' crashed"));

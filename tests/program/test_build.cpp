@@ -137,19 +137,25 @@ TEST_CASE("Messages name the source, not the library that it was compiled to") {
   CHECK_THAT(crashed.err.substr(0, crashed.err.find('\n')), !Contains("cache/"));
 }
 
-TEST_CASE("A crash in a function that was put inline names the plugin's own line") {
+TEST_CASE("A crash in a function that was put inline, or an exception of it, names its own line") {
   Bench here;
   here.write("straight.cpp",
-             "#include <elsie/api/behavior.h>\n#include <vector>\n"
+             "#include <elsie/api/behavior.h>\n#include <cstdlib>\n#include <vector>\n"
              "class Straight final : public elsie::Behavior {\n"
              "  std::vector<double> rates_;\n"
              "  elsie::Response respond(const elsie::Perception&) override {\n"
-             "    return elsie::WheelPair().motion({rates_[0], 1.0});\n  }\n};\n"
+             "    const double rate = std::getenv(\"RUDE\") ? rates_[0] : rates_.at(1);\n"
+             "    return elsie::WheelPair().motion({rate, 1.0});\n  }\n};\n"
              "ELSIE_BEHAVIOR(Straight, \"straight\", \"Reads what is not there\");\n");
-  const auto run = here.cached("run world.xml --plugin straight.cpp");
+  const auto run = here.sh("RUDE=1 ELSIE_CACHE=cache elsie run world.xml --plugin straight.cpp");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("straight.cpp"));
-  CHECK_THAT(run.err, Contains("straight.cpp:6\n"));
+  CHECK_THAT(run.err, Contains("straight.cpp:7\n"));
+  const auto thrown = here.cached("run world.xml --plugin straight.cpp");
+  CHECK(thrown.exit_code == 3);
+  CHECK_THAT(thrown.err, Contains("failed in step 0 (at 0 s): vector::_M_range_check") &&
+                             Contains("\nthe plugin's own line: ") &&
+                             Contains("/straight.cpp:7\n"));
 }
 
 TEST_CASE("The compiler's warnings are passed on, once") {

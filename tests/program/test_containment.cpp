@@ -53,7 +53,7 @@ TEST_CASE("A plugin that ends the process by a function of the C library is name
     CHECK(run.out.empty());
     CHECK_THAT(run.err, Contains("elsie: plugin '" + expected.plugin +
                                  "' of robot 'r1' ended the program by calling " + expected.what +
-                                 " in step 50\n") &&
+                                 " in step 50 (at 0.5 s)\n") &&
                             Contains("what was recorded until then is kept\n") &&
                             Contains("trespassers.so+0x"));
     CHECK_THAT(world.here.read("run.csv"), Catch::EndsWith("\n"));
@@ -158,7 +158,8 @@ TEST_CASE("A copy of the process that crashes does not speak for the program") {
   const auto run = world.run("forking_and_crashing", "--record run.csv --record-rate 100");
   CHECK(run.exit_code == 3);
   CHECK(run.err ==
-        "elsie: plugin 'forking_and_crashing' of robot 'r1' failed in step 50: it made a copy of "
+        "elsie: plugin 'forking_and_crashing' of robot 'r1' failed in step 50 (at 0.5 s): it made "
+        "a copy of "
         "the program with fork(); start other programs with posix_spawn()\n");
 }
 
@@ -180,7 +181,8 @@ TEST_CASE("A copy of the process ends, and the plugin that made it has failed") 
   CHECK(run.exit_code == 3);
   CHECK(run.out.empty());
   CHECK(run.err ==
-        "elsie: plugin 'forking' of robot 'r1' failed in step 50: it made a copy of the program "
+        "elsie: plugin 'forking' of robot 'r1' failed in step 50 (at 0.5 s): it made a copy of the "
+        "program "
         "with fork(); start other programs with posix_spawn()\n");
   CHECK(world.run("starting").exit_code == 0);
 }
@@ -221,7 +223,8 @@ TEST_CASE("A plugin that changes how numbers are rounded is named, and changes n
   REQUIRE(result.at("notes").size() == 1);
   CHECK(result.at("notes")[0].at("plugin") == "rounding");
   CHECK(result.at("notes")[0].at("text") ==
-        "changed how results are rounded for the whole program, once, first in step 50; this was "
+        "changed how results are rounded for the whole program, once, first in step 50 (at 0.5 s); "
+        "this was "
         "undone after each call");
   CHECK(state_hash(run) == state_hash(world.run("starting")));  // which drives in the same way
   const auto made = world.run("rounding_when_made");
@@ -293,7 +296,7 @@ TEST_CASE("test-plugin stops a plugin that does not return, and one that takes e
       world.here.elsie("test-plugin looping_at_once --time-limit 1 --plugin-path " + world.plugins);
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'looping_at_once' did not return within 1 s and was stopped "
-                               "in step 0, while it was tried (its defaults; "));
+                               "in step 0 (at 0 s), while it was tried (its defaults; "));
   run = world.here.elsie("test-plugin hoarding --variants 0 --memory-limit 400 --plugin-path " +
                          world.plugins);
   CHECK(run.exit_code == 1);
@@ -365,7 +368,7 @@ TEST_CASE("A plugin that writes to a pipe that nobody reads is named") {
   const auto run = world.run("writing_to_a_broken_pipe");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'writing_to_a_broken_pipe' of robot 'r1' ended the program "
-                               "with the signal SIGPIPE in step 50\n"));
+                               "with the signal SIGPIPE in step 50 (at 0.5 s)\n"));
 }
 
 TEST_CASE("A report that nobody reads to its end does not change the exit code") {

@@ -75,7 +75,8 @@ TEST_CASE("A plugin that throws or answers NaN is named; the recording and the p
     const auto run = world.run(plugin, "--picture run.png");
     CHECK(run.exit_code == 3);
     CHECK(run.out.empty());
-    CHECK_THAT(run.err, Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50: "));
+    CHECK_THAT(run.err,
+               Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50 (at 0.5 s): "));
     CHECK(world.rows() == 51);
     CHECK_FALSE(world.here.read("run.png").empty());
   }
@@ -96,6 +97,10 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
       {"bus_error", "bus error (SIGBUS)"},
       {"exiting", "by calling exit()"},
       {"calling_nowhere", "segmentation fault (SIGSEGV)"},
+      {"trapping", "trap (SIGTRAP)"},
+      {"terminating", "with the signal SIGTERM"},
+      {"real_time", "with the signal SIGRTMIN+3"},
+      {"timed", "with the signal SIGALRM"},
   };
   for (const Case& expected : cases) {
     CAPTURE(expected.plugin);
@@ -105,7 +110,7 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
     CHECK(run.out.empty());
     CHECK_THAT(run.err,
                Contains("elsie: plugin '" + expected.plugin + "' of robot 'r1' ended the program"));
-    CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50\n"));
+    CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50 (at 0.5 s)\n"));
     CHECK_THAT(run.err, Contains("the stack, from the inside out:\n") && Contains("faulty.so+0x"));
     // It ends where Elsie's code begins, which called the plugin.
     CHECK_THAT(run.err, !Contains("libelsie.so") && !Contains("elsie-program+0x"));
@@ -147,7 +152,7 @@ TEST_CASE("Sensors and coordinators that crash are distinguished from behaviours
   FaultyWorld world;
   CHECK_THAT(world.run("thrifty", "", "crashing_coordinator").err,
              Contains("plugin 'crashing_coordinator' of robot 'r1' ended the program with a "
-                      "segmentation fault (SIGSEGV) in step 50\n"));
+                      "segmentation fault (SIGSEGV) in step 50 (at 0.5 s)\n"));
   CHECK_THAT(world.run("segfaulting", "", "crashing_coordinator").err,
              Contains("plugin 'segfaulting' of robot 'r1' ended the program"));
   CHECK_THAT(world.run("thrifty", "", "arbiter_suppression", "crashing_sensor").err,
@@ -182,8 +187,9 @@ TEST_CASE("A plugin that takes longer than its time budget ends the run in order
   // Wide, so that a busy machine does not interfere.
   const auto run = world.run("dawdling", "--time-budget 900 --picture run.png");
   CHECK(run.exit_code == 3);
-  CHECK_THAT(run.err, Contains("plugin 'dawdling' of robot 'r1' failed in step 50: it took ") &&
-                          Contains(" ms to answer, which is beyond its time budget of 900 ms"));
+  CHECK_THAT(run.err,
+             Contains("plugin 'dawdling' of robot 'r1' failed in step 50 (at 0.5 s): it took ") &&
+                 Contains(" ms to answer, which is beyond its time budget of 900 ms"));
   CHECK(world.rows() == 51);
   CHECK_FALSE(world.here.read("run.png").empty());
 }
@@ -195,7 +201,7 @@ TEST_CASE("A plugin that never returns is stopped") {
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'looping' of robot 'r1' did not return within its time "
-                               "budget and was stopped in step 50\n") &&
+                               "budget and was stopped in step 50 (at 0.5 s)\n") &&
                           Contains("faulty.so+0x"));
   CHECK(world.rows() == 51);
 }
@@ -215,7 +221,7 @@ TEST_CASE("A second Ctrl-C ends even a plugin that does not return, and says whi
   CHECK(run.exit_code == 4);
   CHECK_THAT(world.here.read("err"),
              Contains("plugin 'looping' of robot 'r1' was at work when the run was interrupted in "
-                      "step 50\n") &&
+                      "step 50 (at 0.5 s)\n") &&
                  Contains("faulty.so+0x"));
   CHECK(world.rows() >= 1);
   // The libraries that were loaded from copies; none of these is left.
@@ -268,7 +274,7 @@ TEST_CASE("Before the run, the first Ctrl-C says which plugin does not return") 
          " of robot 'r1' was at work when the program was interrupted, while it was prepared "
          "(world.xml:2)"},
         {"loops_when_reset",
-         " of robot 'r1' was at work when the program was interrupted in step 0"}}) {
+         " of robot 'r1' was at work when the program was interrupted in step 0 (at 0 s)"}}) {
     const auto run = world.interrupt(expected.plugin);
     const std::string err = world.here.read("err");
     CAPTURE(err);
@@ -293,12 +299,6 @@ TEST_CASE("While libraries are loaded, Ctrl-C names one only if it takes long") 
                                        "interrupted, while it was loaded\n"));
 }
 
-TEST_CASE("An unhandled signal ends the program as usual, and leaves no copies") {
-  FaultyWorld world;
-  world.write("looping", "arbiter_suppression", "");
-  for (const std::string signal : {"USR1", "PIPE", "XCPU"}) {
-    CAPTURE(signal);
-    const auto run = world.here.sh(
 TEST_CASE("A locale that a plugin sets changes no number") {
   const Workplace here;
   if (here.sh("localedef -i de_DE -f UTF-8 $PWD/de_DE > none 2>&1").exit_code != 0) {
@@ -318,6 +318,12 @@ TEST_CASE("A locale that a plugin sets changes no number") {
   CHECK(train("FAULTY_LEAVES_BEHIND=locale") == usual);
 }
 
+TEST_CASE("An unhandled signal ends the program as usual, and leaves no copies") {
+  FaultyWorld world;
+  world.write("looping", "arbiter_suppression", "");
+  for (const std::string signal : {"USR1", "PIPE", "XCPU"}) {
+    CAPTURE(signal);
+    const auto run = world.here.sh(
         "rm -rf copies err; mkdir copies; export TMPDIR=$PWD/copies; ulimit -c 0\n"
         "elsie run world.xml --watch --plugin-path " +
         elsie::test::build_path("tests/program/plugins") +

@@ -46,7 +46,7 @@ TEST_CASE("A plugin that ends the checker is named") {
   CAPTURE(late.err);
   CHECK(late.exit_code == 3);
   CHECK_THAT(late.err, Contains("plugin 'segfaulting' ended the program with a segmentation fault "
-                                "(SIGSEGV) in step 50"));
+                                "(SIGSEGV) in step 50 (at 0.5 s)"));
   const auto early = here.elsie("test-plugin crashes_when_made " + faulty());
   CAPTURE(early.err);
   CHECK(early.exit_code == 3);

@@ -41,7 +41,7 @@ TEST_CASE("Who takes longer than the time budget is named, not who asked it") {
   Simulation simulation(one_robot(), scripted.host, with({.time_s = 1.2, .memory = 0}));
   CHECK_THROWS_WITH(
       simulation.run(),
-      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: it took ") &&
+      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): it took ") &&
           Catch::Contains(" ms to answer, which is beyond its time budget of 1200 ms"));
 }
 

@@ -28,8 +28,26 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST_CASE("A behaviour that throws is named, with its robot and the step") {
   CHECK_THROWS_WITH(run([]() -> Response { throw std::runtime_error("out of ideas"); }),
-                    "plugin 'scripted' of robot 'r1' failed in step 3: out of ideas");
+                    "plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): out of ideas");
   CHECK_THROWS_AS(run([]() -> Response { throw 42; }), PluginFault);
+}
+
+namespace {
+struct Wordless final : std::exception {
+  const char* what() const noexcept override { return nullptr; }
+};
+}  // namespace
+
+TEST_CASE(
+    "An exception without a text is named by its type, and is that of the plugin that threw") {
+  CHECK_THROWS_WITH(run([]() -> Response { throw Wordless(); }),
+                    Catch::StartsWith("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 "
+                                      "s): an exception of type ") &&
+                        Catch::EndsWith("Wordless"));
+  CHECK_THROWS_WITH(run([]() -> Response { throw std::runtime_error(""); }),
+                    Catch::EndsWith("an exception of type std::runtime_error"));
+  CHECK_THROWS_WITH(run([]() -> Response { throw 42; }),
+                    Catch::EndsWith("an exception of type int"));
 }
 
 TEST_CASE("So is one that answers with something that is not a finite number") {
@@ -54,14 +72,15 @@ TEST_CASE("So is one that answers with something that is not a finite number") {
 TEST_CASE("The strengths of speed and turn are looked at like the strength as a whole") {
   for (const double wrong : {kNan, 7.0, -0.1}) {
     CAPTURE(wrong);
-    CHECK_THROWS_WITH(run([wrong] {
-                        Response response;
-                        response.speed_strength = wrong;
-                        return response;
-                      }),
-                      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: its "
-                                      "speed_strength is ") &&
-                          Catch::Contains("which is not in [0, 1]"));
+    CHECK_THROWS_WITH(
+        run([wrong] {
+          Response response;
+          response.speed_strength = wrong;
+          return response;
+        }),
+        Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): its "
+                        "speed_strength is ") &&
+            Catch::Contains("which is not in [0, 1]"));
     CHECK_THROWS_WITH(
         run([wrong] {
           Response response;
@@ -89,7 +108,7 @@ TEST_CASE("The message names the id of a plugin that has one") {
   use.id = "second";
   world.robots.push_back(robot("r1", 0, 0, 0, use));
   CHECK_THROWS_WITH(Simulation(world, scripted.host).run(),
-                    "plugin 'scripted' (id 'second') of robot 'r1' failed in step 0: no");
+                    "plugin 'scripted' (id 'second') of robot 'r1' failed in step 0 (at 0 s): no");
 }
 
 namespace {
@@ -190,13 +209,106 @@ TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 
                                     "0 or more"));
 }
 
+namespace {
+
+struct LightReading {
+  static constexpr const char* kind = "light";
+  double brightness = 0.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("brightness", brightness);
+  }
+};
+
+/// Measures nonsense in step 3.
+class LightMeter final : public SensorOf<LightReading> {
+ public:
+  LightReading sense(const SensorContext& now) override {
+    return {now.time_s > 0.025 ? std::sqrt(-2.0) : 1.0};
+  }
+};
+
+/// The same kind, as an older header had it.
+struct OldLightReading {
+  static constexpr const char* kind = "light";
+  float brightness = 0.0F;
+};
+
+world::World with_light_meter(ScriptedHost& scripted) {
+  Declaration declaration = declare<LightMeter>(PluginKind::sensor, "light_meter", "Measures light",
+                                                produces<LightReading>());
+  scripted.host.add(std::move(declaration));
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::SensorUse sensor;
+  sensor.plugin = sensor.id = "light_meter";
+  world.robots[0].sensors.push_back(sensor);
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("A sensor whose reading is not finite is named, not a behaviour that uses it") {
+  ScriptedHost scripted([](const Perception& now) {
+    const double light = now.readings<LightReading>()[0]->brightness;
+    return wheels(light, light);
+  });
+  const world::World world = with_light_meter(scripted);
+  CHECK_THROWS_WITH(Simulation(world, scripted.host).run(),
+                    Catch::StartsWith("plugin 'light_meter' of robot 'r1' failed in step 3 (at "
+                                      "0.03 s): the number 'brightness' of its reading is ") &&
+                        Catch::EndsWith("nan; expected a finite number"));
+}
+
+TEST_CASE("A behaviour that was compiled with another header of a reading is not blind") {
+  ScriptedHost scripted([](const Perception& now) {
+    return wheels(now.readings<OldLightReading>().empty() ? 1.0 : 2.0, 0.0);
+  });
+  const world::World world = with_light_meter(scripted);
+  CHECK_THROWS_WITH(Simulation(world, scripted.host).run(),
+                    Catch::Contains("its readings of the kind 'light' have 4 bytes, but those of "
+                                    "the sensor 'light_meter' have 8; build both plugins with"));
+}
+
+namespace {
+/// Gives reasons in texts of its own, as long as the call.
+class Explainer final : public Coordinator {
+ public:
+  Motion coordinate(std::span<Member> members, const Perception& now) override {
+    const std::string why = "activation " + std::to_string(now.time_s()) + " at beta 5";
+    members[0].trace.reason = why;
+    members[0].trace.share = 1.0;
+    return members[0].respond().command;
+  }
+};
+}  // namespace
+
+TEST_CASE("A reason in the trace may be a text of the moment") {
+  ScriptedHost scripted([](const Perception&) {
+    Response response = wheels(1, 1);
+    response.events.push_back({std::string("hello")});
+    return response;
+  });
+  add<Explainer>(scripted.host, PluginKind::coordinator, "explainer");
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world.robots[0].coordinator->plugin = "explainer";
+  Simulation simulation(world, scripted.host);
+  simulation.reset();
+  simulation.step();
+  CHECK(simulation.robot(0).members[0].trace.reason == "activation 0.000000 at beta 5");
+  simulation.step();
+  CHECK(simulation.robot(0).members[0].trace.reason == "activation 0.010000 at beta 5");
+}
+
 TEST_CASE("A behaviour that asks for a reading that no sensor makes is named, with the kind") {
-  CHECK_THROWS_WITH(run([]() -> Response {
-                      const Readings<RangeReading> none;
-                      return wheels(none[0]->distance_m, 0.0);
-                    }),
-                    Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3: it asks "
-                                    "for reading number 0 of kind 'range'"));
+  CHECK_THROWS_WITH(
+      run([]() -> Response {
+        const Readings<RangeReading> none;
+        return wheels(none[0]->distance_m, 0.0);
+      }),
+      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): it asks "
+                      "for reading number 0 of kind 'range'"));
 }
 
 TEST_CASE("A behaviour that rates out of range, or throws in reset(), is named") {

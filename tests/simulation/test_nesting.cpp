@@ -164,7 +164,8 @@ TEST_CASE("A fault inside names the plugin that failed, not the ones around it")
   NestingHost scripted([](const Perception&) -> Response { throw std::runtime_error("lost"); });
   Simulation simulation(world_of(holder("outer", {holder("inner", {behavior("scripted")})})),
                         scripted.host);
-  CHECK_THROWS_WITH(simulation.step(), "plugin 'scripted' of robot 'r1' failed in step 0: lost");
+  CHECK_THROWS_WITH(simulation.step(),
+                    "plugin 'scripted' of robot 'r1' failed in step 0 (at 0 s): lost");
 }
 
 TEST_CASE("A holder with nothing in it stands still and is not active") {

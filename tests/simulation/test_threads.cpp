@@ -142,7 +142,7 @@ TEST_CASE("The fault of the first robot that fails ends the run, with the events
     return said + account(simulation.result());
   };
   const std::string alone = run(1);
-  CHECK(alone.starts_with("plugin 'scripted' of robot 'r13' failed in step 5: lost"));
+  CHECK(alone.starts_with("plugin 'scripted' of robot 'r13' failed in step 5 (at 0.05 s): lost"));
   for (int round = 0; round < 5; ++round) {
     CHECK(run(2) == alone);
     CHECK(run(4) == alone);

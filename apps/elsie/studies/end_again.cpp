@@ -49,7 +49,7 @@ void say(std::uint64_t number) noexcept {
                                         digits)});
 }
 
-void say_place(const CallFacts& at, std::uint64_t step) noexcept {
+void say_place(const CallFacts& at, const batch::Moment& now) noexcept {
   if (at.plugin) {
     say("plugin '");
     say(*at.plugin);
@@ -68,22 +68,33 @@ void say_place(const CallFacts& at, std::uint64_t step) noexcept {
     say("no plugin");
   }
   say(" in step ");
-  say(step);
+  say(now.step);
+  say(" (at ");
+  say(base::NumberText(std::round(1e6 * now.time_s) / 1e6).view());
+  say(" s)");
 }
 
-std::uint64_t step_of(const CallFacts& at, std::uint64_t otherwise) noexcept {
-  return at.step != CallFacts::kNoStep ? at.step : otherwise;
+batch::Moment moment_of(const CallFacts& at, const batch::Moment& otherwise) noexcept {
+  return at.step != CallFacts::kNoStep ? batch::Moment{at.step, at.time_s} : otherwise;
 }
 
 bool is_same(const std::optional<std::string>& before, const std::string* now) noexcept {
   return now ? before && *before == *now : !before;
 }
 
-/// "plugin 'x' of robot 'r1' in step 50".
+/// " in step 50 (at 0.5 s)", as in the message, which alone has the time.
+std::string step_of(const RunRecord& record) {
+  if (!record.step) return "";
+  const std::string words = " in step " + std::to_string(*record.step);
+  const std::size_t at = record.message.find(words + " (");
+  const std::size_t end = at == std::string::npos ? at : record.message.find(')', at);
+  return end == std::string::npos ? words : record.message.substr(at, end + 1 - at);
+}
+
+/// "plugin 'x' of robot 'r1' in step 50 (at 0.5 s)".
 std::string place_of(const RunRecord& record) {
   return (record.plugin ? "plugin '" + *record.plugin + "'" : "no plugin") +
-         (record.robot ? " of robot '" + *record.robot + "'" : "") +
-         (record.step ? " in step " + std::to_string(*record.step) : "");
+         (record.robot ? " of robot '" + *record.robot + "'" : "") + step_of(record);
 }
 
 /// The end of the sentence after "not the same" and the current state.
@@ -141,10 +152,14 @@ void EndAgain::set_timer(double seconds) const noexcept {
 
 void EndAgain::start_clock() const noexcept { set_timer(wall_limit_s_); }
 
-void EndAgain::started(const simulation::Simulation& simulation) { step_ = simulation.steps(); }
+void EndAgain::started(const simulation::Simulation& simulation) {
+  step_ = simulation.steps();
+  time_s_ = simulation.time_s();
+}
 
 void EndAgain::stepped(const simulation::Simulation& simulation) {
-  step_ = simulation.steps();
+  last_s_ = time_s_;
+  started(simulation);
   if (is_late_ && simulation.outcome() == simulation::Outcome::running) {
     throw WallLimitMet();
   }
@@ -155,7 +170,8 @@ void EndAgain::ended(const simulation::Simulation&) { set_timer(0.0); }
 std::string EndAgain::slow() const {
   const std::uint64_t step = step_ - 1;
   const std::string now = "after " + base::number_text(wall_limit_s_, 6) +
-                          " s on the clock it was in step " + std::to_string(step) + " and went on";
+                          " s on the clock it was in " + base::step_text(step, last_s_) +
+                          " and went on";
   if (before_.state != RunState::hang) {
     return "the run has not ended: " + now + not_same_;
   }
@@ -169,7 +185,7 @@ std::string EndAgain::slow() const {
 
 bool EndAgain::is_same_place() const noexcept {
   const CallFacts now = process::facts_at_work();
-  return before_.step == step_of(now, step_) && is_same(before_.plugin, now.plugin) &&
+  return before_.step == moment_of(now, {step_, 0.0}).step && is_same(before_.plugin, now.plugin) &&
          is_same(before_.robot, now.robot);
 }
 
@@ -192,7 +208,7 @@ void EndAgain::limit_is_met(int) {
   } else {
     say("not the same: hangs in ");
     const CallFacts now = process::facts_at_work();
-    say_place(now, step_of(now, self->step_));
+    say_place(now, moment_of(now, {self->step_, self->time_s_}));
     say(self->not_same_);
   }
   process::end_process("did not return before the wall limit of the run",

@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "elsie/batch/job.h"
+#include "elsie/batch/perform.h"
 #include "elsie/files/emergency.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/simulation/observer.h"
@@ -56,6 +57,8 @@ class EndAgain final : public simulation::Observer, private files::EmergencyWrit
   const std::string same_, not_same_;
   timer_t timer_{};
   std::atomic<std::uint64_t> step_{0};
+  std::atomic<double> time_s_{0.0};  // of the step
+  double last_s_ = 0.0;              // of the step before
   std::atomic<bool> is_late_{false};
   std::atomic<bool> is_told_{false};
 };

@@ -33,4 +33,8 @@ std::string fixed_text(double value, int decimals) {
 
 std::string seconds_text(double seconds) { return number_text(seconds, 6) + " s"; }
 
+std::string step_text(std::uint64_t step, double time_s) {
+  return "step " + std::to_string(step) + " (at " + seconds_text(time_s) + ")";
+}
+
 }  // namespace elsie::base

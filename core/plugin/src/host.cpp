@@ -12,6 +12,7 @@
 
 #include "elsie/api/registration.h"
 #include "elsie/base/near_name.h"
+#include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/call.h"
@@ -404,7 +405,7 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
       problem = "it made no object";
     }
   } catch (...) {
-    problem = current_exception_text();
+    problem = base::what_was_thrown();
   }
   // Thrown here, outside of the catch block, when the plugin's own exception is destroyed.
   const std::string file =

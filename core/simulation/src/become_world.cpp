@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/changed_worlds.h"
@@ -100,8 +101,8 @@ void Simulation::Impl::change(std::span<const Change> changes) {
     throw;  // from a running plugin; it ends the run
   } catch (const world::WorldError& error) {
     throw refusal(changes, error, world_.file);
-  } catch (const std::exception& error) {
-    throw ChangeRefused(text_of(changes) + ": " + error.what());
+  } catch (...) {
+    throw ChangeRefused(text_of(changes) + ": " + base::what_was_thrown());
   }
   settle(becoming);
   take_stock();

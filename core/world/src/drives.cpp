@@ -4,6 +4,7 @@
 #include <string>
 
 #include "elsie/api/drive.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
@@ -39,8 +40,8 @@ void build(Robot& robot, const plugin::Host& host, Problems& problems) {
     }
   } catch (const plugin::PluginError& error) {
     refuse(error.what(), true);
-  } catch (const std::exception& error) {
-    refuse(error.what(), false);
+  } catch (...) {
+    refuse(base::what_was_thrown(), false);
   }
 }
 

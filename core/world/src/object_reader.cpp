@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
@@ -331,8 +332,8 @@ class ObjectReader {
       }
     } catch (const plugin::CreateError& error) {
       refuse(element.where, error.what(), true);
-    } catch (const std::exception& error) {
-      refuse(element.where, error.what());
+    } catch (...) {
+      refuse(element.where, base::what_was_thrown());
     }
   }
 

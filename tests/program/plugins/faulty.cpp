@@ -18,6 +18,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <elsie/api/behavior.h>
@@ -33,7 +34,11 @@ namespace {
   if (wish && std::string_view(wish) == "late") {
     std::this_thread::sleep_for(std::chrono::milliseconds(1200));
   }
-  return wish && raise(SIGTERM) == 0;
+  while (wish) {
+    kill(getppid(), SIGTERM);  // the supervisor hands it on, as if a user had sent it
+    pause();
+  }
+  return true;
 }();
 
 void pause_here() { pause(); }
@@ -55,13 +60,13 @@ void pause_here() { pause(); }
   } else if (what == "memory") {
     return mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0) !=
            MAP_FAILED;
+  } else if (what == "locale") {
+    return std::setlocale(LC_ALL, "de_DE") != nullptr;  // where LOCPATH has it
   } else if (what == "text") {
     std::printf("loaded\n");
   }
   return true;
 }();
-  } else if (what == "locale") {
-    return std::setlocale(LC_ALL, "de_DE") != nullptr;  // where LOCPATH has it
 
 /// The compiler cannot see into this function, so that the faults below stay.
 template <class Value>
@@ -95,6 +100,26 @@ struct Divides {
   elsie::Motion operator()() {
     raise(SIGFPE);  // 1 / 0 raises it on some processors only
     return {};
+  }
+};
+template <int kSignal>
+struct Raises {
+  elsie::Motion operator()() {
+    raise(kSignal);
+    return {};
+  }
+};
+struct RaisesRealTime {
+  elsie::Motion operator()() {
+    raise(SIGRTMIN + 3);
+    return {};
+  }
+};
+struct SetsTimer {
+  elsie::Motion operator()() {
+    const itimerval soon{{0, 0}, {0, 1000}};
+    setitimer(ITIMER_REAL, &soon, nullptr);
+    for (;;) hidden(0);
   }
 };
 struct Aborts {
@@ -307,6 +332,10 @@ using NotANumberLate = Failing<NotANumber>;
 using SegfaultsLate = Failing<Segfaults>;
 using DividesLate = Failing<Divides>;
 using AbortsLate = Failing<Aborts>;
+using TrapsLate = Failing<Raises<SIGTRAP>>;
+using TerminatesLate = Failing<Raises<SIGTERM>>;
+using RealTimeLate = Failing<RaisesRealTime>;
+using TimedLate = Failing<SetsTimer>;
 using ThrowsWhereNoneMayLate = Failing<ThrowsWhereNoneMay>;
 using IllegalInstructionLate = Failing<IllegalInstruction>;
 using BusErrorLate = Failing<BusError>;
@@ -332,6 +361,10 @@ ELSIE_BEHAVIOR(NotANumberLate, "not_a_number", "Answers NaN after half a second"
 ELSIE_BEHAVIOR(SegfaultsLate, "segfaulting", "Reads from nowhere after half a second");
 ELSIE_BEHAVIOR(DividesLate, "dividing", "Divides by zero after half a second");
 ELSIE_BEHAVIOR(AbortsLate, "aborting", "Calls abort() after half a second");
+ELSIE_BEHAVIOR(TrapsLate, "trapping", "Raises SIGTRAP after half a second");
+ELSIE_BEHAVIOR(TerminatesLate, "terminating", "Raises SIGTERM after half a second");
+ELSIE_BEHAVIOR(RealTimeLate, "real_time", "Raises a real-time signal after half a second");
+ELSIE_BEHAVIOR(TimedLate, "timed", "Sets a timer after half a second");
 ELSIE_BEHAVIOR(ThrowsWhereNoneMayLate, "throwing_through",
                "Throws through a noexcept after half a second");
 ELSIE_BEHAVIOR(IllegalInstructionLate, "illegal",

@@ -129,7 +129,7 @@ std::vector<Quantity> Measuring::quantities() const {
 
 void Measuring::reset(std::uint64_t seed) {
   guard_.begin_run();
-  guard_.begin_step(0);
+  guard_.begin_step(0, 0.0);
   has_failed_ = false;
   for (const auto& slot : slots_) {
     slot->has_begun = false;
@@ -177,7 +177,7 @@ bool Measuring::has_begun() const {
 
 void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
                         std::uint64_t step, bool decided, bool is_start) {
-  guard_.begin_step(step);
+  guard_.begin_step(step, time_s);
   if (!lookout_) return;
   lookout_->look(robots, engine, time_s, decided, is_start);
   for (const auto& slot : slots_) {

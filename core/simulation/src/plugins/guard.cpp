@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 
 #include <malloc.h>
 
@@ -28,24 +27,14 @@ std::int64_t heap_bytes() {
 
 }  // namespace
 
-std::string what_was_thrown() {
-  try {
-    throw;
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "it threw something that is not a std::exception";
-  }
-}
-
 void Guard::note_arithmetic(const world::PluginUse& use, const char* changed) {
   const auto known = std::find_if(
       arithmetic_.begin(), arithmetic_.end(),
       [&](const ChangedArithmetic& one) { return one.id == use.id && one.what == changed; });
-  ChangedArithmetic& entry =
-      known != arithmetic_.end()
-          ? *known
-          : arithmetic_.emplace_back(ChangedArithmetic{use.id, changed, step_, 0});
+  ChangedArithmetic& entry = known != arithmetic_.end()
+                                 ? *known
+                                 : arithmetic_.emplace_back(ChangedArithmetic{
+                                       use.id, changed, base::step_text(step_, time_s_), 0});
   ++entry.calls;
 }
 
@@ -54,8 +43,7 @@ void Guard::list_notes(std::vector<Note>& notes) const {
     notes.push_back({robot_, one.id,
                      "changed " + one.what + " for the whole program, " +
                          (one.calls == 1 ? "once" : std::to_string(one.calls) + " times") +
-                         ", first in step " + std::to_string(one.first_step) +
-                         "; this was undone after each call"});
+                         ", first in " + one.first + "; this was undone after each call"});
   }
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/simulation/fault.h"
@@ -17,9 +18,6 @@
 #include "elsie/world/error.h"
 
 namespace elsie::simulation {
-
-/// The text of the exception that is being handled.
-std::string what_was_thrown();
 
 /// Returns the result of the action, or an empty value if it returns nothing.
 template <class Action>
@@ -67,9 +65,12 @@ class Guard {
     return result;
   }
 
-  [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem) {
+  /// `place`: see PluginFault.
+  [[noreturn]] void fail(const world::PluginUse& use, const std::string& problem,
+                         const std::string& place = "") {
     if (!fault_) {
-      fault_ = std::make_unique<PluginFault>(use.plugin, use.id, robot_, step_, problem);
+      fault_ =
+          std::make_unique<PluginFault>(use.plugin, use.id, robot_, step_, time_s_, problem, place);
     }
     throw *fault_;
   }
@@ -88,7 +89,10 @@ class Guard {
     fault_.reset();
     arithmetic_.clear();
   }
-  void begin_step(std::uint64_t step) { step_ = step; }
+  void begin_step(std::uint64_t step, double time_s) {
+    step_ = step;
+    time_s_ = time_s;
+  }
   /// Appends a note for each plugin that has changed the floating-point settings in this run.
   void list_notes(std::vector<Note>& notes) const;
   /// Forgets the fault, because what failed is undone.
@@ -99,7 +103,7 @@ class Guard {
   struct ChangedArithmetic {
     std::string id;
     std::string what;
-    std::uint64_t first_step = 0;
+    std::string first;  // the step
     std::uint64_t calls = 0;
   };
 
@@ -107,7 +111,8 @@ class Guard {
     return {.plugin = &use.plugin,
             .id = &use.id,
             .robot = robot_.empty() ? nullptr : &robot_,
-            .step = step_};
+            .step = step_,
+            .time_s = time_s_};
   }
 
   template <class Action>
@@ -119,7 +124,7 @@ class Guard {
     } catch (const PluginFault&) {
       throw;  // from another plugin that this one called
     } catch (...) {
-      fail(use, what_was_thrown());
+      fail(use, base::what_was_thrown(), base::place_of_throw());
     }
   }
 
@@ -141,6 +146,7 @@ class Guard {
 
   Budget budget_;
   std::uint64_t step_ = 0;
+  double time_s_ = 0.0;
   std::unique_ptr<PluginFault> fault_;
   std::string robot_;
   std::vector<ChangedArithmetic> arithmetic_;
@@ -170,7 +176,7 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
     problems.push_back({use.location.file, use.location.line, problem.what(),
                         problem.exit_code() == base::kPluginFailed});
   } catch (...) {
-    blame(what_was_thrown());
+    blame(base::what_was_thrown());
   }
   return {};
 }

@@ -49,7 +49,7 @@ class Swap {
     try {
       action();
     } catch (...) {
-      refuse(path, what_was_thrown());
+      refuse(path, base::what_was_thrown());
     }
   }
 

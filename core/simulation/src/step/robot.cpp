@@ -207,7 +207,7 @@ void Robot::group_sensors() {
 
 void Robot::reset(std::uint64_t seed) {
   guard_.begin_run();
-  guard_.begin_step(0);
+  guard_.begin_step(0, 0.0);
   take_description();
   for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
     if (each.extras().changed) {
@@ -235,7 +235,7 @@ void Robot::reset(std::uint64_t seed) {
 
 void Robot::sense(const Carrier& carrier, const Instant& now) {
   if (empty_) return;
-  guard_.begin_step(now.step);
+  guard_.begin_step(now.step, now.time_s);
   for (const Together& group : together_) {
     SensorSlot& first = *sensors_[group.first];
     if (group.count == 1) {
@@ -275,7 +275,7 @@ void Robot::update(SensorSlot& slot, const Carrier& carrier, const Instant& now)
 }
 
 void Robot::decide(const Instant& now) {
-  guard_.begin_step(now.step);
+  guard_.begin_step(now.step, now.time_s);
   perceived_events_.clear();
   for (const events::AnyEvent& event : raised_) {
     perceived_events_.push_back({std::string(events::name_of(event))});

@@ -1,5 +1,6 @@
 #include "described.h"
 
+#include "elsie/base/thrown.h"
 #include "elsie/reference/json.h"
 #include "elsie/simulation/equipped_robot.h"
 #include "elsie/simulation/measures.h"
@@ -74,8 +75,8 @@ Json check_json(const std::string& text, const std::string& file, const plugin::
       check();
     } catch (const base::FileError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
-    } catch (const std::exception& error) {  // a plugin failed
-      problems.push_back({file, 0, error.what()});
+    } catch (...) {  // a plugin failed
+      problems.push_back({file, 0, base::what_was_thrown()});
     }
   };
   attempt([&] {

@@ -16,7 +16,7 @@ std::optional<LastWords> last_words_in(std::string_view answer) {
     if (!line.starts_with('!')) {
       continue;
     }
-    std::array<std::string, 5> parts;
+    std::array<std::string, 6> parts;
     std::string_view rest = line.substr(1);
     for (std::string& part : parts) {
       const std::string_view text = rest.substr(0, rest.find('\t'));
@@ -24,6 +24,7 @@ std::optional<LastWords> last_words_in(std::string_view answer) {
       part = text;
     }
     LastWords words{parts[0], parts[1], parts[2], std::nullopt, parts[4]};
+    std::from_chars(parts[5].data(), parts[5].data() + parts[5].size(), words.time_s);
     std::uint64_t step = 0;
     const char* const end = parts[3].data() + parts[3].size();
     if (const auto read = std::from_chars(parts[3].data(), end, step);

@@ -1,9 +1,9 @@
 // The report of a worker that a plugin is just ending: one line, written in a signal handler and so
 // without allocation.
 //
-//   !plugin<TAB>id<TAB>robot<TAB>step<TAB>signal
+//   !plugin<TAB>id<TAB>robot<TAB>step<TAB>signal<TAB>time
 //
-// Unknown parts are empty; the step counts from 0.
+// Unknown parts are empty; the step counts from 0, and its time is simulated seconds.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,7 @@ struct LastWords {
   std::string robot;
   std::optional<std::uint64_t> step;
   std::string signal;
+  double time_s = 0.0;  // of the step
 };
 
 /// Finds the last such line in a worker's answer.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "elsie/base/thrown.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/account_recorder.h"
@@ -20,11 +21,17 @@ namespace elsie::batch {
 namespace {
 
 std::atomic<std::uint64_t> current_step{0};
+std::atomic<double> current_time_s{0.0};
+
+void note_moment(const simulation::Simulation& run) {
+  current_step = run.steps();
+  current_time_s = run.time_s();
+}
 
 class StepTeller final : public simulation::Observer {
  public:
-  void started(const simulation::Simulation& run) override { current_step = run.steps(); }
-  void stepped(const simulation::Simulation& run) override { current_step = run.steps(); }
+  void started(const simulation::Simulation& run) override { note_moment(run); }
+  void stepped(const simulation::Simulation& run) override { note_moment(run); }
 };
 
 /// All observers of the run.
@@ -130,6 +137,7 @@ void Preparation::make(const Job& job, const simulation::MakeCameraRenderer& cam
 RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
   RunRecord record;
   current_step = 0;
+  current_time_s = 0.0;
   try {
     const auto own = prepared ? std::move(prepared) : std::make_unique<Preparation>(job);
     own->make(job, render::world_cameras);
@@ -148,12 +156,9 @@ RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
       record.robot = fault.robot;
     }
     record.step = fault.step;
-  } catch (const std::exception& error) {
-    record.state = RunState::error;
-    record.message = error.what();
   } catch (...) {
     record.state = RunState::error;
-    record.message = "something was thrown that is not a std::exception";
+    record.message = base::what_was_thrown();
   }
   if (record.state != RunState::done) {
     record.outcome.reset();
@@ -161,6 +166,6 @@ RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
   return record;
 }
 
-std::uint64_t step_at_work() noexcept { return current_step; }
+Moment moment_at_work() noexcept { return {current_step, current_time_s}; }
 
 }  // namespace elsie::batch

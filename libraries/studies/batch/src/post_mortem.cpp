@@ -9,9 +9,9 @@ namespace {
 
 using base::seconds_text;
 
-/// " in step 50", or empty when the step is not known.
+/// " in step 50 (at 0.5 s)", or empty when the step is not known.
 std::string in_step(const LastWords& words) {
-  return words.step ? " in step " + std::to_string(*words.step) : "";
+  return words.step ? " in " + base::step_text(*words.step, words.time_s) : "";
 }
 
 /// "plugin 'wander' (id 'roam') of robot 'r1'", or "the process" when it is not known.

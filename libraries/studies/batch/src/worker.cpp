@@ -14,6 +14,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include "elsie/base/number_text.h"
 #include "elsie/batch/perform.h"
 #include "elsie/batch/worker_pool.h"
 #include "elsie/files/emergency.h"
@@ -86,10 +87,13 @@ void send_last_words() {
   const auto text = [](const std::string* maybe) { return maybe ? std::string_view(*maybe) : ""; };
   Line line;
   line.text(text(known.plugin)).part().text(text(known.id)).part().text(text(known.robot)).part();
-  line.number(known.step != plugin::CallFacts::kNoStep ? known.step : step_at_work()).part();
+  const bool is_known = known.step != plugin::CallFacts::kNoStep;
+  const Moment now = is_known ? Moment{known.step, known.time_s} : moment_at_work();
+  line.number(now.step).part();
   const int caught = process::signal_of_crash();
   const char* const name = caught != 0 ? sigabbrev_np(caught) : nullptr;
-  line.text(name ? "SIG" : "").text(name ? name : "").send(kResultDescriptor);
+  line.text(name ? "SIG" : "").text(name ? name : "").part();
+  line.text(base::NumberText(now.time_s).view()).send(kResultDescriptor);
 }
 
 class LastWordsWriter final : public files::EmergencyWriter {

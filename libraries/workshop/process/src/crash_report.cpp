@@ -19,6 +19,8 @@
 #include <unistd.h>
 
 #include "elsie/base/crew.h"
+#include "elsie/base/number_text.h"
+#include "elsie/base/thrown.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
@@ -26,6 +28,7 @@
 #include "loaded_libraries.h"
 #include "reporting.h"
 #include "stack_trace.h"
+#include "thrown.h"
 
 namespace elsie::process {
 
@@ -56,10 +59,17 @@ constexpr Crash kCrashes[] = {
      "(SIGFPE)"},
     {SIGABRT,
      "ended the program with an abort (SIGABRT), as an exception that nobody catches does"},
+    {SIGTRAP, "ended the program with a breakpoint or trap (SIGTRAP)"},
+    {SIGSYS, "ended the program with a system call that is forbidden (SIGSYS)"},
 };
 
-/// Signals that also end a process, but without a fault: only a clean-up follows.
-constexpr int kOtherEnds[] = {SIGPIPE, SIGQUIT, SIGXCPU, SIGXFSZ, SIGUSR1, SIGUSR2, SIGALRM};
+/// Whether the signal also ends a process, but without a fault. Programs handle requests to end
+/// themselves.
+bool is_other_end(int signal) {
+  constexpr int kOthers[] = {SIGKILL, SIGSTOP, SIGINT,  SIGTERM, SIGHUP, SIGCHLD,
+                             SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH};
+  return std::find(std::begin(kOthers), std::end(kOthers), signal) == std::end(kOthers);
+}
 
 void write_number(std::uint64_t number) {
   char digits[20];
@@ -106,8 +116,12 @@ void write_culprit(const CallFacts& facts) {
 
 void write_when(const CallFacts& facts) {
   if (facts.step != CallFacts::kNoStep) {
+    constexpr double kPerSecond = 1e6;  // rounded to this: steps are no multiples of binary numbers
     write_error(" in step ");
     write_number(facts.step);
+    write_error(" (at ");
+    write_error(base::NumberText(std::round(kPerSecond * facts.time_s) / kPerSecond).view());
+    write_error(" s)");
   }
   if (facts.doing) {
     write_error(", ");
@@ -283,21 +297,56 @@ void crashed(int signal, siginfo_t* info, void* context) {
   end_by(signal);
 }
 
-void ended(int signal, siginfo_t* info, void*) {
+/// Whether a timer of this process, or a descriptor that it asked to be told of, caused the signal.
+/// The program itself has none.
+bool is_by_timer(int signal, const siginfo_t& info) {
+  switch (info.si_code) {
+    case SI_TIMER:
+    case SI_ASYNCIO:
+    case SI_MESGQ:
+    case SI_SIGIO:
+      return true;
+    case SI_KERNEL:
+      return signal == SIGALRM || signal == SIGVTALRM || signal == SIGPROF;
+    default:
+      return signal == SIGPOLL && info.si_code > 0;
+  }
+}
+
+/// Whether this process sent the signal. A pipe that nobody reads any more is no plugin's fault
+/// unless one writes to it.
+bool is_by_itself(int signal, const siginfo_t& info) {
+  const bool is_sent =
+      info.si_code == SI_USER || info.si_code == SI_TKILL || info.si_code == SI_QUEUE;
+  return is_sent && info.si_pid == getpid() && (signal != SIGPIPE || is_plugin_at_work());
+}
+
+/// The end of a process by its own signal, if the plugins are to blame.
+void report_if_own(int signal, const siginfo_t& info, const void* context) {
+  if ((is_by_timer(signal, info) || is_by_itself(signal, info)) && may_report()) {
+    char what[64] = "ended the program with the signal ";
+    const char* const name = sigabbrev_np(signal);
+    const int above = signal - SIGRTMIN;
+    const char number[] = {static_cast<char>('0' + above / 10), static_cast<char>('0' + above % 10),
+                           '\0'};
+    std::strncat(what, name ? "SIG" : "SIGRTMIN+", sizeof(what) - std::strlen(what) - 1);
+    std::strncat(what, name ? name : number, sizeof(what) - std::strlen(what) - 1);
+    write_report(what, place_of_fault(context));
+    end_with(status_of_crash);
+  }
+}
+
+void ended(int signal, siginfo_t* info, void* context) {
   if (getpid() != own_process) {
     end_by(signal);
   }
-  const bool by_itself = info->si_pid == getpid();
-  if (!by_itself && signal == SIGQUIT && is_plugin_at_work() && may_report()) {
+  report_if_own(signal, *info, context);
+  if (signal == SIGQUIT && is_plugin_at_work() && may_report()) {
     write_report("was at work when the program was told to quit (SIGQUIT)", {});
     end_with(status_of_crash);
   }
-  if (by_itself && is_plugin_at_work() && may_report()) {
-    char what[64] = "ended the program with the signal SIG";
-    const char* const name = sigabbrev_np(signal);
-    std::strncat(what, name ? name : "?", sizeof(what) - std::strlen(what) - 1);
-    write_report(what, {});
-    end_with(status_of_crash);
+  if (is_plugin_at_work()) {
+    files::write_in_emergency();  // nothing is being written
   }
   files::clean_up_in_emergency();
   end_by(signal);
@@ -352,6 +401,7 @@ void report_crashes(int exit_status) {
   Call::watch_for_copies(end_copy);
   watch_libraries();
   prepare_stack_trace();
+  base::watch_throws(place_of_throw);
   alignas(16) static char stack[kStackSize];
   // Each thread that calls exit() takes one off the list. Without one it would end the process at
   // once, before another's has reported.
@@ -368,16 +418,22 @@ void report_crashes(int exit_status) {
     // Not blocked in the handler: a fault in it would end the process at once.
     handle(crash.signal, crashed, SA_ONSTACK | SA_NODEFER);
   }
-  for (const int signal : kOtherEnds) {
+  for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     struct sigaction action {};
-    if (sigaction(signal, nullptr, &action) == 0 && !(action.sa_flags & SA_SIGINFO) &&
-        action.sa_handler == SIG_DFL) {
+    if (is_other_end(signal) && sigaction(signal, nullptr, &action) == 0 &&
+        !(action.sa_flags & SA_SIGINFO) && action.sa_handler == SIG_DFL) {
       handle(signal, ended, 0);
     }
   }
 }
 
 void report_crashes_of_copy() { own_process = getpid(); }
+
+void report_own_signal(int signal, const siginfo_t& info, const void* context) noexcept {
+  if (getpid() == own_process) {
+    report_if_own(signal, info, context);
+  }
+}
 
 void report_exit(const char* function, int exit_code, const void* caller) noexcept {
   if (getpid() != own_process) {
@@ -432,7 +488,10 @@ CallFacts facts_at_work() noexcept {
       all.doing = all.doing ? all.doing : facts.doing;
     }
     all.robot = all.robot ? all.robot : facts.robot;
-    all.step = all.step != CallFacts::kNoStep ? all.step : facts.step;
+    if (all.step == CallFacts::kNoStep) {
+      all.step = facts.step;
+      all.time_s = facts.time_s;
+    }
   }
   return all;
 }

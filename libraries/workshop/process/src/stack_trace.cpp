@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <mutex>
 #include <string_view>
 
 #include <dlfcn.h>
@@ -16,6 +17,8 @@
 #include <unistd.h>
 
 #include "elsie/plugin/own_library.h"
+
+#include "loaded_libraries.h"
 
 namespace elsie::process {
 namespace {
@@ -164,6 +167,17 @@ void prepare_stack_trace() {
 
 namespace {
 
+/// Asks for the lines of these places, one library after the other.
+void find_lines(const Place* places, int count) {
+  lines.size = 0;
+  for (int first = 0, end = 0; first < count; first = end) {
+    while (end < count && places[end].base == places[first].base) {
+      ++end;
+    }
+    add_lines(places + first, end - first);
+  }
+}
+
 /// Writes the places in their libraries, and in the source if that is known.
 void write_places(const Place* places, int shown) {
   for (int i = 0; i < shown; ++i) {
@@ -179,13 +193,7 @@ void write_places(const Place* places, int shown) {
         "(install addr2line to see the lines of the source: on Debian, apt install binutils)\n");
     return;
   }
-  lines.size = 0;
-  for (int first = 0, end = 0; first < shown; first = end) {
-    while (end < shown && places[end].base == places[first].base) {
-      ++end;
-    }
-    add_lines(places + first, end - first);
-  }
+  find_lines(places, shown);
   const std::string_view own = first_own_line(lines.all());
   if (!own.empty() && !lines.all().starts_with(own)) {
     write_error("the plugin's own line: ");
@@ -197,6 +205,24 @@ void write_places(const Place* places, int shown) {
 }
 
 }  // namespace
+
+std::string own_line(std::span<void* const> frames) {
+  static std::mutex one_at_a_time;  // `lines` is shared
+  const std::scoped_lock lock(one_at_a_time);
+  std::array<Place, kMostShown> places;
+  int count = 0;
+  for (void* const frame : frames) {
+    const void* const call = static_cast<const char*>(frame) - 1;
+    if (count < kMostShown && plugin_library_at(call)) {
+      places[static_cast<std::size_t>(count++)] = place_of(call);
+    }
+  }
+  if (count == 0 || addr2line[0] == '\0') {
+    return "";
+  }
+  find_lines(places.data(), count);
+  return std::string(first_own_line(lines.all()));
+}
 
 void write_stack_trace(const Fault& fault) noexcept {
   const void* const at = fault.at;

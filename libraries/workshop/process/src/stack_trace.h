@@ -1,6 +1,8 @@
 // Stack traces in signal handlers.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace elsie::process {
@@ -23,6 +25,10 @@ struct Fault {
 /// addr2line(1) knows them. For a fault at an address without code, as after a call through a wild
 /// pointer, writes the place of that call.
 void write_stack_trace(const Fault& fault) noexcept;
+
+/// The innermost of these return addresses that is in a plugin's own source, as "function at
+/// file:line", or "". Not for signal handlers.
+std::string own_line(std::span<void* const> frames);
 
 /// Writes to standard error; also in signal handlers.
 void write_error(std::string_view text) noexcept;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ std::string fixed_text(double value, int decimals);
 
 /// A time in seconds to six significant digits: "0.25 s".
 std::string seconds_text(double seconds);
+
+/// A step with its simulated time: "step 101 (at 1.01 s)".
+std::string step_text(std::uint64_t step, double time_s);
 
 /// number_text(value) without allocating memory, for long tables and signal handlers.
 class NumberText {

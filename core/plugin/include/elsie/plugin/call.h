@@ -32,6 +32,7 @@ struct CallFacts {
   const char* file = nullptr;           // of the world, where the plugin is named
   int line = 0;
   std::uint64_t step = kNoStep;
+  double time_s = 0.0;          // of the step
   const char* doing = nullptr;  // without a step: "while it was made"
 };
 

@@ -39,7 +39,12 @@ struct Preparation {
 /// plugin may still end the process; see work().
 RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared = nullptr);
 
-/// The current step of perform(), counted from 0; for signal handlers.
-std::uint64_t step_at_work() noexcept;
+/// A step, counted from 0, and its simulated time.
+struct Moment {
+  std::uint64_t step = 0;
+  double time_s = 0.0;
+};
+/// The current step of perform(); for signal handlers.
+Moment moment_at_work() noexcept;
 
 }  // namespace elsie::batch

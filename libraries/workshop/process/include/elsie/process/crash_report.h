@@ -6,6 +6,7 @@
 // loader.
 #pragma once
 
+#include <csignal>
 #include <thread>
 
 namespace elsie::plugin {
@@ -15,9 +16,9 @@ struct CallFacts;  // call.h
 namespace elsie::process {
 
 /// Reports signals that end the process because of an error (SIGSEGV, SIGBUS, SIGILL, SIGFPE,
-/// SIGABRT) on standard error from now on: plugin, robot, step (Call), the signal, and a stack
-/// trace with lines of the source if available. Data in files::EmergencyWriters is written to its
-/// files. Then:
+/// SIGABRT, SIGTRAP, SIGSYS) on standard error from now on: plugin, robot, step (Call), the signal,
+/// and a stack trace with lines of the source if available. Data in files::EmergencyWriters is
+/// written to its files. Then:
 ///
 /// - in a plugin's code, also in a thread that a plugin has started, and when a plugin calls
 ///   exit(), the process ends with `exit_status`, whatever the signal;
@@ -25,8 +26,14 @@ namespace elsie::process {
 ///
 /// The same holds when the report itself crashes, as on an overwritten stack. Another thread that
 /// crashes meanwhile waits for the end. A copy of the process that a plugin makes with fork() ends
-/// silently when the plugin returns in it (Call::has_forked()). Other signals that end a process
-/// and are not handled (SIGPIPE, SIGQUIT, SIGXCPU, SIGUSR1...) still end it, but after a clean-up.
+/// silently when the plugin returns in it (Call::has_forked()). Any other signal that ends a
+/// process (SIGUSR1, SIGALRM, SIGXCPU, SIGRTMIN...) is reported in the same way if this process
+/// sent it, or one of its timers did, as only plugins do; from elsewhere it still ends the process,
+/// but after a clean-up. Requests to end it (SIGINT, SIGTERM, SIGHUP) are left to the program,
+/// which may ask report_own_signal().
+///
+/// Exceptions that note_throw() sees are reported with the line of the plugin that threw them
+/// (base::place_of_throw()).
 ///
 /// A stack overflow is reported in the calling thread only, which gets a second stack for it. To be
 /// called once, early, by a program, never by a library.
@@ -42,6 +49,14 @@ void report_crashes_of_copy();
 /// `caller`: an address in the calling code, which names the library when no plugin is known to be
 /// at work. In a child made by fork(), it ends the child with `exit_code` and reports nothing.
 [[noreturn]] void report_exit(const char* function, int exit_code, const void* caller) noexcept;
+
+/// For handlers of signals that the program sets itself: ends the process with a report, like a
+/// crash, if the process sent the signal to itself, as only plugins do. Gets what the handler gets.
+void report_own_signal(int signal, const siginfo_t& info, const void* context) noexcept;
+
+/// For programs that define __cxa_throw() themselves: notes the calls that led to the exception, if
+/// a plugin is at work. Takes some microseconds then.
+void note_throw(const void* exception) noexcept;
 
 /// Ends the process like a crash, from a signal handler. If a plugin is at work, reports `what` it
 /// did: "did not return". Otherwise writes `else_say`. If this thread is in no plugin, the others
