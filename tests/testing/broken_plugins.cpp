@@ -1,9 +1,13 @@
 // Coordinators, sensors, measures and drives with one fault each, for the checker to find.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "elsie/api/behavior.h"
 #include "elsie/api/coordinator.h"
 #include "elsie/api/drive.h"
 #include "elsie/api/measure.h"
@@ -233,5 +237,45 @@ class Creeping final : public Wheeled {
   }
 };
 ELSIE_DRIVE(Creeping, "creeping", "Does half of what it can");
+
+struct RadioReading {
+  static constexpr const char* kind = "radio";
+  double heard = 0.0;
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("heard", heard);
+  }
+};
+
+std::map<std::string, double, std::less<>> message_board;
+
+/// Reads what the behaviours of others have left in a static.
+class Radio final : public elsie::SensorOf<RadioReading> {
+ public:
+  RadioReading sense(const elsie::SensorContext& now) override {
+    near_.clear();
+    now.world->robots_within(1.0, near_);
+    RadioReading reading;
+    for (const elsie::TeamMate& mate : near_) {
+      reading.heard += message_board.contains(mate.id) ? 1.0 : 0.0;
+    }
+    return reading;
+  }
+  void reset(elsie::Random&) override { message_board.clear(); }
+
+ private:
+  std::vector<elsie::TeamMate> near_;
+};
+ELSIE_SENSOR(Radio, "radio", "Hears what others say", elsie::one_thread());
+
+/// It answers soundly: the fault is that of the sensor, which lets it in.
+class Gossip final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const Perception& now) override {
+    message_board[std::string(now.self().id)] = 1.0;
+    return Motion{0.1, 0.0, 0.2};
+  }
+};
+ELSIE_BEHAVIOR(Gossip, "gossip", "Talks to others", elsie::one_thread());
 
 }  // namespace

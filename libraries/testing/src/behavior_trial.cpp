@@ -170,4 +170,20 @@ std::unique_ptr<Trial> make_behavior_trial(const TrialSetting& setting) {
   return std::make_unique<BehaviorTrial>(setting);
 }
 
+std::unique_ptr<Trial> make_trial(const TrialSetting& setting) {
+  switch (setting.declaration.kind) {
+    case PluginKind::behavior:
+      return make_behavior_trial(setting);
+    case PluginKind::coordinator:
+      return make_coordinator_trial(setting);
+    case PluginKind::measure:
+      return make_measure_trial(setting);
+    case PluginKind::drive:
+      return make_drive_trial(setting);
+    case PluginKind::sensor:
+      break;
+  }
+  return make_sensor_trial(setting);
+}
+
 }  // namespace elsie::testing

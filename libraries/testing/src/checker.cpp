@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "elsie/base/crew.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/kind_name.h"
 
@@ -23,16 +24,10 @@ namespace {
 
 constexpr std::uint64_t kRunSeed = 5;
 
-/// The same input for another robot of the team: the first mate that the others perceive, and their
-/// leader if they have none.
-Input as_a_mate(Input input) {
-  for (Situation& now : input.instants) {
-    now.self.id = "mate0";
-    now.self.is_leader = !now.self.is_leader;
-    now.self.team_index = now.self.team_index == 0 ? 1 : 0;
-  }
-  return input;
-}
+double time_of(std::size_t step) { return static_cast<double>(step) * kPeriod; }
+
+/// "step 3 (at 0.03 s)".
+std::string at(std::size_t step) { return base::step_text(step, time_of(step)); }
 
 /// Thrown when a plugin exceeds CheckOptions::memory_limit.
 class TooMuchMemory {};
@@ -114,7 +109,7 @@ class Checker {
       plugins_.completed(declaration_, options_.settings);
       return true;
     } catch (...) {
-      find("start", "it cannot be made: " + caught_text());
+      find("start", "it cannot be made: " + base::what_was_thrown());
       return false;
     }
   }
@@ -133,20 +128,7 @@ class Checker {
   }
 
   std::unique_ptr<Trial> make(const Settings& settings, const Input& input) const {
-    const TrialSetting setting{plugins_, declaration_, settings, options_.elements, input};
-    switch (declaration_.kind) {
-      case PluginKind::behavior:
-        return make_behavior_trial(setting);
-      case PluginKind::coordinator:
-        return make_coordinator_trial(setting);
-      case PluginKind::measure:
-        return make_measure_trial(setting);
-      case PluginKind::drive:
-        return make_drive_trial(setting);
-      case PluginKind::sensor:
-        break;
-    }
-    return make_sensor_trial(setting);
+    return make_trial({plugins_, declaration_, settings, options_.elements, input});
   }
 
   /// The trial; none if the plugin refuses it, which is allowed.
@@ -161,7 +143,7 @@ class Checker {
         refusal_ = error.what();
       }
     } catch (...) {
-      find("equipped", "equipped() throws " + caught_text() +
+      find("equipped", "equipped() throws " + base::what_was_thrown() +
                            "; throw std::invalid_argument with a sentence for what does not fit");
     }
     return nullptr;
@@ -213,16 +195,16 @@ class Checker {
         if (beside) {
           beside->step(step, ignored);
         }
-        plugin::Call call({.step = step, .doing = doing_.c_str()});
+        plugin::Call call({.step = step, .time_s = time_of(step), .doing = doing_.c_str()});
         call.start_clock();  // for process::Watchdog, if it is in use
         trial.step(step, answers[step]);
         look_at_process(call);
       }
       return answers;
     } catch (const Wrong& wrong) {
-      find("answer", "in step " + std::to_string(step) + " " + wrong.what() + where_);
+      find("answer", "in " + at(step) + " " + wrong.what() + where_);
     } catch (...) {
-      find("throws", "in step " + std::to_string(step) + " it throws: " + caught_text() + where_);
+      find("throws", "in " + at(step) + " it throws: " + thrown_text() + where_);
     }
     return std::nullopt;
   }
@@ -243,7 +225,7 @@ class Checker {
   std::optional<std::string> first_difference(const Answers& first, const Answers& second) const {
     for (std::size_t step = 0; step < first.size(); ++step) {
       if (const auto differs = difference(first[step], second[step])) {
-        return ": in step " + std::to_string(step) + " " + *differs + where_;
+        return ": in " + at(step) + " " + *differs + where_;
       }
     }
     return std::nullopt;
@@ -285,6 +267,9 @@ class Checker {
         return;
       }
     }
+    if (&input == typical_ && !compare_neighbours(one, *first)) {
+      return;
+    }
     if (!compare_threads(settings, one, other_input, *first)) {
       return;
     }
@@ -292,13 +277,31 @@ class Checker {
       one.configure_again();
     } catch (...) {
       find("configured",
-           "configured() fails when it is called once more: " + caught_text() + where_);
+           "configured() fails when it is called once more: " + base::what_was_thrown() + where_);
       return;
     }
     if (same("configured", "after configured() was called once more it answers differently", *first,
              run(one))) {
       compare_successor(one, *two, *first);
     }
+  }
+
+  /// Checks that other plugins of the library, on the robots that this one perceives, make no
+  /// difference: what they leave in a static would.
+  bool compare_neighbours(Trial& one, const Answers& first) {
+    const std::string near = declaration_.kind == PluginKind::sensor ? kFirstRobot : kFirstMate;
+    for (const Declaration* const other : neighbours_of(declaration_, plugins_)) {
+      const auto beside = make_neighbour_trial(*other, near, plugins_, options_.seed);
+      if (beside && !same("shared",
+                          "it answers differently while the " +
+                              std::string(plugin::kind_name(other->kind)) + " '" + other->name +
+                              "' of its library works on another robot: plugins must not share "
+                              "state (a static or a global)",
+                          first, run(one, beside.get()))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Whether an object that had these answers has them again.
@@ -336,7 +339,7 @@ class Checker {
         run_quietly(share.first == 0 ? one : *other, share.first == 0 ? ones : others);
       });
     } catch (...) {
-      in_threads_ = finding + ": it fails: " + caught_text() + where_;
+      in_threads_ = finding + ": it fails: " + base::what_was_thrown() + where_;
       return false;
     }
     for (const auto& [alone, beside] : {std::pair(&first, &ones), std::pair(&*second, &others)}) {
@@ -353,7 +356,7 @@ class Checker {
     plugin::Call all({.plugin = &declaration_.name, .doing = doing_.c_str()});
     trial.reset(kRunSeed);
     for (std::size_t step = 0; step < answers.size(); ++step) {
-      plugin::Call call({.step = step, .doing = doing_.c_str()});
+      plugin::Call call({.step = step, .time_s = time_of(step), .doing = doing_.c_str()});
       call.start_clock();
       trial.step(step, answers[step]);
     }
@@ -376,15 +379,16 @@ class Checker {
         successor.step(step, answer);
         if (const auto differs = difference(first[step], answer)) {
           find("remembers",
-               "an object that takes over in step " + std::to_string(middle) +
+               "an object that takes over in " + at(middle) +
                    " what remember() names continues differently: remember() must name everything "
-                   "that outlives a step: in step " +
-                   std::to_string(step) + " " + *differs + where_);
+                   "that outlives a step: in " +
+                   at(step) + " " + *differs + where_);
           return;
         }
       }
     } catch (...) {
-      find("remembers", "remember() fails, or what follows it: " + caught_text() + where_);
+      find("remembers",
+           "remember() fails, or what follows it: " + base::what_was_thrown() + where_);
     }
   }
 
@@ -399,7 +403,7 @@ class Checker {
     } catch (const Wrong& wrong) {
       find("answer", "in a long run " + std::string(wrong.what()) + where_);
     } catch (...) {
-      find("throws", "in a long run it throws: " + caught_text() + where_);
+      find("throws", "in a long run it throws: " + thrown_text() + where_);
     }
   }
 
@@ -415,7 +419,7 @@ class Checker {
     const auto walk = [&] {
       constexpr std::size_t kStepsBetweenLooks = 64;
       for (std::size_t i = 0; i < steps; ++i) {
-        plugin::Call call({.step = step, .doing = doing_.c_str()});
+        plugin::Call call({.step = step, .time_s = time_of(step), .doing = doing_.c_str()});
         call.start_clock();
         trial->step(step++, answer);
         if (step % kStepsBetweenLooks == 0 && memory_in_use() > begun + options_.memory_limit) {

@@ -14,7 +14,6 @@
 namespace elsie::testing {
 namespace {
 
-constexpr double kPeriod = 0.01;  // s
 constexpr double kPi = std::numbers::pi;
 
 Colour random_colour(Random& random) {
@@ -107,6 +106,7 @@ Surroundings random_surroundings(const Colour& colour, Random& random) {
   Surroundings around;
   around.resource(100.0, 100.0, colour);  // out of sight, so that all scenes have the same colours
   const int things = static_cast<int>(random.uniform(0, 8));
+  int robots = 0;
   for (int i = 0; i < things; ++i) {
     const Vector2 at = place();
     switch (index(random, 4)) {
@@ -114,7 +114,7 @@ Surroundings random_surroundings(const Colour& colour, Random& random) {
         around.wall(at.x, at.y, at.x + random.uniform(0.1, 2.0), at.y + random.uniform(-1.0, 1.0));
         break;
       case 1:
-        around.robot(random_robot(i, at, random));
+        around.robot(random_robot(robots++, at, random));
         break;
       case 2:
         around.resource(at.x, at.y, colour);
@@ -124,6 +124,15 @@ Surroundings random_surroundings(const Colour& colour, Random& random) {
     }
   }
   return around;
+}
+
+Input as_a_mate(Input input) {
+  for (Situation& now : input.instants) {
+    now.self.id = kFirstMate;
+    now.self.is_leader = !now.self.is_leader;
+    now.self.team_index = now.self.team_index == 0 ? 1 : 0;
+  }
+  return input;
 }
 
 /// The parts of a robot that are constant in a run.

@@ -14,8 +14,14 @@
 
 namespace elsie::testing {
 
+/// The time between two instants of an input, s.
+inline constexpr double kPeriod = 0.01;
 /// The instants of an input.
 inline constexpr std::size_t kInstants = 64;
+
+// The ids of the first robot that random input has: around a sensor, and among a behaviour's mates.
+inline constexpr const char* kFirstRobot = "robot0";
+inline constexpr const char* kFirstMate = "mate0";
 
 /// A random index into something of this size.
 inline std::size_t index(Random& random, std::size_t size) {
@@ -43,6 +49,10 @@ struct Input {
   std::vector<Motion> asked;
   double max_speed = 0.5;  // m/s
 };
+
+/// The same input for another robot of the team: the first mate that the others perceive, and their
+/// leader if they have none.
+Input as_a_mate(Input input);
 
 class InputMaker {
  public:

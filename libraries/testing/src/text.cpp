@@ -1,18 +1,14 @@
 #include "text.h"
 
 #include <cmath>
-#include <exception>
+
+#include "elsie/base/thrown.h"
 
 namespace elsie::testing {
 
-std::string caught_text() {
-  try {
-    throw;
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "something that is no std::exception";
-  }
+std::string thrown_text() {
+  const std::string place = base::place_of_throw();
+  return base::what_was_thrown() + (place.empty() ? "" : "; thrown in " + place);
 }
 
 std::string in_bytes(double bytes) {

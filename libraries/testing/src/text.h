@@ -9,8 +9,8 @@ namespace elsie::testing {
 
 using base::number_text;
 
-/// To be called in a catch block: what() of the exception, or a note that it is no std::exception.
-std::string caught_text();
+/// To be called in a catch block: what was thrown, and where, if that is known.
+std::string thrown_text();
 
 /// "40.1 MB".
 std::string in_bytes(double bytes);

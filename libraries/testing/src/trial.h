@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "elsie/api/behavior.h"
+#include "elsie/base/thrown.h"
 
 #include "random_input.h"
 
@@ -76,20 +77,29 @@ class Refused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throw Refused, and plugin::PluginError for parameters that configured() refuses.
+// Throw Refused, and plugin::PluginError for parameters that configured() refuses.
+std::unique_ptr<Trial> make_trial(const TrialSetting& setting);  // for any kind
 std::unique_ptr<Trial> make_behavior_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_coordinator_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_sensor_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_drive_trial(const TrialSetting& setting);
 
+/// Other sensors, behaviours and coordinators of the plugin's library; at most eight.
+std::vector<const Declaration*> neighbours_of(const Declaration& declaration,
+                                              const Plugins& plugins);
+/// A trial of another plugin with its defaults on a robot with this id, which passes over its
+/// faults; null if it cannot be made.
+std::unique_ptr<Trial> make_neighbour_trial(const Declaration& neighbour, const std::string& id,
+                                            const Plugins& plugins, std::uint64_t seed);
+
 /// Runs equipped(); turns a std::exception into Refused.
 template <class Action>
 void equipping(Action action) {
   try {
     action();
-  } catch (const std::exception& refusal) {
-    throw Refused(refusal.what());
+  } catch (const std::exception&) {
+    throw Refused(base::what_was_thrown());
   }
 }
 

@@ -13,6 +13,8 @@
 // - two objects answer the same input alike, also while a third one works on other input, and the
 //   first again after reset() and after a second configured(): objects share no state, and depend
 //   on no clock, no address, and no random numbers but their own;
+// - an object answers alike while another sensor, behaviour or coordinator of its library works on
+//   another robot: what one leaves in a static, no other reads;
 // - objects of two robots answer alike in two threads at once and one after the other, unless the
 //   plugin declares one_thread(); a fault that shows in few runs is found for sure only with the
 //   thread sanitizer (-fsanitize=thread);
