@@ -4,7 +4,6 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -13,11 +12,11 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "engine/elements.h"
+#include "paint/number_boxes.h"
 
 namespace elsie::desktop {
 namespace {
@@ -147,9 +146,8 @@ QString ask_for_new_world(QWidget* parent) {
   auto* name = new QLineEdit(StartPage::tr("my world"));
   name->setObjectName("name");
   const auto length = [&](const char* object) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setObjectName(object);
-    box->setLocale(QLocale::c());
     box->setRange(0.5, 1000.0);
     box->setDecimals(2);
     box->setValue(5.0);
@@ -158,11 +156,11 @@ QString ask_for_new_world(QWidget* parent) {
   };
   auto* along = length("length");
   auto* across = length("width");
-  auto* boxes = new QSpinBox;
+  auto* boxes = new CountBox;
   boxes->setObjectName("boxes");
   boxes->setRange(0, 12);
   boxes->setValue(4);
-  auto* resources = new QSpinBox;
+  auto* resources = new CountBox;
   resources->setObjectName("resources");
   resources->setRange(0, 4);
   form->addRow(StartPage::tr("&Name"), name);

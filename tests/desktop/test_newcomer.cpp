@@ -3,7 +3,9 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QKeyEvent>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QSlider>
@@ -14,7 +16,9 @@
 #include "control_bar.h"
 #include "export/exporter.h"
 #include "hands.h"
+#include "paint/number_boxes.h"
 #include "scene/scene_view.h"
+#include "scene/typed_drag.h"
 #include "text/world_editor.h"
 #include "world/fan.h"
 #include "world/properties.h"
@@ -197,6 +201,34 @@ TEST_CASE("A fan goes from left to right") {
   Fan fan(2);
   fan.findChild<QDoubleSpinBox*>("spread_deg")->setValue(30.0);
   CHECK(fan.headings_deg(0.0) == std::vector<double>{15.0, -15.0});
+}
+
+TEST_CASE("A comma that is typed is a decimal point, and refused in a count") {
+  QLocale::setDefault(QLocale(QLocale::German));
+  NumberBox length;
+  length.setRange(0.5, 1000.0);
+  for (const char* typed : {"6,5", "6.5"}) {
+    length.setValue(1.0);
+    length.selectAll();
+    QTest::keyClicks(&length, typed);
+    CHECK(length.value() == 6.5);
+  }
+  CountBox count;
+  count.setRange(0, 99);
+  for (const char* typed : {"1,5", "1.5"}) {
+    count.setValue(4);
+    count.selectAll();
+    QTest::keyClicks(&count, typed);
+    QTest::keyClick(&count, Qt::Key_Return);
+    CHECK(count.value() != 15);
+  }
+  QLocale::setDefault(QLocale::c());
+  TypedDrag drag;
+  drag.begin(TypedDrag::Kind::move);
+  for (const Qt::Key key : {Qt::Key_6, Qt::Key_Comma, Qt::Key_5}) {
+    CHECK(drag.take(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier)));
+  }
+  CHECK(drag.number() == 6.5);
 }
 
 TEST_CASE("A new window has room on the screen with its frame") {

@@ -23,7 +23,8 @@ bool TypedDrag::take(const QKeyEvent& key) {
     number_ = number_.startsWith(u'-') ? number_.mid(1) : u'-' + number_;
     return true;
   }
-  const bool is_point = key.key() == Qt::Key_Period && !number_.contains(u'.');
+  const bool is_point =
+      (key.key() == Qt::Key_Period || key.key() == Qt::Key_Comma) && !number_.contains(u'.');
   if (is_point || (key.key() >= Qt::Key_0 && key.key() <= Qt::Key_9)) {
     number_ += is_point ? QChar(u'.') : QChar(key.key());
     return true;

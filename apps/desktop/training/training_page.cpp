@@ -6,13 +6,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/workbench.h"
 #include "paint/axes.h"
-#include "paint/quiet_wheel.h"
+#include "paint/number_boxes.h"
 #include "training/learning_curve.h"
 
 namespace elsie::desktop {
@@ -42,11 +41,10 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   sizes_->setObjectName("network_sizes");
   sizes_->setWordWrap(true);
   column->addRow(sizes_);
-  count_ = new QSpinBox;
+  count_ = new CountBox;
   count_->setObjectName("hidden_count");
   count_->setRange(0, kMostLayers);
   count_->setKeyboardTracking(false);
-  quiet_wheel(count_);
   column->addRow(tr("Hidden &layers"), count_);
   layers_ = new QHBoxLayout;
   column->addRow(tr("Their sizes"), layers_);
@@ -197,12 +195,11 @@ void TrainingPage::show_layers(const QStringList& sizes) {
   }
   for (int i = 0; i < sizes.size(); ++i) {
     if (i == layers_->count()) {
-      auto* box = new QSpinBox;
+      auto* box = new CountBox;
       box->setObjectName("hidden_size_" + QString::number(i + 1));
       box->setAccessibleName(tr("Neurons in hidden layer %1").arg(i + 1));
       box->setRange(1, kMostNeurons);
       box->setKeyboardTracking(false);
-      quiet_wheel(box);
       box->setValue(sizes[i].toInt());
       connect(box, &QSpinBox::valueChanged, this,
               [this] { Q_EMIT hidden_wished(layers().join(' ')); });

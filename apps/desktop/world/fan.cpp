@@ -1,12 +1,10 @@
 #include "world/fan.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <cmath>
 
-#include "paint/quiet_wheel.h"
+#include "paint/number_boxes.h"
 
 namespace elsie::desktop {
 namespace {
@@ -20,15 +18,14 @@ constexpr double kCircle_deg = 360.0;
 Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  count_ = new QSpinBox;
+  count_ = new CountBox;
   count_->setObjectName("count");
   count_->setRange(1, kMost);
   count_->setToolTip(tr("How many sensors of this kind are added at once"));
   auto* count_label = new QLabel(tr("Ho&w many"));
   count_label->setBuddy(count_);
-  spread_deg_ = new QDoubleSpinBox;
+  spread_deg_ = new NumberBox;
   spread_deg_->setObjectName("spread_deg");
-  spread_deg_->setLocale(QLocale::c());
   spread_deg_->setRange(0.0, kCircle_deg);
   spread_deg_->setDecimals(1);
   spread_deg_->setValue(kSpread_deg);
@@ -41,8 +38,6 @@ Fan::Fan(int count, QWidget* parent) : QWidget(parent) {
     row->addWidget(each);
   }
   row->addStretch(1);
-  quiet_wheel(count_);
-  quiet_wheel(spread_deg_);
   connect(count_, &QSpinBox::valueChanged, spread_deg_,
           [this](int value) { spread_deg_->setEnabled(value > 1); });
   count_->setValue(count);
