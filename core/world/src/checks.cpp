@@ -39,7 +39,7 @@ template <class Object>
 std::vector<std::string> ids_of(const std::vector<Object>& objects) {
   std::vector<std::string> ids;
   for (const Object& object : objects) {
-    ids.push_back(object.id);
+    if (!object.id.empty()) ids.push_back(object.id);
   }
   return ids;
 }
@@ -52,13 +52,12 @@ void check_mentions(const Reading& reading, Problems& problems) {
         : mention.kind == Reference::robot ? std::pair("robot", ids_of(world.robots))
                                            : std::pair("box", ids_of(world.boxes));
     if (std::find(ids.begin(), ids.end(), mention.id) == ids.end()) {
-      std::vector<std::string> valid = ids;
-      std::erase(valid, "");
+      const std::string list =
+          ids.empty() ? "; the world has none" : base::near_or_all(mention.id, ids, "there are");
       problems.add(mention.where,
-                   mention.in_words + ": there is no such " + what +
-                       (ids.empty()     ? "; the world has none"
-                        : valid.empty() ? "; the world has none with a valid id"
-                                        : base::near_or_all(mention.id, valid, "there are")));
+                   mention.in_words +
+                       (mention.id.empty() ? "" : std::string(": there is no such ") + what) +
+                       list);
     }
   }
 }
@@ -223,8 +222,9 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
   const Robot& robot = reading.world.robots[index];
   const RobotBody& body = robot.body;
   if (reading.sound(robot.location)) {
-    // In a running world, `energy` is the value at the start; `battery` may have changed since.
-    if (!is_running && robot.energy && *robot.energy > robot.battery) {
+    // In a running world, `energy` is that of the start or of an edit; `battery` may be less since.
+    if ((!is_running || reading.charged_robots.contains(index)) && robot.energy &&
+        *robot.energy > robot.battery) {
       problems.add(robot.location, in_words(robot) + " starts with energy " +
                                        number_text(*robot.energy) + ", but its battery holds " +
                                        number_text(robot.battery));
@@ -303,14 +303,12 @@ struct GoalCheck {
 
 void check_changes(const World& world, Problems& problems) {
   for (const TimedEdit& edit : world.changes) {
-    if (edit.value && edit.element) {
-      problems.add(
-          edit.location,
-          "<change> has a value and an element in it; expected one of them: a value for an "
-          "attribute, an element for an element");
-    } else if (!edit.value && !edit.element) {
+    if (edit.value.has_value() == edit.element.has_value()) {
       problems.add(edit.location,
-                   "<change> lacks what to set; expected value=\"...\", or an element in it");
+                   edit.value ? "<change> has a value and an element in it; expected one of them: "
+                                "a value for an attribute, an element for an element"
+                              : "<change> lacks what to set; expected value=\"...\", or an "
+                                "element in it");
     }
   }
 }

@@ -170,7 +170,7 @@ class ObjectReader {
     }
     if (spec) {
       for (const AttributeSpec& attribute : spec->attributes) {
-        require(attribute, element);
+        require(attribute, element, attribute.refers_to);
       }
     }
     if (declared) {
@@ -181,11 +181,11 @@ class ObjectReader {
     }
   }
 
-  void require(const Field& field, const Element& element) {
-    if (field.required && !element.find(field.name)) {
-      refuse(element.where, "<" + element.name + "> lacks the attribute '" + field.name +
-                                "'; expected " + expectation(field));
-    }
+  void require(const Field& field, const Element& element, Reference of = Reference::none) {
+    if (!field.required || element.find(field.name)) return;
+    const std::string what = "<" + element.name + "> lacks the attribute '" + field.name + "'";
+    of == Reference::none ? refuse(element.where, what + "; expected " + expectation(field))
+                          : reading_.mentions.push_back({of, "", element.where, what});
   }
 
   void read_attribute(const AttributeSpec& known, const Element& element,
@@ -200,6 +200,10 @@ class ObjectReader {
           {known.refers_to, attribute.value, attribute.where, in_words(attribute, element)});
     }
     if (known.set) known.set(object, *parsed.value);
+    if (known.name == "energy" && element.name == "robot" &&
+        attribute.where.file.text().starts_with("--set ")) {
+      reading_.charged_robots.insert(reading_.world.robots.size() - 1);
+    }
   }
 
   // The robot that is being read.

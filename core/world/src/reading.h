@@ -30,6 +30,7 @@ struct Reading {
   std::vector<Flawed> flawed;
   /// The indices in World::robots of robots whose template or plugin could not be found.
   std::set<std::size_t> incomplete_robots;
+  std::set<std::size_t> charged_robots;  // whose `energy` an edit sets
 
   bool has_flaw(const Location& where, bool of_plugins = true) const {
     return std::any_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {

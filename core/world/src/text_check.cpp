@@ -1,6 +1,9 @@
 #include "text_check.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <system_error>
 #include <utility>
 
 #include "elsie/base/utf8.h"
@@ -22,6 +25,12 @@ std::size_t first_control(std::string_view text) {
   const auto found = std::find_if(text.begin(), text.end(),
                                   [](char c) { return c >= '\0' && c < ' ' && !is_blank(c); });
   return static_cast<std::size_t>(found - text.begin());
+}
+
+// XML 1.0, section 2.2.
+bool is_character(std::uint32_t code) {
+  return code == '\t' || code == '\n' || code == '\r' || (code >= ' ' && code < 0xd800) ||
+         (code >= 0xe000 && code < 0xfffe) || (code >= 0x10000 && code < 0x110000);
 }
 
 std::size_t name_end(std::string_view text, std::size_t begin) {
@@ -109,13 +118,16 @@ class Scanner {
       if (entity == known) return;
     }
     const bool hex = entity.starts_with("&#x");
-    const std::string_view digits =
-        entity.substr(std::min<std::size_t>(hex ? 3 : 2, entity.size()));
-    if (!entity.starts_with("&#") || digits.size() < 2 ||
-        digits.find_first_not_of(hex ? "0123456789abcdefABCDEF" : "0123456789") !=
-            digits.size() - 1) {
+    const char* const last = entity.data() + entity.size() - 1;
+    std::uint32_t code = 0;
+    const auto read =
+        std::from_chars(std::min(entity.data() + (hex ? 3 : 2), last), last, code, hex ? 16 : 10);
+    if (!entity.starts_with("&#") || read.ptr != last || read.ec == std::errc::invalid_argument) {
       fail("'" + std::string(entity) +
            "' is not an entity that XML knows; write a bare ampersand as &amp;");
+    }
+    if (read.ec != std::errc() || !is_character(code)) {
+      fail("'" + std::string(entity) + "' stands for a character that XML forbids; take it out");
     }
   }
 

@@ -44,9 +44,11 @@ Parsed parse_number(const Field& field, std::string_view text) {
   if (result.ec == std::errc::result_out_of_range) {
     hint = "; this number is too large or too small to be represented";
   } else if (result.ec != std::errc() || result.ptr != end) {
+    const std::string& unit = field.facts.unit;
+    const bool has_unit = result.ec == std::errc() && is_letter(text.back());
     hint = text.find(',') != std::string_view::npos
                ? "; decimals are written with a point, as in 1.5"
-           : text.empty()                                            ? ""
+           : has_unit ? "; write the number only" + (unit.empty() ? "" : "; the unit is " + unit)
            : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
                                                                      : "";
   } else if (const auto value = static_cast<double>(number); in_range(field.facts, value)) {
