@@ -215,7 +215,7 @@ const std::vector<Mistake>& mistakes() {
        {{"(0.2, 0) (1, 1)", "(0.2, -0.1) (1, 1)"}},
        {"15: The point (0.2, -0.1) of the term 'far' has the degree -0.1. Degrees lie in 0 to 1."}},
       {"a single point",
-       {{"(0.2, 0) (1, 1)", "(1, 1)"}},
+       {{"(0.2, 0) (1, 1)", "(1, 0.5)"}},
        {"15: The term 'far' has one point only. Write a singleton as := 1, or give at least two "
         "points."}},
       {"a point without degree",

@@ -48,6 +48,16 @@ TEST_CASE("Untidy statements are noted with their lines, and change nothing") {
           Notes{"9: The term 'no' repeats points of one x. Write each once; a step has two.",
                 "10: The term 'yes' repeats points of one x. Write each once; a step has two."});
   }
+  SECTION("terms of one point, which are singletons") {
+    parts.power = "  TERM low := (0, 1);\n  TERM high := (100, 1) (100, 1);\n";
+    const Model model = read(parts);
+    CHECK(power(model, 2.5) == Approx(25.0));
+    CHECK(
+        notes(model) ==
+        Notes{"13: The term 'low' has one point only and is read as a singleton. Write := 0.",
+              "14: The term 'high' has one point only and is read as a singleton. Write := 100."});
+    return;
+  }
   SECTION("an output that always has its default") {
     parts.power += "END_DEFUZZIFY\nDEFUZZIFY lamp\n  TERM on := 1;\n";
     parts.inputs += "END_VAR\nVAR_OUTPUT\n  lamp : REAL;\n";

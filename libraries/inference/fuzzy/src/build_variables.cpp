@@ -84,8 +84,9 @@ void ModelBuilder::variable_block(const ast::VariableBlock& block, bool output) 
                                        " has no terms. Write at least one TERM.");
   }
   std::map<std::string, const ast::Name*> seen;
-  for (const ast::Term& term : block.terms) {
-    const auto [place, is_new] = seen.try_emplace(lower(term.name.text), &term.name);
+  for (const ast::Term& written : block.terms) {
+    const ast::Term term = with_singleton(written);
+    const auto [place, is_new] = seen.try_emplace(lower(term.name.text), &written.name);
     if (!is_new) {
       problems_.add(
           term.name.line,
@@ -163,6 +164,20 @@ const char* tool_of(std::string_view word) {
                        [&](const char* known) { return same_name(known, word); });
   };
   return has(kJFuzzyLogic) ? "jFuzzyLogic" : has(kFuzzylite) ? "fuzzylite" : nullptr;
+}
+
+/// jFuzzyLogic reads one point, perhaps repeated, as what the standard writes as := x.
+ast::Term ModelBuilder::with_singleton(const ast::Term& term) {
+  const auto is_it = [&](const FuzzySet::Point& point) { return point == term.points.front(); };
+  if (term.points.empty() || term.points.front().degree != 1.0 ||
+      !std::all_of(term.points.begin(), term.points.end(), is_it)) {
+    return term;
+  }
+  ast::Term singleton{term.name, {}, term.points.front().x, {}, {}, {}};
+  problems_.add_note(term.name.line, "The term " + name_in_quotes(term.name.text) +
+                                         " has one point only and is read as a singleton. Write " +
+                                         ":= " + number_text(*singleton.singleton) + ".");
+  return singleton;
 }
 
 /// Reduces points with the same x to the first and the last, unless another is higher or lower.

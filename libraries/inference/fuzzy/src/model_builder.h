@@ -60,6 +60,7 @@ class ModelBuilder {
   void linear_term(const ast::Term& term, Variable& variable);
   void formula_term(const ast::Term& term, std::size_t output);
   std::optional<FuzzySet> term_set(const ast::Term& term, const Variable& variable);
+  ast::Term with_singleton(const ast::Term& term);
   bool check_points(const ast::Term& term);
   std::vector<FuzzySet::Point> without_repetitions(const ast::Term& term);
   void check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
