@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "elsie/api/inference.h"
+#include "elsie/api/remember.h"
 #include "elsie/fuzzy/fcl.h"
 
 #include "shipped.h"
@@ -133,6 +135,70 @@ TEST_CASE("The fuzzy behaviours hand over their sets before defuzzification") {
   fuzzy::Workspace workspace;
   const double inputs[] = {0.3, 20};
   CHECK(sets.left == model.output_set(0, inputs, workspace));
+}
+
+namespace {
+
+/// avoid_obstacle whose left wheel has DEFAULT := NC and whose right wheel DEFAULT := 7 | NC.
+plugin::Object<Behavior> keeper() {
+  const std::string file = test::source_path("tests/plugins/keeps_last.fcl");
+  return test::make<Behavior>(PluginKind::behavior, "avoid_obstacle",
+                              {{"left_model", file},
+                               {"right_model", file},
+                               {"left_block", std::string("keeps")},
+                               {"right_block", std::string("begins_with_7")}});
+}
+
+WheelRates answer(Behavior& behavior, double first_m, double second_m) {
+  Situation now;
+  now.beam(30, first_m).beam(-30, second_m);
+  return rates(behavior.respond(now.perception()).command);
+}
+
+}  // namespace
+
+TEST_CASE("With DEFAULT := NC each beam keeps its last output where no rule decides") {
+  const auto behavior = keeper();
+  Random random(1);
+  behavior->reset(random);
+  check_equal(answer(*behavior, 1.0, 1.0), {0, 7});                        // nothing to keep yet
+  check_equal(answer(*behavior, 0.2, 1.0), {-10.0 / 3, (-10 + 7.0) / 3});  // the nearest: twice
+  check_equal(answer(*behavior, 0.9, 1.0), {-10.0 / 3, (-10 + 7.0) / 3});
+  check_equal(answer(*behavior, 1.0, 0.2), {-5, -5});
+  check_equal(answer(*behavior, 1.0, 0.9), {-5, -5});
+  behavior->reset(random);
+  check_equal(answer(*behavior, 1.0, 1.0), {0, 7});
+}
+
+TEST_CASE("A successor of a fuzzy behaviour keeps the outputs of its predecessor") {
+  const auto old = keeper();
+  answer(*old, 0.2, 0.2);
+  const auto renewed = keeper();
+  Memory memory;
+  dynamic_cast<Remembers&>(*old).remember(memory);
+  memory.begin_recall();
+  dynamic_cast<Remembers&>(*renewed).remember(memory);
+  check_equal(answer(*renewed, 1.0, 1.0), {-5, -5});
+}
+
+TEST_CASE("An inference shows the output that is kept, and asking for it changes nothing") {
+  const auto behavior = keeper();
+  answer(*behavior, 0.2, 1.0);
+  answer(*behavior, 0.9, 1.0);
+  for (int asked = 0; asked < 2; ++asked) {
+    std::vector<Inference> made;
+    dynamic_cast<const Infers&>(*behavior).list_inferences(made);
+    REQUIRE(made.size() == 2);
+    CHECK(made[0].outputs.front().value == Approx(-5));
+    CHECK(made[1].outputs.front().value == Approx(-5));
+  }
+}
+
+TEST_CASE("A wheel that may have nothing to keep has a note") {
+  const std::vector<std::string> notes = keeper()->notes();
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes.front(), Catch::Contains("has DEFAULT := NC and no first value") &&
+                                Catch::Contains("DEFAULT := 0 | NC"));
 }
 
 TEST_CASE("A model with other inputs is refused with a sentence") {

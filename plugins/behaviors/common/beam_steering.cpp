@@ -1,12 +1,19 @@
 #include "beam_steering.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <elsie/fuzzy/fcl.h>
 #include <elsie/fuzzy/sets.h>
 
 namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Without a last output, the wheel stands.
+double or_zero(double speed) { return std::isnan(speed) ? 0.0 : speed; }
 
 std::size_t input_of(const elsie::fuzzy::Model& model, const char* name, const std::string& file) {
   const auto index = model.input_index(name);
@@ -23,11 +30,23 @@ std::size_t input_of(const elsie::fuzzy::Model& model, const char* name, const s
 BeamController::BeamController(const std::string& file, const std::string& block)
     : model_(elsie::fuzzy::read_fcl(file, block)),
       range_(input_of(model_, "range", file)),
-      azimuth_(input_of(model_, "azimuth", file)) {}
+      azimuth_(input_of(model_, "azimuth", file)) {
+  const elsie::fuzzy::OutputVariable& speed = model_.outputs().front();
+  if (speed.keeps_last && !speed.default_value) {
+    undecided_ = model_.undecided_at(0);
+  }
+}
 
 void BeamController::list_notes(std::vector<std::string>& notes) const {
   for (const elsie::base::Problem& note : model_.notes()) {
     notes.push_back(note.text());
+  }
+  if (undecided_) {
+    notes.push_back("the output '" + output() + "' of the fuzzy model '" + model_.name() +
+                    "' has DEFAULT := NC and no first value, and no rule decides it at " +
+                    *undecided_ +
+                    ": until a rule has, it is 0 for that beam; write, for example, "
+                    "DEFAULT := 0 | NC if that is meant");
   }
 }
 
@@ -38,10 +57,8 @@ std::array<double, 2> BeamController::inputs(double range_m, double azimuth_deg)
   return values;
 }
 
-double BeamController::speed(double range_m, double azimuth_deg) const {
-  double speed = 0.0;
+void BeamController::evaluate(double range_m, double azimuth_deg, double& speed) const {
   model_.evaluate(inputs(range_m, azimuth_deg), {&speed, 1}, workspace_);
-  return speed;
 }
 
 elsie::FuzzySet BeamController::wish(double range_m, double azimuth_deg) const {
@@ -53,6 +70,17 @@ void BeamSteering::configured() {
   right_.emplace(right_model.path, right_block);
 }
 
+void BeamSteering::reset(elsie::Random&) {
+  beams_.clear();
+  left_speeds_.clear();
+  right_speeds_.clear();
+}
+
+void BeamSteering::remember(elsie::Memory& memory) {
+  memory("left_speeds", left_speeds_);
+  memory("right_speeds", right_speeds_);
+}
+
 std::vector<std::string> BeamSteering::notes() const {
   std::vector<std::string> notes;
   left_->list_notes(notes);
@@ -61,13 +89,20 @@ std::vector<std::string> BeamSteering::notes() const {
 }
 
 elsie::Response BeamSteering::respond(const elsie::Perception& now) {
+  const auto beams = now.readings<elsie::RangeReading>();
   beams_.clear();
+  left_speeds_.resize(beams.size(), kNone);
+  right_speeds_.resize(beams.size(), kNone);
   elsie::WheelRates sum, nearest;
   double nearest_m = 0.0;
   double activation = 0.0;
-  for (const auto& beam : now.readings<elsie::RangeReading>()) {
+  for (const auto& beam : beams) {
     const elsie::Vector2 seen{beam->distance_m, elsie::degrees(beam.azimuth_rad())};
-    const elsie::WheelRates wish{left_->speed(seen.x, seen.y), right_->speed(seen.x, seen.y)};
+    double& left = left_speeds_[beams_.size()];
+    double& right = right_speeds_[beams_.size()];
+    left_->evaluate(seen.x, seen.y, left);
+    right_->evaluate(seen.x, seen.y, right);
+    const elsie::WheelRates wish{or_zero(left), or_zero(right)};
     sum += wish;
     if (concerns(beam.azimuth_rad()) && beam->hit && beam->max_range_m > 0.0) {
       activation = std::max(activation, 1.0 - beam->distance_m / beam->max_range_m);
@@ -81,9 +116,9 @@ elsie::Response BeamSteering::respond(const elsie::Perception& now) {
   elsie::Response response;
   response.activation = std::clamp(activation, 0.0, 1.0);  // noise may give negative readings
   if (!beams_.empty()) {
-    const double beams = static_cast<double>(beams_.size());
+    const double count = static_cast<double>(beams.size());
     response.command = now.self().wheels.motion(
-        nearest_counts_twice_ ? (sum + nearest) / (beams + 1.0) : sum / beams);
+        nearest_counts_twice_ ? (sum + nearest) / (count + 1.0) : sum / count);
   }
   return response;
 }
@@ -95,15 +130,16 @@ void BeamSteering::list_inferences(std::vector<elsie::Inference>& list) const {
   if (nearest == beams_.end()) {
     return;
   }
+  const auto index = static_cast<std::size_t>(nearest - beams_.begin());
   const auto add = [&](const BeamController& controller, const elsie::FilePath& model,
-                       const std::string& block) {
+                       const std::string& block, double speed) {
     list.push_back({model.path,
                     block,
                     {{"range", nearest->x}, {"azimuth", nearest->y}},
-                    {{controller.output(), controller.speed(nearest->x, nearest->y)}}});
+                    {{controller.output(), speed}}});
   };
-  add(*left_, left_model, left_block);
-  add(*right_, right_model, right_block);
+  add(*left_, left_model, left_block, left_speeds_[index]);
+  add(*right_, right_model, right_block, right_speeds_[index]);
 }
 
 elsie::CommandSets BeamSteering::command_sets(const elsie::Perception& now,

@@ -10,6 +10,7 @@
 
 #include <elsie/api/behavior.h>
 #include <elsie/api/inference.h>
+#include <elsie/api/remember.h>
 #include <elsie/fuzzy/model.h>
 
 /// One wheel: a model with inputs `range` (m) and `azimuth` (deg, positive to the left) and the
@@ -23,7 +24,9 @@ class BeamController {
   /// Irregularities of the file, a sentence each.
   void list_notes(std::vector<std::string>& notes) const;
 
-  double speed(double range_m, double azimuth_deg) const;
+  /// Updates `speed`, the last one for this beam; NaN if there is none yet. It stays where no rule
+  /// decides it and the model has DEFAULT := NC.
+  void evaluate(double range_m, double azimuth_deg, double& speed) const;
   /// The name of its output.
   const std::string& output() const { return model_.outputs().front().name; }
   /// The output set before defuzzification.
@@ -36,11 +39,13 @@ class BeamController {
   mutable elsie::fuzzy::Workspace workspace_;
   std::size_t range_;
   std::size_t azimuth_;
+  std::optional<std::string> undecided_;  // inputs at which it may need a last speed without one
 };
 
 /// A behaviour that sums the outputs of both controllers over all beams. Its activation is the
 /// nearness of the nearest relevant object: 0 at a beam's maximum range and beyond, 1 at contact.
-class BeamSteering : public elsie::Behavior, public elsie::Infers {
+/// Each beam has a last output of its own, for models with DEFAULT := NC.
+class BeamSteering : public elsie::Behavior, public elsie::Infers, public elsie::Remembers {
  public:
   elsie::FilePath left_model;
   elsie::FilePath right_model;
@@ -48,6 +53,8 @@ class BeamSteering : public elsie::Behavior, public elsie::Infers {
   std::string right_block;
 
   void configured() override;
+  void reset(elsie::Random& random) override;
+  void remember(elsie::Memory& memory) override;
   std::vector<std::string> notes() const override;
   elsie::Response respond(const elsie::Perception& now) override;
   /// For each wheel, the union of its controller's output sets over all beams.
@@ -68,4 +75,6 @@ class BeamSteering : public elsie::Behavior, public elsie::Infers {
   std::optional<BeamController> left_;
   std::optional<BeamController> right_;
   std::vector<elsie::Vector2> beams_;  // range and azimuth of each beam in this step
+  std::vector<double> left_speeds_;    // for each beam, the last output, rad/s; NaN if none yet
+  std::vector<double> right_speeds_;
 };
