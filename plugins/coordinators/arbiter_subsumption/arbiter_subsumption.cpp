@@ -19,6 +19,7 @@
 
 #include <elsie/api/remember.h>
 #include <elsie/base/near_name.h>
+#include <elsie/base/words.h>
 
 #include "winner.h"
 
@@ -45,8 +46,12 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
 
   void equipped(std::span<const elsie::Member> members, const elsie::Perception&) override {
     layers_.clear();
+    prioritized_.clear();
     for (const elsie::Member& member : members) {
       layers_.emplace_back(member.name());
+      if (member.priority() != 1.0) {
+        prioritized_.emplace_back(member.name());
+      }
     }
     wire();
   }
@@ -64,6 +69,10 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
                         "' never reaches the motors: it only inhibits, or suppresses what does not "
                         "reach them either");
       }
+    }
+    if (!prioritized_.empty()) {
+      notes.push_back("the attribute 'priority' of " + elsie::base::joined(prioritized_) +
+                      " has no effect: the order in the file decides which layer is higher");
     }
     return notes;
   }
@@ -118,6 +127,7 @@ class ArbiterSubsumption final : public WinnerTakesAll, public elsie::Remembers 
   void trace(std::span<elsie::Member> members) const;
 
   std::vector<std::string> layers_;
+  std::vector<std::string> prioritized_;  // layers with a `priority` of their own
   std::vector<Node>
       nodes_;  // by line from the highest, on each from the lowest to the highest `by`
 

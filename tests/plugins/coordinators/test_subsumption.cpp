@@ -188,3 +188,14 @@ TEST_CASE("A layer that can never reach the motors is pointed out") {
   fill(other);
   CHECK((*Coordinated("arbiter_subsumption", other)).notes().empty());
 }
+
+TEST_CASE("A priority has no effect on layers, and a note says so") {
+  Team team;
+  team.member("wander", 1, kWander).member("seek", 5, kSeek).member("avoid", 0.5, kAvoid);
+  const Coordinated robot("arbiter_subsumption", team);
+  REQUIRE((*robot).notes().size() == 1);
+  CHECK(
+      (*robot).notes()[0] ==
+      "the attribute 'priority' of seek, avoid has no effect: the order in the file decides which "
+      "layer is higher");
+}
