@@ -48,13 +48,13 @@ BROUGHT = {
 
 # The modules of each storey, in the order of docs/internals/architecture.md: none includes a header of a later one.
 MODULES = {
-    "libelsie-base": ["base", "files", "space"],
+    "libelsie-base": ["base", "files", "space", "output"],
     "libelsie": ["api", "plugin", "world", "physics", "simulation"],
     "libelsie-inference": ["fuzzy", "neural"],
     "libelsie-workshop": ["process", "build", "reference"],
     "libelsie-editing": ["editing"],
     "libelsie-render": ["render"],
-    "libelsie-views": ["output", "traces", "picture", "mcap", "recording"],
+    "libelsie-views": ["traces", "picture", "mcap", "recording"],
     "libelsie-testing": ["testing"],
     "libelsie-session": ["snapshots", "client"],
     "libelsie-server": ["server"],

@@ -24,3 +24,27 @@ TEST_CASE("A cell is quoted when readers would take it for something else") {
   CHECK(output::csv_cell("#1") == "\"#1\"");
   CHECK(output::csv_cell("") == "");
 }
+
+TEST_CASE("A text is no formula for a spreadsheet, and a number stays one") {
+  CHECK(output::csv_cell("=cmd|' /C calc'!A0") == "'=cmd|' /C calc'!A0");
+  CHECK(output::csv_cell("@SUM(1,2)") == "\"'@SUM(1,2)\"");
+  CHECK(output::csv_cell("+1+1") == "'+1+1");
+  CHECK(output::csv_cell("-x") == "'-x");
+  CHECK(output::csv_cell("-") == "'-");
+  for (const char* number : {"-0.5", "-1e-300", "-1e999", "-inf", "7", "1 = 2", "a@b"}) {
+    CHECK(output::csv_cell(number) == number);
+  }
+}
+
+TEST_CASE("A cell has no character that commands a terminal or turns the text round") {
+  CHECK(output::csv_cell("a\x1b[31mb") == "a\xef\xbf\xbd[31mb");
+  CHECK(output::csv_cell("\xc2\x9b"
+                         "31m") ==
+        "\xef\xbf\xbd"
+        "31m");
+  CHECK(output::csv_cell("\xe2\x80\xae"
+                         "txt") ==
+        "\xef\xbf\xbd"
+        "txt");
+  CHECK(output::csv_cell("caf\xc3\xa9") == "caf\xc3\xa9");
+}

@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "elsie/base/error.h"
 #include "elsie/output/output_file.h"
 
 namespace fs = std::filesystem;
@@ -107,4 +108,24 @@ TEST_CASE("A module's own error can be thrown") {
   CHECK_THROWS_AS(out.create("/none/x"), std::domain_error);
   CHECK_THROWS_WITH(out.create("/none/x"),
                     "log '/none/x' cannot be created: No such file or directory");
+}
+
+TEST_CASE("A file that another one is writing is refused, and stays as it is") {
+  const TemporaryFile file;
+  OutputFile first("recording 'x'");
+  first.create(file.path);
+  first.write("of the first");
+  OutputFile second("recording 'x'");
+  CHECK_THROWS_AS(second.create(file.path), elsie::base::BadInput);
+  CHECK_THROWS_WITH(second.create(file.path),
+                    Catch::Contains("recording 'x' is being written by another run"));
+  CHECK_FALSE(second.is_open());
+  first.close();
+  CHECK(file.read() == "of the first");
+  second.create(file.path);
+  second.close();
+  CHECK(file.read().empty());
+  OutputFile one("log"), other("log");  // a device has no content to lose
+  one.create("/dev/null");
+  CHECK_NOTHROW(other.create("/dev/null"));
 }

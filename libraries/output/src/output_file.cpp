@@ -6,8 +6,11 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "elsie/base/error.h"
 #include "elsie/files/write_whole.h"
 
 namespace elsie::output {
@@ -22,8 +25,21 @@ OutputFile::~OutputFile() {
 
 void OutputFile::create(const std::filesystem::path& file) {
   constexpr mode_t kForAll = 0666;  // less the user's mask
-  file_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kForAll);
-  if (file_ < 0) {
+  file_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kForAll);
+  struct stat status {};
+  if (file_ < 0 || fstat(file_, &status) != 0) {
+    fail("cannot be created", errno);
+  }
+  if (!S_ISREG(status.st_mode)) {
+    return;
+  }
+  // The lock ends with the file's last descriptor, also in a crash. Where the file system has no
+  // locks, nothing is refused.
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(std::exchange(file_, -1));
+    throw base::BadInput(what_ + " is being written by another run; name another file, or wait");
+  }
+  if (ftruncate(file_, 0) != 0) {
     fail("cannot be created", errno);
   }
 }

@@ -22,7 +22,9 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Creates the file, or empties it. This and all functions below but write_now() throw.
+  /// Creates the file, or empties it. A regular file that another OutputFile is writing, perhaps in
+  /// another process, is refused and stays as it is: base::BadInput. This and all functions below
+  /// but write_now() throw.
   void create(const std::filesystem::path& file);
   /// Appends; if that fails, the file has as many bytes as there was room for.
   void write(std::string_view bytes);

@@ -10,8 +10,10 @@
 
 namespace elsie::output {
 
-/// The text as one cell (RFC 4180). It is quoted when it holds a comma, a quote, an end of line, or
-/// '#', which some readers take for the start of a comment.
+/// The text as one cell (RFC 4180), cleaned by clean(). It is quoted when it holds a comma, a
+/// quote, an end of line, or '#', which some readers take for the start of a comment. A text that a
+/// spreadsheet would compute, because it begins with '=', '+', '-' or '@' and is no number, gets an
+/// apostrophe before it.
 std::string csv_cell(std::string_view text);
 
 /// Builds one line after the other. Numbers are the same in every locale.
