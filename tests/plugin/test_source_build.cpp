@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -235,6 +236,26 @@ TEST_CASE("What cannot be compiled is reported in a sentence") {
   write(here / "occupied", std::string_view("a file"));
   CHECK_THAT(refusal(here / "straight.cpp", here / "occupied"),
              Contains("for compiled plugins cannot be made") && Contains("ELSIE_CACHE"));
+}
+
+TEST_CASE("A source is no option of the compiler, whatever its name begins with") {
+  Folder here, cache;
+  const std::filesystem::path before = std::filesystem::current_path();
+  write(here / "speed.h", std::string_view("#pragma once\nconstexpr double kSpeed = 4;\n"));
+  write(here / "mine.cpp", std::string_view("of the user's own\n"));
+  for (const char* name : {"-omine.cpp", "@mine.cpp"}) {
+    CAPTURE(name);
+    write(here / name, std::string_view(kSource));
+    std::filesystem::current_path(here.path());
+    std::optional<double> speed;
+    CHECK_NOTHROW(speed = speed_of(build_source(name, cache.path())));
+    std::filesystem::current_path(before);
+    CHECK(speed == 4.0);
+  }
+  std::ifstream mine(here / "mine.cpp");
+  std::string line;
+  std::getline(mine, line);
+  CHECK(line == "of the user's own");
 }
 
 TEST_CASE("Flags of the user's own are part of what is cached") {

@@ -94,8 +94,17 @@ TEST_CASE("A figure that cannot be written leaves the folder as it was") {
   fs::create_directory(folder / "success.svg");  // cannot be replaced by a file
   std::ofstream(folder / "success.svg" / "inside") << "x";
   CHECK_THROWS_AS(draw(made, folder.path(), {"svg"}), FigureInTheWay);
-  CHECK_FALSE(fs::exists(folder / ".elsie-part"));
   CHECK(names_in(folder.path()) == std::set<std::string>{"mine.txt", "success.svg"});
+}
+
+TEST_CASE("The folder of figures is made with all of them, and not for none") {
+  const Made made(by_factor());
+  const Folder folder;
+  const std::size_t count = draw(made, folder / "new", {"svg"});
+  CHECK(names_in(folder / "new").size() == count);
+  CHECK(names_in(folder.path()) == std::set<std::string>{"new"});
+  draw(made, folder / "without formats", {});
+  CHECK_FALSE(fs::exists(folder / "without formats"));
 }
 
 TEST_CASE("Labels of any bytes make figures and names of files that every system takes") {

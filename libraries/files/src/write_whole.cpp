@@ -1,14 +1,17 @@
 #include "elsie/files/write_whole.h"
 
+#include <atomic>
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "elsie/base/error.h"
+#include "elsie/files/emergency.h"
 
 namespace fs = std::filesystem;
 
@@ -32,6 +35,37 @@ fs::path open_beside(const fs::path& file, int& descriptor) {
   }
   return part;
 }
+
+/// The new file is removed unless it has replaced the old one, also when the process is
+/// interrupted.
+class Part final : private EmergencyWriter {
+ public:
+  explicit Part(fs::path path) : path_(std::move(path)) {}
+  ~Part() override {
+    retire();
+    clean_up_now();
+  }
+  Part& operator=(const Part&) = delete;
+
+  /// Returns zero or errno.
+  int replace(const fs::path& file) {
+    if (::rename(path_.c_str(), file.c_str()) != 0) {
+      return errno;
+    }
+    is_done_ = true;
+    return 0;
+  }
+
+ private:
+  void clean_up_now() noexcept override {
+    if (!is_done_) {
+      ::unlink(path_.c_str());
+    }
+  }
+
+  const fs::path path_;
+  std::atomic<bool> is_done_{false};
+};
 
 /// Writes and closes; returns the error number.
 int fill(int descriptor, std::string_view content, Durable durable) {
@@ -97,22 +131,17 @@ int write_whole(const fs::path& file, std::string_view content, Durable durable)
   }
   const fs::path target = end_of_links(file);
   int descriptor = -1;
-  const fs::path part = open_beside(target, descriptor);
+  const fs::path beside = open_beside(target, descriptor);
   if (descriptor < 0) {
     const int error = errno;
     const bool closed_folder = error == EACCES || error == EPERM || error == EROFS;
     return exists && closed_folder ? write_in_place(file, content, durable) : error;
   }
+  Part part(beside);
   const int mode_error = keep_mode(target, descriptor);
   int error = fill(descriptor, content, durable);
   error = error != 0 ? error : mode_error;
-  if (error == 0 && ::rename(part.c_str(), target.c_str()) != 0) {
-    error = errno;
-  }
-  if (error != 0) {
-    ::unlink(part.c_str());
-  }
-  return error;
+  return error != 0 ? error : part.replace(target);
 }
 
 void write_whole_or_throw(const fs::path& file, std::string_view content, Durable durable) {

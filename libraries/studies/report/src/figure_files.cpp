@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "elsie/files/scratch_folder.h"
 #include "elsie/picture/bodies.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/plugin/host.h"
@@ -23,19 +24,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kRowsOfChart = 40;  // cells or runs in one chart of rows
 
-// A folder inside of another, which keeps what is half done apart. It is removed in any case.
+// Where figures are drawn before the folder gets them, or becomes it.
 class Workshop {
  public:
-  explicit Workshop(const fs::path& folder) : folder_(folder), inner_(folder / ".elsie-part") {
-    fs::remove_all(inner_);
-    fs::create_directory(inner_);
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(inner_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
+  explicit Workshop(const fs::path& folder)
+      : folder_(folder), inner_(fs::exists(folder) ? folder : parent_of(folder)) {}
 
   // The file to draw into. Equal names get numbers.
   fs::path file(const std::string& name, const std::string& suffix) {
@@ -43,7 +36,7 @@ class Workshop {
     for (int i = 2; !names_.insert(free + "." + suffix).second; ++i) {
       free = name + "-" + std::to_string(i);
     }
-    return inner_ / (free + "." + suffix);
+    return inner_.path() / (free + "." + suffix);
   }
 
   // All of the files, or none.
@@ -55,13 +48,26 @@ class Workshop {
                              "another folder for the figures");
       }
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(inner_)) {
+    if (!names_.empty() && !fs::exists(folder_)) {
+      try {
+        inner_.become(folder_);
+        return;
+      } catch (const fs::filesystem_error&) {
+        if (!fs::is_directory(folder_)) throw;  // else another program has just made it
+      }
+    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(inner_.path())) {
       fs::rename(entry.path(), folder_ / entry.path().filename());
     }
   }
 
  private:
-  fs::path folder_, inner_;
+  static fs::path parent_of(const fs::path& folder) {
+    return fs::absolute(folder / "").lexically_normal().parent_path().parent_path();
+  }
+
+  fs::path folder_;
+  files::ScratchFolder inner_;
   std::set<std::string> names_;
 };
 

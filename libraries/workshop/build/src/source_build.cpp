@@ -56,6 +56,13 @@ std::vector<std::string> words_of(const char* text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
+/// The file's name as an argument that the compiler takes for nothing else: "-o.cpp" is an option,
+/// "@list.cpp" a file of options.
+std::string operand(const fs::path& file) {
+  const std::string name = file.string();
+  return name.starts_with('-') || name.starts_with('@') ? "./" + name : name;
+}
+
 /// The folder with elsie/api/, next to the library, installed or in the build folder.
 fs::path headers_of(const fs::path& library) {
   const fs::path folder = library.parent_path().parent_path() / "include";
@@ -132,7 +139,7 @@ class Compiler {
     command.insert(command.end(), flags_.begin(), flags_.end());
     for (const std::string& word :
          {std::string("-MMD"), std::string("-MF"), dependencies.string(), std::string("-o"),
-          output.string(), source.string(), "-Wl,--as-needed,-rpath," + folder().string(),
+          output.string(), operand(source), "-Wl,--as-needed,-rpath," + folder().string(),
           library_.string(), base().string(), inference().string()}) {
       command.push_back(word);
     }

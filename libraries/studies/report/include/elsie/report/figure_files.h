@@ -22,10 +22,11 @@ class FigureInTheWay : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Draws the figures of the page into a folder, which must exist, each as a file of each of the
-/// formats. Files of the same names are replaced; an error leaves the folder as it was. Returns the
-/// number of figures. `cells`: as for html_report(). Throws FigureInTheWay, another
-/// std::runtime_error when a file cannot be written, and as ResultsFile does.
+/// Draws the figures of the page into a folder, which is made if there is none and there are
+/// figures, each as a file of each of the formats. Files of the same names are replaced; an error
+/// or an interruption leaves the folder as it was. Returns the number of figures. `cells`: as for
+/// html_report(). Throws FigureInTheWay, another std::runtime_error when a file or the folder
+/// cannot be written, and as ResultsFile does.
 std::size_t write_figures(const Findings& findings, const ResultsFile& file, const Answers& answers,
                           const std::filesystem::path& folder,
                           const std::vector<std::string>& formats, const std::string& cells = "");

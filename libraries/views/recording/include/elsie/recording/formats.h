@@ -15,6 +15,10 @@
 
 namespace elsie::recording {
 
+/// The rate at which a run with steps of this length is recorded, when this rate is asked for:
+/// samples are a whole number of steps apart.
+double rate_in(double rate_hz, double step_s);
+
 /// How to record; a format without a place for pictures ignores `images`.
 struct RecorderOptions {
   /// Samples per simulated second, rounded to whole steps, at most one a step; must be positive.
@@ -47,6 +51,10 @@ struct Format {
 std::span<const Format> formats();
 /// The format with the suffix of the file's name; null: no format has this suffix.
 const Format* format_of(const std::filesystem::path& file);
+/// Checks, before any work is done, that a recording can be written there: the name has a suffix of
+/// formats() or is that of a device, and an existing file is a recording. Throws base::BadInput,
+/// which begins with `named_by`.
+void require_recording(const std::filesystem::path& file, const std::string& named_by);
 /// The suffixes for messages and help: ".csv or .mcap" with " or " between them. `with_images`:
 /// only of formats with a place for pictures.
 std::string suffixes(std::string_view between, bool with_images = false);
