@@ -274,3 +274,18 @@ TEST_CASE("New cells may need libraries of the program that the old ones do not"
   REQUIRE(program.size() == 6);
   CHECK_THAT(program.back().path, Catch::EndsWith("planar.so"));
 }
+
+TEST_CASE("Stages that no experiment can have are damage, and are found before they are used") {
+  Begun begun;
+  const auto whole = begun.folder.read("r.sqlite");
+  for (const char* damage :
+       {"seeds = '-9223372036854775808'", "seeds = ''", "seeds = '1-20,x'", "seeds = '5-2'",
+        "seeds = '0-18446744073709551615'", "repeats = 0", "repeats = 2000000000",
+        "repeats = 4294967297", "cells = -1", "cells = 1000000"}) {
+    CAPTURE(damage);
+    begun.folder.write("r.sqlite", whole);
+    test::rows(begun.file, "UPDATE stages SET " + std::string(damage));
+    CHECK_THROWS_WITH(ResultsDatabase::resume(begun.file, plan_of(begun.experiment)),
+                      Contains("' is damaged (") && Contains("`stages`"));
+  }
+}

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
 
 #include "laboratory.h"
 
@@ -30,9 +31,11 @@ TEST_CASE("What cannot be merged is refused in a sentence, and nothing is made")
   refused("out.sqlite a.sqlite folder", "'folder' is a directory; expected a database");
   refused("out.sqlite a.sqlite ./a.sqlite", "'a.sqlite' and './a.sqlite' are the same database");
   refused("out.sqlite link.sqlite a.sqlite", "'link.sqlite' and 'a.sqlite' are the same database");
-  refused("a.sqlite a.sqlite", "'a.sqlite' is both the new database and one of the databases");
-  refused("link.sqlite a.sqlite",
-          "'link.sqlite' is both the new database and one of the databases");
+  refused("a.sqlite a.sqlite", "OUT: 'a.sqlite' is read here, and its content would be lost");
+  refused("link.sqlite a.sqlite", "OUT: 'link.sqlite' is the file 'a.sqlite', which is read here");
+  REQUIRE(mkfifo(here.file("pipe").c_str(), 0600) == 0);
+  refused("out.sqlite pipe", "'pipe' is a pipe, not a file; expected a database");
+  refused("out.sqlite a.sqlite pipe", "'pipe' is a pipe, not a file; expected a database");
   here.check_sound("a.sqlite");
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("Files that are no database of results are refused in a sentence, and 
   fs::create_directory(folder.file("folder"));
   refused(folder.file("folder"), " is a directory; expected a database that `elsie batch` has");
   REQUIRE(mkfifo(folder.file("pipe").c_str(), 0600) == 0);
-  refused(folder.file("pipe"), " is no file; expected");
+  refused(folder.file("pipe"), " is a pipe, not a file; expected");
   refused(folder.write("empty", ""), " is empty; expected");
   const std::string text(5000, 'x');
   refused(folder.write("text", text), " is not an SQLite database; expected");
@@ -127,4 +127,16 @@ TEST_CASE("What a killed process left incomplete is undone, and is no damage") {
   waitpid(child, &status, 0);
   REQUIRE(fs::exists(file + "-journal"));
   CHECK(results::open_to_read(file).integer("SELECT count(message) FROM runs") == 0);
+}
+
+TEST_CASE("A database is a file, also where its name looks like a URI") {
+  const test::Folder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  for (const char* name : {"file:abc.db", ":memory:", "file:x?mode=memory"}) {
+    CAPTURE(name);
+    results::make_database(name).run("CREATE TABLE a (b INTEGER)");
+    CHECK(fs::exists(name));
+  }
+  fs::current_path(before);
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
-#include <system_error>
 
 #include "elsie/batch/results_database.h"
+#include "elsie/files/outputs.h"
 #include "elsie/results/database_file.h"
 
 #include "lock_file.h"
@@ -142,17 +142,14 @@ class Merger {
   Statement forget_;
 };
 
-/// Refuses invalid names before anything is locked or created.
-void require_apart(const fs::path& into, const std::vector<fs::path>& databases) {
-  std::error_code ignored;
+/// Refuses invalid names before anything is locked or created, and what is no file before anything
+/// is opened: a reader of a pipe would wait.
+void require_databases(const fs::path& into, const std::vector<fs::path>& databases) {
+  files::require_apart({{"OUT", into}}, databases);
   for (auto file = databases.begin(); file != databases.end(); ++file) {
-    if (fs::equivalent(into, *file, ignored)) {
-      throw DatabaseRefused("'" + into.string() +
-                            "' is both the new database and one of the databases to merge; choose "
-                            "another name for the new one");
-    }
+    results::require_file(*file);
     const auto same = std::find_if(databases.begin(), file, [&](const fs::path& other) {
-      return fs::equivalent(other, *file, ignored);
+      return files::is_same_file(other, *file);
     });
     if (same != file) {
       throw DatabaseRefused(*same == *file ? "the database '" + file->string() +
@@ -235,7 +232,7 @@ Merged merge_into(Connection& to, const std::vector<fs::path>& databases) {
 }  // namespace
 
 Merged merge(const fs::path& into, const std::vector<fs::path>& databases) {
-  require_apart(into, databases);
+  require_databases(into, databases);
   const LockFile lock(into);
   if (!results::is_vacant(into)) {
     std::error_code ignored;

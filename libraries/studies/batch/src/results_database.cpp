@@ -164,10 +164,13 @@ ResultsDatabase ResultsDatabase::continue_in(const fs::path& file, Plan plan, bo
   LockFile lock(file);
   sqlite::Connection connection = results::open_to_write(file);
   return results::guarded(file, "could not be written", [&] {
-    const StoredGrid stored = stored_grid(connection);
-    if (stored.stages.empty() || stored.stages.back().cells != stored.cells.size()) {
-      throw results::damaged(file, "`stages` does not have the cells");
-    }
+    const StoredGrid stored = [&] {
+      try {
+        return stored_grid(connection);
+      } catch (const DamagedStages& damage) {
+        throw results::damaged(file, damage.what());
+      }
+    }();
     plan = continued(file, connection, stored, std::move(plan), extend);
     results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);

@@ -5,8 +5,10 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <system_error>
 #include <utility>
 
+#include "elsie/experiment/reader.h"
 #include "elsie/results/hash.h"
 
 namespace elsie::batch {
@@ -120,9 +122,27 @@ StoredGrid stored_grid(sqlite::Connection& connection) {
   sqlite::Statement stages(
       connection, "SELECT cells, seeds, repeats, runs, fingerprint FROM stages ORDER BY id");
   while (stages.next()) {
-    stored.stages.push_back({static_cast<std::size_t>(stages.integer(0)), seeds_in(stages.text(1)),
-                             static_cast<int>(stages.integer(2)), stages.integer(3),
-                             stages.text(4)});
+    const std::int64_t count = stages.integer(0);
+    const auto seeds = seeds_in(stages.text(1));
+    const std::int64_t repeats = stages.integer(2);
+    const std::size_t before = stored.stages.empty() ? 1 : stored.stages.back().cells;
+    if (count < static_cast<std::int64_t>(before) ||
+        count > static_cast<std::int64_t>(stored.cells.size())) {
+      throw DamagedStages("`stages` does not have the cells");
+    }
+    if (!seeds) {
+      throw DamagedStages("the seeds of `stages` are '" + stages.text(1) + "'");
+    }
+    const auto runs = static_cast<std::uint64_t>(count) * seeds->size();
+    if (repeats < 1 || static_cast<std::uint64_t>(repeats) > experiment::kMostRuns / runs) {
+      throw DamagedStages("`stages` has " + std::to_string(runs) + " runs, each repeated " +
+                          std::to_string(repeats) + " times");
+    }
+    stored.stages.push_back({static_cast<std::size_t>(count), *seeds, static_cast<int>(repeats),
+                             stages.integer(3), stages.text(4)});
+  }
+  if (stored.stages.empty() || stored.stages.back().cells != stored.cells.size()) {
+    throw DamagedStages("`stages` does not have the cells");
   }
   return stored;
 }
@@ -188,22 +208,34 @@ std::string seeds_text(const std::vector<std::uint64_t>& seeds) {
   return text;
 }
 
-std::vector<std::uint64_t> seeds_in(const std::string& text) {
+std::optional<std::vector<std::uint64_t>> seeds_in(const std::string& text) {
   std::vector<std::uint64_t> seeds;
   const char* at = text.data();
   const char* const end = at + text.size();
-  while (at < end) {
+  const auto number = [&](std::uint64_t& value) {
+    const auto read = std::from_chars(at, end, value);
+    at = read.ptr;
+    return read.ec == std::errc();
+  };
+  for (bool ended = false; !ended; ++at) {
     std::uint64_t first = 0;
-    at = std::from_chars(at, end, first).ptr;
+    if (!number(first)) {
+      return std::nullopt;
+    }
     std::uint64_t last = first;
-    if (at < end && *at == '-') {
-      at = std::from_chars(at + 1, end, last).ptr;
+    if (at < end && *at == '-' && (++at, !number(last))) {
+      return std::nullopt;
     }
-    for (std::uint64_t seed = first; seed < last; ++seed) {
-      seeds.push_back(seed);
+    if (last < first || last - first >= experiment::kMostRuns - seeds.size()) {
+      return std::nullopt;
     }
-    seeds.push_back(last);
-    ++at;  // the comma
+    for (std::uint64_t more = 0; more <= last - first; ++more) {
+      seeds.push_back(first + more);
+    }
+    ended = at == end;
+    if (!ended && *at != ',') {
+      return std::nullopt;
+    }
   }
   return seeds;
 }

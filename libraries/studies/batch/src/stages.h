@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,12 @@ struct StoredGrid {
   std::vector<Cell> cells;  // by id
   std::vector<Stage> stages;
 };
+/// The stages of a database cannot be those of an experiment. what(): the damaged place.
+class DamagedStages : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+/// Throws DamagedStages.
 StoredGrid stored_grid(sqlite::Connection& connection);
 
 /// What a plan lacks that the database has. Texts name each.
@@ -47,9 +55,10 @@ Gone gone_from(const StoredGrid& stored, const Plan& plan);
 /// if the plan has more cells, seeds or repetitions. Nothing may be gone.
 Plan continued(const StoredGrid& stored, Plan plan);
 
-/// Seeds as "1-20,33", and back.
+/// Seeds as "1-20,33", and back; none for a text that is no such list, or one of more seeds than an
+/// experiment may have.
 std::string seeds_text(const std::vector<std::uint64_t>& seeds);
-std::vector<std::uint64_t> seeds_in(const std::string& text);
+std::optional<std::vector<std::uint64_t>> seeds_in(const std::string& text);
 
 /// The labels of a planned cell's levels, in the order of the factors.
 std::vector<std::string> levels_of(const PlannedCell& cell);

@@ -53,8 +53,7 @@ struct WorldDraft {
 };
 
 struct SeedsDraft {
-  std::optional<std::int64_t> from, to;
-  std::optional<std::string> list;
+  std::optional<std::string> from, to, list;  // no type of attribute has room for all seeds
   int repeats = 1;
   Location location;
 };

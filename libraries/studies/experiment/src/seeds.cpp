@@ -1,6 +1,8 @@
 #include "seeds.h"
 
 #include <charconv>
+#include <limits>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -14,6 +16,15 @@ namespace {
 
 using base::Problems;
 
+const std::string kGreatest = std::to_string(std::numeric_limits<std::uint64_t>::max());
+
+std::optional<std::uint64_t> seed_of(const std::string& word) {
+  std::uint64_t seed = 0;
+  const char* const end = word.data() + word.size();
+  const auto parsed = std::from_chars(word.data(), end, seed);
+  return parsed.ec == std::errc() && parsed.ptr == end ? std::optional(seed) : std::nullopt;
+}
+
 std::vector<std::uint64_t> listed_seeds(const SeedsDraft& draft, const std::string& element,
                                         Problems& problems) {
   std::vector<std::uint64_t> seeds;
@@ -24,18 +35,16 @@ std::vector<std::uint64_t> listed_seeds(const SeedsDraft& draft, const std::stri
       continue;
     }
     any = true;
-    std::int64_t seed = 0;
-    const char* end = word.data() + word.size();
-    const auto parsed = std::from_chars(word.data(), end, seed);
-    if (parsed.ec != std::errc() || parsed.ptr != end || seed < 0) {
+    const auto seed = seed_of(word);
+    if (!seed) {
       problems.add(draft.location, "list=\"" + *draft.list + "\" of " + element + ": '" + word +
-                                       "' is no seed; expected whole numbers from 0, separated by "
-                                       "blanks");
-    } else if (!known.insert(static_cast<std::uint64_t>(seed)).second) {
+                                       "' is no seed; expected whole numbers from 0 to " +
+                                       kGreatest + ", separated by blanks");
+    } else if (!known.insert(*seed).second) {
       problems.add(draft.location,
                    "the seed " + word + " is listed twice: the same seed gives the same run");
     } else {
-      seeds.push_back(static_cast<std::uint64_t>(seed));
+      seeds.push_back(*seed);
     }
   }
   if (!any) {
@@ -58,8 +67,19 @@ std::vector<std::uint64_t> seeds_from(const SeedsDraft& draft, const std::string
   if (draft.list) {
     return listed_seeds(draft, element, problems);
   }
-  const auto from = static_cast<std::uint64_t>(*draft.from);
-  const auto to = static_cast<std::uint64_t>(*draft.to);
+  const auto end_of = [&](const char* attribute, const std::string& text) {
+    const auto seed = seed_of(text);
+    if (!seed) {
+      complain(std::string(attribute) + "=\"" + text + "\" of " + element +
+               ": expected a whole number from 0 to " + kGreatest);
+    }
+    return seed;
+  };
+  const auto first = end_of("from", *draft.from), last = end_of("to", *draft.to);
+  if (!first || !last) {
+    return {};
+  }
+  const std::uint64_t from = *first, to = *last;
   if (from > to) {
     return complain("there is no seed from " + std::to_string(from) + " to " + std::to_string(to) +
                     "; give the smaller number first");
@@ -71,8 +91,8 @@ std::vector<std::uint64_t> seeds_from(const SeedsDraft& draft, const std::string
         (most == kMostRuns ? ", and as many runs" : "; a factor has at most as many levels"));
   }
   std::vector<std::uint64_t> seeds;
-  for (std::uint64_t seed = from; seed <= to; ++seed) {
-    seeds.push_back(seed);
+  for (std::uint64_t more = 0; more <= to - from; ++more) {
+    seeds.push_back(from + more);
   }
   return seeds;
 }

@@ -98,8 +98,8 @@ ElementSpec seeds() {
                               "The seeds of each cell's runs: all from one number to "
                               "another, or a list")
       .required()
-      .attribute("from", &SeedsDraft::from, {.min = 0, .meaning = "the first seed"})
-      .attribute("to", &SeedsDraft::to, {.min = 0, .meaning = "the last seed"})
+      .attribute("from", &SeedsDraft::from, fact("the first seed, a whole number from 0"))
+      .attribute("to", &SeedsDraft::to, fact("the last seed, a whole number from 0"))
       .attribute("list", &SeedsDraft::list, fact("the seeds, separated by blanks"))
       .attribute("repeats", &SeedsDraft::repeats,
                  {.min = 1,
@@ -116,8 +116,9 @@ ElementSpec layouts() {
                  {.choices = {"crossed", "nested"},
                   .meaning = "crossed: each layout meets each seed; nested: each seed has its own "
                              "layout, and none is given here"})
-      .attribute("from", &LayoutsDraft::from, {.min = 0, .meaning = "the first seed of a layout"})
-      .attribute("to", &LayoutsDraft::to, {.min = 0, .meaning = "the last seed of a layout"})
+      .attribute("from", &LayoutsDraft::from,
+                 fact("the first seed of a layout, a whole number from 0"))
+      .attribute("to", &LayoutsDraft::to, fact("the last seed of a layout, a whole number from 0"))
       .attribute("list", &LayoutsDraft::list, fact("the seeds, separated by blanks"));
 }
 

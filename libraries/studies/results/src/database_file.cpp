@@ -4,6 +4,7 @@
 
 #include <sqlite3.h>
 
+#include "elsie/base/read_whole.h"
 #include "elsie/results/run_fields.h"
 
 #include "damage.h"
@@ -21,24 +22,6 @@ using Mode = sqlite::Connection::Mode;
 constexpr const char* kExpected = "expected a database that `elsie batch` has written";
 
 std::string name(const fs::path& file) { return "the database '" + file.string() + "' "; }
-
-/// Called before SQLite, which treats an empty file as a database without tables.
-void require_file(const fs::path& file) {
-  const std::string quoted = "'" + file.string() + "'";
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    throw DatabaseRefused("there is no database " + quoted +
-                          "; `elsie batch EXPERIMENT --database FILE` writes one");
-  }
-  if (!fs::is_regular_file(file, ignored)) {
-    throw DatabaseRefused(
-        quoted + (fs::is_directory(file, ignored) ? " is a directory; " : " is no file; ") +
-        kExpected);
-  }
-  if (fs::file_size(file, ignored) == 0) {
-    throw DatabaseRefused(quoted + " is empty; " + kExpected);
-  }
-}
 
 /// Checks the program and the version in the first page.
 void require_ours(sqlite::Connection& connection, const fs::path& file) {
@@ -136,6 +119,21 @@ std::string reason(const fs::path& file, const sqlite::Error& error) {
 }
 
 }  // namespace
+
+void require_file(const fs::path& file) {
+  const std::string quoted = "'" + file.string() + "' ";
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    throw DatabaseRefused("there is no database '" + file.string() +
+                          "'; `elsie batch EXPERIMENT --database FILE` writes one");
+  }
+  if (const std::string why = base::why_unreadable(file); !why.empty()) {
+    throw DatabaseRefused(quoted + why + "; " + kExpected);
+  }
+  if (fs::file_size(file, ignored) == 0) {
+    throw DatabaseRefused(quoted + "is empty; " + kExpected);
+  }
+}
 
 DatabaseRefused damaged(const fs::path& file, const std::string& where) {
   return DatabaseRefused(name(file) + "is damaged (" + where +

@@ -21,6 +21,12 @@ std::string immutable_uri(const std::string& file) {
   return uri + "?immutable=1";
 }
 
+/// SQLite takes "file:x.db" for a URI, and ":memory:" for no file.
+std::string as_file(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  return name.starts_with("file:") || name.starts_with(':') ? "./" + name : name;
+}
+
 /// "runs (id, seed) VALUES (?, ?)"
 std::string row_of(const std::string& table, const std::string& columns) {
   std::string marks = "?";
@@ -168,7 +174,7 @@ Connection::Connection(const std::filesystem::path& file, Mode mode) {
                     : mode == Mode::write     ? SQLITE_OPEN_READWRITE
                     : mode == Mode::immutable ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
                                               : SQLITE_OPEN_READONLY;
-  const std::string name = mode == Mode::immutable ? immutable_uri(file.string()) : file.string();
+  const std::string name = mode == Mode::immutable ? immutable_uri(as_file(file)) : as_file(file);
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
   handle_.reset(handle);

@@ -28,6 +28,10 @@ inline constexpr std::int64_t kApplicationId = 0x456C7369;  // "Elsi"
 /// The version of the schema that this program reads and writes.
 inline constexpr int kSchemaVersion = 6;
 
+/// Throws DatabaseRefused if there is no such file, or it cannot be read or is empty. Opens
+/// nothing, because a reader of a pipe would wait.
+void require_file(const std::filesystem::path& file);
+
 /// Opens an existing database. Throws DatabaseRefused if there is no such file, or if it is not a
 /// results database, has another version, was not begun, or is damaged; DatabaseError if the system
 /// cannot read it.
