@@ -19,9 +19,11 @@ std::filesystem::path file_of(const std::uint8_t* data, std::size_t size) {
 
 const plugin::Host& plugins() {
   static const plugin::Host host(
-      std::vector<plugin::SearchDirectory>{{ELSIE_PLUGIN_DIR, "the build tree"}});
+      std::vector<plugin::SearchDirectory>{{plugin_folder(), "the build tree"}});
   return host;
 }
+
+std::string plugin_folder() { return ELSIE_PLUGIN_DIR; }
 
 std::string source_folder() { return ELSIE_SOURCE_DIR; }
 

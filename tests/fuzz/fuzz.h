@@ -23,6 +23,7 @@ std::filesystem::path file_of(const std::uint8_t* data, std::size_t size);
 
 /// The host with all shipped plugins, and where data files are.
 const plugin::Host& plugins();
+std::string plugin_folder();
 std::string source_folder();
 
 }  // namespace elsie::fuzz

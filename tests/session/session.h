@@ -72,10 +72,20 @@ class Session {
   Json ask(Json order) {
     order["id"] = ++last_id_;
     connection_.send(order);
-    return wait([&](const Json& message) { return message.value("answer", 0) == last_id_; });
+    return answer(last_id_);
   }
   Json answer(int id) {
-    return wait([&](const Json& message) { return message.value("answer", 0) == id; });
+    return wait([&](const Json& message) {
+      const auto of = message.find("answer");
+      return of != message.end() && *of == id;
+    });
+  }
+  /// To a line that has no id.
+  Json answer_to_no_order() {
+    return wait([](const Json& message) {
+      const auto id = message.find("answer");
+      return id != message.end() && id->is_null();
+    });
   }
   Json open(const std::string& text, const std::string& file = "") {
     return ask({{"do", "open"}, {"text", text}, {"file", file}});

@@ -151,6 +151,28 @@ TEST_CASE("The run that starts next is recorded, whole, and that alone") {
   CHECK_FALSE(std::filesystem::exists(csv));
 }
 
+TEST_CASE("No recording replaces a file that is none, or one that the world is read from") {
+  const test::Workplace place;
+  const std::string walls = place.file("walls.csv").string();
+  place.write("walls.csv", "-1 0.5 1 0.5\n");
+  Session session;
+  session.open(
+      "<world format=\"1\"><layouts><floor_plan id=\"p\" file=\"walls.csv\"/></layouts>"
+      "<robots><robot id=\"r1\"/></robots><limits time=\"0.1\"/></world>",
+      place.file("room.xml").string());
+  const auto refusal = [&](const std::string& file) {
+    const Json answer = session.ask({{"do", "record"}, {"files", {file}}});
+    return answer.contains("refused") ? answer["refused"][0]["message"].get<std::string>() : "";
+  };
+  CHECK_THAT(refusal(walls), Catch::Contains("already exists and is not a recording"));
+  place.elsie("run worlds/open_arena.xml --duration 0.1 --quiet --record other.csv");
+  std::filesystem::copy_file(place.file("other.csv"), walls,
+                             std::filesystem::copy_options::overwrite_existing);
+  CHECK_THAT(refusal(walls), Catch::Contains("is read here, and its content would be lost"));
+  CHECK(refusal(place.file("new.csv").string()) == "");
+  CHECK(place.read("walls.csv") == place.read("other.csv"));
+}
+
 TEST_CASE("A recording that cannot be made refuses the start of the run, once") {
   const test::Workplace place;
   Session session;
@@ -243,6 +265,35 @@ TEST_CASE("A run goes on to a time as fast as it can, and says that it pauses th
   const test::Workplace place;
   place.write("room.xml", kRoom);
   CHECK(session.end_of_run()["state_hash"] == hash_of_run(place, "room.xml"));
+}
+
+TEST_CASE("A time limit that has passed is refused, and the run goes on") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "run"}, {"until_s", 1.0}});
+  session.event("paused");
+  const Json refused = session.edit({"limits/@time=0.5"});
+  REQUIRE(refused.contains("refused"));
+  CHECK_THAT(refused["refused"][0]["message"].get<std::string>(),
+             Catch::Contains("limits/@time would be 0.5 s, but the run is at 1 s already"));
+  session.ask({{"do", "run"}, {"until_s", 1.5}});
+  CHECK(session.event("paused")["time_s"] == Approx(1.5));
+}
+
+TEST_CASE("A run to a time that it has reached makes no step, and says so") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "run"}, {"until_s", 0.0}});
+  CHECK(session.event("paused")["steps"] == 0);
+  session.ask({{"do", "run"}, {"until_s", 1.0}});
+  const Json first = session.event("paused");
+  for (const double until_s : {1.0, 0.5, -1.0}) {
+    CHECK_FALSE(session.ask({{"do", "run"}, {"until_s", until_s}}).contains("refused"));
+    CHECK(session.event("paused") == first);
+  }
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+  CHECK(session.ask({{"do", "run"}, {"until_s", 1.0}}).contains("refused"));
 }
 
 TEST_CASE(

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <sys/socket.h>
 #include <sys/wait.h>
 
 #include "session.h"
@@ -121,18 +122,64 @@ TEST_CASE("A run can be paused, paced and left") {
 TEST_CASE("Orders without sense are refused, and change nothing") {
   Session session;
   session.open(kRoom);
-  for (const Json& order :
-       {Json{{"do", 5}}, Json{{"do", "dance"}}, Json{{"what", "edit"}}, Json{{"do", "edit"}},
-        Json{{"do", "edit"}, {"edits", 7}}, Json{{"do", "become"}},
-        Json{{"do", "undo"}, {"edit", 99}}, Json{{"do", "at"}, {"time_s", "now"}},
-        Json{{"do", "watch"}}, Json{{"do", "watch"}, {"what", "all"}}, Json{{"do", "record"}},
-        Json{{"do", "open"}}, Json{{"do", "speed"}, {"factor", "fast"}}}) {
+  for (const Json& order : {Json{{"do", 5}},
+                            Json{{"do", "dance"}},
+                            Json{{"what", "edit"}},
+                            Json{{"do", "edit"}},
+                            Json{{"do", "edit"}, {"edits", 7}},
+                            Json{{"do", "become"}},
+                            Json{{"do", "undo"}, {"edit", 99}},
+                            Json{{"do", "at"}, {"time_s", "now"}},
+                            Json{{"do", "watch"}},
+                            Json{{"do", "watch"}, {"what", "all"}},
+                            Json{{"do", "record"}},
+                            Json{{"do", "open"}},
+                            Json{{"do", "speed"}, {"factor", "fast"}},
+                            Json{{"do", "speed"}, {"factor", -1.0}},
+                            Json{{"do", "reset"}, {"seed", -1}},
+                            Json{{"do", "reset"}, {"seed", 1.7}},
+                            Json{{"do", "reset"}, {"seed", 18446744073709551616.0}},
+                            Json{{"do", "reset"}, {"seed", "1"}},
+                            Json{{"do", "open"}, {"text", kRoom}, {"seed", -1}},
+                            Json{{"do", "undo"}, {"edit", 0.5}}}) {
     CAPTURE(order.dump());
     const Json answer = session.ask(order);
     REQUIRE(answer.contains("refused"));
     CHECK_FALSE(answer["refused"][0]["message"].get<std::string>().empty());
   }
   CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
+}
+
+TEST_CASE("A refused order does not pause the run") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "speed"}, {"factor", 0.01}});
+  session.ask({{"do", "run"}});
+  CHECK(session.ask({{"do", "run"}, {"paced", "x"}}).contains("refused"));
+  CHECK(session.ask({{"do", "run"}, {"until_s", "soon"}}).contains("refused"));
+  CHECK(session.ask({{"do", "reset"}, {"seed", -1}}).contains("refused"));
+  CHECK(session.ask({{"do", "at"}}).contains("refused"));  // as it is while a run advances
+}
+
+TEST_CASE("A line that is no order has an answer, and the session goes on") {
+  Session session;
+  const auto send_line = [&](std::string line) {
+    line += '\n';
+    REQUIRE(::send(session.connection().descriptor(), line.data(), line.size(), 0) ==
+            static_cast<ssize_t>(line.size()));
+  };
+  const std::string deep = std::string(50'000, '[') + std::string(50'000, ']');
+  for (const std::string& line :
+       {std::string("no JSON"), std::string(), std::string("[1, 2]"), std::string("{\"id\": 1"),
+        std::string("{\"do\": \"ping\", \"x\": \"\xff\"}"),
+        "{\"do\": \"ping\", \"id\": " + deep + "}", deep}) {
+    CAPTURE(line.substr(0, 40));
+    send_line(line);
+    const Json answer = session.answer_to_no_order();
+    CHECK_THAT(answer["refused"][0]["message"].get<std::string>(),
+               Catch::Contains("expected a JSON object with `id` and `do`"));
+  }
+  CHECK_FALSE(session.ask({{"do", "ping"}}).contains("refused"));
 }
 
 TEST_CASE("Steps that are ordered all at once are all made, and all answered") {
@@ -168,6 +215,21 @@ TEST_CASE("A plugin that ends its process leaves the other end alive, with its n
   const client::SessionEnd end = session.end();
   CHECK(end.exit_code == 3);
   CHECK_THAT(end.report, Catch::Contains("'" + plugin + "'"));
+}
+
+TEST_CASE("A program that a plugin has left behind does not keep the end from the window") {
+  const test::Workplace place;
+  place.write("stays", "");
+  setenv("FAULTY_LEAVES_BEHIND", "program", 1);
+  setenv("FAULTY_LEAVES_UNTIL", place.file("stays").c_str(), 1);
+  Session session({"--plugin", test::build_path("tests/program/plugins/faulty.so")});
+  unsetenv("FAULTY_LEAVES_BEHIND");
+  unsetenv("FAULTY_LEAVES_UNTIL");
+  std::string text = kRoom;
+  text.replace(text.find("turn_left"), 9, "segfaulting");
+  REQUIRE_FALSE(session.open(text).contains("refused"));
+  session.ask({{"do", "run"}});
+  CHECK(session.end().exit_code == 3);
 }
 
 namespace {

@@ -19,6 +19,10 @@ void add_session_command(CLI::App& program, Job& job) {
   options->add_to(*command);
   command->callback([&job, options] {
     job = [options] {
+      // Programs that a plugin starts must not keep them open: the window would wait for those.
+      for (const int each : {server::kMessages, server::kMemory}) {
+        fcntl(each, F_SETFD, FD_CLOEXEC);
+      }
       if (fcntl(server::kMessages, F_GETFD) < 0) {
         throw BadInput(
             "`elsie session` is for windows, which start it and talk to it\nstart `elsie-desktop`; "

@@ -55,6 +55,8 @@ void pause_here() { pause(); }
     return stays;
   } else if (what == "process" && fork() == 0) {
     pause();
+  } else if (what == "program") {  // until a file is gone
+    return std::system("while [ -e \"$FAULTY_LEAVES_UNTIL\" ]; do sleep 0.1; done &") == 0;
   } else if (what == "file") {
     return dup(STDERR_FILENO) > 0;
   } else if (what == "memory") {

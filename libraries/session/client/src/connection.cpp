@@ -112,7 +112,10 @@ class Connection::Impl {
 
   std::vector<Json> receive() {
     flush();
-    if (open_ && !read_into(received_, messages_.get())) {
+    // A process that a plugin left behind may hold the connection longer than the session lives.
+    reap(WNOHANG);
+    const bool is_gone = process_ <= 0;
+    if (open_ && (!read_into(received_, messages_.get()) || is_gone)) {
       open_ = false;
       deadline_ = Clock::now() + std::chrono::milliseconds(kReport_ms);
     }

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "elsie/base/error.h"
+#include "elsie/base/number_text.h"
 #include "elsie/editing/between.h"
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
@@ -49,7 +50,7 @@ world::ReadOptions Server::Impl::reading(std::uint64_t seed) const {
 }
 
 void Server::Impl::open(const Json& message, Json& answer) {
-  const std::uint64_t seed = message.value("seed", seed_);
+  const std::uint64_t seed = whole_number(message, "seed", seed_);
   const auto text = message.at("text").get<std::string>();
   auto document = [&] {
     try {
@@ -79,7 +80,7 @@ void Server::Impl::become(const Json& message, Json& answer) {
 }
 
 void Server::Impl::undo(const Json& message, Json& answer) {
-  const auto kept = inverses_.find(message.at("edit").get<std::uint64_t>());
+  const auto kept = inverses_.find(whole_number(message, "edit", 0));  // the first edit is 1
   if (kept == inverses_.end()) {
     throw base::BadInput("there is no such edit");
   }
@@ -100,17 +101,23 @@ void Server::Impl::move(const Json& message, Json& answer) {
   const std::string text = message.contains("text") ? message.at("text").get<std::string>()
                                                     : document_->text_for(folder);
   editing::Document moved(text, file, host(), reading(seed_));
+  const std::string begun_there =
+      begun == before ? moved.text() : adapted(begun, old_file, folder_of(file));
   document_ = std::move(moved);
-  repetition_.move(file, begun == before ? document_->text() : from_elsewhere(begun, old_file));
+  repetition_.move(file, begun_there);
   inverses_.clear();  // they contain names of files as in the old text
   describe(answer);
 }
 
 std::string Server::Impl::from_elsewhere(const std::string& text, const std::string& file) const {
-  const std::filesystem::path here = folder_of(document_->file());
-  return file.empty() || folder_of(file) == here
+  return file.empty() ? text : adapted(text, file, folder_of(document_->file()));
+}
+
+std::string Server::Impl::adapted(const std::string& text, const std::string& file,
+                                  const std::filesystem::path& folder) const {
+  return folder_of(file) == folder
              ? text
-             : editing::Document(text, file, host(), reading(seed_)).text_for(here.string());
+             : editing::Document(text, file, host(), reading(seed_)).text_for(folder.string());
 }
 
 void Server::Impl::check(const Json& message, Json& answer) {
@@ -176,6 +183,12 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
                               std::vector<std::string> edits) {
   if (edits_there.empty()) {
     return;
+  }
+  // `elsie run` takes no edit after the end of a run, so that no command would repeat what follows.
+  if (const double end_s = document_->world().limits.time; end_s <= simulation_->time_s()) {
+    throw base::BadInput("limits/@time would be " + base::number_text(end_s) +
+                         " s, but the run is at " + base::number_text(simulation_->time_s(), 9) +
+                         " s already; expected a later time");
   }
   simulation_->change(changes_of(edits_there));
   ++epoch_;

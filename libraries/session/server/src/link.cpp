@@ -2,13 +2,56 @@
 
 #include <array>
 #include <cerrno>
+#include <string_view>
 
 #include <linux/sockios.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
+#include "elsie/base/error.h"
+
 namespace elsie::server {
+
+namespace {
+
+constexpr int kDeepest = 100;
+
+/// Copying and printing values takes a call for each level, and a deep one has no meaning.
+bool is_deep(std::string_view line) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size() && depth <= kDeepest; ++i) {
+    const char c = line[i];
+    if (quoted) {
+      i += c == '\\' ? 1 : 0;
+      quoted = c != '"';
+    } else {
+      quoted = c == '"';
+      depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+    }
+  }
+  return depth > kDeepest;
+}
+
+Json parsed(std::string_view line) {
+  return is_deep(line) ? Json(Json::value_t::discarded) : Json::parse(line, nullptr, false);
+}
+
+}  // namespace
+
+std::uint64_t whole_number(const Json& order, const char* member, std::uint64_t otherwise) {
+  const auto found = order.find(member);
+  if (found == order.end()) {
+    return otherwise;
+  }
+  if (!found->is_number_unsigned()) {
+    throw base::BadInput("`" + std::string(member) + "` is " +
+                         found->dump(-1, ' ', false, Json::error_handler_t::replace) +
+                         "; expected a whole number from 0 to 18446744073709551615");
+  }
+  return found->get<std::uint64_t>();
+}
 
 void Link::wait(std::chrono::microseconds most) {
   const auto end = std::chrono::steady_clock::now() + most;
@@ -34,13 +77,9 @@ void Link::wait(std::chrono::microseconds most) {
 std::optional<Json> Link::next() {
   while (!closed_) {
     if (const std::size_t end = received_.find('\n'); end != std::string::npos) {
-      Json message = Json::parse(
-          received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+      Json message = parsed(std::string_view(received_).substr(0, end));
       received_.erase(0, end + 1);
-      if (message.is_object()) {
-        return message;
-      }
-      continue;
+      return message;
     }
     std::array<char, 65'536> some;
     const ssize_t count = recv(descriptor_, some.data(), some.size(), MSG_DONTWAIT);

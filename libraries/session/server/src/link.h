@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,10 @@ namespace elsie::server {
 
 using Json = nlohmann::ordered_json;
 
+/// A member of an order that is a whole number from 0 to 2^64 - 1; `otherwise` without it. Throws
+/// base::BadInput for any other value.
+std::uint64_t whole_number(const Json& order, const char* member, std::uint64_t otherwise);
+
 class Link {
  public:
   explicit Link(int descriptor) : descriptor_(descriptor) {}
@@ -19,7 +24,8 @@ class Link {
   /// Waits until a message or the end arrives, but not longer than this. Meanwhile, sends messages
   /// that are still waiting.
   void wait(std::chrono::microseconds most);
-  /// The next message; none if none has arrived.
+  /// The next message; none if none has arrived. A line that is no JSON, or is nested more deeply
+  /// than any order, is a discarded value.
   std::optional<Json> next();
   /// Whether the other end has closed the connection.
   bool closed() const { return closed_; }

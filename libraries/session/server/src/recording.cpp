@@ -1,17 +1,31 @@
 #include "recording.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "elsie/base/error.h"
+#include "elsie/files/outputs.h"
 
 namespace elsie::server {
 
 namespace fs = std::filesystem;
 
-void Recording::choose(const Json& order) {
+namespace {
+
+constexpr const char* kOrder = "record";
+
+std::vector<files::Output> outputs(const std::vector<fs::path>& files) {
+  std::vector<files::Output> all;
+  for (const fs::path& file : files) {
+    all.push_back({kOrder, file});
+  }
+  return all;
+}
+
+}  // namespace
+
+void Recording::choose(const Json& order, const std::vector<fs::path>& inputs) {
   std::vector<fs::path> files;
   recording::RecorderOptions options;
   options.rate_hz = order.value("rate", options.rate_hz);
@@ -22,26 +36,21 @@ void Recording::choose(const Json& order) {
   }
   for (const Json& each : order.at("files")) {
     const fs::path file = fs::absolute(each.get<std::string>());  // a plugin may change folders
-    const std::string what = "'" + each.get<std::string>() + "' cannot be a recording: ";
-    if (!recording::format_of(file)) {
-      throw base::BadInput(what + "expected a name that ends in " + recording::suffixes(" or "));
-    }
-    if (!fs::is_directory(file.parent_path())) {
-      throw base::BadInput(what + "there is no folder '" + file.parent_path().string() + "'");
-    }
-    if (std::find(files.begin(), files.end(), file) != files.end()) {
-      throw base::BadInput(what + "it is named twice");
-    }
+    recording::require_recording(file, kOrder);
     files.push_back(file);
   }
+  files::require_apart(outputs(files), inputs);
   files_ = std::move(files);
   options_ = std::move(options);
 }
 
-void Recording::start() {
+void Recording::start(const std::vector<fs::path>& inputs) {
   std::vector<std::unique_ptr<simulation::Observer>> recorders;
-  for (const fs::path& file : std::exchange(files_, {})) {  // each is tried only once
-    recorders.push_back(recording::format_of(file)->recorder(file, options_));
+  const std::vector<fs::path> files = std::exchange(files_, {});  // each is tried only once
+  files::require_apart(outputs(files), inputs);  // the document may have changed since choose()
+  for (const fs::path& file : files) {
+    const recording::Format* const format = recording::format_of(file);
+    recorders.push_back((format ? *format : recording::formats().front()).recorder(file, options_));
   }
   for (auto& recorder : recorders) {
     observers_.push_back(recorder.get());

@@ -14,10 +14,15 @@ namespace elsie::server {
 
 class Recording {
  public:
-  /// Reads an order: `files`, `rate`, `images`. Throws base::BadInput for impossible recordings.
-  void choose(const Json& order);
+  /// Reads an order: `files`, `rate`, `images`. `inputs`: the files of the world, which no
+  /// recording may replace. Throws base::BadInput for impossible recordings.
+  void choose(const Json& order, const std::vector<std::filesystem::path>& inputs);
   /// Creates the files once. Throws if a file cannot be created; then the next run is not recorded.
-  void start();
+  void start(const std::vector<std::filesystem::path>& inputs);
+  /// Samples per simulated second, as chosen.
+  double rate_hz() const { return options_.rate_hz; }
+  /// Whether the next run is to be recorded.
+  bool is_due() const { return !files_.empty(); }
   /// The observers of the run.
   const std::vector<simulation::Observer*>& observers() const { return observers_; }
   /// Finishes the files after the end of the run.

@@ -53,6 +53,13 @@ void Server::Impl::look_back(const Json& message, Json& answer) {
   answer["time_s"] = time_s;
 }
 
+void Server::Impl::report_pause() {
+  link_.send({{"event", "paused"},
+              {"time_s", simulation_->time_s()},
+              {"steps", simulation_->steps()},
+              {"state_hash", simulation::hash_text(simulation_->state_hash())}});
+}
+
 void Server::Impl::report_state() {
   is_state_due_ = false;
   if (watching_.is_on()) {

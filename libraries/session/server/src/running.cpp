@@ -72,26 +72,38 @@ void Server::Impl::take_next() {
 }
 
 void Server::Impl::start(const Json& message, Json&) {
-  const auto until_s = message.find("until_s");
-  const double until = until_s == message.end() ? -1.0 : until_s->get<double>();
+  const bool is_paced = message.value("paced", false);
+  std::optional<std::uint64_t> pause_at;
+  if (const auto until_s = message.find("until_s"); until_s != message.end()) {
+    const double steps =
+        std::ceil(until_s->get<double>() / simulation_->world().physics.step - 1e-6);
+    pause_at = static_cast<std::uint64_t>(std::clamp(steps, 0.0, 1e15));
+  }
+  require_unended();
+  if (pause_at && *pause_at <= simulation_->steps()) {  // it is there already
+    hold();
+    is_pause_due_ = true;
+    return;
+  }
   get_ready();
   start_clock();
   hold();
-  if (until_s != message.end()) {
-    const double steps = std::ceil(until / simulation_->world().physics.step - 1e-6);
-    pause_at_ = static_cast<std::uint64_t>(std::clamp(steps, 0.0, 1e15));
-    is_pause_told_ = true;
-  }
-  is_pause_paced_ = message.value("paced", false);
+  pause_at_ = pause_at;
+  is_pause_told_ = pause_at.has_value();
+  is_pause_paced_ = is_paced;
   running_ = true;
 }
 
-void Server::Impl::get_ready() {
+void Server::Impl::require_unended() const {
   if (phase_ == Phase::ended) {
     throw base::BadInput("the run has ended; reset it to start it again");
   }
-  if (phase_ == Phase::ready) {
-    recording_.start();
+}
+
+void Server::Impl::get_ready() {
+  require_unended();
+  if (phase_ == Phase::ready && recording_.is_due()) {
+    recording_.start(inputs());
   }
 }
 
@@ -107,20 +119,43 @@ void Server::Impl::step(const Json&, Json&) {
 }
 
 void Server::Impl::set_speed(const Json& message, Json&) {
-  speed_ = message.value("factor", 0.0);
+  const double factor = message.value("factor", 0.0);
+  if (factor < 0.0) {
+    throw base::BadInput(
+        "a run cannot go backwards; expected a `factor` above 0, or 0: as fast as "
+        "possible");
+  }
+  speed_ = factor;
   start_clock();
 }
 
 void Server::Impl::reset(const Json& message, Json& answer) {
-  restart(message.value("seed", seed_));
+  restart(whole_number(message, "seed", seed_));
   describe(answer);
 }
 
-void Server::Impl::record(const Json& message, Json&) {
+void Server::Impl::record(const Json& message, Json& answer) {
   if (phase_ == Phase::under_way) {
     throw base::BadInput("the run is under way, and a recording begins with it; reset it first");
   }
-  recording_.choose(message);
+  recording_.choose(message, inputs());
+  answer["rate"] = recording::rate_in(recording_.rate_hz(), simulation_->world().physics.step);
+}
+
+std::vector<std::filesystem::path> Server::Impl::inputs() const {
+  std::map<std::string, std::string> found;
+  world::ReadOptions options = reading(seed_);
+  options.check_plugins = false;
+  options.found = &found;
+  world::parse_world(document_->text(), document_->file(), host(), options);
+  std::vector<std::filesystem::path> files;
+  if (!document_->file().empty()) {
+    files.emplace_back(document_->file());
+  }
+  for (const auto& [name, file] : found) {
+    files.emplace_back(file);
+  }
+  return files;
 }
 
 void Server::Impl::command(const Json&, Json& answer) {
@@ -178,10 +213,7 @@ void Server::Impl::between_decisions() {
     report_news();
     report_state();
     if (is_told) {
-      link_.send({{"event", "paused"},
-                  {"time_s", simulation_->time_s()},
-                  {"steps", simulation_->steps()},
-                  {"state_hash", simulation::hash_text(simulation_->state_hash())}});
+      report_pause();
     }
   }
   const Clock::time_point now = Clock::now();

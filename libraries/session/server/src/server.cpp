@@ -42,6 +42,10 @@ const std::map<std::string, Server::Impl::KnownOrder>& Server::Impl::orders() {
 }
 
 void Server::Impl::handle(const Json& message) {
+  if (!message.is_object()) {
+    refuse_line();
+    return;
+  }
   Json answer = {{"answer", message.value("id", Json())}};
   answers_later_ = false;
   try {
@@ -74,6 +78,17 @@ void Server::Impl::handle(const Json& message) {
   if (is_state_due_ && !next_) {
     report_state();
   }
+  if (std::exchange(is_pause_due_, false)) {
+    report_pause();
+  }
+}
+
+void Server::Impl::refuse_line() {
+  link_.send({{"answer", nullptr},
+              {"refused", problems_json(std::vector<base::Problem>{
+                              {"", 0,
+                               "a line is no order; expected a JSON object with `id` and `do`, in "
+                               "UTF-8, on one line"}})}});
 }
 
 Server::Server(build::Watch& plugins, ServerOptions options)

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -61,6 +62,8 @@ class Server::Impl {
   /// Carries out an order. The answer has the message's id, and either the result or `refused`
   /// (sentences). It follows after the step for `step`, and after the end of the run for `reset`.
   void handle(const Json& message);
+  /// Answers a line that is no order.
+  void refuse_line();
   void open(const Json& message, Json& answer);
   void edit(const Json& message, Json& answer);
   void become(const Json& message, Json& answer);
@@ -94,6 +97,9 @@ class Server::Impl {
   std::optional<world::World> world_of_run() const;
   /// Adapts a text that was written for another file to the folder of the document's file.
   std::string from_elsewhere(const std::string& text, const std::string& file) const;
+  /// The same for any folder.
+  std::string adapted(const std::string& text, const std::string& file,
+                      const std::filesystem::path& folder) const;
   /// `edits_there`: with names of files as the run has them; `edits`: as the document has them.
   void change_run(const std::vector<std::string>& edits_there, std::vector<std::string> edits);
   void describe(Json& answer);
@@ -103,8 +109,12 @@ class Server::Impl {
   std::unique_ptr<Simulation> simulation_of(const world::World& world, std::uint64_t seed,
                                             const plugin::Host& host) const;
   void restart(std::uint64_t seed);
+  /// Throws BadInput if the run has ended.
+  void require_unended() const;
   /// Prepares for a run that starts or continues.
   void get_ready();
+  /// The files that the document's world is read from.
+  std::vector<std::filesystem::path> inputs() const;
   /// Begins a new run. A run that is under way is ended first.
   void begin(std::unique_ptr<Simulation> simulation);
   void take_next();
@@ -123,6 +133,8 @@ class Server::Impl {
   /// Adds the current positions to the history.
   void keep();
   void report_state();
+  /// Says that a run to a time has reached it.
+  void report_pause();
   /// Sends new events and notes of the run.
   void report_news();
 
@@ -150,7 +162,8 @@ class Server::Impl {
   bool answers_later_ = false;             // to the current order
   std::optional<std::uint64_t> pause_at_;  // steps
   bool is_pause_paced_ = false;            // until then the run keeps its speed; else full speed
-  bool is_pause_told_ = false;             // an event has reported the pause
+  bool is_pause_told_ = false;             // an event will report the pause
+  bool is_pause_due_ = false;              // after the answer to the current order
   std::vector<Json> later_;                // answers to be sent later
   std::uint64_t seed_ = 1;
   std::uint64_t epoch_ = 0;
