@@ -3,8 +3,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <CLI/CLI.hpp>
+
+#include "elsie/base/number_text.h"
 
 namespace elsie::program {
 
@@ -17,11 +20,15 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-CLI::Validator positive_number() {
+CLI::Validator positive_number(double most) {
+  const bool any = most == std::numeric_limits<double>::infinity();
+  const std::string limit = any ? "" : " and at most " + base::fixed_text(most, 0);
   return CLI::Validator(
-      [](std::string& text) -> std::string {
+      [=](std::string& text) -> std::string {
         const auto value = parse_number(text);
-        return value && *value > 0.0 ? "" : "'" + text + "' is not a number above zero";
+        return value && *value > 0.0 && *value <= most
+                   ? ""
+                   : "'" + text + "' is not a number above zero" + limit;
       },
       "NUMBER > 0");
 }

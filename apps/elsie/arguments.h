@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,8 +17,8 @@ namespace elsie::program {
 /// The whole text as a finite number; none for "1,5", "3abc" or "nan".
 std::optional<double> parse_number(std::string_view text);
 
-/// Validates options that take a finite number above zero.
-CLI::Validator positive_number();
+/// Validates options that take a finite number above zero, and at most this.
+CLI::Validator positive_number(double most = std::numeric_limits<double>::infinity());
 
 /// Validates options that take a finite number, zero or above.
 CLI::Validator non_negative_number();

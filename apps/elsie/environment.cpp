@@ -196,4 +196,15 @@ world::ReadOptions read_options(const std::vector<std::string>& overrides, std::
   return options;
 }
 
+std::vector<fs::path> read_files(const std::string& world,
+                                 const std::map<std::string, std::string>& found,
+                                 const PluginOptions& plugins) {
+  std::vector<fs::path> files{world};
+  for (const auto& [name, file] : found) {
+    files.emplace_back(file);
+  }
+  files.insert(files.end(), plugins.files.begin(), plugins.files.end());
+  return files;
+}
+
 }  // namespace elsie::program

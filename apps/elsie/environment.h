@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,5 +68,11 @@ std::vector<std::string> data_directories();
 /// plugin asked about its parameters. `seed` is the run's, for layouts.
 world::ReadOptions read_options(const std::vector<std::string>& overrides = {},
                                 std::uint64_t seed = 1);
+
+/// What a subcommand with a world reads, for files::require_apart(): the world's file, the files
+/// that it names (`found`: see ReadOptions), and the plugins given by name.
+std::vector<std::filesystem::path> read_files(const std::string& world,
+                                              const std::map<std::string, std::string>& found,
+                                              const PluginOptions& plugins);
 
 }  // namespace elsie::program

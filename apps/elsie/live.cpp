@@ -16,6 +16,7 @@
 #include "elsie/simulation/simulation.h"
 
 #include "progress.h"
+#include "supervised.h"
 
 namespace elsie::program {
 
@@ -76,10 +77,10 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
   }
   const std::string at = "elsie: at " + base::fixed_text(simulation.time_s(), 2) + " s, ";
   for (const std::string& problem : renewal->problems) {
-    std::cerr << problem << '\n';
+    std::cerr << problem << '\n';  // the compiler's, perhaps in colours
   }
   if (!renewal->kept.empty()) {
-    std::cerr << at << joined(renewal->kept) << ": the old version stays in use\n";
+    err() << at << joined(renewal->kept) << ": the old version stays in use\n";
   }
   if (!renewal->host) {
     return;
@@ -89,14 +90,14 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
     const Replacement replacement = simulation.replace_plugins(*renewal->host);
     watch.accept(*std::move(renewal));
     for (const std::string& note : replacement.notes) {
-      std::cerr << "elsie: " << note << '\n';
+      err() << "elsie: " << note << '\n';
     }
     if (!quiet) {
-      std::cerr << at << files << ": " << replaced_text(replacement) << '\n';
+      err() << at << files << ": " << replaced_text(replacement) << '\n';
     }
   } catch (const simulation::ReplacementRefused& refused) {
-    std::cerr << at << files << " cannot be used: " << refused.what()
-              << "\nthe old version stays in use\n";
+    err() << at << files << " cannot be used: " << refused.what()
+          << "\nthe old version stays in use\n";
   }
 }
 

@@ -3,18 +3,23 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/error.h"
 #include "elsie/base/thrown.h"
+#include "elsie/build/source_build.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
 
@@ -42,9 +47,24 @@ Exit codes: 0 success; 1 the run ended without reaching its goal; 2 bad input or
 3 a plugin failed; 4 anything else.
 `elsie SUBCOMMAND --help` has examples for each subcommand.)";
 
+/// The text of a message, cleaned: names and values in it may come from files of any origin.
+class CleanMessage final : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&,
+              spdlog::memory_buf_t& to) override {
+    const std::string text = output::clean({message.payload.data(), message.payload.size()});
+    to.append(text.data(), text.data() + text.size());
+  }
+  std::unique_ptr<spdlog::custom_flag_formatter> clone() const override {
+    return std::make_unique<CleanMessage>();
+  }
+};
+
 void set_up_log() {
   auto log = spdlog::stderr_color_mt("elsie");
-  log->set_pattern("elsie: %^%l%$: %v");
+  auto pattern = std::make_unique<spdlog::pattern_formatter>();
+  pattern->add_flag<CleanMessage>('*').set_pattern("elsie: %^%l%$: %*");
+  log->set_formatter(std::move(pattern));
   spdlog::set_default_logger(log);
   const char* level = std::getenv("ELSIE_LOG");
   spdlog::set_level(level ? spdlog::level::from_str(level) : spdlog::level::warn);
@@ -54,11 +74,14 @@ void set_up_log() {
 int finish(const Job& job) {
   try {
     return job();
-  } catch (const base::Error& error) {
+  } catch (const build::BuildError& error) {  // the compiler's own words, perhaps in colours
     std::cerr << error.message() << '\n';
     return error.exit_code();
+  } catch (const base::Error& error) {
+    err() << error.message() << '\n';
+    return error.exit_code();
   } catch (...) {
-    std::cerr << "elsie: " << base::what_was_thrown() << '\n';
+    err() << "elsie: " << base::what_was_thrown() << '\n';
     return kOtherFailure;
   }
 }
@@ -69,7 +92,7 @@ int with_output_written(int exit_code) {
   if (out()) {
     return exit_code;
   }
-  std::cerr << "elsie: standard output could not be written to its end\n";
+  err() << "elsie: standard output could not be written to its end\n";
   return exit_code == kSuccess || exit_code == kGoalMissed ? int{kOtherFailure} : exit_code;
 }
 
@@ -96,10 +119,10 @@ int work(int argc, char** argv) {
     check_words(program, argc, argv);
     program.parse(argc, argv);
   } catch (const base::Error& error) {
-    std::cerr << error.message() << '\n';
+    err() << error.message() << '\n';
     return error.exit_code();
   } catch (const CLI::ParseError& error) {
-    return with_output_written(program.exit(error, out(), std::cerr) == 0 ? kSuccess : kBadInput);
+    return with_output_written(program.exit(error, out(), err()) == 0 ? kSuccess : kBadInput);
   }
   return with_output_written(finish(job));
 }

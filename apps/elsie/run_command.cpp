@@ -1,8 +1,9 @@
 // elsie run: one world, one run.
 #include <functional>
-#include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <span>
 #include <utility>
 #include <vector>
@@ -144,11 +145,14 @@ std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
   return command_module().make_cameras(world);
 }
 
-/// The simulation of a valid world, with changes that can be made.
+/// The simulation of a valid world, with changes that can be made. `found` gets the files that the
+/// world names.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
-                                     std::span<const simulation::TimedChange> changes) {
-  world::World world =
-      world::read_world(options.world, host, read_options(options.overrides, options.seed));
+                                     std::span<const simulation::TimedChange> changes,
+                                     std::map<std::string, std::string>& found) {
+  world::ReadOptions reading = read_options(options.overrides, options.seed);
+  reading.found = &found;
+  world::World world = world::read_world(options.world, host, reading);
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,
                                      .measure_time = options.views.record.times,
@@ -178,13 +182,15 @@ int run(const RunOptions& options) {
   }
   const auto watch = options.watch ? watch_plugins(options.plugins) : nullptr;
   const auto host = watch ? plugin::Host() : load_plugins(options.plugins);
-  simulation::Simulation simulation = simulation_of(options, watch ? watch->host() : host, changes);
+  std::map<std::string, std::string> found;
+  simulation::Simulation simulation =
+      simulation_of(options, watch ? watch->host() : host, changes, found);
   std::function<void(simulation::Simulation&)> renew;
   if (watch) {
     renew = [&](auto& running) { replace_what_changed(*watch, running, options.quiet); };
   }
   if (views) {
-    views->open(simulation);
+    views->open(simulation, read_files(options.world, found, options.plugins));
   }
   const Watchers watchers(options, std::move(views));
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
@@ -193,7 +199,7 @@ int run(const RunOptions& options) {
     const simulation::RunResult result = simulation.run(watchers.all(), changes, renew);
     // The result of the run comes first: it is not lost if the picture cannot be written.
     if (options.json) {
-      out() << json(result);
+      data_out() << json(result);
     } else if (!options.quiet) {
       out() << table(result);
     }
@@ -204,7 +210,7 @@ int run(const RunOptions& options) {
     try {
       draw_as(fault.what());
     } catch (const std::exception& error) {
-      std::cerr << "elsie: " << error.what() << '\n';  // the fault is more important
+      err() << "elsie: " << error.what() << '\n';  // the fault is more important
     }
     throw;
   } catch (const simulation::PhysicsFault& fault) {
@@ -216,8 +222,8 @@ int run(const RunOptions& options) {
                    "\nthe run ended there; what was recorded until then is kept");
   } catch (const Interrupted&) {
     draw_as("interrupted");
-    std::cerr << "elsie: interrupted after " << simulation.time_s()
-              << " s of simulated time; what was recorded until then is kept\n";
+    err() << "elsie: interrupted after " << simulation.time_s()
+          << " s of simulated time; what was recorded until then is kept\n";
     return kOtherFailure;
   }
 }
@@ -235,7 +241,7 @@ void add_run_command(CLI::App& program, Job& job) {
   command
       ->add_option("--duration", options->duration,
                    "Simulated seconds after which the run ends, instead of the world's limit")
-      ->check(positive_number());
+      ->check(positive_number(1e9));  // as limits/@time
   command
       ->add_option(
           "--set", options->overrides,

@@ -1,10 +1,12 @@
 // The results of a run for people to look at: recordings and pictures.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "path_options.h"
 #include "record_options.h"
@@ -33,8 +35,10 @@ struct ViewOptions {
 class RunViews {
  public:
   virtual ~RunViews() = default;
-  /// Opens the files, before the run. Throws BadInput for views that this world cannot have.
-  virtual void open(const simulation::Simulation& simulation) = 0;
+  /// Opens the files, before the run; `inputs`: what it has read. Throws BadInput for views that
+  /// this world cannot have, and for files that are inputs.
+  virtual void open(const simulation::Simulation& simulation,
+                    const std::vector<std::filesystem::path>& inputs) = 0;
   /// The observers of the run; none before open().
   virtual std::span<simulation::Observer* const> observers() const = 0;
   /// Draws the picture, if one is asked for, with a line below its title.

@@ -10,13 +10,16 @@
 #include <iostream>
 #include <locale>
 #include <memory>
+#include <streambuf>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <ext/stdio_filebuf.h>
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "elsie/output/clean_text.h"
 #include "elsie/process/process_end.h"
 
 #include "../supervisor/channel.h"
@@ -57,6 +60,53 @@ bool read_variable(std::string_view text) {
          fcntl(channel, F_SETFD, FD_CLOEXEC) == 0;
 }
 
+/// Standard output. Never destroyed: it is used until the process ends, and flushed before.
+std::ostream& as_it_is() {
+  static auto* const buffer =
+      new __gnu_cxx::stdio_filebuf<char>(kept_output, std::ios::out | std::ios::binary);
+  static auto* const stream = [] {
+    auto* const made = new std::ostream(buffer);
+    made->imbue(std::locale::classic());  // whatever a plugin has set for new streams
+    return made;
+  }();
+  return *stream;
+}
+
+/// Passes on cleaned text, whole lines at a time, so that no character is cut.
+class CleanBuffer final : public std::streambuf {
+ public:
+  explicit CleanBuffer(std::ostream& to) : to_(to) {}
+
+ protected:
+  int_type overflow(int_type character) override {
+    if (traits_type::eq_int_type(character, traits_type::eof())) {
+      return traits_type::not_eof(character);
+    }
+    const char byte = traits_type::to_char_type(character);
+    return xsputn(&byte, 1) == 1 ? character : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    text_.append(bytes, static_cast<std::size_t>(count));
+    if (text_.size() > kFull) {
+      if (const std::size_t end = text_.rfind('\n'); end != std::string::npos) {
+        to_ << output::clean(std::string_view(text_).substr(0, end + 1));
+        text_.erase(0, end + 1);
+      }
+    }
+    return to_ ? count : 0;
+  }
+  int sync() override {
+    to_ << output::clean(std::exchange(text_, {})) << std::flush;
+    return to_ ? 0 : -1;
+  }
+
+ private:
+  static constexpr std::size_t kFull = 65'536;
+
+  std::ostream& to_;
+  std::string text_;
+};
+
 std::string& path() {
   static std::string program;
   return program;
@@ -75,14 +125,26 @@ void meet_supervisor() {
 
 std::ostream& out() {
   // Never destroyed: it is used until the process ends, and flushed before.
-  static auto* const buffer =
-      new __gnu_cxx::stdio_filebuf<char>(kept_output, std::ios::out | std::ios::binary);
   static auto* const stream = [] {
-    auto* const made = new std::ostream(buffer);
+    auto* const made = new std::ostream(new CleanBuffer(as_it_is()));
     made->imbue(std::locale::classic());  // whatever a plugin has set for new streams
     return made;
   }();
   return *stream;
+}
+
+std::ostream& err() {
+  static auto* const stream = [] {
+    auto* const made = new std::ostream(new CleanBuffer(std::cerr));
+    made->setf(std::ios::unitbuf);
+    return made;
+  }();
+  return *stream;
+}
+
+std::ostream& data_out() {
+  out().flush();
+  return as_it_is();
 }
 
 int out_descriptor() { return kept_output; }

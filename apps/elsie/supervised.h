@@ -11,10 +11,15 @@ namespace elsie::program {
 /// it. Must be called first, before anything is loaded.
 void meet_supervisor();
 
-/// The stream for the program's answers: the original standard output. Plugins that print write to
-/// standard error instead, so that their output does not mix with a table or JSON object. See
-/// keep_output().
+/// The stream for the program's answers in words: the original standard output. It cleans them by
+/// output::clean(), because names and messages may come from files of any origin. Plugins that
+/// print write to standard error instead, so that their output does not mix with a table or JSON
+/// object. See keep_output().
 std::ostream& out();
+/// The same for programs: JSON, XML. Nothing is changed.
+std::ostream& data_out();
+/// Standard error, cleaned likewise.
+std::ostream& err();
 /// The descriptor of out(), for signal handlers and terminal queries.
 int out_descriptor();
 

@@ -114,6 +114,25 @@ TEST_CASE("A change that cannot be made is reported before the run, with exit co
   expect("1:@format=2", ": at 1 s, @format=2: format=\"2\" of <world>: expected '1'");
 }
 
+TEST_CASE("No edit gives a robot more than its battery holds, alone or with others") {
+  Workplace here;
+  const char* const refused[] = {
+      "--at '1:robot[r1]/@battery=5' --at '1:robot[r1]/@energy=7'",
+      "--at '1:robot[r1]/@battery=5' --at '1.5:robot[r1]/@energy=7'",
+      "--at '1:robot[+]=<robot id=\"b\" x=\"1.5\" battery=\"5\" energy=\"7\"/>'"};
+  for (const char* edits : refused) {
+    CAPTURE(edits);
+    const auto run = here.elsie(kRun + " " + edits);
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Catch::Contains("energy 7, but its battery holds 5"));
+  }
+  // Less than it held at the start is enough, and so is the energy that it began with.
+  CHECK(here.elsie(kRun + " --quiet --set 'robot[r1]/@energy=9' --at '1:robot[r1]/@battery=5' "
+                          "--at '1.5:robot[r1]/@energy=5' --at '2:robot[r1]/@max_speed=0.2'")
+            .exit_code != 2);
+}
+
 TEST_CASE("A move to a place that is then occupied ends the run with exit code 2") {
   Workplace here;
   const auto run = here.elsie(kRun + " --record run.csv --at '1:robot[r1]/@x=1.99'");

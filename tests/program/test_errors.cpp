@@ -159,3 +159,71 @@ TEST_CASE("A wrong command line is reported in sentences") {
         "measure");
   CHECK(here.elsie("describe wander --kind behaviour").exit_code == 0);
 }
+
+TEST_CASE("No output replaces what a subcommand reads, and two outputs are two files") {
+  Workplace here;
+  REQUIRE(here.elsie("run worlds/open_arena.xml --duration 0.1 --quiet --picture plan.png "
+                     "--record run.mcap")
+              .exit_code <= 1);  // the goal may be missed
+  here.write("world.xml",
+             "<world format=\"1\"><robots><robot id=\"a\" x=\"1\"/></robots><layouts><floor_plan "
+             "id=\"p\" file=\"plan.png\" metres_per_pixel=\"0.1\"/></layouts><limits "
+             "time=\"0.1\"/></world>\n");
+  const std::string plan = here.read("plan.png"), recording = here.read("run.mcap");
+  std::filesystem::copy_file(here.file("run.mcap"), here.file("run.png"));
+  std::filesystem::create_symlink("plan.png", here.file("link.png"));
+  const auto refused = [&](const std::string& arguments, const std::string& sentence) {
+    CAPTURE(arguments);
+    const auto run = here.elsie(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Catch::Contains(sentence));
+  };
+  const std::string lost = "read here, and its content would be lost";
+  refused("run world.xml --picture plan.png", "plan.png' is " + lost);
+  refused("run world.xml --picture link.png", lost);
+  refused("picture world.xml plan.png", "PICTURE: 'plan.png' is " + lost);
+  refused("picture world.xml -o ./plan.png", "--output: './plan.png' is " + lost);
+  refused("replay run.png --picture run.png", lost);
+  refused("explain run.png --picture run.png", lost);
+  refused("fuzzy plan.png --picture plan.png", lost);
+  refused("run world.xml --record a.csv --record ./a.csv", "--record: './a.csv' is given twice");
+  CHECK(here.read("plan.png") == plan);
+  CHECK(here.read("run.png") == recording);
+}
+
+TEST_CASE("Of two runs that record one file, the second is refused, and the first is complete") {
+  Workplace here;
+  const std::string run = "elsie run worlds/open_arena.xml --quiet --duration ";
+  const auto both =
+      here.sh("" + run +
+              "1e6 --record same.mcap & p=$!\n"
+              "until [ -s same.mcap ]; do :; done\n" +
+              run + "1 --record same.mcap 2> refusal; echo $?\nkill -TERM $p; wait $p");
+  CHECK_THAT(both.out, Catch::StartsWith("2\n"));
+  CHECK_THAT(here.read("refusal"), Catch::Contains("'same.mcap' is being written by another run"));
+  CHECK_THAT(here.elsie("replay same.mcap").out, Catch::Contains("complete\n"));
+}
+
+TEST_CASE("A rate of recording that does not fit the steps is said, and one that fits is not") {
+  Workplace here;
+  const auto warning = [&](const std::string& rate) {
+    return here
+        .elsie("run worlds/open_arena.xml --duration 0.1 --record r.csv --record-rate " + rate)
+        .err;
+  };
+  CHECK_THAT(warning("40"), Catch::Contains("--record-rate 40: samples are whole steps of 0.01 s "
+                                            "apart; recorded are 33.3333 a second"));
+  CHECK_THAT(warning("1000"), Catch::Contains("recorded are 100 a second"));
+  CHECK(warning("20").empty());
+}
+
+TEST_CASE("A run has one longest duration, and a seed one range, wherever they are given") {
+  Workplace here;
+  CHECK_THAT(here.elsie("run worlds/maze.xml --duration 1e13").err,
+             Catch::Contains("'1e13' is not a number above zero and at most 1000000000"));
+  CHECK(here.elsie("run worlds/maze.xml --set limits/@time=1e13").exit_code == 2);
+  here.write("seeds.xml",
+             "<experiment format=\"1\"><worlds><world file=\"worlds/maze.xml\"/></worlds>"
+             "<seeds from=\"18446744073709551614\" to=\"18446744073709551615\"/></experiment>");
+  CHECK(here.elsie("check seeds.xml").exit_code == 0);
+}

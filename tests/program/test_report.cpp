@@ -150,7 +150,8 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   refused("runs.sqlite --junit nowhere/results.xml", "there is no folder 'nowhere'");
   refused("runs.sqlite --html folder.html", "cannot write 'folder.html': it is a directory");
   refused("runs.sqlite --csv ''", "--csv");
-  refused("runs.html --html runs.html", "--html: 'runs.html' is the database itself");
+  refused("runs.html --html runs.html",
+          "--html: 'runs.html' is read here, and its content would be lost");
   // A folder that takes no new files, whatever its permissions; nothing is written before.
   refused("runs.sqlite --csv early.csv --html /proc/page.html",
           "--html: cannot write '/proc/page.html'");
@@ -338,4 +339,19 @@ TEST_CASE("report refuses questions without an answer before it writes anything"
     fs::remove_all(here.file("new"));
   }
   CHECK(here.read("file") == "mine");
+}
+
+TEST_CASE("Two reports draw into one folder at once, and an interrupted one leaves nothing there") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("runs.sqlite"));
+  const std::string draw = "elsie report runs.sqlite --quiet --format pdf,png --figures ";
+  const auto both = here.sh(draw + "figures & first=$!\n" + draw +
+                            "figures; second=$?\nwait $first; echo $? $second; ls -A figures");
+  CHECK_THAT(both.out, Catch::StartsWith("0 0\n") && !Contains(".elsie"));
+  const auto interrupted =
+      here.sh(draw +
+              "new & p=$!\n"
+              "until ls -A | grep -q '^\\.elsie-' || ! kill -0 $p; do :; done\n"
+              "kill -TERM $p; wait $p; echo $?; ls -A | grep -e elsie- -e new");
+  CHECK_THAT(interrupted.out, Catch::Equals("4\n") || !Contains("elsie-"));  // or it had ended
 }

@@ -231,6 +231,19 @@ TEST_CASE("fuzzy shows a model whose rules leave gaps, which no robot may use") 
   CHECK_THAT(refused.err, Catch::Contains("gaps.fcl:11: The output 'speed' has no DEFAULT"));
 }
 
+TEST_CASE("fuzzy begins without a last value: DEFAULT := NC has nothing to keep") {
+  Workplace here;
+  const std::string model =
+      "fuzzy '" + elsie::test::source_path("tests/plugins/keeps_last.fcl") + "' ";
+  const std::string far = " --input range=1 --input azimuth=0";
+  CHECK_THAT(here.elsie(model + "--block begins_with_7" + far).out, Catch::Contains("speed = 7\n"));
+  CHECK_THAT(here.elsie(model + "--block keeps" + far).out,
+             Catch::Contains("speed = its last value: no rule decides it"));
+  CHECK(
+      json::parse(here.elsie(model + "--block keeps --json" + far).out).at("result").at("speed") ==
+      nullptr);
+}
+
 TEST_CASE("Help has examples and exit codes") {
   Workplace here;
   CHECK_THAT(here.elsie("--help").out,
@@ -249,4 +262,89 @@ TEST_CASE("session says that it is for windows") {
   const auto run = here.elsie("session");
   CHECK(run.exit_code == 2);
   CHECK_THAT(run.err, Catch::Contains("`elsie session` is for windows"));
+}
+
+TEST_CASE("No name in a file commands the terminal, in words; JSON has it as it is") {
+  Workplace here;
+  const std::string name =
+      "\xe2\x80\xae"
+      "\xc2\x9b"
+      "31m";  // turns the text round, colours it
+  REQUIRE(here.elsie("run worlds/open_arena.xml --duration 0.1 --quiet --set \"@name=" + name +
+                     "\" --record r.mcap")
+              .exit_code <= 1);  // the goal may be missed
+  const auto is_clean = [&](const std::string& text) {
+    return text.find("\xe2\x80\xae") == std::string::npos &&
+           text.find("\xc2\x9b") == std::string::npos &&
+           text.find("\xef\xbf\xbd") != std::string::npos;
+  };
+  CHECK(is_clean(here.elsie("replay r.mcap").out));
+  CHECK(is_clean(here.elsie("explain r.mcap").out));
+  CHECK(json::parse(here.elsie("replay r.mcap --json").out).at("world") == name);
+  here.write("wrong.xml", "<world format=\"1\"><arena length=\"" + name + "\"/></world>");
+  CHECK(is_clean(here.elsie("check wrong.xml").err));
+  here.write("study.xml", "<experiment format=\"1\" name=\"" + name +
+                              "\"><worlds><world id=\"a\" file=\"worlds/open_arena.xml\"/></worlds>"
+                              "<set path=\"limits/@time\" value=\"0.1\"/>"
+                              "<seeds list=\"1\"/></experiment>");
+  CHECK(is_clean(here.elsie("batch study.xml --workers 1").out));
+}
+
+TEST_CASE("describe knows the elements of files by their names") {
+  Workplace here;
+  CHECK_THAT(here.elsie("describe reach").out,
+             Catch::StartsWith("## world / goals / reach\n") && Catch::Contains("| `robot` |"));
+  CHECK_THAT(here.elsie("describe goals").out, Catch::Contains("## world / goals / travel\n"));
+  CHECK_THAT(here.elsie("describe seeds").out, Catch::StartsWith("## experiment / seeds\n"));
+  CHECK_THAT(here.elsie("describe wander").out, Catch::StartsWith("# wander\n"));
+  const auto unknown = here.elsie("describe raech");
+  CHECK(unknown.exit_code == 2);
+  CHECK_THAT(unknown.err, Catch::Contains("did you mean 'reach'?"));
+}
+
+TEST_CASE("check warns of goals out of reach, and of beams that look over everything") {
+  Workplace here;
+  const auto warnings = [&](const std::string& content) {
+    here.write("w.xml", "<world format=\"1\">\n<arena length=\"8\" width=\"8\"/>" + content +
+                            "<limits time=\"60\"/></world>\n");
+    const auto check = here.elsie("check w.xml");
+    CHECK(check.exit_code == 0);
+    return check.err;
+  };
+  const std::string robot =
+      "<robots><robot id=\"r1\" x=\"-1\" max_speed=\"0.5\"><sensors><beam_range/></sensors></robot>"
+      "</robots>";
+  CHECK_THAT(
+      warnings(robot + "<goals>\n<travel distance=\"500\"/></goals>"),
+      Catch::Contains("w.xml:3: warning: <travel> needs 500 m within 60 s, but the robot 'r1' "
+                      "drives at most 0.5 m/s, which makes 30 m"));
+  CHECK(warnings(robot + "<goals><travel distance=\"29\"/></goals>").empty());
+  const std::string box =
+      "<obstacles>\n<static_box id=\"b\" x=\"1\" length=\"1\" width=\"1\"/>"
+      "</obstacles>";
+  CHECK_THAT(
+      warnings(box + robot + "<goals>\n<reach robot=\"r1\" x=\"1.1\" y=\"0\"/></goals>"),
+      Catch::Contains("w.xml:4: warning: <reach>: no place within 0.2 m of (1.1, 0) is free: "
+                      "the box 'b' stands there"));
+  CHECK(warnings(box + robot + "<goals><reach robot=\"r1\" x=\"1.7\" y=\"0\"/></goals>").empty());
+  CHECK_THAT(
+      warnings("<obstacles>\n<static_box id=\"low\" x=\"1\" height=\"0.08\"/></obstacles>" + robot),
+      Catch::Contains("w.xml:3: warning: the box 'low' is 0.08 m high, and all beams of the "
+                      "robot 'r1' pass above it, at 0.09 m"));
+  CHECK(warnings("<obstacles><static_box x=\"1\" height=\"0.1\"/></obstacles>" + robot).empty());
+}
+
+TEST_CASE("A number with its unit is refused with the unit to leave out") {
+  Workplace here;
+  const auto refusal = [&](const std::string& speed) {
+    return here.elsie("check worlds/maze.xml --set 'robot[*]/@max_speed=" + speed + "'").err;
+  };
+  CHECK_THAT(refusal("0.4 m/s"), Catch::Contains("write the number only; the unit is m/s"));
+  CHECK_THAT(refusal("0.4m"), Catch::Contains("write the number only; the unit is m/s"));
+  CHECK_THAT(refusal("22,5"), Catch::Contains("decimals are written with a point"));
+  here.write("reach.xml",
+             "<world format=\"1\"><robots><robot id=\"r1\"/><robot id=\"r2\" x=\"1\"/></robots>"
+             "<goals><reach x=\"1\" y=\"0\"/></goals></world>");
+  CHECK_THAT(here.elsie("check reach.xml").err,
+             Catch::Contains("<reach> lacks the attribute 'robot'; there are: r1, r2"));
 }

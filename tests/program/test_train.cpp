@@ -248,7 +248,8 @@ TEST_CASE("Weights and learning curve do not go to one file") {
   const Workplace here;
   const auto run = here.elsie("train " + kLearners + " --weights both.png --curve ./both.png");
   CHECK(run.exit_code == 2);
-  CHECK(run.err == "elsie: --weights and --curve would both go to './both.png'; name two files\n");
+  CHECK(run.err ==
+        "elsie: --curve: './both.png' is also the file of --weights; choose another name\n");
   CHECK(here.read("both.png").empty());
 }
 

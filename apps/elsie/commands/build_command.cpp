@@ -3,11 +3,12 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/base/read_whole.h"
 #include "elsie/build/source_build.h"
+#include "elsie/files/outputs.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
@@ -28,22 +29,6 @@ struct BuildOptions {
   std::string output;
 };
 
-/// Copies a file in one piece.
-void copy_whole(const fs::path& from, const fs::path& file) {
-  const fs::path to = files::end_of_links(file);
-  const fs::path scratch = to.string() + ".new";
-  std::error_code error;
-  fs::copy_file(from, scratch, fs::copy_options::overwrite_existing, error);
-  if (!error) {
-    fs::rename(scratch, to, error);
-  }
-  if (error) {
-    std::error_code ignored;
-    fs::remove(scratch, ignored);
-    throw std::runtime_error("'" + to.string() + "' could not be written: " + error.message());
-  }
-}
-
 int build(const BuildOptions& options) {
   const fs::path output =
       options.output.empty() ? fs::path(options.source).stem().string() + ".so" : options.output;
@@ -52,6 +37,7 @@ int build(const BuildOptions& options) {
                    "' does not");
   }
   require_writable(output, "--output");
+  files::require_apart({{"--output", output}}, {options.source});
   const auto built = compiled(options.source);
   // A library that cannot be loaded is not copied to the output.
   const LoadingLimit limit;
@@ -60,7 +46,7 @@ int build(const BuildOptions& options) {
   if (file.status != plugin::FileStatus::loaded) {
     throw BadInput("'" + options.source + "' was compiled, but its library " + file.sentence);
   }
-  copy_whole(built.library, output);
+  files::write_whole_or_throw(output, base::read_whole(built.library, base::kAnySize));
   for (const auto& plugin : file.plugins) {
     out() << output.string() << ": " << plugin::kind_name(plugin.kind) << " '" << plugin.name << "'"
           << (built.from_cache ? ", compiled before" : "") << '\n';

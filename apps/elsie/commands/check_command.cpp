@@ -1,7 +1,7 @@
 // elsie check: reads world and experiment files and reports their mistakes, without running them.
 #include <algorithm>
-#include <iostream>
 #include <memory>
+#include <ostream>
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
@@ -18,6 +18,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "doubts.h"
 #include "environment.h"
 #include "progress.h"
 #include "supervised.h"
@@ -35,23 +36,6 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// Warns of the first goal that only robots can reach, if there are none.
-void warn_of_goals(const world::World& world) {
-  const auto goal =
-      std::find_if(world.goals.begin(), world.goals.end(), [](const world::Goal& each) {
-        return !std::holds_alternative<world::EndureGoal>(each) &&
-               !std::holds_alternative<world::NoCollisionGoal>(each) &&
-               !std::holds_alternative<world::BatteryGoal>(each);
-      });
-  if (world.robots.empty() && goal != world.goals.end()) {
-    const auto location = std::visit([](const auto& each) { return each.location; }, *goal);
-    std::cerr << base::Problem{location.file, location.line,
-                               "warning: the world has no robot that could reach this goal"}
-                     .text()
-              << '\n';
-  }
-}
-
 /// The line about a world without mistakes.
 std::string check_world(const std::string& text, const std::string& file, const plugin::Host& host,
                         const CheckOptions& options) {
@@ -63,18 +47,20 @@ std::string check_world(const std::string& text, const std::string& file, const 
        .cameras = render::world_cameras});
   try {
     for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
-      std::cerr << unmade.from << ": warning: " << unmade.sentence << '\n';
+      err() << unmade.from << ": warning: " << unmade.sentence << '\n';
     }
   } catch (const simulation::ChangeRefused& refused) {
     throw BadInput(refused.report());
   }
   const world::World& world = simulation.world();
   for (const world::Warning& warning : world::warnings(world)) {
-    std::cerr << warning.text() << '\n';
+    err() << warning.text() << '\n';
   }
-  warn_of_goals(world);
+  for (const base::Problem& doubt : doubts(simulation)) {
+    err() << doubt.text() << '\n';
+  }
   if (options.expand) {
-    out() << world::write_world(world);
+    data_out() << world::write_world(world);
   }
   const auto resources = static_cast<std::size_t>(
       std::count_if(world.boxes.begin(), world.boxes.end(),
@@ -101,7 +87,7 @@ std::string check_experiment(const std::string& text, const std::string& file,
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const experiment::Experiment experiment = experiment::parse_experiment(text, file, host, reading);
   for (const std::string& warning : experiment.warnings) {
-    std::cerr << warning << '\n';
+    err() << warning << '\n';
   }
   return base::counted(experiment::cells(experiment).size(), "cell") + ", " +
          base::counted(experiment::number_of_runs(experiment), "run") + ", " +
@@ -135,12 +121,12 @@ int check(const CheckOptions& options) {
         out() << file << ": in order: " << found << '\n';
       }
     } catch (const world::WorldError& error) {
-      std::cerr << error.what() << '\n';
+      err() << error.what() << '\n';
       ++wrong;
     }
   }
   if (wrong > 0 && options.files.size() > 1) {
-    std::cerr << "elsie: " << wrong << " of " << options.files.size() << " files are wrong\n";
+    err() << "elsie: " << wrong << " of " << options.files.size() << " files are wrong\n";
   }
   return wrong == 0 ? kSuccess : kBadInput;
 }

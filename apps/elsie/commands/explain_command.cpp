@@ -10,6 +10,7 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
+#include "elsie/files/outputs.h"
 #include "elsie/files/read_whole.h"
 #include "elsie/mcap/reader.h"
 #include "elsie/picture/timeline.h"
@@ -106,6 +107,7 @@ TimeSpan span_of(const Trace& trace, const ExplainOptions& options) {
 
 int explain(const ExplainOptions& options) {
   if (options.picture) {
+    files::require_apart({{"--picture", *options.picture}}, {options.recording});
     require_picture(*options.picture, "--picture");
   }
   const Trace trace = read_recorded(options.recording);
@@ -128,7 +130,7 @@ int explain(const ExplainOptions& options) {
     }
   }
   if (options.json) {
-    out() << json(trace, span, robots);
+    data_out() << json(trace, span, robots);
   } else {
     out() << headlines(trace);
     for (const ExplainedRobot& robot : robots) {

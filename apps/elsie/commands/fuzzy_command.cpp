@@ -1,4 +1,5 @@
 // elsie fuzzy: shows a fuzzy model, evaluates it and draws it.
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -10,6 +11,7 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/number_text.h"
+#include "elsie/files/outputs.h"
 #include "elsie/fuzzy/fcl.h"
 #include "elsie/picture/fuzzy_plot.h"
 
@@ -40,6 +42,9 @@ struct Evaluation {
   std::vector<double> outputs;
   std::vector<double> degrees;  // of the rules
 };
+
+/// Of an output that no rule decides and that has no last value to keep.
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::string digits(double value) { return base::number_text(value, 6); }
 
@@ -85,7 +90,7 @@ std::vector<double> parse_inputs(const Model& model, const std::vector<std::stri
 
 Evaluation evaluate(const Model& model, const std::vector<double>& inputs) {
   fuzzy::Workspace workspace;
-  Evaluation evaluation{inputs, std::vector<double>(model.outputs().size(), 0.0),
+  Evaluation evaluation{inputs, std::vector<double>(model.outputs().size(), kNoValue),
                         std::vector<double>(model.rules().size())};
   try {
     model.evaluate(inputs, evaluation.outputs, workspace);
@@ -145,7 +150,12 @@ void print(const Model& model, const std::optional<Evaluation>& evaluation) {
   if (evaluation) {
     out() << "result\n";
     for (std::size_t i = 0; i < model.outputs().size(); ++i) {
-      out() << "  " << model.outputs()[i].name << " = " << digits(evaluation->outputs[i]) << '\n';
+      const OutputVariable& output = model.outputs()[i];
+      const bool keeps = output.keeps_last && std::isnan(evaluation->outputs[i]);
+      out() << "  " << output.name << " = "
+            << (keeps ? "its last value: no rule decides it, and it has DEFAULT := NC"
+                      : digits(evaluation->outputs[i]))
+            << '\n';
     }
   }
 }
@@ -197,7 +207,8 @@ void print_json(const Model& model, const std::optional<Evaluation>& evaluation)
       object["result"][model.outputs()[i].name] = evaluation->outputs[i];
     }
   }
-  out() << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  data_out() << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+             << '\n';
 }
 
 picture::SurfaceVariable axis(const Variable& variable) {
@@ -226,11 +237,11 @@ picture::ControlSurface surface(const Model& model, std::size_t output) {
     if (inputs.size() > 1) {
       inputs[1] = y;
     }
-    std::vector<double> outputs(model.outputs().size(), 0.0);
+    std::vector<double> outputs(model.outputs().size(), kNoValue);
     try {
       model.evaluate(inputs, outputs, *workspace);
     } catch (const std::invalid_argument&) {
-      return std::numeric_limits<double>::quiet_NaN();  // a formula without a value: a hole
+      return kNoValue;  // a formula without a value: a hole
     }
     return outputs[output];
   };
@@ -260,6 +271,7 @@ void draw_model(const Model& model, const std::string& file) {
 
 int fuzzy(const FuzzyOptions& options) {
   if (options.picture) {
+    files::require_apart({{"--picture", *options.picture}}, {options.model});
     require_picture(*options.picture, "--picture");
   }
   const Model model =

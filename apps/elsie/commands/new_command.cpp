@@ -13,9 +13,9 @@
 #include <system_error>
 
 #include <CLI/CLI.hpp>
-#include <sys/stat.h>
 
 #include "elsie/files/read_whole.h"
+#include "elsie/files/scratch_folder.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/plugin/kind_name.h"
 
@@ -171,22 +171,16 @@ constexpr std::uintmax_t kLongestTemplate = 1'000'000;  // bytes
 
 /// Writes all files or none.
 void write_project(const NewOptions& options, const fs::path& folder) {
-  const fs::path above = fs::absolute(folder).parent_path();
-  std::error_code error;
-  fs::create_directories(above, error);
-  // Under a name of its own: nobody else's folder is touched.
-  std::string name = (above / ".elsie-new-XXXXXX").string();
-  if (error || !mkdtemp(name.data())) {
-    throw BadInput("the folder '" + folder.string() + "' cannot be made: " +
-                   (error ? error : std::error_code(errno, std::generic_category())).message());
-  }
-  const fs::path scratch = name;
   try {
+    const fs::path parent =
+        fs::absolute(folder / "").lexically_normal().parent_path().parent_path();
+    fs::create_directories(parent);
+    files::ScratchFolder scratch(parent);
     for (const std::string& part : {std::string("any"), options.kind}) {
       const fs::path templates = template_folder(part);
       for (const auto& entry : fs::recursive_directory_iterator(templates)) {
         const std::string place = entry.path().lexically_relative(templates).string();
-        const fs::path made = scratch / filled_in(place, options);
+        const fs::path made = scratch.path() / filled_in(place, options);
         if (entry.is_directory()) {
           fs::create_directories(made);
           continue;
@@ -200,13 +194,10 @@ void write_project(const NewOptions& options, const fs::path& folder) {
         files::write_whole_or_throw(made, filled_in(text, options));
       }
     }
-    const mode_t others = umask(0);
-    umask(others);
-    fs::permissions(scratch, fs::perms(0777 & ~others));  // as of any new folder
-    fs::rename(scratch, folder);
-  } catch (...) {
-    fs::remove_all(scratch, error);
-    throw;
+    scratch.become(folder);
+  } catch (const fs::filesystem_error& error) {
+    throw BadInput("the folder '" + folder.string() +
+                   "' cannot be made: " + error.code().message());
   }
 }
 

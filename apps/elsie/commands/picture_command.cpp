@@ -1,10 +1,13 @@
 // elsie picture: draws a world file at the start of a run.
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/files/outputs.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
@@ -34,11 +37,16 @@ struct PictureOptions {
 int picture(const PictureOptions& options) {
   const std::filesystem::path file = options.output.value_or(
       options.picture.value_or(std::filesystem::path(options.world).stem().string() + ".png"));
-  require_picture(file, options.picture ? "PICTURE" : "--output");
+  const char* const option = options.picture ? "PICTURE" : "--output";
+  require_picture(file, option);
   const plugin::Host host = load_plugins(options.plugins);
-  simulation::Simulation simulation(
-      world::read_world(options.world, host, read_options(options.overrides, options.seed)), host,
-      {.seed = options.seed, .cameras = render::world_cameras});
+  std::map<std::string, std::string> found;
+  world::ReadOptions reading = read_options(options.overrides, options.seed);
+  reading.found = &found;
+  world::World world = world::read_world(options.world, host, reading);
+  files::require_apart({{option, file}}, read_files(options.world, found, options.plugins));
+  simulation::Simulation simulation(std::move(world), host,
+                                    {.seed = options.seed, .cameras = render::world_cameras});
   simulation.step();  // lets the sensors look once
   draw(simulation, nullptr, {}, file, options.width, {}, options.bare);
   out() << "wrote " << file.string() << '\n';

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "elsie/plugin/kind_name.h"
 #include "elsie/reference/json.h"
 #include "elsie/reference/reference.h"
+#include "elsie/world/vocabulary.h"
 
 #include "command.h"
 #include "environment.h"
@@ -107,7 +109,7 @@ void print_check(const Host& host) {
 }
 
 void print(const ordered_json& json) {
-  out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  data_out() << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
 }
 
 void print_names(const Host& host) {
@@ -151,6 +153,15 @@ int describe(const DescribeOptions& options) {
   }
   bool found = false;
   std::vector<std::string> names;
+  std::string elements;  // of that name
+  if (!options.kind && !options.json && !options.declaration) {
+    std::set<std::string> of_elements;
+    for (const world::ElementSpec* root : {&world::vocabulary(), &experiment::vocabulary()}) {
+      elements += reference::element_reference(*root, options.name);
+      reference::list_elements(*root, of_elements);
+    }
+    names.assign(of_elements.begin(), of_elements.end());
+  }
   ordered_json all = ordered_json::array();
   for (const PluginKind kind : kPluginKinds) {
     if (options.kind && kind != *options.kind) {
@@ -169,12 +180,13 @@ int describe(const DescribeOptions& options) {
       }
     }
   }
-  if (!found) {
+  if (!found && elements.empty()) {
     throw BadInput("there is no " +
                    std::string(options.kind ? kind_name(*options.kind) : "plugin") + " '" +
                    options.name + "'" + base::did_you_mean(options.name, names) +
                    "\n`elsie plugins` lists all that were found");
   }
+  out() << (found ? elements : elements.substr(elements.find_first_not_of('\n')));
   if (options.json) {
     print(all.size() == 1 ? all[0] : all);
   }
@@ -221,16 +233,16 @@ void add_describe_command(CLI::App& program, Job& job) {
   command->footer(
       "\nOf a plugin it prints what it does, its parameters with defaults and ranges, the elements "
       "that may be inside of its own, and its events.\n"
-      "\nExamples:\n  elsie describe beam_range\n  elsie describe world\n  elsie describe "
-      "experiment\n"
+      "\nExamples:\n  elsie describe beam_range\n  elsie describe reach\n  elsie describe world\n"
+      "  elsie describe experiment\n"
       "  elsie describe events\n"
       "  elsie describe wander --kind behavior --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
-      ->add_option(
-          "PLUGIN", options->name,
-          "Name of a sensor, behavior, coordinator, measure or drive; or 'events', 'world' or "
-          "'experiment'")
+      ->add_option("PLUGIN", options->name,
+                   "Name of a sensor, behavior, coordinator, measure or drive, or of an element of "
+                   "world and "
+                   "experiment files, as 'reach'; or 'events', 'world' or 'experiment'")
       ->required();
   command
       ->add_option_function<std::string>(

@@ -1,6 +1,7 @@
 #include "run_views.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -9,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
+#include "elsie/base/number_text.h"
+#include "elsie/files/outputs.h"
 #include "elsie/recording/formats.h"
 #include "elsie/traces/tracks.h"
 
@@ -29,14 +32,8 @@ const recording::Format& format_of(const std::string& file) {
 }
 
 void check(const RecordOptions& record) {
-  for (auto file = record.files.begin(); file != record.files.end(); ++file) {
-    require_recording(*file, "--record");
-    const auto is_same = [&](const std::string& other) {
-      return std::filesystem::weakly_canonical(other) == std::filesystem::weakly_canonical(*file);
-    };
-    if (std::find_if(record.files.begin(), file, is_same) != file) {
-      throw BadInput("--record: '" + *file + "' is given twice");
-    }
+  for (const std::string& file : record.files) {
+    recording::require_recording(file, "--record");
   }
   const auto takes_images = [](const std::string& file) { return format_of(file).images; };
   if (record.images && std::none_of(record.files.begin(), record.files.end(), takes_images)) {
@@ -50,6 +47,7 @@ class Views final : public RunViews {
  public:
   explicit Views(ViewOptions options) : options_(std::move(options)) {
     check(options_.record);
+    files::require_apart(outputs(), {});
     if (options_.picture) {
       require_picture(*options_.picture, "--picture");
       // A plugin may change folders.
@@ -60,13 +58,16 @@ class Views final : public RunViews {
     }
   }
 
-  void open(const simulation::Simulation& simulation) override {
+  void open(const simulation::Simulation& simulation,
+            const std::vector<std::filesystem::path>& inputs) override {
+    files::require_apart(outputs(), inputs);
     if (options_.record.images) {
       require_cameras(simulation, "--record-images");
     }
     options_.paths.check(simulation.world());
     const RecordOptions& record = options_.record;
     require_robots(simulation.world(), record.robots, "--record-robots");
+    warn_of_rate(simulation.world().physics.step);
     for (const std::string& file : record.files) {
       add(format_of(file).recorder(file, {record.rate_hz, record.images, record.times,
                                           record.robots, "elsie " ELSIE_VERSION}));
@@ -97,6 +98,25 @@ class Views final : public RunViews {
   }
 
  private:
+  void warn_of_rate(double step_s) const {
+    constexpr double kRounding = 1e-6;
+    const double asked = options_.record.rate_hz, used = recording::rate_in(asked, step_s);
+    if (!options_.record.files.empty() && std::abs(used - asked) > kRounding * asked) {
+      spdlog::warn("--record-rate " + base::number_text(asked, 6) +
+                   ": samples are whole steps of " + base::number_text(step_s, 6) +
+                   " s apart; recorded are " + base::number_text(used, 6) + " a second");
+    }
+  }
+  std::vector<files::Output> outputs() const {
+    std::vector<files::Output> all;
+    for (const std::string& file : options_.record.files) {
+      all.push_back({"--record", file});
+    }
+    if (options_.picture) {
+      all.push_back({"--picture", *options_.picture});
+    }
+    return all;
+  }
   void add(std::unique_ptr<simulation::Observer> observer) {
     observers_.push_back(observer.get());
     owned_.push_back(std::move(observer));

@@ -29,8 +29,8 @@ void add_schema_command(CLI::App& program, Job& job) {
   command->callback([&job, plugins, kind] {
     job = [plugins, kind] {
       const plugin::Host host = load_plugins(*plugins);
-      out() << (*kind == "world" ? reference::world_schema(host)
-                                 : experiment::experiment_schema(host));
+      data_out() << (*kind == "world" ? reference::world_schema(host)
+                                      : experiment::experiment_schema(host));
       return kSuccess;
     };
   });

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include "elsie/base/number_text.h"
+#include "elsie/files/outputs.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
@@ -127,11 +129,11 @@ class TrainingWatcher {
     std::fflush(stderr);
   }
   static void print(const neural::TrainingProgress& progress) {
-    out() << nlohmann::ordered_json{{"presentations", progress.presentations},
-                                    {"of", progress.of},
-                                    {"error", progress.error}}
-                 .dump()
-          << std::endl;
+    data_out() << nlohmann::ordered_json{{"presentations", progress.presentations},
+                                         {"of", progress.of},
+                                         {"error", progress.error}}
+                      .dump()
+               << std::endl;
   }
 
   Shown shown_;
@@ -231,7 +233,8 @@ void print_json(const Report& report) {
   for (const neural::CurvePoint& point : lesson.training.curve) {
     object["curve"].push_back({point.presentations, point.error});
   }
-  out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  data_out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+             << '\n';
 }
 
 /// The stream of the network's first weights: that of a run with this seed, unless the coordinator
@@ -251,14 +254,11 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
-/// Also works if one of them does not exist yet, or has two names.
-bool same_file(const std::string& a, const std::string& b) {
-  namespace fs = std::filesystem;
-  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
-}
-
-world::World read_world(const TrainOptions& options, const plugin::Host& host) {
-  const world::ReadOptions reading = read_options(options.overrides, options.seed.value_or(1));
+/// `found` gets the files that the world names.
+world::World read_world(const TrainOptions& options, const plugin::Host& host,
+                        std::map<std::string, std::string>& found) {
+  world::ReadOptions reading = read_options(options.overrides, options.seed.value_or(1));
+  reading.found = &found;
   if (!options.from_input) {
     return world::read_world(options.world, host, reading);
   }
@@ -273,15 +273,24 @@ int train(const TrainOptions& options) {
   if (options.curve) {
     require_picture(*options.curve, "--curve");
   }
-  if (options.weights && options.curve && same_file(*options.weights, *options.curve)) {
-    throw BadInput("--weights and --curve would both go to '" + *options.curve +
-                   "'; name two files");
+  std::vector<files::Output> outputs;
+  if (options.weights) {
+    outputs.push_back({"--weights", *options.weights});
   }
+  if (options.curve) {
+    outputs.push_back({"--curve", *options.curve});
+  }
+  files::require_apart(outputs, {});
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
   const plugin::Host host = load_plugins(options.plugins);
-  const world::World world = read_world(options, host);
+  std::map<std::string, std::string> found;
+  const world::World world = read_world(options, host, found);
+  if (options.curve) {  // --weights may replace the world's, which a training does not use
+    files::require_apart({{"--curve", *options.curve}},
+                         read_files(options.world, found, options.plugins));
+  }
   const Learner learner = make_learner(world, host, options.place, learner_options(options));
 
   std::uint64_t seed = 0;
@@ -302,8 +311,8 @@ int train(const TrainOptions& options) {
   }();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (lesson.training.ending == neural::Ending::stopped) {
-    std::cerr << "elsie: interrupted after " << lesson.training.presentations
-              << " presentations; nothing was written\n";
+    err() << "elsie: interrupted after " << lesson.training.presentations
+          << " presentations; nothing was written\n";
     return kOtherFailure;
   }
   lesson.weights.about.push_back({"seed", std::to_string(seed)});

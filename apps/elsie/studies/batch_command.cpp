@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,6 +125,7 @@ int run(BatchOptions options) {
   }
   const batch::Shard shard = shard_of(options);
   const fs::path file = database_of(options, shard);
+  files::require_apart({{"--database", file}}, {options.experiment});
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
@@ -143,7 +144,7 @@ int run(BatchOptions options) {
   if (is_new && signals.is_waiting()) {
     made.reset();
     fs::remove(fs::weakly_canonical(file));
-    std::cerr << "elsie: interrupted; nothing was begun\n";
+    err() << "elsie: interrupted; nothing was begun\n";
     return kOtherFailure;
   }
   ResultsDatabase& database = *made;
@@ -175,19 +176,19 @@ int run(BatchOptions options) {
       report.end(!complete);
     } catch (...) {
       report.end(true);
-      std::cerr << "elsie: the batch stopped early; continue it with\n  "
-                << resume_command(options, file) << '\n';
+      err() << "elsie: the batch stopped early; continue it with\n  "
+            << resume_command(options, file) << '\n';
       throw;
     }
   }
   if (options.json) {
-    out() << report.json();
+    data_out() << report.json();
   } else if (!options.quiet) {
     out() << report.table();
   }
   if (report.interrupted()) {
     out().flush();
-    std::cerr << report.interruption();
+    err() << report.interruption();
   }
   return report.exit_code();
 }

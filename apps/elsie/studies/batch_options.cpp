@@ -9,6 +9,7 @@
 #include "command.h"
 #include "output_files.h"
 #include "progress.h"
+#include "supervised.h"
 
 namespace elsie::program {
 
@@ -54,7 +55,7 @@ Plan plan_of(const BatchOptions& options, const batch::Shard& shard) {
   reading.progress = [&](std::size_t read, std::size_t all) { progress.draw(read, all); };
   const auto experiment = experiment::read_experiment(options.experiment, host, reading);
   for (const std::string& warning : experiment.warnings) {
-    std::cerr << warning << '\n';
+    err() << warning << '\n';
   }
   return batch::make_plan(experiment, host,
                           {.elsie_version = ELSIE_VERSION,

@@ -10,6 +10,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/process/shell_word.h"
 #include "elsie/process/text_table.h"
 
@@ -21,6 +22,7 @@ namespace elsie::program {
 
 using batch::CellCount;
 using batch::RunState;
+using output::one_line;
 using process::shell_word;
 
 namespace {
@@ -153,7 +155,7 @@ std::string BatchReport::table() {
   const std::set<std::string> aimless = without_goals();
   const Total sum = total(cells, aimless);
   const std::string name = database_.file().string();
-  std::string out = plan_.experiment + ": ";
+  std::string out = one_line(plan_.experiment) + ": ";
   if (done_already_) {
     out += sum.runs == 1 ? "the only run is done already"
                          : "all " + base::counted(sum.runs, "run") + " are done already";
@@ -180,7 +182,7 @@ std::string BatchReport::table() {
   if (!failed.empty()) {
     out += "\nfailed:\n";
     for (const auto& run : failed) {
-      out += "  run " + std::to_string(run.id) + " (" + run.cell + ", seed " +
+      out += "  run " + std::to_string(run.id) + " (" + one_line(run.cell) + ", seed " +
              std::to_string(run.seed) + "), " + to_string(run.state) + ": " +
              first_line(run.message) + '\n';
     }
@@ -192,7 +194,7 @@ std::string BatchReport::table() {
            std::to_string(failed.front().id) + '\n';
   }
   for (const auto& found : database_.disagreements()) {
-    out += "\nthe same seed gave different runs: " + found.cell + ", seed " +
+    out += "\nthe same seed gave different runs: " + one_line(found.cell) + ", seed " +
            std::to_string(found.seed) + ", runs";
     for (const std::int64_t run : found.runs) {
       out += " " + std::to_string(run);

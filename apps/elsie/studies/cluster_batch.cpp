@@ -2,9 +2,9 @@
 // databases.
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <iterator>
 #include <optional>
+#include <ostream>
 #include <utility>
 
 #include <poll.h>
@@ -214,7 +214,7 @@ class ClusterBatch {
 
   int print(BatchReport& report) const {
     if (options_.json) {
-      out() << report.json();
+      data_out() << report.json();
     } else if (!options_.quiet) {
       out() << report.table();
     }
@@ -308,7 +308,7 @@ int already_there(const BatchOptions& options, const fs::path& file, const Plan&
   BatchReport report(database.plan(), database, resume_command(options, file));
   report.all_done_already();
   if (options.json) {
-    out() << report.json();
+    data_out() << report.json();
   } else if (!options.quiet) {
     out() << report.table();
   }
@@ -354,11 +354,10 @@ int run_on_cluster(const BatchOptions& options) {
         throw BadInput(std::string(error.what()) + "; nothing was submitted");
       }
     }
-    std::cerr << "elsie: " << error.what()
-              << (batch.has_asked() ? "; the job array may have been submitted nevertheless; "
-                                    : "; nothing was submitted now; ")
-              << "what was begun is kept; continue with\n  " << resume_command(options, file)
-              << '\n';
+    err() << "elsie: " << error.what()
+          << (batch.has_asked() ? "; the job array may have been submitted nevertheless; "
+                                : "; nothing was submitted now; ")
+          << "what was begun is kept; continue with\n  " << resume_command(options, file) << '\n';
     return kOtherFailure;
   }
   if (options.detach) {
@@ -369,11 +368,11 @@ int run_on_cluster(const BatchOptions& options) {
   }
   try {
     if (!batch.follow()) {
-      std::cerr << "elsie: interrupted; " << batch.goes_on();
+      err() << "elsie: interrupted; " << batch.goes_on();
       return kOtherFailure;
     }
   } catch (const std::runtime_error& error) {  // Slurm does not answer
-    std::cerr << "elsie: " << error.what() << ";\n" << batch.goes_on();
+    err() << "elsie: " << error.what() << ";\n" << batch.goes_on();
     return kOtherFailure;
   }
   const ShardFolder::Turn turn(folder);
@@ -382,8 +381,8 @@ int run_on_cluster(const BatchOptions& options) {
     return already_there(options, file, plan);
   }
   if (const std::string left = batch.left_over(); !left.empty()) {
-    std::cerr << "elsie: tasks of the job array ended before their shards did:\n"
-              << left << "go on with\n  " << resume_command(options, file) << '\n';
+    err() << "elsie: tasks of the job array ended before their shards did:\n"
+          << left << "go on with\n  " << resume_command(options, file) << '\n';
     return kOtherFailure;
   }
   return batch.conclude();

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
+#include "elsie/files/outputs.h"
 #include "elsie/mcap/records.h"
+#include "elsie/output/clean_text.h"
 #include "elsie/process/text_table.h"
 #include "elsie/recording/recorded_run.h"
 
@@ -23,6 +25,7 @@ namespace elsie::program {
 
 namespace {
 
+using output::one_line;
 using recording::RecordedRun;
 
 RecordedRun read(const RecordingOptions& options) {
@@ -50,16 +53,17 @@ std::string seed_of(const RecordedRun& run) { return "seed " + std::to_string(ru
 std::string report(const RecordedRun& run) {
   std::string out;
   if (run.of_elsie) {
-    out += "world '" + run.world + "' (" + run.world_file + "), " + seed_of(run) +
-           ", recorded by " + run.library + '\n' + ending(run) + '\n';
+    out += one_line("world '" + run.world + "' (" + run.world_file + "), " + seed_of(run) +
+                    ", recorded by " + run.library) +
+           '\n' + one_line(ending(run)) + '\n';
     if (run.result && !run.result->state_hash.empty()) {
-      out += "state hash " + run.result->state_hash + " after " +
+      out += "state hash " + one_line(run.result->state_hash) + " after " +
              std::to_string(run.result->steps) + " steps\n";
     }
     if (run.result && !run.result->measures.empty()) {
       out += "measures:";
       for (const auto& [name, value] : run.result->measures) {
-        out += ' ' + name + ' ' + base::number_text(value, 6);
+        out += ' ' + one_line(name) + ' ' + base::number_text(value, 6);
       }
       out += '\n';
     }
@@ -70,7 +74,7 @@ std::string report(const RecordedRun& run) {
   } else if (run.library.starts_with("elsie ")) {
     out += "the recording breaks off before its first second was written\n";
   } else {
-    out += "no run of Elsie: recorded by '" + run.library + "'\n";
+    out += "no run of Elsie: recorded by '" + one_line(run.library) + "'\n";
   }
   out += run.missing_end.empty() ? "complete\n" : run.missing_end + '\n';
   std::vector<std::vector<std::string>> rows{{"channel", "schema", "messages"}};
@@ -148,6 +152,7 @@ StartWorld write_world(const RecordedRun& run, const RecordingOptions& options) 
 
 int replay_recording(const RecordingOptions& options) {
   if (options.picture) {
+    files::require_apart({{"--picture", *options.picture}}, {options.recording});
     require_picture(*options.picture, "--picture");
   }
   if (options.world) {
@@ -159,7 +164,11 @@ int replay_recording(const RecordingOptions& options) {
   }
   std::optional<StartWorld> written;
   if (options.world) written = write_world(run, options);
-  out() << (options.json ? json(run, written) : (written ? written->in_words() : "") + report(run));
+  if (options.json) {
+    data_out() << json(run, written);
+  } else {
+    out() << (written ? written->in_words() : "") << report(run);
+  }
   return kSuccess;
 }
 

@@ -1,9 +1,9 @@
 #include "replay_run.h"
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -130,18 +130,20 @@ int write_world(const StoredRun& run, const RunAgainOptions& options) {
       "-files";
   const RestoredRun restored(run, options.plugins, beside);
   for (const std::string& difference : restored.differences()) {
-    std::cerr << "elsie: " << difference << '\n';
+    err() << "elsie: " << difference << '\n';
   }
   world::ReadOptions reading = read_options();
   reading.files = restored.files();
   const StartWorld written =
       write_start_world({run.job.world_text, run.job.world_file, run.job.seed}, restored.host(),
                         reading, options.plugins, *options.world);
-  out() << (options.json
-                ? nlohmann::ordered_json{{"seed", run.job.seed}, {"command", written.command}}.dump(
-                      -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                      '\n'
-                : written.in_words());
+  if (options.json) {
+    const nlohmann::ordered_json object{{"seed", run.job.seed}, {"command", written.command}};
+    data_out() << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+               << '\n';
+  } else {
+    out() << written.in_words();
+  }
   return kSuccess;
 }
 
@@ -165,7 +167,7 @@ int replay_run(const RunAgainOptions& options) {
   expect_end(end, run, options);
   RestoredRun restored(run, options.plugins);
   for (const std::string& difference : restored.differences()) {
-    std::cerr << "elsie: " << difference << '\n';
+    err() << "elsie: " << difference << '\n';
   }
   tell_of(run, options);
   if (end) {
@@ -177,7 +179,7 @@ int replay_run(const RunAgainOptions& options) {
                          .data_directories = data_directories(),
                          .files = restored.files(),
                          .cameras = render::world_cameras});
-  views->open(simulation);
+  views->open(simulation, read_files(options.database, restored.files(), options.plugins));
   const Watchers watchers(options, std::move(views), end ? &*end : nullptr);
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   try {
@@ -209,8 +211,8 @@ int replay_run(const RunAgainOptions& options) {
     return kGoalMissed;
   } catch (const Interrupted&) {
     draw_as("interrupted");
-    std::cerr << "elsie: interrupted after " << simulation.time_s()
-              << " s of simulated time; what was recorded until then is kept\n";
+    err() << "elsie: interrupted after " << simulation.time_s()
+          << " s of simulated time; what was recorded until then is kept\n";
     return kOtherFailure;
   }
 }

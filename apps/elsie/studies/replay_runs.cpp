@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <iostream>
 #include <mutex>
+#include <ostream>
 #include <set>
 #include <stdexcept>
 #include <system_error>
@@ -253,7 +253,7 @@ int replay_runs(const RunsAgainOptions& options) {
     make_folder(folder);
   }
   if (!repeat(all, options)) {
-    std::cerr << "elsie: interrupted; recordings that are complete are kept\n";
+    err() << "elsie: interrupted; recordings that are complete are kept\n";
     return kOtherFailure;
   }
   const auto same = std::count_if(all.begin(), all.end(), ended_the_same);

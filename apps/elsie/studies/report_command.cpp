@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 #include "elsie/experiment/reader.h"
+#include "elsie/files/outputs.h"
+#include "elsie/files/scratch_folder.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/report/figure_files.h"
 #include "elsie/report/formulas.h"
@@ -79,8 +81,8 @@ void require_room(const std::string& file, const char* option) {
   unlink(file.c_str());
 }
 
-void require_output(const std::optional<std::string>& file, const char* option, const char* suffix,
-                    const std::string& database) {
+void require_output(const std::optional<std::string>& file, const char* option,
+                    const char* suffix) {
   if (!file) {
     return;
   }
@@ -90,12 +92,31 @@ void require_output(const std::optional<std::string>& file, const char* option, 
     throw BadInput(std::string(option) + ": expected a name that ends in " + suffix + ", but '" +
                    *file + "' does not");
   }
-  if (fs::equivalent(*file, database, error)) {
-    throw BadInput(std::string(option) + ": '" + *file +
-                   "' is the database itself; choose another name");
-  }
   require_replaceable(*file, option, "report");
   require_room(*file, option);
+}
+
+void require_outputs(const ReportOptions& options) {
+  struct Asked {
+    const char* option;
+    const std::optional<std::string>& file;
+    const char* suffix;
+  };
+  const Asked all[] = {{"--csv", options.csv, ".csv"},
+                       {"--junit", options.junit, ".xml"},
+                       {"--html", options.html, ".html"},
+                       {"--cells-csv", options.cells_csv, ".csv"},
+                       {"--latex", options.latex, ".tex"}};
+  std::vector<files::Output> outputs;
+  for (const Asked& each : all) {
+    if (each.file) {
+      outputs.push_back({each.option, *each.file});
+    }
+  }
+  files::require_apart(outputs, {options.database});
+  for (const Asked& each : all) {
+    require_output(each.file, each.option, each.suffix);
+  }
 }
 
 void write(const std::string& file, const std::string& text, const char* option) {
@@ -129,46 +150,24 @@ void require_cells(const Findings& findings, const std::string& part) {
   }
 }
 
-// Checks that figures can be written into the folder, or that it can be made. Returns whether it is
-// made by this.
-bool require_folder(const std::string& folder) {
+// Checks, before anything is drawn, that figures can be written into the folder, or that it can be
+// made.
+void require_folder(const std::string& folder) {
   std::error_code error;
-  const bool is_new = !fs::exists(fs::symlink_status(folder, error));
   const std::string what = "--figures: cannot write figures into '" + folder + "': ";
-  if (is_new && !fs::create_directory(folder, error)) {
-    throw BadInput(what + (error ? error.message() : "the folder cannot be made") +
-                   "; name a folder in one that exists and takes new files");
-  }
-  if (!fs::is_directory(folder, error)) {
+  const bool is_new = !fs::exists(fs::symlink_status(folder, error));
+  if (!is_new && !fs::is_directory(folder, error)) {
     throw BadInput(what + "it is no folder; choose another name");
   }
-  const fs::path probe = fs::path(folder) / ".elsie-part";
-  fs::remove_all(probe, error);
-  if (!fs::create_directory(probe, error)) {
-    throw BadInput(what + error.message() + "; name a folder that takes new files");
+  const fs::path place = is_new ? fs::path(folder) / ".." : fs::path(folder);
+  try {
+    const files::ScratchFolder probe(fs::absolute(place).lexically_normal());
+  } catch (const fs::filesystem_error& problem) {
+    throw BadInput(what + problem.code().message() +
+                   (is_new ? "; name a folder in one that exists and takes new files"
+                           : "; name a folder that takes new files"));
   }
-  fs::remove(probe, error);
-  return is_new;
 }
-
-// A folder for figures; it is removed again if there is nothing to put into it.
-class FigureFolder {
- public:
-  explicit FigureFolder(const std::optional<std::string>& folder)
-      : folder_(folder.value_or("")), is_new_(folder && require_folder(*folder)) {}
-  ~FigureFolder() {
-    std::error_code ignored;
-    if (is_new_) {
-      fs::remove(folder_, ignored);  // only an empty one
-    }
-  }
-  FigureFolder(const FigureFolder&) = delete;
-  FigureFolder& operator=(const FigureFolder&) = delete;
-
- private:
-  std::string folder_;
-  bool is_new_;
-};
 
 void draw(const Findings& findings, const ResultsFile& file, const report::Answers& answers,
           const ReportOptions& options) {
@@ -193,19 +192,17 @@ report::Answers answers_to(const Findings& findings, const ReportOptions& option
 }
 
 int report(const ReportOptions& options) {
-  require_output(options.csv, "--csv", ".csv", options.database);
-  require_output(options.junit, "--junit", ".xml", options.database);
-  require_output(options.html, "--html", ".html", options.database);
-  require_output(options.cells_csv, "--cells-csv", ".csv", options.database);
-  require_output(options.latex, "--latex", ".tex", options.database);
+  require_outputs(options);
   const ResultsFile file(options.database);
   std::vector<std::string> sentences;
   const Findings findings = found(file, sentences);
   require_cells(findings, options.cells);
   const report::Answers answers = answers_to(findings, options);
-  const FigureFolder folder(options.figures);
+  if (options.figures) {
+    require_folder(*options.figures);
+  }
   for (const std::string& sentence : sentences) {
-    std::cerr << "elsie: " << sentence << '\n';
+    err() << "elsie: " << sentence << '\n';
   }
   // Before all else, because the names of the figures, which may be taken, follow from the results.
   if (options.figures) {
@@ -228,7 +225,7 @@ int report(const ReportOptions& options) {
     write(*options.latex, report::latex_report(findings), "--latex");
   }
   if (options.json) {
-    out() << report::json_report(findings, answers);
+    data_out() << report::json_report(findings, answers);
   } else if (!options.quiet) {
     out() << report::terminal_report(findings, options.database, width())
           << report::terminal_answers(findings, answers);

@@ -6,6 +6,7 @@
 #include "elsie/base/error.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/fault.h"
+#include "elsie/world/error.h"
 
 #include "scene.h"
 #include "server_impl.h"
@@ -147,7 +148,10 @@ std::vector<std::filesystem::path> Server::Impl::inputs() const {
   world::ReadOptions options = reading(seed_);
   options.check_plugins = false;
   options.found = &found;
-  world::parse_world(document_->text(), document_->file(), host(), options);
+  try {
+    world::parse_world(document_->text(), document_->file(), host(), options);
+  } catch (const world::WorldError&) {  // a file has changed since; it counts nevertheless
+  }
   std::vector<std::filesystem::path> files;
   if (!document_->file().empty()) {
     files.emplace_back(document_->file());

@@ -1,5 +1,6 @@
 #include "elsie/reference/reference.h"
 
+#include <set>
 #include <vector>
 
 #include "elsie/world/values.h"
@@ -129,7 +130,34 @@ void describe(const world::ElementSpec& spec, const std::string& path, std::stri
   }
 }
 
+void describe_named(const world::ElementSpec& spec, const std::string& name,
+                    const std::string& path, std::string& text) {
+  for (const world::ElementSpec& child : spec.children) {
+    const std::string below = child.plugins ? path : path + " / " + child.name;
+    if (child.name == name && !child.plugins) {
+      describe(child, below, text);
+    } else {
+      describe_named(child, name, below, text);
+    }
+  }
+}
+
 }  // namespace
+
+std::string element_reference(const world::ElementSpec& root, const std::string& name) {
+  std::string text;
+  describe_named(root, name, root.name, text);
+  return text;
+}
+
+void list_elements(const world::ElementSpec& root, std::set<std::string>& names) {
+  for (const world::ElementSpec& child : root.children) {
+    if (!child.plugins) {
+      names.insert(child.name);
+    }
+    list_elements(child, names);
+  }
+}
 
 std::string world_reference() {
   std::string text =

@@ -1,0 +1,152 @@
+#include "doubts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include "elsie/api/reading.h"
+#include "elsie/base/number_text.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/footprint.h"
+
+namespace elsie::program {
+
+namespace {
+
+using base::number_text;
+using simulation::Simulation;
+
+constexpr double kHair = 1e-6;   // m
+constexpr double kLevel = 1e-6;  // rad
+
+bool needs_robot(const world::Goal& goal) {
+  return !std::holds_alternative<world::EndureGoal>(goal) &&
+         !std::holds_alternative<world::NoCollisionGoal>(goal) &&
+         !std::holds_alternative<world::BatteryGoal>(goal);
+}
+
+class Doubts {
+ public:
+  explicit Doubts(const Simulation& simulation)
+      : simulation_(simulation), world_(simulation.world()) {}
+
+  std::vector<base::Problem> all() {
+    const auto active = std::find_if(world_.goals.begin(), world_.goals.end(), needs_robot);
+    if (world_.robots.empty() && active != world_.goals.end()) {
+      add(std::visit([](const auto& each) { return each.location; }, *active),
+          "the world has no robot that could reach this goal");
+    }
+    for (const world::Goal& goal : world_.goals) {
+      if (const auto* travel = std::get_if<world::TravelGoal>(&goal)) check(*travel);
+      if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) check(*reach);
+    }
+    for (std::size_t robot = 0; robot < world_.robots.size(); ++robot) {
+      check_beams(robot);
+    }
+    return std::move(problems_);
+  }
+
+ private:
+  void add(const base::Location& where, const std::string& sentence) {
+    problems_.push_back({where.file, where.line, "warning: " + sentence});
+  }
+
+  void check(const world::TravelGoal& goal) {
+    if (!world_.changes.empty()) {
+      return;
+    }
+    for (const world::Robot& robot : world_.robots) {
+      const double most = robot.max_speed * world_.limits.time;
+      if ((goal.robot.empty() || goal.robot == robot.id) && goal.distance > most) {
+        add(goal.location, "<travel> needs " + number_text(goal.distance) + " m within " +
+                               number_text(world_.limits.time) + " s, but the robot '" + robot.id +
+                               "' drives at most " + number_text(robot.max_speed) +
+                               " m/s, which makes " + number_text(most, 6) + " m");
+        return;
+      }
+    }
+  }
+
+  void check(const world::ReachGoal& goal) {
+    const auto robot =
+        std::find_if(world_.robots.begin(), world_.robots.end(),
+                     [&](const world::Robot& each) { return each.id == goal.robot; });
+    if (!goal.of.empty() || robot == world_.robots.end() || !world_.changes.empty()) {
+      return;
+    }
+    for (const world::Box& box : world_.boxes) {
+      if (box.kind == world::BoxKind::fixed && box.z < kHair && fills(box, goal, *robot)) {
+        add(goal.location, "<reach>: no place within " + number_text(goal.radius) + " m of (" +
+                               number_text(goal.x) + ", " + number_text(goal.y) +
+                               ") is free: " + box.in_words() + " stands there");
+        return;
+      }
+    }
+  }
+
+  /// Whether the middle of the robot comes nowhere near enough to the place because of this box.
+  static bool fills(const world::Box& box, const world::ReachGoal& goal,
+                    const world::Robot& robot) {
+    const double narrow = 0.5 * std::min(robot.body.length, robot.body.width);
+    const world::Footprint kept_free = world::footprint_of(box).grown(narrow);
+    const auto is_inside = [&](double x, double y) {
+      world::Footprint point;
+      point.x = x;
+      point.y = y;
+      point.half_length = point.half_width = 10.0 * kHair;
+      point.bottom = kept_free.bottom;
+      point.top = kept_free.top;
+      return world::overlap(kept_free, point);
+    };
+    constexpr int kDirections = 32;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kDirections;
+      if (!is_inside(goal.x + goal.radius * std::cos(angle),
+                     goal.y + goal.radius * std::sin(angle))) {
+        return false;
+      }
+    }
+    return is_inside(goal.x, goal.y);  // the outline is convex
+  }
+
+  /// Level beams and those that point upwards.
+  void check_beams(std::size_t robot) {
+    double lowest_m = 0.0;
+    bool any = false;
+    for (std::size_t i = 0; i < simulation_.sensors(robot); ++i) {
+      const simulation::SensorView sensor = simulation_.sensor(robot, i);
+      if (sensor.sensor->kind() != ReadingKind::of<RangeReading>()) {
+        continue;
+      }
+      if (sensor.mounting->pitch_rad < -kLevel) {
+        return;
+      }
+      const double height_m = sensor.mounting->position.z + world_.robots[robot].z;
+      lowest_m = any ? std::min(lowest_m, height_m) : height_m;
+      any = true;
+    }
+    if (!any) {
+      return;
+    }
+    for (const world::Box& box : world_.boxes) {
+      if (box.seen_by_range_sensors && box.z < kHair && box.height <= lowest_m + kHair) {
+        add(box.location, box.in_words() + " is " + number_text(box.height) +
+                              " m high, and all beams of the robot '" + world_.robots[robot].id +
+                              "' pass above it, at " + number_text(lowest_m, 6) + " m");
+        return;
+      }
+    }
+  }
+
+  const Simulation& simulation_;
+  const world::World& world_;
+  std::vector<base::Problem> problems_;
+};
+
+}  // namespace
+
+std::vector<base::Problem> doubts(const Simulation& simulation) { return Doubts(simulation).all(); }
+
+}  // namespace elsie::program
