@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -82,9 +84,15 @@ void BeamSteering::remember(elsie::Memory& memory) {
 }
 
 std::vector<std::string> BeamSteering::notes() const {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes, of_right;
   left_->list_notes(notes);
-  right_->list_notes(notes);
+  right_->list_notes(of_right);
+  // Both wheels may have one model.
+  std::copy_if(of_right.begin(), of_right.end(), std::back_inserter(notes),
+               [&, end = notes.size()](const std::string& note) {
+                 const auto last = notes.begin() + static_cast<std::ptrdiff_t>(end);
+                 return std::find(notes.begin(), last, note) == last;
+               });
   return notes;
 }
 
