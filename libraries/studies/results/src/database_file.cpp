@@ -4,7 +4,7 @@
 
 #include <sqlite3.h>
 
-#include "elsie/base/read_whole.h"
+#include "elsie/files/read_whole.h"
 #include "elsie/results/run_fields.h"
 
 #include "damage.h"
