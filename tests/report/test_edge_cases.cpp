@@ -120,8 +120,9 @@ TEST_CASE("Runs that ended badly in several ways are counted by these") {
 TEST_CASE("When nothing is done yet, an expectation says so") {
   const Findings findings = findings_of("all pending");
   CHECK(findings.verdicts[0].trouble == "no run has a measure 'path_length_m' yet: none is done");
+  CHECK(findings.verdicts[0].open());
   CHECK(findings.verdicts[1].claims[0].sentence ==
-        "success rate of a is not known: not all runs of a are done, 3 are still to be done; "
+        "success rate of a is not known yet: not all runs of a are done, 3 are still to be done; "
         "expected at least 1");
 }
 

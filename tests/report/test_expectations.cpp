@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "fixture.h"
 
 using namespace elsie::report;
+using Catch::Contains;
 using elsie::experiment::Expectation;
 using elsie::test::expecting;
 using elsie::test::Made;
@@ -304,10 +306,10 @@ TEST_CASE("Cells relative to each other") {
     incomplete.cells[0].runs[0].measures.clear();
     const Claim claim = judged(incomplete, expectation).claims[0];
     CHECK_FALSE(claim.holds);
-    CHECK(
-        claim.sentence ==
-        "mean path_length_m of b is not known: not all runs of a are done, 1 is still to be done; "
-        "expected at most 0.6 times that of the cell with scheme a");
+    CHECK(claim.sentence ==
+          "mean path_length_m of b is not known yet: not all runs of a are done, 1 is still to be "
+          "done; "
+          "expected at most 0.6 times that of the cell with scheme a");
   }
 }
 
@@ -319,8 +321,9 @@ TEST_CASE("What cannot be judged is not met") {
     made_up.cells[0].runs[2].measures.clear();
     const Verdict verdict = judged(made_up, success_at_least(0.0));
     CHECK_FALSE(verdict.met());
+    CHECK(verdict.open());
     CHECK(verdict.claims[0].sentence ==
-          "success rate of a is not known: not all runs of a are done, 2 are still to be done; "
+          "success rate of a is not known yet: not all runs of a are done, 2 are still to be done; "
           "expected at least 0");
   }
   SECTION("there is no such measure") {
@@ -328,6 +331,7 @@ TEST_CASE("What cannot be judged is not met") {
     expectation.measure = "path_lenght_m";
     expectation.at_least = 0.0;
     CHECK_FALSE(judged(made_up, expectation).met());
+    CHECK_FALSE(judged(made_up, expectation).open());
     CHECK(judged(made_up, expectation).trouble ==
           "no run has a measure 'path_lenght_m'; did you mean 'path_length_m'?");
   }
@@ -352,9 +356,50 @@ TEST_CASE("What cannot be judged is not met") {
     made_up.shard = "1/2";
     made_up.all_runs = 6;
     CHECK_FALSE(judged(made_up, success_at_least(0.0)).met());
+    CHECK(judged(made_up, success_at_least(0.0)).open());
     CHECK(judged(made_up, success_at_least(0.0)).trouble ==
           "3 of 6 runs are not in this database, which is shard 1/2; an expectation needs all of "
           "them");
+  }
+}
+
+TEST_CASE("Missing runs leave an expectation open, unless another cell misses it") {
+  MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
+  made_up.cells[1].runs[2].state = "pending";
+  made_up.cells[1].runs[2].measures.clear();
+  Questions questions = expecting(mean_path());
+  Expectation& short_path = questions.expectations[0];
+  short_path.name = "short";
+  const auto findings = [&](double at_most) {
+    short_path.at_most = at_most;
+    return Made(made_up, questions).findings();
+  };
+  SECTION("open: neither passed nor failed, in every form") {
+    const Findings open = findings(2.0);
+    CHECK(open.open());
+    CHECK_FALSE(open.good());
+    CHECK_THAT(terminal_report(open, "r.db"),
+               Contains("  not known yet  short: ") &&
+                   Contains("path_length_m of b is not known yet: ") && !Contains("NOT MET"));
+    const auto json = nlohmann::json::parse(json_report(open))["expectations"][0];
+    CHECK(json["met"].is_null());
+    CHECK(json["cells"][0]["met"] == true);
+    CHECK(json["cells"][1]["met"].is_null());
+    CHECK_THAT(junit_report(open, "r.db"),
+               Contains("failures=\"1\" errors=\"0\" skipped=\"1\"") &&
+                   Contains("<skipped message=\"not known yet: mean path_length_m of b"));
+    CHECK_THAT(Made(made_up, questions).html(),
+               Contains("<h2 class=\"verdict open\">") &&
+                   Contains("<span>1 of 1 expectation is not known yet</span>"));
+  }
+  SECTION("missed: what is missing cannot save it") {
+    const Findings missed = findings(1.0);
+    CHECK_FALSE(missed.open());
+    CHECK_THAT(terminal_report(missed, "r.db"), Contains("  NOT MET  short"));
+    CHECK(nlohmann::json::parse(json_report(missed))["expectations"][0]["met"] == false);
+    CHECK_THAT(junit_report(missed, "r.db"),
+               Contains("<failure message=\"mean path_length_m of a is 2 m (3 runs), expected at "
+                        "most 1 m\""));
   }
 }
 

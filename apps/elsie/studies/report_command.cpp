@@ -230,7 +230,7 @@ int report(const ReportOptions& options) {
     out() << report::terminal_report(findings, options.database, width())
           << report::terminal_answers(findings, answers);
   }
-  return findings.good() ? kSuccess : kGoalMissed;
+  return findings.good() ? kSuccess : findings.open() ? kOtherFailure : kGoalMissed;
 }
 
 }  // namespace

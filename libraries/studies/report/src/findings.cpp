@@ -201,6 +201,14 @@ bool Verdict::met() const {
          std::all_of(claims.begin(), claims.end(), [](const Claim& claim) { return claim.holds; });
 }
 
+bool Verdict::open() const {
+  if (!trouble.empty()) {
+    return waits;
+  }
+  return !met() && std::all_of(claims.begin(), claims.end(),
+                               [](const Claim& claim) { return claim.holds || claim.open; });
+}
+
 std::size_t Findings::ended() const {
   return static_cast<std::size_t>(std::count_if(results.runs.begin(), results.runs.end(),
                                                 [](const Run& run) { return run.ended(); }));
@@ -231,6 +239,12 @@ bool Findings::good() const {
   return !partial() && pending() == 0 && broken() == 0 && disagreements.empty() &&
          std::all_of(verdicts.begin(), verdicts.end(),
                      [](const Verdict& verdict) { return verdict.met(); });
+}
+
+bool Findings::open() const {
+  return (partial() || pending() > 0) && broken() == 0 && disagreements.empty() &&
+         std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.met() || verdict.open(); });
 }
 
 Findings find(Results results, const Questions& questions) {

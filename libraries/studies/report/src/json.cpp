@@ -97,14 +97,14 @@ Json json_of(const Findings& findings, const Verdict& verdict) {
   Json claims = Json::array();
   for (const Claim& claim : verdict.claims) {
     claims.push_back({{"cell", output::clean(findings.results.cells[claim.cell].label)},
-                      {"met", claim.holds},
+                      {"met", claim.open ? Json(nullptr) : Json(claim.holds)},
                       {"value", or_null(claim.value)},
                       {"interval", json_of(claim.interval)},
                       {"sentence", output::clean(claim.sentence)}});
   }
   return {
       {"name", output::clean(verdict.name)},
-      {"met", verdict.met()},
+      {"met", verdict.open() ? Json(nullptr) : Json(verdict.met())},
       {"expected", output::clean(verdict.expected)},
       {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(output::clean(verdict.trouble))},
       {"cells", std::move(claims)}};

@@ -117,6 +117,7 @@ Verdict judge(const Expectation& expectation, const Findings& findings,
   verdict.trouble = find_subject(expectation, findings, subject);
   const Judging judging{expectation, findings, subject};
   verdict.expected = expected(judging);
+  verdict.waits = findings.pending() > 0 || findings.partial();
   if (!verdict.trouble.empty()) {
     return verdict;
   }
@@ -131,6 +132,7 @@ Verdict judge(const Expectation& expectation, const Findings& findings,
   }
   if (verdict.claims.empty()) {
     verdict.trouble = "it covers no cell";
+    verdict.waits = false;
   }
   return verdict;
 }

@@ -52,8 +52,8 @@ Claim about_bounds(const Judging& judging, std::size_t cell, const std::vector<d
 }  // namespace
 
 Claim judge_cell(const Judging& judging, std::size_t cell) {
-  if (const std::string why = judging.obstacle(cell); !why.empty()) {
-    return judging.not_known(cell, why);
+  if (const auto claim = judging.obstacle(cell, cell)) {
+    return *claim;
   }
   const std::vector<double> values = judging.values_of(cell);
   if (judging.censored(cell) > 0) {

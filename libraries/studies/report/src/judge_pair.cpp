@@ -79,8 +79,8 @@ Claim judge_pair(const Judging& judging, std::size_t cell, std::optional<std::si
     return judging.not_known(cell, "there is no cell to compare it with");
   }
   for (const std::size_t each : {cell, *reference}) {
-    if (const std::string why = judging.obstacle(each); !why.empty()) {
-      return judging.not_known(cell, why);
+    if (const auto claim = judging.obstacle(cell, each)) {
+      return *claim;
     }
     if (judging.censored(each) > 0) {
       return judging.not_known(cell, "of " + judging.label(each) + " " + judging.stopped(each));

@@ -170,22 +170,27 @@ std::string Judging::unknown(std::size_t cell, const std::vector<double>& values
   return (values.empty() ? "no " : "only one ") + who + " of " + label(cell) + " has a value";
 }
 
-Claim Judging::not_known(std::size_t cell, const std::string& why) const {
+Claim Judging::not_known(std::size_t cell, const std::string& why, bool open) const {
   Claim claim;
   claim.cell = cell;
-  claim.found = subject.words + " of " + label(cell) + " is not known: " + why;
+  claim.open = open;
+  claim.found =
+      subject.words + " of " + label(cell) + " is not known" + (open ? " yet" : "") + ": " + why;
   claim.sentence = claim.found + "; expected " + limits();
   return claim;
 }
 
-std::string Judging::obstacle(std::size_t cell) const {
-  if (const std::size_t pending = findings.cells[cell].pending; pending > 0) {
-    return "not all runs of " + label(cell) + " are done, " + counted(pending, "is", "are") +
-           " still to be done";
+std::optional<Claim> Judging::obstacle(std::size_t cell, std::size_t needed) const {
+  if (asks_for_success() && !findings.cells[needed].goals) {
+    return not_known(cell, "its world has no goals, so a run can neither succeed nor fail");
   }
-  return asks_for_success() && !findings.cells[cell].goals
-             ? "its world has no goals, so a run can neither succeed nor fail"
-             : "";
+  if (const std::size_t pending = findings.cells[needed].pending; pending > 0) {
+    return not_known(cell,
+                     "not all runs of " + label(needed) + " are done, " +
+                         counted(pending, "is", "are") + " still to be done",
+                     true);
+  }
+  return std::nullopt;
 }
 
 std::string Judging::stopped(std::size_t cell) const {

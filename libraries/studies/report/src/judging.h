@@ -68,11 +68,12 @@ struct Judging {
   // The reason why a cell with so few values has no statistic.
   std::string unknown(std::size_t cell, const std::vector<double>& values) const;
 
-  // The reason why a cell cannot be judged, whatever its values are: runs that are not done yet, or
-  // a world without goals; "" if it can be judged.
-  std::string obstacle(std::size_t cell) const;
+  // The claim about `cell` if `needed`, this cell or its reference, cannot be judged, whatever its
+  // values are: its world has no goals, or runs are still to be done. None if it can be judged.
+  std::optional<Claim> obstacle(std::size_t cell, std::size_t needed) const;
 
-  Claim not_known(std::size_t cell, const std::string& why) const;
+  // `open`: it will be known when all runs are done.
+  Claim not_known(std::size_t cell, const std::string& why, bool open = false) const;
 
   // "3 runs were stopped by the time limit and 1 run failed"
   std::string stopped(std::size_t cell) const;

@@ -17,14 +17,20 @@ struct TestCase {
   std::string details;  // a line for each cell or run
   std::string kind;     // kind of the failure
   bool of_expectation = false;
+  bool open = false;  // the failure is only that it is not known yet
 };
 
 TestCase case_of(const Verdict& verdict) {
   TestCase test{verdict.name, "", "", "expectation", true};
   std::size_t broken = 0;
   for (const Claim& claim : verdict.claims) {
-    test.details += (claim.holds ? "met: " : "not met: ") + claim.sentence + "\n";
-    if (!claim.holds && broken++ == 0) {
+    test.details += (claim.holds  ? "met: "
+                     : claim.open ? "not known yet: "
+                                  : "not met: ") +
+                    claim.sentence + "\n";
+    // What is known to be missed comes first.
+    const bool counts = !claim.holds && (verdict.open() || !claim.open);
+    if (counts && broken++ == 0) {
       test.failure = claim.sentence;
     }
   }
@@ -34,6 +40,7 @@ TestCase case_of(const Verdict& verdict) {
   if (!verdict.trouble.empty()) {
     test.failure = verdict.trouble;
   }
+  test.open = verdict.open();
   return test;
 }
 
@@ -83,9 +90,10 @@ std::string junit_report(const Findings& findings, const std::string& database) 
   tests.push_back(every_run_ended(findings, database));
   tests.push_back(seeds_decide(findings));
 
-  std::size_t failures = 0;
+  std::size_t failures = 0, open = 0;
   for (const TestCase& test : tests) {
-    failures += test.failure.empty() ? 0 : 1;
+    failures += test.failure.empty() || test.open ? 0 : 1;
+    open += test.open ? 1 : 0;
   }
   double wall_s = 0.0;
   for (const Run& run : results.runs) {
@@ -102,8 +110,8 @@ std::string junit_report(const Findings& findings, const std::string& database) 
 
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"elsie\"" +
                     counts + time + ">\n  <testsuite name=\"" + suite + "\"" + counts +
-                    " skipped=\"0\"" + time + " timestamp=\"" + escaped_attribute(stamp) +
-                    "\">\n    <properties>\n";
+                    " skipped=\"" + std::to_string(open) + "\"" + time + " timestamp=\"" +
+                    escaped_attribute(stamp) + "\">\n    <properties>\n";
   const std::vector<std::pair<std::string, std::string>> properties = {
       {"database", database},
       {"experiment file", results.file},
@@ -125,7 +133,10 @@ std::string junit_report(const Findings& findings, const std::string& database) 
       continue;
     }
     xml += ">\n";
-    if (!test.failure.empty()) {
+    if (test.open) {
+      xml += "      <skipped message=\"" + escaped_attribute("not known yet: " + test.failure) +
+             "\"/>\n";
+    } else if (!test.failure.empty()) {
       xml += "      <failure message=\"" + escaped_attribute(test.failure) + "\" type=\"" +
              test.kind + "\">" + escaped(test.details.empty() ? test.failure : test.details) +
              "</failure>\n";

@@ -21,6 +21,14 @@ constexpr const char* kNo =
     "<svg class=\"icon no\" viewBox=\"0 0 20 20\" role=\"img\" aria-label=\"not met\"><circle "
     "cx=\"10\" cy=\"10\" r=\"9\"/><path d=\"M6.6 6.6l6.8 6.8M13.4 6.6l-6.8 6.8\"/></svg>";
 
+constexpr const char* kOpen =
+    "<svg class=\"icon open\" viewBox=\"0 0 20 20\" role=\"img\" aria-label=\"not known yet\">"
+    "<circle cx=\"10\" cy=\"10\" r=\"9\"/><path d=\"M5.5 10h.01M10 10h.01M14.5 10h.01\"/></svg>";
+
+const char* icon_of(const Verdict& verdict) {
+  return verdict.met() ? kYes : verdict.open() ? kOpen : kNo;
+}
+
 std::string tile(const std::string& value, const std::string& of, const std::string& label) {
   return "<div><dt>" + label + "</dt><dd>" + value + (of.empty() ? "" : "<i>" + of + "</i>") +
          "</dd></div>";
@@ -93,8 +101,12 @@ std::string reservations(const Findings& findings) {
 
 std::string headline(const Findings& findings) {
   const auto& verdicts = findings.verdicts;
-  const auto met = static_cast<std::size_t>(std::count_if(
-      verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.met(); }));
+  std::size_t met = 0, open = 0;
+  for (const Verdict& verdict : verdicts) {
+    met += verdict.met() ? 1 : 0;
+    open += verdict.open() ? 1 : 0;
+  }
+  const std::size_t missed = verdicts.size() - met - open;
   const bool none_done = findings.runs() > 0 && findings.pending() == findings.runs();
   std::string words;
   if (none_done) {
@@ -113,27 +125,35 @@ std::string headline(const Findings& findings) {
       words += ", but " + reservations(findings);
     }
   } else {
-    words = std::to_string(verdicts.size() - met) + " of " +
-            counted(verdicts.size(), "expectation") +
-            (verdicts.size() - met == 1 ? " is" : " are") + " not met";
+    const auto part = [](std::size_t count, const std::string& of, const char* what) {
+      return std::to_string(count) + of + (count == 1 ? " is " : " are ") + what;
+    };
+    const std::string of = " of " + counted(verdicts.size(), "expectation");
+    words = missed == 0 ? part(open, of, "not known yet")
+                        : part(missed, of, "not met") +
+                              (open > 0 ? ", and " + part(open, "", "not known yet") : "");
   }
-  const bool good = findings.good();
-  return "<h2 class=\"verdict " + std::string(good ? "good" : "bad") + "\">" + (good ? kYes : kNo) +
+  const char* const kind = findings.good() ? "good" : findings.open() ? "open" : "bad";
+  return "<h2 class=\"verdict " + std::string(kind) + "\">" +
+         (findings.good()   ? kYes
+          : findings.open() ? kOpen
+                            : kNo) +
          "<span>" + words + "</span></h2>\n";
 }
 
 std::string verdict_item(const Verdict& verdict) {
-  std::string text = "<li>" + std::string(verdict.met() ? kYes : kNo) + "<div><b>" +
-                     escaped(verdict.name) + "</b> <span>" + escaped(verdict.expected) + "</span>";
+  const auto bad = [](bool open) { return open ? "<p class=\"quiet\">" : "<p class=\"bad\">"; };
+  std::string text = "<li>" + std::string(icon_of(verdict)) + "<div><b>" + escaped(verdict.name) +
+                     "</b> <span>" + escaped(verdict.expected) + "</span>";
   if (!verdict.trouble.empty()) {
-    text += "<p class=\"bad\">" + escaped(verdict.trouble) + "</p>";
+    text += bad(verdict.open()) + escaped(verdict.trouble) + "</p>";
   }
   // Failures are shown, the others are folded.
   std::string others;
   std::size_t count = 0;
   for (const Claim& claim : verdict.claims) {
     if (!claim.holds) {
-      text += "<p class=\"bad\">" + escaped(claim.found) + "</p>";
+      text += bad(claim.open) + escaped(claim.found) + "</p>";
     } else {
       others += "<p>" + escaped(claim.found) + "</p>";
       ++count;

@@ -183,16 +183,22 @@ std::string expectations(const Findings& findings) {
   if (findings.verdicts.empty()) {
     return "";
   }
+  const bool any_open = std::any_of(findings.verdicts.begin(), findings.verdicts.end(),
+                                    [](const Verdict& verdict) { return verdict.open(); });
+  const std::size_t width = any_open ? 13 : 7;
+  const std::string indent(width + 4, ' ');
   std::string text = "\nExpectations\n";
   for (const Verdict& verdict : findings.verdicts) {
-    text += (verdict.met() ? "  met      " : "  NOT MET  ") + output::one_line(verdict.name) +
+    const std::string word = verdict.met() ? "met" : verdict.open() ? "not known yet" : "NOT MET";
+    text += "  " + word + std::string(width + 2 - word.size(), ' ') +
+            output::one_line(verdict.name) +
             (verdict.expected.empty() ? "" : ": " + output::one_line(verdict.expected)) + '\n';
     if (!verdict.trouble.empty()) {
-      text += "           " + output::one_line(verdict.trouble) + '\n';
+      text += indent + output::one_line(verdict.trouble) + '\n';
     }
     for (const Claim& claim : verdict.claims) {
       if (!claim.holds) {
-        text += "           " + output::one_line(claim.sentence) + '\n';
+        text += indent + output::one_line(claim.sentence) + '\n';
       }
     }
   }

@@ -91,6 +91,8 @@ struct Disagreement {
 struct Claim {
   std::size_t cell = 0;
   bool holds = false;
+  /// Not known yet, because runs are still to be done: neither met nor missed.
+  bool open = false;
   std::string found;     // "success rate of fusion is 0.95 (19 of 20)"
   std::string sentence;  // `found` followed by ", expected at least 1"
   std::optional<double> value;
@@ -103,8 +105,11 @@ struct Verdict {
   std::string expected;  // "success rate: at least 0.9, with 95 % confidence"; "": the name says so
   std::vector<Claim> claims;  // one for each cell that it covers
   std::string trouble;        // why it cannot be judged; empty if it can
+  bool waits = false;         // the trouble may end when all runs are done
 
   bool met() const;
+  /// Returns whether it is not known yet: runs are missing, and no cell is known to miss it.
+  bool open() const;
 };
 
 struct Findings {
@@ -132,6 +137,8 @@ struct Findings {
   /// Returns whether all runs of the experiment are done, runs of the same seed are equal, and
   /// every expectation is met.
   bool good() const;
+  /// Returns whether nothing is known to be wrong, but runs are missing: good() is not known yet.
+  bool open() const;
 };
 
 /// The parts of the experiment that the report answers.
