@@ -122,21 +122,49 @@ TEST_CASE("Cells are compared seed by seed with those that match in all other fa
   const Contrast path = of("path_length_m");
   CHECK(path.seeds == 6);
   CHECK(path.difference == Approx(2.0));
-  CHECK_FALSE(path.by_signs);
   CHECK(path.paired.p == Approx(2.0 / 64.0));  // all six are above
   CHECK(path.g.has_value());
   const Contrast success = of("success");
-  CHECK(success.by_signs);
   CHECK(success.difference == Approx(3.0 / 18.0));
   CHECK(success.paired.p == Approx(2.0 / 8.0));  // three seeds differ
   CHECK(success.pooled_p == Approx(fisher_test({18, 18}, {15, 18})));
   const Contrast time = of("time_s");
-  CHECK(time.by_signs);
   CHECK_FALSE(time.difference);
   CHECK_FALSE(time.g);
   CHECK(time.paired.below == 3);
   CHECK(time.paired.above == 0);
   CHECK(of("collisions").equal);
+}
+
+TEST_CASE("The test by seed counts in how many cells success differs, not only its sign") {
+  // Fusion succeeds in all three cells of five seeds, arbitration in none of them; with seed 6,
+  // arbitration succeeds in one cell more.
+  MadeExperiment study = by_factor();
+  for (auto& cell : study.cells) {
+    for (auto& run : cell.runs) {
+      const bool fusion = cell.levels[2] == "fusion";
+      const bool success = run.seed == 6 ? !fusion && cell.levels[1] == "0.1" : fusion;
+      run.outcome = success ? "success" : "time_limit";
+    }
+  }
+  const Made made(study);
+  const Findings findings = made.findings();
+  const Contrast success =
+      compare(findings, "coordinator=fusion", "coordinator=arbitration").front();
+  REQUIRE(success.response.name == "success");
+  // Five of the ranks 4 for fusion, and rank 1: 2 of 64 signs go as far or farther on each side.
+  // Signs alone would have 14 of 64.
+  CHECK(success.paired.p == Approx(4.0 / 64.0));
+}
+
+TEST_CASE("Intervals beside corrected p-values are said not to be corrected") {
+  const Made made(by_factor());
+  const Findings findings = made.findings();
+  const std::pair<std::string, std::string> groups{"coordinator=fusion", "coordinator=arbitration"};
+  CHECK_THAT(terminal_answers(findings, answer(findings, {{}, {groups}, {}})),
+             Contains("corrected for all comparisons of a measure (Holm). The 95 % intervals\n"
+                      "are not corrected"));
+  CHECK_THAT(made.html(), Contains("intervals are not corrected"));
 }
 
 TEST_CASE("All pairs of levels are compared, and corrected together") {

@@ -175,9 +175,9 @@ std::string terminal_answers(const Findings& findings, const Answers& answers) {
   }
   if (!answers.comparisons.empty()) {
     text +=
-        "\np by seed: sign test of success and of times that a limit cut off, else Wilcoxon's\n"
-        "signed-rank test; p pooled: Fisher's exact test, or that of Mann and Whitney; both\n"
-        "corrected for all comparisons of a measure (Holm)\n";
+        "\np by seed: Wilcoxon's signed-rank test; p pooled: Fisher's exact test, or that of Mann\n"
+        "and Whitney; both corrected for all comparisons of a measure (Holm). The 95 % intervals\n"
+        "are not corrected: each is about one comparison, and of twenty, one misses on average\n";
   }
   for (const FactorModel& model : answers.models) {
     text += "\n" + std::string(model.response.measure ? "Linear" : "Logistic") + " model " +

@@ -214,19 +214,6 @@ double fisher_test(const Frequency& first, const Frequency& second) {
   return std::min(1.0, sum);
 }
 
-PairTest sign_test(std::span<const double> differences) {
-  PairTest test;
-  for (const double one : differences) {
-    test.above += one > 0.0 ? 1 : 0;
-    test.below += one < 0.0 ? 1 : 0;
-  }
-  const std::size_t count = test.above + test.below;
-  if (count > 0) {
-    test.p = std::min(1.0, 2.0 * fair_at_most(std::min(test.above, test.below), count));
-  }
-  return test;
-}
-
 PairTest signed_rank_test(std::span<const double> differences) {
   PairTest test;
   std::vector<double> sizes;
@@ -238,10 +225,15 @@ PairTest signed_rank_test(std::span<const double> differences) {
       ++(one > 0.0 ? test.above : test.below);
     }
   }
-  test.exact = sizes.size() <= kMostForExactSigns;
   if (sizes.empty()) {
     return test;
   }
+  const auto [least, largest] = std::minmax_element(sizes.begin(), sizes.end());
+  if (*largest - *least <= kTied * *largest) {  // only the signs differ
+    test.p = std::min(1.0, 2.0 * fair_at_most(std::min(test.above, test.below), sizes.size()));
+    return test;
+  }
+  test.exact = sizes.size() <= kMostForExactSigns;
   const std::vector<long> ranks = double_ranks(sizes);
   long sum = 0, reach = 0;
   double squares = 0.0;

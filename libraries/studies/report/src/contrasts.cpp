@@ -104,8 +104,7 @@ void pair_up(const Findings& findings, const Matches& matches, bool bounds, Cont
     contrast.notes.emplace_back(kRoundingNote);
   }
   contrast.seeds = differences.size();
-  contrast.by_signs = bounds || !contrast.response.measure;
-  contrast.paired = contrast.by_signs ? sign_test(differences) : signed_rank_test(differences);
+  contrast.paired = signed_rank_test(differences);
   if (!bounds && !differences.empty()) {
     contrast.difference = summary(differences)->mean;
     contrast.interval = mean_interval(differences, kConfidence, findings.results.seed(),

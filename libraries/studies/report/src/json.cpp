@@ -140,7 +140,7 @@ Json json_of(const Contrast& one) {
       {"seeds", one.seeds},
       {"difference", or_null(one.difference)},
       {"difference_interval", json_of(one.interval)},
-      {"seed_test", one.by_signs ? "sign" : "signed_rank"},
+      {"seed_test", "signed_rank"},
       {"seed_p", p(one.paired.p)},
       {"seed_p_holm", p(one.paired_holm)},
       {"pooled_test", one.response.measure ? "rank" : "fisher"},

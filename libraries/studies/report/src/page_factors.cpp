@@ -24,11 +24,12 @@ constexpr const char* kFactorsLead =
     "matters most.";
 constexpr const char* kContrastsNote =
     "The first less the second. <b>By seed</b>: for each seed, the mean difference of cells that "
-    "match in all other factors; sign test of success and of times that were cut off, else "
-    "Wilcoxon\xe2\x80\x99s signed-rank test. <b>Pooled</b>: all runs against all runs, as if they "
+    "match in all other factors; Wilcoxon\xe2\x80\x99s signed-rank test. <b>Pooled</b>: all runs "
+    "against all runs, as if they "
     "were independent; Fisher\xe2\x80\x99s exact test with the odds ratio, or the test of Mann and "
     "Whitney with Cliff\xe2\x80\x99s delta and Hedges\xe2\x80\x99 g. p is corrected for all "
-    "comparisons of the measure (Holm).";
+    "comparisons of the measure (Holm). The 95\xc2\xa0% intervals are not corrected: each is about "
+    "one comparison, and of twenty, one misses on average.";
 
 std::string charts_in(const std::vector<Chart>& charts, const picture::Size& size) {
   std::string text;

@@ -58,11 +58,9 @@ struct PairTest {
   bool exact = true;
 };
 
-/// The sign test: exact. Differences of 0 do not count.
-PairTest sign_test(std::span<const double> differences);
-
-/// Wilcoxon's signed-rank test (1945). Differences of 0 are left out, equal ones share their rank;
-/// exact with up to kMostForExactSigns differences, else the normal approximation.
+/// Wilcoxon's signed-rank test (1945). Differences of 0 are left out, equal ones share their rank.
+/// Exact with up to kMostForExactSigns differences, and if all have the same size, where it is the
+/// sign test; else the normal approximation.
 PairTest signed_rank_test(std::span<const double> differences);
 
 inline constexpr std::size_t kMostForExactSigns = 60;

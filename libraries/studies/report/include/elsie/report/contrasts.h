@@ -39,8 +39,9 @@ struct Contrast {
   std::size_t seeds = 0;
   std::optional<double> difference;  // the mean; none with bounds
   std::optional<Interval> interval;
-  PairTest paired;  // the sign test of success and with bounds, else the signed-rank test
-  bool by_signs = false;
+  /// The signed-rank test. With bounds, a seed's difference is how much more often one group is
+  /// above the other.
+  PairTest paired;
   double paired_holm = 1.0;
 };
 
