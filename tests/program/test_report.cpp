@@ -273,7 +273,7 @@ TEST_CASE("report answers questions by factor, and writes figures and tables") {
       "--figures figures --format svg,pdf --latex t.tex --cells-csv c.csv");
   CHECK(run.exit_code == 0);
   CHECK(run.err.empty());
-  CHECK_THAT(run.out, Contains("By factor, over all else"));
+  CHECK_THAT(run.out, Catch::StartsWith("By factor, over all else\n"));
   CHECK_THAT(run.out, Contains("scheme=b"));
   CHECK_THAT(run.out, Contains("Linear model path_length_m ~ scheme"));
   CHECK(fs::exists(here.file("figures/effect-path_length_m-scheme.svg")));
@@ -284,6 +284,21 @@ TEST_CASE("report answers questions by factor, and writes figures and tables") {
   // Once more, over what is there.
   CHECK(here.elsie("report runs.sqlite --quiet --figures figures --latex t.tex --cells-csv c.csv")
             .exit_code == 0);
+}
+
+TEST_CASE("report --by prints its own table only, and what is wrong in a line") {
+  Workplace here;
+  write_database(experiment(kMet), here.file("good.sqlite"));
+  write_database(experiment(kMet + kMissed), here.file("bad.sqlite"));
+  const auto good = here.elsie("report good.sqlite --by scheme");
+  CHECK(good.exit_code == 0);
+  CHECK_THAT(good.out, Catch::StartsWith("By factor, over all else\n") && Contains("\na ") &&
+                           !Contains("Expectations") && !Contains("expectation"));
+  const auto bad = here.elsie("report bad.sqlite --by scheme");
+  CHECK(bad.exit_code == 1);
+  CHECK_THAT(bad.out, Contains("\n1 of 3 expectations is not met; the report without questions has "
+                               "the details\n") &&
+                          !Contains("NOT MET"));
 }
 
 TEST_CASE("A folder with the name of a figure is bad input, and nothing is written") {

@@ -227,8 +227,8 @@ int report(const ReportOptions& options) {
   if (options.json) {
     data_out() << report::json_report(findings, answers);
   } else if (!options.quiet) {
-    out() << report::terminal_report(findings, options.database, width())
-          << report::terminal_answers(findings, answers);
+    out() << (answers.none() ? report::terminal_report(findings, options.database, width())
+                             : report::terminal_answers(findings, answers));
   }
   return findings.good() ? kSuccess : findings.open() ? kOtherFailure : kGoalMissed;
 }

@@ -10,6 +10,7 @@
 #include "elsie/process/text_table.h"
 
 #include "numbers.h"
+#include "words.h"
 
 namespace elsie::report {
 
@@ -187,7 +188,13 @@ std::string terminal_answers(const Findings& findings, const Answers& answers) {
       text += "warning: " + warning + "\n";
     }
   }
-  return text;
+  if (text.empty()) {
+    return text;
+  }
+  if (!findings.good()) {
+    text += "\n" + answer_in_words(findings) + "; the report without questions has the details\n";
+  }
+  return text.substr(1);  // of the empty line before each part, the first
 }
 
 }  // namespace elsie::report

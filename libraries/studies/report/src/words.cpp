@@ -45,6 +45,72 @@ std::string missing_in_words(const Findings& findings) {
          (findings.results.shard == "1/1" ? "" : ", which is shard " + findings.results.shard);
 }
 
+namespace {
+
+// Reservations about an answer, in addition to its expectations: "2 runs ended abnormally and 1 is
+// still to be done"; "" for none.
+std::string reservations(const Findings& findings) {
+  std::vector<std::string> parts;
+  if (const std::size_t broken = findings.broken(); broken > 0) {
+    parts.push_back(counted(broken, "run") + " ended abnormally");
+  }
+  if (const std::size_t pending = findings.pending(); pending > 0) {
+    parts.push_back(
+        (parts.empty() ? counted(pending, "run is", "runs are") : counted(pending, "is", "are")) +
+        " still to be done");
+  }
+  if (findings.partial()) {
+    parts.push_back(missing_in_words(findings));
+  }
+  if (!findings.disagreements.empty()) {
+    parts.push_back("equal seeds gave different runs");
+  }
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string answer_in_words(const Findings& findings) {
+  const auto& verdicts = findings.verdicts;
+  std::size_t met = 0, open = 0;
+  for (const Verdict& verdict : verdicts) {
+    met += verdict.met() ? 1 : 0;
+    open += verdict.open() ? 1 : 0;
+  }
+  const std::size_t missed = verdicts.size() - met - open;
+  const bool none_done = findings.runs() > 0 && findings.pending() == findings.runs();
+  std::string words;
+  if (none_done) {
+    words = "No run is done yet";
+  } else if (verdicts.empty()) {
+    words = findings.pending() > 0                 ? "Not all runs are done"
+            : findings.partial()                   ? "Not all runs are in this database"
+            : findings.broken() == findings.runs() ? "No run ended normally"
+            : findings.broken() > 0                ? "Not all runs ended normally"
+            : findings.good()                      ? "Every run ended normally"
+                                                   : "Equal seeds gave different runs";
+  } else if (met == verdicts.size()) {
+    words = verdicts.size() == 1 ? "The expectation is met"
+                                 : "All " + std::to_string(met) + " expectations are met";
+    if (!findings.good()) {
+      words += ", but " + reservations(findings);
+    }
+  } else {
+    const auto part = [](std::size_t count, const std::string& of, const char* what) {
+      return std::to_string(count) + of + (count == 1 ? " is " : " are ") + what;
+    };
+    const std::string of = " of " + counted(verdicts.size(), "expectation");
+    words = missed == 0 ? part(open, of, "not known yet")
+                        : part(missed, of, "not met") +
+                              (open > 0 ? ", and " + part(open, "", "not known yet") : "");
+  }
+  return words;
+}
+
 std::string give_ups_in_words(const Findings& findings) {
   std::size_t count = 0;
   const Run* worst = nullptr;

@@ -16,6 +16,9 @@ std::string size_in_words(const Findings& findings);
 /// "4 of 6 runs are not in this database"; for a shard, with its number.
 std::string missing_in_words(const Findings& findings);
 
+/// "All 3 expectations are met", "1 of 3 expectations is not met": the answer in a line.
+std::string answer_in_words(const Findings& findings);
+
 /// "in 2 of 6 cells all seeds gave one and the same run: nothing there is random (a, b)";
 /// "" if there are none. Names at most three cells.
 std::string one_run_in_words(const Findings& findings);
