@@ -124,9 +124,10 @@ void insert_robot(Writer& writer, std::int64_t run, const MadeRobot& robot) {
   }
 }
 
-std::string hash_of(const MadeRun& run) {
+std::string hash_of(std::size_t cell, const MadeRun& run) {
   char text[17];
-  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(run.seed));
+  std::snprintf(text, sizeof(text), "%016llx",
+                static_cast<unsigned long long>(run.seed ^ (std::uint64_t{cell} << 32)));
   return run.state_hash.empty() ? text : run.state_hash;
 }
 
@@ -141,7 +142,7 @@ void insert_run(Writer& writer, std::int64_t id, std::size_t cell, const MadeRun
                          {"message", or_null(run.message)},
                          {"steps", done ? Json(12345) : Json(nullptr)},
                          {"simulated_s", done ? Json(123.45) : Json(nullptr)},
-                         {"state_hash", done ? Json(hash_of(run)) : Json(nullptr)},
+                         {"state_hash", done ? Json(hash_of(cell, run)) : Json(nullptr)},
                          {"signal", or_null(run.signal)},
                          {"plugin", or_null(run.plugin)},
                          {"robot", or_null(run.robot)},

@@ -36,7 +36,7 @@ struct MadeRun {
   std::string outcome = "success";  // only of runs that are done
   std::string message;
   std::map<std::string, std::optional<double>> measures;
-  std::string state_hash{};  // empty: it follows from the seed
+  std::string state_hash{};  // empty: it follows from the cell and the seed
   std::string signal, plugin, robot, log;
   std::optional<std::int64_t> step;
   std::vector<MadeRobot> robots;

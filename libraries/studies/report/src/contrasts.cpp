@@ -12,6 +12,7 @@
 #include "elsie/base/words.h"
 #include "elsie/output/clean_text.h"
 
+#include "copies.h"
 #include "numbers.h"
 #include "split.h"
 
@@ -22,6 +23,7 @@ namespace {
 // The observations of one seed in cells that match, of both groups.
 struct Match {
   std::vector<Observed> first, second;
+  std::vector<std::size_t> originals_first, originals_second;
 };
 
 using Matches = std::map<std::uint64_t, std::map<std::vector<std::string>, Match>>;
@@ -29,18 +31,41 @@ using Matches = std::map<std::uint64_t, std::map<std::vector<std::string>, Match
 Matches match(const Findings& findings, const std::vector<Observation>& first,
               const std::vector<Observation>& second, const std::vector<std::size_t>& named) {
   Matches matches;
-  const auto add = [&](const std::vector<Observation>& all, std::vector<Observed> Match::*group) {
+  const auto add = [&](const std::vector<Observation>& all, std::vector<Observed> Match::*group,
+                       std::vector<std::size_t> Match::*originals) {
     for (const Observation& one : all) {
       std::vector<std::string> levels = findings.results.cells[one.cell].levels;
       for (const std::size_t factor : named) {
         levels[factor].clear();
       }
-      (matches[one.seed][levels].*group).push_back(one.of);
+      Match& match = matches[one.seed][levels];
+      (match.*group).push_back(one.of);
+      (match.*originals).push_back(one.original);
     }
   };
-  add(first, &Match::first);
-  add(second, &Match::second);
+  add(first, &Match::first, &Match::originals_first);
+  add(second, &Match::second, &Match::originals_second);
   return matches;
+}
+
+// Whether all matching runs are the same bit by bit, and their values too.
+bool are_same(const Matches& matches) {
+  for (const auto& [seed, by_levels] : matches) {
+    for (const auto& [levels, one] : by_levels) {
+      std::vector<std::size_t> all = one.originals_first;
+      all.insert(all.end(), one.originals_second.begin(), one.originals_second.end());
+      const auto is_first = [&](const Observed& each) {
+        return each.value == one.first.front().value && each.bound == one.first.front().bound;
+      };
+      if (one.first.empty() || one.second.empty() ||
+          std::count(all.begin(), all.end(), all.front()) != std::ssize(all) ||
+          !std::all_of(one.first.begin(), one.first.end(), is_first) ||
+          !std::all_of(one.second.begin(), one.second.end(), is_first)) {
+        return false;
+      }
+    }
+  }
+  return !matches.empty();
 }
 
 double mean_value(const std::vector<Observed>& all) {
@@ -187,8 +212,10 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
                                  const Group& first, const Group& second,
                                  const std::vector<std::size_t>& named) {
   const Balance balance = balanced(findings, response, {first.cells, second.cells}, named);
-  const std::vector<Observation> of_first = observations(findings, response, balance, 0, true);
-  const std::vector<Observation> of_second = observations(findings, response, balance, 1, true);
+  const auto different = [&](std::size_t group) {
+    return without_copies(observations(findings, response, balance, group, true));
+  };
+  const std::vector<Observation> of_first = different(0), of_second = different(1);
   if (of_first.empty() || of_second.empty()) {
     return std::nullopt;
   }
@@ -240,7 +267,9 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
   const auto all = [&](std::size_t group) {
     return observations(findings, response, balance, group, false);
   };
-  pair_up(findings, match(findings, all(0), all(1), named), bounds, found);
+  const Matches matches = match(findings, all(0), all(1), named);
+  found.same = are_same(matches);
+  pair_up(findings, matches, bounds, found);
   if (found.certain) {
     found.effect.interval.reset();
     found.interval.reset();
@@ -256,7 +285,7 @@ void correct(std::vector<Contrast>& contrasts) {
   std::vector<Contrast*> tested;
   std::vector<double> pooled, paired;
   for (Contrast& one : contrasts) {
-    if (!one.certain) {
+    if (one.is_tested()) {
       tested.push_back(&one);
       pooled.push_back(one.pooled_p);
       paired.push_back(one.paired.p);
@@ -340,7 +369,7 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
            " only, and a comparison needs at least two; run the experiment with more seeds");
   }
   std::vector<Contrast> all;
-  bool equal = true;
+  bool equal = true, same = true;
   std::string incomplete;
   for (const Response& response : responses(findings)) {
     const Balance balance = balanced(findings, response, {a.cells, b.cells}, named);
@@ -349,7 +378,8 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
       continue;
     }
     if (auto one = contrast(findings, response, a, b, named)) {
-      equal &= one->equal;
+      equal &= one->equal || one->same;
+      same &= one->same;
       all.push_back(std::move(*one));
     }
   }
@@ -362,6 +392,11 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
   if (all.empty()) {
     refuse("no measure has a value in both '" + output::one_line(first) + "' and '" +
            output::one_line(second) + "'; compare cells with runs that ended normally");
+  }
+  if (same) {
+    refuse("the runs of '" + output::one_line(first) + "' and '" + output::one_line(second) +
+           "' are the same, bit by bit: what tells them apart had no effect, so there is nothing "
+           "to compare");
   }
   if (equal) {
     refuse("all runs of '" + output::one_line(first) + "' and '" + output::one_line(second) +
@@ -399,8 +434,8 @@ std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>
     if (with_response) {
       row.insert(row.begin(), output::one_line(one.response.name));
     }
-    if (one.equal) {
-      row.emplace_back("equal");
+    if (one.same || one.equal) {
+      row.emplace_back(one.same ? "the same runs" : "equal");
     } else {
       row.push_back(one.difference
                         ? brief(*one.difference, 3) +
@@ -410,8 +445,8 @@ std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>
       if (with_g) {
         row.push_back(effect_text(one.g));
       }
-      row.push_back(one.certain ? "-" : p_text(one.paired_holm));
-      row.push_back(one.certain ? "-" : p_text(one.pooled_holm));
+      row.push_back(one.is_tested() ? p_text(one.paired_holm) : "-");
+      row.push_back(one.is_tested() ? p_text(one.pooled_holm) : "-");
     }
     rows.push_back(std::move(row));
   }

@@ -10,6 +10,7 @@
 #include "elsie/base/words.h"
 #include "elsie/output/clean_text.h"
 
+#include "copies.h"
 #include "numbers.h"
 #include "split.h"
 
@@ -297,13 +298,14 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
                  " with values; a model cannot have more coefficients than cells: name fewer "
                  "terms");
   }
-  model.runs = runs.size();
+  model.weights = shares_of(runs);
+  model.runs = without_copies(runs).size();
   if (model.response.measure) {
     std::vector<double> values;
     for (const Observation& run : runs) {
       values.push_back(run.of.value);
     }
-    LinearFit fit = fit_linear(terms, values, kConfidence);
+    LinearFit fit = fit_linear(terms, values, kConfidence, model.weights);
     warn(fit, model.warnings);
     const auto [least, largest] = std::minmax_element(values.begin(), values.end());
     if (fit.deviation <= kRoundingOfRuns * std::max(std::abs(*least), std::abs(*largest))) {
@@ -316,7 +318,7 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     for (const Observation& run : runs) {
       values.push_back(run.of.value != 0.0);
     }
-    LogisticFit fit = fit_logistic(terms, values, kConfidence);
+    LogisticFit fit = fit_logistic(terms, values, kConfidence, model.weights);
     warn(fit, model.warnings);
     if (fit.perfect) {
       model.warnings.emplace_back(
@@ -369,20 +371,24 @@ std::vector<RateGroup> rate_groups(const FactorModel& model) {
   }
   const auto tenth = [&](std::size_t i) { return i * kMostRateGroups / order.size(); };
   std::vector<RateGroup> groups;
-  std::size_t start = 0;  // of the last group
+  std::vector<double> weights;  // of the groups
+  std::size_t start = 0;        // of the last group
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i == 0 || (is_new(i) && (rates <= kMostRateGroups || tenth(i) != tenth(start)))) {
       groups.emplace_back();
+      weights.push_back(0.0);
       start = i;
     }
     RateGroup& group = groups.back();
     group.fitted += fit.fitted[order[i]];
     group.observed.hits += fit.fitted[order[i]] + fit.residuals[order[i]] > 0.5 ? 1 : 0;
     ++group.observed.trials;
+    weights.back() += model.weights[order[i]];
   }
-  for (RateGroup& group : groups) {
-    group.fitted /= static_cast<double>(group.observed.trials);
-    group.interval = wilson_interval(group.observed.hits, group.observed.trials, kConfidence);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    groups[i].fitted /= static_cast<double>(groups[i].observed.trials);
+    groups[i].interval =
+        wilson_interval_of_rate(groups[i].observed.rate(), weights[i], kConfidence);
   }
   return groups;
 }

@@ -116,7 +116,7 @@ std::vector<Observation> observations(const Findings& findings, const Response& 
     for (const std::size_t place : findings.cells[cell].runs) {
       const Run& run = findings.results.runs[place];
       if (const auto of = observed(findings, response, run)) {
-        all.push_back({run.seed, cell, *of});
+        all.push_back({run.seed, cell, *of, findings.originals[place]});
       }
     }
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "elsie/report/survival.h"
@@ -135,8 +137,14 @@ void sort_out_runs(Findings& findings) {
   const Results& results = findings.results;
   findings.cells.resize(results.cells.size());
   std::map<std::pair<std::size_t, std::uint64_t>, std::vector<std::size_t>> alike;
+  std::map<std::tuple<std::uint64_t, std::string, std::uint64_t>, std::size_t> first_of;
   for (std::size_t i = 0; i < results.runs.size(); ++i) {
     const Run& run = results.runs[i];
+    const bool is_known = run.state == RunState::done && run.state_hash;
+    findings.originals.push_back(
+        is_known ? first_of.try_emplace({run.seed, *run.state_hash, run.steps.value_or(0)}, i)
+                       .first->second
+                 : i);
     CellFindings& cell = findings.cells[run.cell];
     std::vector<std::size_t>& same = alike[{run.cell, run.seed}];
     if (same.empty()) {

@@ -5,6 +5,7 @@
 #include "elsie/output/clean_text.h"
 #include "elsie/report/report.h"
 
+#include "copies.h"
 #include "words.h"
 
 namespace elsie::report {
@@ -122,6 +123,7 @@ Json json_of(const Margin& margin) {
     interval[1] = nullptr;
   }
   return {{"runs", margin.runs},
+          {"effective_runs", margin.effective},
           {"seeds", margin.seeds},
           {"dropped_seeds", margin.dropped_seeds},
           {"dropped_cells", margin.dropped_cells},
@@ -132,12 +134,13 @@ Json json_of(const Margin& margin) {
 }
 
 Json json_of(const Contrast& one) {
-  const auto p = [&](double value) { return one.certain ? Json(nullptr) : Json(value); };
+  const auto p = [&](double value) { return one.is_tested() ? Json(value) : Json(nullptr); };
   return {
       {"measure", output::clean(one.response.name)},
       {"first", json_of(one.of_first)},
       {"second", json_of(one.of_second)},
       {"seeds", one.seeds},
+      {"same_runs", one.same},
       {"difference", or_null(one.difference)},
       {"difference_interval", json_of(one.interval)},
       {"seed_test", "signed_rank"},
@@ -196,6 +199,17 @@ Json json_of(const FactorModel& model) {
   }
   json["warnings"] = model.warnings;
   return json;
+}
+
+Json copies_json(const Findings& findings) {
+  Json factors = Json::array();
+  for (const Copies& one : copies_by_factor(findings)) {
+    factors.push_back({{"factor", output::clean(one.factor)},
+                       {"cases", one.cases},
+                       {"all_same", one.all_same},
+                       {"some_same", one.some_same}});
+  }
+  return {{"copies", count_copies(findings)}, {"factors", std::move(factors)}};
 }
 
 // Members that are there only if they were asked for.
@@ -297,6 +311,7 @@ std::string json_report(const Findings& findings, const Answers& answers) {
               {"broken", findings.broken()},
               {"pending", findings.pending()},
               {"missing", findings.missing()},
+              {"same_runs", copies_json(findings)},
               {"confidence", kConfidence},
               {"measures", std::move(measures)},
               {"cells", std::move(cells)},

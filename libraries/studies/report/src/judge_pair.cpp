@@ -36,6 +36,18 @@ std::vector<Pair> pairs_of(const Judging& judging, std::size_t cell, std::size_t
   return all;
 }
 
+// Whether both cells gave the same runs, bit by bit: what tells them apart had no effect.
+bool are_same(const Judging& judging, std::size_t cell, std::size_t reference) {
+  const auto originals = [&](std::size_t of) {
+    std::map<std::uint64_t, std::size_t> by_seed;
+    for (const std::size_t run : judging.findings.cells[of].runs) {
+      by_seed[judging.results.runs[run].seed] = judging.findings.originals[run];
+    }
+    return by_seed;
+  };
+  return originals(cell) == originals(reference);
+}
+
 std::string no_pair(const Judging& judging, std::size_t cell, std::size_t reference) {
   for (const std::size_t each : {cell, reference}) {
     if (const auto values = judging.values_of(each); values.empty()) {
@@ -109,8 +121,13 @@ Claim judge_pair(const Judging& judging, std::size_t cell, std::optional<std::si
         cell, "that of " + judging.label(*reference) + " has no value to compare it with");
   }
   claim.holds = judging.keeps(*claim.value);
+  // Of the same runs, all pairs are equal: nothing about their difference is random.
+  const bool same = are_same(judging, cell, *reference) &&
+                    std::all_of(pairs.begin(), pairs.end(),
+                                [](const Pair& pair) { return pair.cell == pair.reference; });
   if (judging.expectation.confidence) {
-    claim.interval = interval_of(judging, pairs);
+    claim.interval =
+        same ? std::optional(Interval{*claim.value, *claim.value}) : interval_of(judging, pairs);
     claim.holds = judging.keeps(claim.interval);
   }
   claim.found = judging.subject.words + " of " + judging.label(cell) + " is " +
@@ -122,6 +139,7 @@ Claim judge_pair(const Judging& judging, std::size_t cell, std::optional<std::si
                 judging.with_unit(*theirs) + ", " + judging.basis(others) +
                 judging.reservations(*reference) +
                 left_out(judging, cell, *reference, pairs.size()) +
+                (same ? "; the same runs, bit by bit" : "") +
                 (ratio && pairs.size() > 1 && !claim.interval && judging.expectation.confidence
                      ? "; no interval, as that of " + judging.label(*reference) + " may be 0"
                      : judging.interval_in_words(claim.interval)) +

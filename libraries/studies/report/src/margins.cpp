@@ -6,6 +6,7 @@
 #include "elsie/base/words.h"
 #include "elsie/output/clean_text.h"
 
+#include "copies.h"
 #include "numbers.h"
 
 namespace elsie::report {
@@ -60,22 +61,23 @@ void keep_matches(const Findings& findings, const std::vector<std::size_t>& name
 // Cells that are one run are known exactly: the others have all of the uncertainty.
 std::optional<Interval> rate_interval(const Findings& findings,
                                       const std::vector<Observation>& all) {
-  double known = 0.0;
-  Frequency others;
+  double known = 0.0, hits = 0.0;
+  std::vector<Observation> others;
   for (const Observation& one : all) {
     if (findings.cells[one.cell].one_run) {
       known += one.of.value;
     } else {
-      others.hits += one.of.value != 0.0 ? 1 : 0;
-      ++others.trials;
+      hits += one.of.value;
+      others.push_back(one);
     }
   }
-  if (others.trials == 0) {
+  if (others.empty()) {
     return std::nullopt;
   }
-  const Interval own = wilson_interval(others.hits, others.trials, kConfidence);
+  const auto trials = static_cast<double>(others.size());
+  const Interval own = wilson_interval_of_rate(hits / trials, effective_count(others), kConfidence);
   const auto count = static_cast<double>(all.size());
-  const double part = static_cast<double>(others.trials) / count;
+  const double part = trials / count;
   return Interval{known / count + part * own.low, known / count + part * own.high};
 }
 
@@ -112,6 +114,10 @@ Balance balanced(const Findings& findings, const Response& response,
     } else {
       ++balance.dropped_seeds;
     }
+  }
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    const std::vector<Observation> all = observations(findings, response, balance, group, true);
+    balance.copies += all.size() - without_copies(all).size();
   }
   return balance;
 }
@@ -150,6 +156,11 @@ std::vector<std::string> notes_on(const Balance& balance) {
   } else if (balance.one_run > 0) {
     notes.push_back("all seeds of " + counted(balance.one_run, "cell") +
                     " gave one and the same run, which counts once in a pooled test");
+  }
+  if (balance.copies > 0 && !balance.certain()) {
+    notes.push_back(counted(balance.copies, "run repeats", "runs repeat") +
+                    " another one bit by bit, and count" + (balance.copies == 1 ? "s" : "") +
+                    " once with it in a pooled test, a model and an interval");
   }
   return notes;
 }
@@ -202,6 +213,7 @@ Margin margin_of(const Findings& findings, const Response& response, const Balan
   if (all.empty()) {
     return margin;
   }
+  margin.effective = effective_count(all);
   const auto& cells = balance.groups[group];
   const auto fixed = std::count_if(cells.begin(), cells.end(),
                                    [&](std::size_t cell) { return findings.cells[cell].one_run; });
@@ -220,7 +232,8 @@ Margin margin_of(const Findings& findings, const Response& response, const Balan
     return margin;
   }
   if (balance.medians) {
-    const SurvivalCurve curve = survival_of(observed, kConfidence);
+    const SurvivalCurve curve =
+        survival_of(observed, kConfidence, static_cast<double>(all.size()) / margin.effective);
     margin.centre = curve.median;
     margin.interval = fixed > 0 ? std::nullopt : curve.median_interval;
     if (!margin.centre && !margin.interval) {

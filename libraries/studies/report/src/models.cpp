@@ -56,6 +56,12 @@ Design design_of(std::span<const Term> terms, std::size_t rows) {
   return design;
 }
 
+// The weights as a vector, 1 for each row if there are none.
+VectorXd weights_of(std::span<const double> weights, Eigen::Index rows) {
+  return weights.empty() ? VectorXd::Ones(rows)
+                         : VectorXd(Eigen::Map<const VectorXd>(weights.data(), rows));
+}
+
 void require_observations(const Design& design, std::size_t rows) {
   const auto terms = static_cast<std::size_t>(design.columns.cols());
   if (rows <= terms) {
@@ -74,23 +80,27 @@ MatrixXd inverse_square(const Eigen::HouseholderQR<MatrixXd>& qr, Eigen::Index s
 }
 
 // The inflation of a coefficient: its variance relative to that of its column alone.
-std::optional<double> inflation_of(const Design& design, const MatrixXd& inverse,
-                                   Eigen::Index index) {
+std::optional<double> inflation_of(const Design& design, const VectorXd& weights,
+                                   const MatrixXd& inverse, Eigen::Index index) {
   if (index == 0) {
     return std::nullopt;
   }
   const VectorXd column = design.columns.col(index);
-  return inverse(index, index) * (column.array() - column.mean()).square().sum();
+  const double mean = weights.dot(column) / weights.sum();
+  return inverse(index, index) * weights.dot((column.array() - mean).square().matrix());
 }
 
 }  // namespace
 
-LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values,
-                     double confidence) {
+LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values, double confidence,
+                     std::span<const double> weights) {
   const Design design = design_of(terms, values.size());
-  require_observations(design, values.size());
+  const VectorXd w = weights_of(weights, std::ssize(values)), roots = w.cwiseSqrt();
+  const auto observations = static_cast<std::size_t>(std::lround(w.sum()));
+  require_observations(design, observations);
   const VectorXd y = Eigen::Map<const VectorXd>(values.data(), std::ssize(values));
-  const double all = (y.array() - y.mean()).square().sum();
+  const double mean = w.dot(y) / w.sum();
+  const double all = w.dot((y.array() - mean).square().matrix());
   if (are_equal(y.minCoeff(), y.maxCoeff())) {
     throw std::invalid_argument(
         "all " + std::to_string(values.size()) +
@@ -98,19 +108,19 @@ LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values
         "explain; choose a measure that varies");
   }
   const Eigen::Index size = design.columns.cols();
-  const Eigen::HouseholderQR<MatrixXd> qr(design.columns);
-  const VectorXd found = qr.solve(y);
+  const Eigen::HouseholderQR<MatrixXd> qr(roots.asDiagonal() * design.columns);
+  const VectorXd found = qr.solve(roots.cwiseProduct(y));
   const VectorXd fitted = design.columns * found;
   const VectorXd residuals = y - fitted;
-  const double rest = residuals.squaredNorm();
+  const double rest = w.dot(residuals.cwiseAbs2());
 
   LinearFit fit;
   fit.left_out = design.left_out;
   fit.fitted.assign(fitted.begin(), fitted.end());
   fit.residuals.assign(residuals.begin(), residuals.end());
-  fit.freedom = values.size() - static_cast<std::size_t>(size);
+  fit.freedom = observations - static_cast<std::size_t>(size);
   const auto freedom = static_cast<double>(fit.freedom);
-  const auto count = static_cast<double>(values.size());
+  const auto count = static_cast<double>(observations);
   fit.r_squared = 1.0 - rest / all;
   fit.adjusted_r_squared = 1.0 - (rest / freedom) / (all / (count - 1.0));
   fit.deviation = std::sqrt(rest / freedom);
@@ -131,16 +141,18 @@ LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values
     one.error = fit.deviation * std::sqrt(inverse(i, i));
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
     one.p = perfect ? 0.0 : student_two_sided(one.estimate / one.error, freedom);
-    one.inflation = inflation_of(design, inverse, i);
+    one.inflation = inflation_of(design, w, inverse, i);
     fit.coefficients.push_back(std::move(one));
   }
   return fit;
 }
 
 LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& successes,
-                         double confidence) {
+                         double confidence, std::span<const double> weights) {
   const Design design = design_of(terms, successes.size());
-  require_observations(design, successes.size());
+  const VectorXd w = weights_of(weights, std::ssize(successes)), shares = w.cwiseSqrt();
+  const auto observations = static_cast<std::size_t>(std::lround(w.sum()));
+  require_observations(design, observations);
   const auto rows = std::ssize(successes);
   VectorXd y(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -156,7 +168,7 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     double sum = 0.0;
     for (Eigen::Index i = 0; i < rows; ++i) {
       const double right = y(i) > 0.5 ? p(i) : 1.0 - p(i);
-      sum -= 2.0 * std::log(std::max(right, std::numeric_limits<double>::min()));
+      sum -= 2.0 * w(i) * std::log(std::max(right, std::numeric_limits<double>::min()));
     }
     return sum;
   };
@@ -174,8 +186,8 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     const VectorXd line = design.columns * found;
     p = (1.0 + (-line.array()).exp()).inverse().matrix();
     const VectorXd roots = (p.array() * (1.0 - p.array())).max(1e-14).sqrt().matrix();
-    const MatrixXd weighted = roots.asDiagonal() * design.columns;
-    const VectorXd off = ((y - p).array() / roots.array()).matrix();
+    const MatrixXd weighted = roots.cwiseProduct(shares).asDiagonal() * design.columns;
+    const VectorXd off = (shares.array() * (y - p).array() / roots.array()).matrix();
     const Eigen::HouseholderQR<MatrixXd> qr(weighted);
     step = qr.solve(off);
     inverse = inverse_square(qr, size);
@@ -192,15 +204,15 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
   const VectorXd residuals = y - p;
   fit.residuals.assign(residuals.begin(), residuals.end());
   fit.deviance = deviance_of(p);
-  fit.null_deviance = deviance_of(VectorXd::Constant(rows, y.mean()));
-  fit.freedom = successes.size() - static_cast<std::size_t>(size);
+  fit.null_deviance = deviance_of(VectorXd::Constant(rows, w.dot(y) / w.sum()));
+  fit.freedom = observations - static_cast<std::size_t>(size);
   if (size > 1) {
     fit.p = chi_squared_above(std::max(0.0, fit.null_deviance - fit.deviance),
                               static_cast<double>(size - 1));
   }
   fit.perfect = fit.deviance <= kPerfect * fit.null_deviance;
   const double reach = normal_reach(confidence);
-  const Eigen::HouseholderQR<MatrixXd> plain(design.columns);
+  const Eigen::HouseholderQR<MatrixXd> plain(shares.asDiagonal() * design.columns);
   const MatrixXd unweighted = inverse_square(plain, size);
   for (Eigen::Index i = 0; i < size; ++i) {
     Coefficient one;
@@ -209,7 +221,7 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     one.error = std::sqrt(inverse(i, i));
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
     one.p = normal_two_sided(one.estimate / one.error);
-    one.inflation = inflation_of(design, unweighted, i);
+    one.inflation = inflation_of(design, w, unweighted, i);
     const double largest = design.columns.col(i).cwiseAbs().maxCoeff();
     if (fit.perfect || std::abs(step(i)) * largest > kMoves || one.error * largest > kHugeError) {
       fit.separated.push_back(one.name);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "copies.h"
 #include "markup.h"
 #include "numbers.h"
 #include "page.h"
@@ -277,10 +278,12 @@ std::string figures(const PageContext& page) {
 }  // namespace
 
 std::string comparison_sections(const PageContext& page) {
-  std::string note = one_run_in_words(page.findings);
-  if (!note.empty()) {
-    note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
-    note = "<p class=\"quiet\">" + escaped(note) + ".</p>";
+  std::string notes;
+  for (std::string note : {one_run_in_words(page.findings), copies_in_words(page.findings)}) {
+    if (!note.empty()) {
+      note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
+      notes += "<p class=\"quiet\">" + escaped(note) + ".</p>";
+    }
   }
   return "<section id=\"success\"><h2>Success</h2><p class=\"lead\">" +
          std::string(!page.findings.any_goals()   ? kNoGoalsLead
@@ -294,7 +297,7 @@ std::string comparison_sections(const PageContext& page) {
                                                     kRateSize))
               : "") +
          "</section>\n<section id=\"comparison\"><h2>Comparison</h2><p class=\"lead\">" +
-         (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) + note +
+         (page.findings.measures.empty() ? kNoValues : kTableLead) + "</p>" + table(page) + notes +
          "</section>\n" + figures(page);
 }
 

@@ -104,15 +104,18 @@ Interval wilson_interval(std::size_t successes, std::size_t trials, double confi
   if (trials == 0) {
     return {0.0, 1.0};
   }
-  const double z = normal_reach(confidence);
   const auto n = static_cast<double>(trials);
-  const double p = static_cast<double>(successes) / n;
+  return wilson_interval_of_rate(static_cast<double>(successes) / n, n, confidence);
+}
+
+Interval wilson_interval_of_rate(double p, double n, double confidence) {
+  const double z = normal_reach(confidence);
   const double shrink = 1.0 + z * z / n;
   const double middle = (p + z * z / (2.0 * n)) / shrink;
   const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n)) / shrink;
   // At the ends, the formula gives 0 and 1 up to rounding.
-  return {successes == 0 ? 0.0 : std::max(0.0, middle - half),
-          successes == trials ? 1.0 : std::min(1.0, middle + half)};
+  return {p <= 0.0 ? 0.0 : std::max(0.0, middle - half),
+          p >= 1.0 ? 1.0 : std::min(1.0, middle + half)};
 }
 
 std::optional<double> boundless_relation(Relation relation, Statistic statistic,

@@ -60,7 +60,7 @@ std::size_t SurvivalCurve::at_risk(double time) const {
   return 0;
 }
 
-SurvivalCurve survival_of(std::span<const Observed> times, double confidence) {
+SurvivalCurve survival_of(std::span<const Observed> times, double confidence, double copies) {
   std::vector<Observed> sorted(times.begin(), times.end());
   std::sort(sorted.begin(), sorted.end(),
             [](const Observed& a, const Observed& b) { return a.value < b.value; });
@@ -80,7 +80,7 @@ SurvivalCurve survival_of(std::span<const Observed> times, double confidence) {
       greenwood += events / (risk * (risk - events));
     }
     step.survival = survival;
-    step.interval = loglog_interval(survival, greenwood, z);
+    step.interval = loglog_interval(survival, copies * greenwood, z);
     curve.steps.push_back(step);
   }
   curve.median = median_of(curve.steps);

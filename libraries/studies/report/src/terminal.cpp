@@ -9,6 +9,7 @@
 #include "elsie/process/text_table.h"
 #include "elsie/report/report.h"
 
+#include "copies.h"
 #include "numbers.h"
 #include "words.h"
 
@@ -252,6 +253,9 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   }
   text += legend(findings);
   if (const std::string note = one_run_in_words(findings); !note.empty()) {
+    text += '\n' + output::one_line(note) + '\n';
+  }
+  if (const std::string note = copies_in_words(findings); !note.empty()) {
     text += '\n' + output::one_line(note) + '\n';
   }
   if (const std::string note = give_ups_in_words(findings); !note.empty()) {

@@ -25,10 +25,13 @@ struct Contrast {
   bool equal = false;  // all values of both groups are_equal(), and known
   /// Each cell gave one and the same run for all its seeds: no intervals, and no p-values.
   bool certain = false;
+  /// The runs of both groups are the same bit by bit: what tells them apart has no effect.
+  bool same = false;
   std::vector<std::string> notes;  // what was left out: see notes_on()
 
   // All runs of one group that count against all of the other, as if all were independent. A cell
-  // whose seeds all gave one and the same run counts once.
+  // whose seeds all gave one and the same run counts once, and so do runs of a group that are the
+  // same bit by bit.
   Effect effect;            // the odds ratio of success; Cliff's delta of a measure
   std::optional<Effect> g;  // Hedges'; none for success, with bounds, without spread
   double pooled_p = 1.0;    // of Fisher's test; of the rank test
@@ -43,6 +46,8 @@ struct Contrast {
   /// above the other.
   PairTest paired;
   double paired_holm = 1.0;
+
+  bool is_tested() const { return !certain && !same; }
 };
 
 /// Of the cells and seeds that balanced() leaves. Cells match if they have the same levels of all

@@ -14,9 +14,11 @@ namespace elsie::report {
 
 struct FactorModel {
   Response response;
-  std::string formula;  // "time_s ~ max_speed + coordinator"
-  std::size_t runs = 0;
-  std::vector<std::size_t> cells;              // of each run
+  std::string formula;   // "time_s ~ max_speed + coordinator"
+  std::size_t runs = 0;  // different ones
+  /// The cell and the weight of each observation: copies of a run share its weight of 1.
+  std::vector<std::size_t> cells{};
+  std::vector<double> weights{};
   std::variant<LinearFit, LogisticFit> fit{};  // logistic of success
   std::vector<std::string> warnings;           // sentences
 };
@@ -28,7 +30,8 @@ inline constexpr std::size_t kMostCoefficients = 100;
 /// whose levels are numbers is one term, its distance from its mean; any other factor has a term
 /// for each level but the first, of success for each but the first with successes and failures.
 /// Each run of the seeds that have a value in each cell counts as an independent observation; a
-/// cell whose seeds all gave one and the same run counts once. Throws std::invalid_argument, with a
+/// cell whose seeds all gave one and the same run counts once, and runs of several cells that are
+/// the same bit by bit count together as one. Throws std::invalid_argument, with a
 /// sentence, for a formula that names what is not there, more coefficients than cells, runs of one
 /// seed only, equal values, and values that are only bounds.
 FactorModel factor_model(const Findings& findings, const std::string& formula);

@@ -47,6 +47,7 @@ struct Observation {
   std::uint64_t seed = 0;
   std::size_t cell = 0;
   Observed of;
+  std::size_t original = 0;  // the run that it repeats, or itself: see Findings::originals
 };
 
 /// The values of the runs of these cells, in the order of the cells and runs. Success is 1 or 0 of

@@ -117,6 +117,9 @@ struct Findings {
   std::vector<std::size_t> measures;  // to be shown, in order; indices into Results::measures
   std::vector<double> largest;        // value of each of these in all runs; -infinity: none
   std::vector<CellFindings> cells;    // parallel to Results::cells
+  /// For each run, the first one that it repeats bit by bit, itself if there is none: a run with
+  /// the same seed, state hash and number of steps, in any cell. Indices into Results::runs.
+  std::vector<std::size_t> originals;
   std::vector<Disagreement> disagreements;
   std::vector<Verdict> verdicts;
 

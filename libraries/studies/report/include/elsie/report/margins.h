@@ -29,6 +29,7 @@ struct Balance {
   bool confounded = false;
   std::size_t cells = 0;    // that count
   std::size_t one_run = 0;  // of them, those whose seeds all gave one and the same run
+  std::size_t copies = 0;   // runs that repeat another one of their group, bit by bit
   /// True if a run of any cell has only a bound: all centres of the response are medians.
   bool medians = false;
 
@@ -59,6 +60,7 @@ std::vector<std::string> notes_on_effects(const Findings& findings, const Respon
 /// Some cells together.
 struct Margin {
   std::size_t runs = 0;     // with a value, that count
+  double effective = 0.0;   // the number of independent runs that they are worth
   std::size_t cut_off = 0;  // of them, those of which only a bound is known
   std::size_t seeds = 0;    // that count
   std::size_t dropped_seeds = 0;
@@ -69,7 +71,7 @@ struct Margin {
   std::optional<double> centre;
   /// Success: Wilson's. A measure: mean_interval() of the seeds; a median: that of survival_of(),
   /// whose upper end may be infinite. Cells that are one run have no part in the uncertainty; none
-  /// if all are, and none of a median if any is.
+  /// if all are, and none of a median if any is. Copies of a run do not make it narrower.
   std::optional<Interval> interval;
   std::optional<double>
       at_least;  // the lowest of the bounds, if neither centre nor interval is known

@@ -44,11 +44,12 @@ struct LinearFit {
   double p = 1.0;
 };
 
-/// Ordinary least squares of the constant and the terms. Statistics of Student and Fisher; the
-/// observations count as independent, and their spread as equal. Throws std::invalid_argument, with
-/// a sentence, unless there are more observations than coefficients, and the values differ.
-LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values,
-                     double confidence);
+/// Least squares of the constant and the terms. Statistics of Student and Fisher; the observations
+/// count as independent, and their spread as equal. `weights`: how much each observation counts,
+/// above 0, the sum is their number; empty: 1 for each. Throws std::invalid_argument, with a
+/// sentence, unless there are more observations than coefficients, and the values differ.
+LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values, double confidence,
+                     std::span<const double> weights = {});
 
 struct LogisticFit {
   std::vector<Coefficient> coefficients;  // of the logarithm of the odds; Wald's statistics
@@ -65,8 +66,9 @@ struct LogisticFit {
   double p = 1.0;  // of all terms together: the difference of deviances
 };
 
-/// The most probable coefficients, by iterated weighted least squares. Errors as of fit_linear().
+/// The most probable coefficients, by iterated weighted least squares. `weights` and
+/// errors as of fit_linear().
 LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& successes,
-                         double confidence);
+                         double confidence, std::span<const double> weights = {});
 
 }  // namespace elsie::report

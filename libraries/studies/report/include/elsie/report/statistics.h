@@ -61,6 +61,9 @@ std::optional<double> statistic_of(Statistic statistic, std::span<const double> 
 /// (0, 1). Without trials: from 0 to 1.
 Interval wilson_interval(std::size_t successes, std::size_t trials, double confidence);
 
+/// The same for a rate that is not that of whole trials; `trials` above 0.
+Interval wilson_interval_of_rate(double rate, double trials, double confidence);
+
 /// The number of resamples of a bootstrap interval.
 inline constexpr int kResamples = 4000;
 

@@ -42,6 +42,7 @@ struct SurvivalCurve {
 /// The curve of a sample that is not empty. The intervals of its points are those of Greenwood
 /// (1926) for log(-log) of the curve, which stay between 0 and 1 (Kalbfleisch and Prentice 1980);
 /// `confidence` in (0, 1). Before the first event and where none remains, an interval is the point.
-SurvivalCurve survival_of(std::span<const Observed> times, double confidence);
+/// `copies`: how many of the times are one observation, on average; it multiplies the variance.
+SurvivalCurve survival_of(std::span<const Observed> times, double confidence, double copies = 1.0);
 
 }  // namespace elsie::report
