@@ -6,6 +6,7 @@
 #include "elsie/report/report.h"
 
 #include "copies.h"
+#include "effects.h"
 #include "words.h"
 
 namespace elsie::report {
@@ -212,6 +213,22 @@ Json copies_json(const Findings& findings) {
   return {{"copies", count_copies(findings)}, {"factors", std::move(factors)}};
 }
 
+Json effects_json(const Findings& findings) {
+  const auto effects = factor_effects(findings);
+  if (!effects) {
+    return nullptr;
+  }
+  Json factors = Json::array();
+  for (const FactorEffect& one : effects->factors) {
+    factors.push_back({{"factor", output::clean(one.factor)},
+                       {"size", or_null(one.size)},
+                       {"p", or_null(one.p)},
+                       {"may_be_chance", one.may_be_chance()},
+                       {"confounded", one.confounded}});
+  }
+  return {{"measure", output::clean(effects->response.name)}, {"factors", std::move(factors)}};
+}
+
 // Members that are there only if they were asked for.
 void add_answers(const Findings& findings, const Answers& answers, Json& all) {
   if (!answers.by.empty()) {
@@ -312,6 +329,7 @@ std::string json_report(const Findings& findings, const Answers& answers) {
               {"pending", findings.pending()},
               {"missing", findings.missing()},
               {"same_runs", copies_json(findings)},
+              {"effects", effects_json(findings)},
               {"confidence", kConfidence},
               {"measures", std::move(measures)},
               {"cells", std::move(cells)},

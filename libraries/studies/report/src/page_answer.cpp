@@ -1,9 +1,10 @@
 // The head of the page: the question and the answer.
-#include <algorithm>
+#include <cctype>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "effects.h"
 #include "markup.h"
 #include "numbers.h"
 #include "page.h"
@@ -156,7 +157,12 @@ std::string answer_section(const PageContext& page) {
   if (!results.description.empty()) {
     text += "<p class=\"lead\">" + escaped(results.description) + "</p>\n";
   }
-  text += "</header>\n<section id=\"answer\">" + headline(findings) + tiles(findings);
+  text += "</header>\n<section id=\"answer\">" + headline(findings);
+  if (std::string effects = effects_in_words(findings); !effects.empty()) {
+    effects[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(effects[0])));
+    text += "<p class=\"lead\">" + escaped(effects) + ".</p>\n";
+  }
+  text += tiles(findings);
   if (!findings.verdicts.empty()) {
     text += "<ul class=\"expectations\">\n";
     for (const Verdict& verdict : findings.verdicts) {

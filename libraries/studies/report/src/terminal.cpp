@@ -10,6 +10,7 @@
 #include "elsie/report/report.h"
 
 #include "copies.h"
+#include "effects.h"
 #include "numbers.h"
 #include "words.h"
 
@@ -247,7 +248,11 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   if (findings.pending() > 0) {
     text += "; " + std::to_string(findings.pending()) + " still to be done";
   }
-  text += "\n\n" + tables(findings, width);
+  text += '\n';
+  if (const std::string effects = effects_in_words(findings); !effects.empty()) {
+    text += output::one_line(effects) + '\n';
+  }
+  text += '\n' + tables(findings, width);
   if (!findings.measures.empty()) {
     text += "\nmean +- standard deviation over the runs of a cell that ended normally\n";
   }
