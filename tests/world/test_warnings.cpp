@@ -55,6 +55,23 @@ TEST_CASE("Settings of soft contacts on an engine that has none") {
   CHECK(warned("<physics engine='planar' erp='0.5' bounce='0.3'/>").empty());
 }
 
+TEST_CASE("What is too much for steps in the plane") {
+  const std::string planar = "<physics engine='planar'/>";
+  CHECK_THAT(
+      warned(planar + "\n<robots>\n<robot id='r1' max_speed='100'/></robots>"),
+      Contains("world.xml:3: warning: the robot 'r1' moves up to 1 m in a step at 100 m/s") &&
+          Contains("stays behind"));
+  CHECK_THAT(warned(planar + "\n<obstacles><moving_box id='ram'>"
+                             "<waypoint x='4.8' y='0'/></moving_box></obstacles>"),
+             Contains("the box 'ram' reaches into a wall at (4.8, 0), and ends the run"));
+  CHECK_THAT(warned(planar + robot("height='10'")),
+             Contains("would topple") && Contains("upright"));
+  CHECK_THAT(warned("<physics engine='planar' erp='0.001'/>"), Contains("hardly moved apart"));
+  CHECK(warned("<physics engine='planar' step='0.01'/>").empty());
+  CHECK_THAT(warned("<physics engine='planar' step='0.1'/>"),
+             Contains("a step of 0.1 s in 10 equal parts"));
+}
+
 TEST_CASE("A wheel slip of 0 matters where robots pull something") {
   const std::string train =
       "<robots><robot id='r1'><segments><segment/></segments></robot></robots>";

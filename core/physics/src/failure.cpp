@@ -12,10 +12,9 @@ std::string rough(double value) { return base::number_text(value, 4); }
 std::string sentence(const Failure& failure) {
   std::string what = failure.in_words();
   if (failure.body) {
-    const std::string number = std::to_string(failure.body->index);
     const char* const kind = failure.body->kind == BodyKind::robot ? "robot " : "box ";
     what = (failure.segment ? "segment " + std::to_string(*failure.segment) + " of " : "") + kind +
-           number + " " + what;
+           std::to_string(failure.body->index) + " " + what;
   }
   return "The physics became unstable after " + base::number_text(failure.time_s, 6) +
          " s: " + what + ". A smaller step, or less extreme masses, torques and speeds may help.";
@@ -38,6 +37,8 @@ std::string Failure::in_words() const {
     case Kind::too_fast:
       return "moves at " + rough(speed) + " m/s at " + at + ", where nothing can make it " +
              "faster than " + rough(limit) + " m/s";
+    case Kind::pressed:
+      return "has no room left at " + at + ", pressed into what is in its way";
   }
   return "the solver stopped, because numbers grew beyond all bounds or lost all their digits";
 }

@@ -19,17 +19,17 @@ std::string place_of(const base::Location& location) {
 }
 
 /// "the robot 'r1' (a.xml:7)"
-std::string name_of(const world::World& world, const physics::Failure& failure) {
-  const std::size_t index = failure.body->index;
-  if (failure.body->kind == physics::BodyKind::robot) {
-    const world::Robot& robot = world.robots.at(index);
+std::string name_of(const world::World& world, const physics::Body& body,
+                    std::optional<std::size_t> number) {
+  if (body.kind == physics::BodyKind::robot) {
+    const world::Robot& robot = world.robots.at(body.index);
     const std::string name = "the robot '" + robot.id + "'";
-    const std::size_t of_drive = failure.segment ? world::driven_plan(robot).vehicles() - 1 : 0;
-    if (!failure.segment || *failure.segment < of_drive) return name + place_of(robot.location);
-    const world::Segment& segment = robot.segments.at(*failure.segment - of_drive);
+    const std::size_t of_drive = number ? world::driven_plan(robot).vehicles() - 1 : 0;
+    if (!number || *number < of_drive) return name + place_of(robot.location);
+    const world::Segment& segment = robot.segments.at(*number - of_drive);
     return "the segment '" + segment.id + "' of " + name + place_of(segment.location);
   }
-  const world::Box& box = world.boxes.at(index);
+  const world::Box& box = world.boxes.at(body.index);
   return box.in_words() + place_of(box.location);
 }
 
@@ -43,18 +43,14 @@ std::vector<world::Warning> dangers(const world::World& world) {
 /// The most likely cause of a failure: a warning about the body, else about the physics, else any.
 std::string likely_cause(const world::World& world, const physics::Failure& failure) {
   const std::vector<world::Warning> all = dangers(world);
-  const auto explains = [&](About about, std::optional<std::size_t> index) {
-    return std::find_if(all.begin(), all.end(), [&](const world::Warning& warning) {
-      return warning.about == about && (!index || warning.index == *index);
-    });
+  const bool is_robot = failure.body && failure.body->kind == physics::BodyKind::robot;
+  const auto rank = [&](const world::Warning& warning) {
+    const bool is_of_body = failure.body && warning.index == failure.body->index &&
+                            warning.about == (is_robot ? About::robot : About::box);
+    return is_of_body ? 2 : warning.about == About::physics ? 1 : 0;
   };
-  auto found = all.end();
-  if (failure.body) {
-    const bool is_robot = failure.body->kind == physics::BodyKind::robot;
-    found = explains(is_robot ? About::robot : About::box, failure.body->index);
-  }
-  found = found != all.end() ? found : explains(About::physics, {});
-  found = found != all.end() ? found : all.begin();
+  const auto found = std::max_element(
+      all.begin(), all.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   if (found != all.end()) return found->message;
   switch (failure.kind) {
     case physics::Failure::Kind::outside:
@@ -108,10 +104,15 @@ void note_give_ups(const world::World& world, const physics::GiveUps& give_ups, 
 PhysicsFault fault_of(const world::World& world, const physics::Failure& failure,
                       std::uint64_t step) {
   const bool is_robot = failure.body && failure.body->kind == physics::BodyKind::robot;
-  return {is_robot ? world.robots.at(failure.body->index).id : "", step,
-          "the physics failed after " + base::seconds_text(failure.time_s) + " (step " +
-              std::to_string(step) + "): " + (failure.body ? name_of(world, failure) + " " : "") +
-              failure.in_words() + ". The likely cause: " + likely_cause(world, failure) + "."};
+  return {
+      is_robot ? world.robots.at(failure.body->index).id : "", step,
+      "the physics failed after " + base::seconds_text(failure.time_s) + " (step " +
+          std::to_string(step) +
+          "): " + (failure.body ? name_of(world, *failure.body, failure.segment) + " " : "") +
+          failure.in_words() +
+          (failure.presser ? " by " + name_of(world, *failure.presser, {}) + ", which nothing stops"
+                           : ". The likely cause: " + likely_cause(world, failure)) +
+          "."};
 }
 
 }  // namespace elsie::simulation

@@ -311,10 +311,8 @@ void OdeEngine::step() {
   prepare_ode();
   try {
     take_step();
-  } catch (const OdeFailure& stopped) {
-    Failure failure;
-    failure.detail = stopped.what();
-    fail(failure);
+  } catch (const OdeFailure&) {
+    fail({});
   }
 }
 

@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "elsie/base/number_text.h"
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/error.h"
 #include "elsie/world/footprint.h"
+
+#include "dangers.h"
 
 namespace elsie::world {
 
@@ -27,8 +30,6 @@ constexpr double kDeepestSinking = 0.1;  // of a wheel's radius, or of a box's h
 constexpr double kStrongest = 10.0;      // times the torque that tips the robot over
 constexpr double kSpinUp = 100.0;        // times the highest wheel rate, in a step
 constexpr double kMassRatio = 1e4;
-constexpr double kFarthest = 0.5;  // of a body's length, in a step
-constexpr double kSteepest = 5.0;  // ratio of the middle's height to half the base
 
 using base::number_text;
 
@@ -36,10 +37,9 @@ std::string about(double value) { return number_text(value, 3); }
 
 /// The weight, base and motors of a robot without its segments.
 struct Stance {
-  double mass = 0.0;        // kg
-  double half_base = 0.0;   // m, of its wheels and casters, ahead and behind
-  double half_track = 0.0;  // m, to either side
-  int motors = 0;           // of wheels
+  double mass = 0.0;       // kg
+  double half_base = 0.0;  // m, of its wheels and casters, ahead and behind
+  int motors = 0;          // of wheels
 };
 
 Stance stance_of(const Robot& robot) {
@@ -48,7 +48,6 @@ Stance stance_of(const Robot& robot) {
     stance.mass += part.mass;
     if (part.role != PartRole::chassis) {
       stance.half_base = std::max(stance.half_base, std::abs(part.frame.origin.x));
-      stance.half_track = std::max(stance.half_track, std::abs(part.frame.origin.y));
     }
     const auto* wheel = std::get_if<WheelJoint>(&part.joint);
     stance.motors += wheel && wheel->torque > 0.0 ? 1 : 0;
@@ -156,16 +155,15 @@ class Search {
                   (p.kp && p.kd ? " from kp and kd" : "") + "; expected at most " + about(most));
   }
 
-  void crossing(const Subject& body, double speed, double size) {
-    const double way = speed * world_.physics.step;
-    if (way > kFarthest * size) {
-      add(body,
-          body.name + " moves up to " + about(way) + " m in a step at " + number_text(speed) +
-              " m/s, more than half its size of " + number_text(size) +
-              " m, and may pass into or through what stands in its way; expected a step of at "
-              "most " +
-              about(kFarthest * size / speed) + " s");
+  void add(const Subject& subject, const std::optional<std::string>& message) {
+    if (message) {
+      add(subject, *message);
     }
+  }
+
+  void crossing(const Subject& body, double speed, double size) {
+    add(body, physics::danger_of_speed(body.name, speed, size, world_.physics.step,
+                                       ", and may pass into or through what stands in its way"));
   }
 
   void robot(const Robot& robot, const Stance& stance, const Subject& subject) {
@@ -201,14 +199,7 @@ class Search {
       ratio(pulled, pulled.name, segment.mass, "the robot", mass);
       sinking(pulled, segment.mass, std::min(segment.wheel_radius, segment.clearance));
     }
-    const double height = body.clearance + 0.5 * body.height;
-    const double base = std::min(stance.half_base, stance.half_track);
-    if (height > kSteepest * base) {
-      const double most = 2.0 * (kSteepest * base - body.clearance);
-      warn(whose + " has its middle " + number_text(height) + " m above the floor on a base of " +
-           about(2.0 * base) + " m, and topples; expected a " +
-           (most > 0.0 ? "height of at most " + about(most) + " m" : "wider or longer chassis"));
-    }
+    add(subject, physics::danger_of_height(whose, robot, ", and topples"));
   }
 
   void ratio(const Subject& body, const std::string& what, double mass, const std::string& other,
@@ -236,37 +227,13 @@ class Search {
     if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
       const Vector3 size = fixture_of(box).shape.size;
       crossing(subject, box.speed, std::min(size.x, size.y));
-      reaching(box, subject);
+      // Nothing stops a moving box.
+      add(subject,
+          physics::danger_of_path(world_, box, ", and presses bodies in between through it"));
     }
   }
 
   static double unlike(double mass, double other) { return std::abs(std::log(mass / other)); }
-
-  /// Nothing stops a moving box: it presses a body between itself and a wall through the wall.
-  void reaching(const Box& box, const Subject& subject) {
-    if (!world_.arena.walls) {
-      return;
-    }
-    Footprint footprint = footprint_of(box);
-    std::vector<Vector2> places{{box.x, box.y}};
-    places.insert(places.end(), box.waypoints.begin(), box.waypoints.end());
-    for (const Vector2& place : places) {
-      footprint.x = place.x;
-      footprint.y = place.y;
-      const double length = 0.5 * world_.arena.length, width = 0.5 * world_.arena.width;
-      if (place.x + footprint.reach(1.0, 0.0) > length ||
-          footprint.reach(-1.0, 0.0) - place.x > length ||
-          place.y + footprint.reach(0.0, 1.0) > width ||
-          footprint.reach(0.0, -1.0) - place.y > width) {
-        add(subject,
-            subject.name + " reaches into a wall at (" + number_text(place.x) + ", " +
-                number_text(place.y) +
-                "), and presses bodies in between through it; expected a path that leaves room "
-                "for a robot next to the wall");
-        return;
-      }
-    }
-  }
 
   const World& world_;
   double gravity_;

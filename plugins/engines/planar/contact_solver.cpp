@@ -13,7 +13,9 @@ constexpr int kSeparations = 4;
 constexpr double kLeastDepth = 5e-6;  // m; smaller overlaps are not corrected
 constexpr double kSettled = 1e-7;     // m/s: changes below this end the sweeps
 constexpr int kWeakenings = 10;       // of the bounces of an island
-constexpr double kMostGain = 1e-4;    // of the energy that bounces return
+constexpr double kMostGain = 1e-4;    // of the energy that bounces return, and contacts take
+constexpr int kMostSlipping = 2000;   // sweeps
+constexpr int kScalings = 8;          // of the impulses of an island
 
 Twist at_point(const Vector2& direction, const Vector2& from) {
   return {direction.x, direction.y, from.x * direction.y - from.y * direction.x};
@@ -88,7 +90,7 @@ void ContactSolver::aim(Contact& contact) const {
                    : bounces               ? physics_.bounce * coming
                                            : 0.0;
   contact.coming = bounces && contact.gap > kTouching ? coming : 0.0;
-  contact.slid = physics_.bounce > 0.0 ? speed(contact, contact.along) : 0.0;
+  contact.slid = speed(contact, contact.along);
 }
 
 void ContactSolver::warm(Contact& contact) {
@@ -96,14 +98,14 @@ void ContactSolver::warm(Contact& contact) {
   apply(contact, contact.along, contact.rub);
 }
 
-double ContactSolver::relax(Contact& contact) {
+double ContactSolver::relax(Contact& contact, double friction) {
   const double off = contact.target - speed(contact, contact.across);
   const double push = std::max(0.0, contact.push + contact.across.scale * off);
   const double pushed = push - contact.push;
   contact.push = push;
   if (pushed != 0.0) apply(contact, contact.across, pushed);
 
-  const double most = physics_.friction * push;
+  const double most = friction * push;
   const double sliding = speed(contact, contact.along);
   const double rub = std::clamp(contact.rub - contact.along.scale * sliding, -most, most);
   const double rubbed = rub - contact.rub;
@@ -193,9 +195,10 @@ void ContactSolver::prepare(std::span<Contact> contacts, std::span<Hinge* const>
   for (Contact& contact : contacts) prepare(contact);
 }
 
-void ContactSolver::sweep(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
-                          std::span<Hinge* const> hinges) {
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+bool ContactSolver::sweep(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                          std::span<Hinge* const> hinges, double friction, int most) {
+  bool settled = false;
+  for (int sweep = 0; sweep < most && !settled; ++sweep) {
     double changed = 0.0;
     bool is_looser = false;
     for (const std::uint32_t body : bodies) {
@@ -206,16 +209,53 @@ void ContactSolver::sweep(std::span<const std::uint32_t> bodies, std::span<Conta
     if (is_looser) prepare(contacts, hinges);
     for (Hinge* const hinge : hinges) changed = std::max(changed, relax(*hinge));
     if (sweep % 2 == 0) {
-      for (Contact& contact : contacts) changed = std::max(changed, relax(contact));
+      for (Contact& contact : contacts) changed = std::max(changed, relax(contact, friction));
     } else {
       for (auto contact = contacts.rbegin(); contact != contacts.rend(); ++contact) {
-        changed = std::max(changed, relax(*contact));
+        changed = std::max(changed, relax(*contact, friction));
       }
     }
-    if (changed < kSettled) break;
+    settled = changed < kSettled;
   }
   for (Contact& contact : contacts) {
-    if (is_driven(contact)) relax(contact);
+    if (is_driven(contact)) relax(contact, friction);
+  }
+  return settled;
+}
+
+void ContactSolver::limit_power(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                                std::span<Hinge* const> hinges) {
+  for (int i = 0; i <= kScalings; ++i) {
+    for (const std::uint32_t body : bodies) movers_[body].stand();
+    if (i == kScalings) return;
+    // With the velocities to these impulses, and to none.
+    double now = 0.0, free = 0.0;
+    for (const Contact& contact : contacts) {
+      const double returned = contact.push * std::max(contact.target, 0.0);
+      now += contact.push * speed(contact, contact.across) +
+             contact.rub * speed(contact, contact.along) - returned;
+      free += contact.push * contact.parted + contact.rub * contact.slid - returned;
+    }
+    for (const Hinge* const hinge : hinges) {
+      const Mover &front = movers_[hinge->front], &behind = movers_[hinge->behind];
+      const auto pull = [&](const Twist& of_front, const Twist& of_behind) {
+        return dot(at_point(hinge->pull, hinge->from_behind), of_behind) -
+               dot(at_point(hinge->pull, hinge->from_front), of_front);
+      };
+      now += pull(front.moving(), behind.moving());
+      free += pull(front.moving_freely(), behind.moving_freely());
+    }
+    if (now <= kMostGain * std::abs(free)) return;
+    const double factor = free < 0.0 ? free / (free - now) : 0.0;
+    for (const std::uint32_t body : bodies) movers_[body].scale(factor);
+    for (Contact& contact : contacts) {
+      contact.push *= factor;
+      contact.rub *= factor;
+    }
+    for (Hinge* const hinge : hinges) {
+      hinge->pull = {factor * hinge->pull.x, factor * hinge->pull.y};
+      hinge->twist *= factor;
+    }
   }
 }
 
@@ -238,14 +278,17 @@ double ContactSolver::excess(std::span<const Contact> contacts) const {
   return too_much ? std::min(gained / returned, 0.5) : 0.0;
 }
 
-void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+bool ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
                           std::span<Hinge* const> hinges) {
   prepare(contacts, hinges);
   for (Contact& contact : contacts) aim(contact);
   for (Contact& contact : contacts) warm(contact);
   for (Hinge* const hinge : hinges) warm(*hinge);
-  sweep(bodies, contacts, hinges);
-  if (physics_.bounce <= 0.0) return;
+  bool settled = sweep(bodies, contacts, hinges, physics_.friction, kMostSweeps);
+  if (physics_.bounce <= 0.0) {
+    if (!settled) limit_power(bodies, contacts, hinges);
+    return settled;
+  }
   // Each contact bounces as if it were alone, and several of one body together may add energy.
   for (int i = 0; i < kWeakenings; ++i) {
     const double weaker = excess(contacts);
@@ -253,14 +296,31 @@ void ContactSolver::solve(std::span<const std::uint32_t> bodies, std::span<Conta
     for (Contact& contact : contacts) {
       if (contact.target > 0.0) contact.target *= 1.0 - weaker;
     }
-    sweep(bodies, contacts, hinges);
+    settled = sweep(bodies, contacts, hinges, physics_.friction, kMostSweeps);
   }
+  if (!settled) limit_power(bodies, contacts, hinges);
   for (Contact& contact : contacts) {
     contact.stored = contact.coming > 0.0 ? std::max(0.0, contact.stored - work(contact)) : 0.0;
   }
+  return settled;
 }
 
-void ContactSolver::separate(std::span<const Contact> contacts) {
+void ContactSolver::slip(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                         std::span<Hinge* const> hinges) {
+  const bool settled = sweep(bodies, contacts, hinges, 0.0, kMostSlipping);
+  if (!settled) limit_power(bodies, contacts, hinges);
+}
+
+/// How far shifts have moved the bodies of a contact apart, m.
+double ContactSolver::shifted_apart(const Contact& contact) const {
+  Vector2 moved = movers_[contact.a].shifted();
+  if (contact.b != Contact::kFixed) moved = minus(moved, movers_[contact.b].shifted());
+  return moved.x * contact.normal.x + moved.y * contact.normal.y;
+}
+
+void ContactSolver::separate(std::span<const std::uint32_t> bodies,
+                             std::span<const Contact> contacts, double part) {
+  bool moved = false;
   const auto light = [this](std::uint32_t mover) {
     return mover != Contact::kFixed && movers_[mover].gives_way()
                ? 1.0 / movers_[mover].inertia().mass
@@ -270,14 +330,12 @@ void ContactSolver::separate(std::span<const Contact> contacts) {
     for (const Contact& contact : contacts) {
       if (contact.gap >= -kLeastDepth) continue;
       const double of_a = light(contact.a), of_b = light(contact.b);
-      Vector2 moved = movers_[contact.a].shifted();
-      if (contact.b != Contact::kFixed) moved = minus(moved, movers_[contact.b].shifted());
-      const double depth =
-          -contact.gap - kLeastDepth - moved.x * contact.normal.x - moved.y * contact.normal.y;
+      const double depth = -contact.gap - kLeastDepth - shifted_apart(contact);
       if (depth <= 0.0 || of_a + of_b == 0.0) continue;
       const double way =
           std::min(physics_.effective_erp() * depth, world::kMaxCorrectingSpeed * physics_.step) /
           (of_a + of_b);
+      moved = true;
       if (of_a > 0.0) {
         movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});
       }
@@ -285,6 +343,19 @@ void ContactSolver::separate(std::span<const Contact> contacts) {
         movers_[contact.b].shift({-way * of_b * contact.normal.x, -way * of_b * contact.normal.y});
       }
     }
+  }
+  if (!moved) return;
+  double share = 1.0;
+  for (const Contact& contact : contacts) {
+    const double nearer = -shifted_apart(contact);
+    const double gap = contact.gap + part * physics_.step * parting(contact);
+    const double room = std::max(gap, 0.0) + kSlop;
+    if (nearer > room) share = std::min(share, room / nearer);
+  }
+  if (share == 1.0) return;
+  for (const std::uint32_t body : bodies) {
+    const Vector2 by = movers_[body].shifted();
+    movers_[body].shift({(share - 1.0) * by.x, (share - 1.0) * by.y});
   }
 }
 

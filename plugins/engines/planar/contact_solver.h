@@ -14,6 +14,9 @@ namespace elsie::physics {
 /// Surfaces that are no further apart touch.
 inline constexpr double kTouching = 2e-5;  // m
 
+/// Bodies may enter each other by this much in a step.
+inline constexpr double kSlop = 5e-4;  // m
+
 /// A point at which two bodies meet, or will meet in this step.
 struct Contact {
   static constexpr std::uint32_t kFixed = 0xffffffff;
@@ -28,6 +31,7 @@ struct Contact {
   Key key;
   std::uint32_t a = 0;       // a mover
   std::uint32_t b = kFixed;  // a mover, or a fixed body
+  std::uint32_t thing_a = 0, thing_b = 0;
   Vector2 at;
   Vector2 normal;  // from b into a
   double gap = 0.0;
@@ -67,17 +71,32 @@ struct Hinge {
 /// those of the last step (Catto, "Iterative Dynamics with Temporal Coherence", 2005). Wheels and
 /// the floor's friction are solved anew after each sweep, exactly, and contacts take account of
 /// them from the start: each body answers to an impulse as its undercarriage lets it.
+///
+/// The sweeps need not converge: where much friction meets many bodies they may go round in a
+/// circle. So the power of the impulses p at the velocities v(p) that follow from them is limited.
+/// Contacts only take energy, so p J v(p) must not be positive. As tyres, motors and the floor's
+/// friction answer monotonically, p J v(s p) grows with s, and s in [0, 1] scales all impulses of
+/// the island so that it does not exceed zero. The velocities may then lead into other bodies;
+/// Clearance keeps the places apart.
 class ContactSolver {
  public:
   ContactSolver(const world::Physics& physics, std::vector<Mover>& movers)
       : physics_(physics), movers_(movers) {}
 
   /// Solves an island; the bodies have been entered. Contacts and hinges are in a fixed order.
-  void solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+  /// Returns whether the velocities keep all contacts.
+  bool solve(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
              std::span<Hinge* const> hinges);
 
-  /// Moves bodies that have entered each other a little apart, without a velocity.
-  void separate(std::span<const Contact> contacts);
+  /// After solve(): solves once more without friction, as well as it can. Bodies that nothing but
+  /// friction holds before a box that nothing stops slip away.
+  void slip(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+            std::span<Hinge* const> hinges);
+
+  /// Moves bodies that have entered each other a little apart, without a velocity, and not into
+  /// others. All will move this part of their ways in this step.
+  void separate(std::span<const std::uint32_t> bodies, std::span<const Contact> contacts,
+                double part);
 
   /// True if the bodies would enter each other in this step without an impulse, or bounce.
   bool is_needed(const Contact& contact) const;
@@ -94,12 +113,16 @@ class ContactSolver {
   void aim(Contact& contact) const;
   void warm(Contact& contact);
   void warm(Hinge& hinge);
-  double relax(Contact& contact);
+  double relax(Contact& contact, double friction);
   double relax(Hinge& hinge);
-  void sweep(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
-             std::span<Hinge* const> hinges);
+  /// Returns whether the velocities have settled.
+  bool sweep(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+             std::span<Hinge* const> hinges, double friction, int most);
   void prepare(std::span<Contact> contacts, std::span<Hinge* const> hinges) const;
+  void limit_power(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
+                   std::span<Hinge* const> hinges);
   double work(const Contact& contact) const;
+  double shifted_apart(const Contact& contact) const;
   double excess(std::span<const Contact> contacts) const;
   Contact::Row row(const Contact& contact, const Vector2& direction) const;
   // Short, and called in each sweep.

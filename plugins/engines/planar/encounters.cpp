@@ -13,6 +13,11 @@ constexpr std::uint32_t kNone = Contact::kFixed;
 constexpr std::size_t kLeastThings = 32;
 constexpr std::size_t kLeastIslands = 4;
 
+// A body that would come this deep into others has no room before a box that nothing stops.
+constexpr double kDeepest = 2e-3;  // m
+// Bodies that come nearer by less than this in a step are not pressed.
+constexpr double kPressing = 1e-6;  // m
+
 }  // namespace
 
 bool Encounters::may_meet(const Thing& a, const Thing& b) const {
@@ -40,11 +45,10 @@ void Encounters::find(std::span<const Moving> moving, double margin, base::Crew&
       look_around(moving[i], margin, found_[share.thread]);
     }
   });
+  margin_ = margin;
   contacts_.clear();
-  touches_.clear();
   std::swap(contacts_, found_.front().contacts);
-  std::swap(touches_, found_.front().touches);
-  for (Found& each : std::span(found_).subspan(1)) {
+  for (Found& each : found_) {
     contacts_.insert(contacts_.end(), each.contacts.begin(), each.contacts.end());
     touches_.insert(touches_.end(), each.touches.begin(), each.touches.end());
     each.contacts.clear();
@@ -86,62 +90,25 @@ void Encounters::look_around(const Moving& moving, double margin, Found& found) 
 void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
                       Found& found) const {
   const Thing &a = things_[first], &b = things_[second];
-  // Boxes that move along their own path are a little away from where the scene has them.
-  const auto place_of = [this](std::uint32_t id) {
-    const std::uint32_t mover = things_[id].mover;
-    return mover == kNone ? scene_.place_of(id) : movers_[mover].place();
-  };
-  const auto ahead_of = [this](std::uint32_t id) {
-    const std::uint32_t mover = things_[id].mover;
-    return mover == kNone ? scene_.ahead_of(id) : movers_[mover].ahead();
-  };
-  const Vector2 at_a = place_of(first), at_b = place_of(second);
-  const Direction ahead_a = ahead_of(first), ahead_b = ahead_of(second);
-  const auto middle = [](const Solid& solid, const Vector2& at, const Direction& ahead) {
-    const Vector2 turned = ahead.turn(solid.place);
-    return Vector2{at.x + turned.x, at.y + turned.y};
-  };
-  const std::vector<Solid>&solids_a = *a.solids, &solids_b = *b.solids;
   bool touches = false;
-  for (std::size_t i = 0; i < solids_a.size(); ++i) {
-    const Solid& of_a = solids_a[i];
-    const Vector2 middle_a = middle(of_a, at_a, ahead_a);
-    const Direction whole_a = ahead_a.turned(of_a.ahead);
-    bool is_placed = false;
-    PlacedOutline placed_a;
-    for (std::size_t k = 0; k < solids_b.size(); ++k) {
-      const Solid& of_b = solids_b[k];
-      if (!of_a.outline.is_level_with(of_b.outline)) continue;
-      if (of_a.below && of_b.outline.is_level_with(solids_a.front().outline)) continue;
-      if (of_b.below && of_a.outline.is_level_with(solids_b.front().outline)) continue;
-      const Vector2 middle_b = middle(of_b, at_b, ahead_b);
-      const double dx = middle_a.x - middle_b.x, dy = middle_a.y - middle_b.y;
-      const double far = of_a.outline.reach + of_b.outline.reach + margin;
-      if (dx * dx + dy * dy > far * far) continue;
-      const Direction whole_b = ahead_b.turned(of_b.ahead);
-      if (!physics::may_meet(of_a.outline, whole_a, of_b.outline, whole_b, {dx, dy}, margin)) {
-        continue;
-      }
-      if (!is_placed) {
-        placed_a = placed(of_a.outline, middle_a, whole_a, found.space_a);
-        is_placed = true;
-      }
-      const Meeting met =
-          physics::meet(placed_a, placed(of_b.outline, middle_b, whole_b, found.space_b), margin);
-      for (std::size_t n = 0; n < met.count; ++n) {
-        Contact& contact = found.contacts.emplace_back();
-        contact.key = {a.number, b.number,
-                       static_cast<std::uint64_t>(i) << 48 | static_cast<std::uint64_t>(k) << 32 |
-                           met.points[n].feature};
-        contact.a = a.mover;
-        contact.b = b.mover;
-        contact.at = met.points[n].at;
-        contact.normal = met.normal;
-        contact.gap = met.points[n].gap;
-        touches = touches || contact.gap <= kTouching;
-      }
-    }
-  }
+  for_each_meeting(*a.solids, clearance_.placement(first), *b.solids, clearance_.placement(second),
+                   margin, found.space, [&](std::size_t i, std::size_t k, const Meeting& met) {
+                     for (std::size_t n = 0; n < met.count; ++n) {
+                       Contact& contact = found.contacts.emplace_back();
+                       contact.key = {a.number, b.number,
+                                      static_cast<std::uint64_t>(i) << 48 |
+                                          static_cast<std::uint64_t>(k) << 32 |
+                                          met.points[n].feature};
+                       contact.a = a.mover;
+                       contact.b = b.mover;
+                       contact.thing_a = first;
+                       contact.thing_b = second;
+                       contact.at = met.points[n].at;
+                       contact.normal = met.normal;
+                       contact.gap = met.points[n].gap;
+                       touches = touches || contact.gap <= kTouching;
+                     }
+                   });
   if ((touches || pushed(a.number, b.number)) && a.body != b.body) {
     found.touches.push_back(a.body < b.body ? Touch{a.body, b.body} : Touch{b.body, a.body});
   }
@@ -237,6 +204,7 @@ void Encounters::order(std::span<Hinge* const> hinges) {
 }
 
 void Encounters::solve(std::span<Hinge* const> hinges, base::Crew& crew) {
+  presses_.clear();
   if (contacts_.empty() && hinges.empty()) {
     memory_.clear();
     return;
@@ -260,8 +228,14 @@ void Encounters::solve(std::span<Hinge* const> hinges, base::Crew& crew) {
     hinge = last_hinge;
   }
   crew.divide(islands_.size(), kLeastIslands, [this](const base::Crew::Share& share) {
-    for (std::size_t i = share.first; i < share.end; ++i) solve_island(islands_[i]);
+    for (std::size_t i = share.first; i < share.end; ++i) {
+      solve_island(islands_[i], found_[share.thread]);
+    }
   });
+  for (Found& each : found_) {
+    presses_.insert(presses_.end(), each.presses.begin(), each.presses.end());
+    each.presses.clear();
+  }
   memory_.clear();
   for (const Contact& each : contacts_) {
     if (each.push > 0.0 || each.coming > 0.0) {
@@ -272,20 +246,54 @@ void Encounters::solve(std::span<Hinge* const> hinges, base::Crew& crew) {
             [](const Memory& a, const Memory& b) { return a.key < b.key; });
 }
 
-void Encounters::solve_island(const Island& island) {
+void Encounters::solve_island(const Island& island, Found& found) {
   const auto& [bodies, contacts, hinges] = island;
   for (Contact& contact : contacts) recall(contact);
-  const bool is_needed =
+  const bool act =
       !hinges.empty() || std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
         return contact.gap < 0.0 || contact.coming > 0.0 || solver_.is_needed(contact);
       });
-  if (!is_needed) {
-    for (const std::uint32_t body : bodies) movers_[body].release();
+  bool kept = true;
+  if (act) {
+    kept = solver_.solve(bodies, contacts, hinges);
+    if (const auto press = find_press(contacts)) {
+      // Perhaps they only do not find out of each other's friction.
+      kept = false;
+      solver_.slip(bodies, contacts, hinges);
+      if (find_press(contacts)) found.presses.push_back(*press);
+    }
+  } else {
     for (Contact& contact : contacts) contact.push = contact.rub = 0.0;
-    return;
   }
-  solver_.solve(bodies, contacts, hinges);
-  solver_.separate(contacts);
+  const double part = clearance_.part(bodies, contacts, kept, margin_, found.space);
+  if (act) solver_.separate(bodies, contacts, part);
+  for (const std::uint32_t body : bodies) {
+    if (part < 1.0) {
+      movers_[body].stop_after(part);
+    } else if (!act) {
+      movers_[body].release();
+    }
+  }
+}
+
+/// A box that nothing stops and a body to which it leaves no room, if any.
+std::optional<Encounters::Press> Encounters::find_press(std::span<const Contact> contacts) const {
+  // Their contacts come last.
+  if (contacts.empty() || !solver_.is_driven(contacts.back())) return std::nullopt;
+  const Contact* presser = nullptr;
+  double deepest = 0.0;
+  for (const Contact& contact : contacts) {
+    if (solver_.is_driven(contact) && contact.push > 0.0 &&
+        (!presser || contact.push > presser->push)) {
+      presser = &contact;
+    }
+    const double nearer = -physics_.step * solver_.parting(contact);
+    if (nearer > kPressing) deepest = std::max(deepest, nearer - contact.gap);
+  }
+  if (!presser || deepest <= kDeepest) return std::nullopt;
+  const bool is_of_a = movers_[presser->a].gives_way();
+  return Press{is_of_a ? presser->thing_a : presser->thing_b,
+               is_of_a ? presser->thing_b : presser->thing_a, deepest};
 }
 
 }  // namespace elsie::physics

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -11,22 +11,12 @@
 #include "elsie/base/crew.h"
 #include "elsie/physics/engine.h"
 
+#include "clearance.h"
 #include "contact_solver.h"
 #include "mover.h"
-#include "outline.h"
 #include "planar_scene.h"
-#include "planar_vehicle.h"
 
 namespace elsie::physics {
-
-/// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
-struct Thing {
-  Body body;
-  std::uint64_t number = 0;  // an engine that takes it over keeps it
-  std::uint32_t mover = Contact::kFixed;
-  std::uint32_t vehicle = 0;  // of a robot
-  std::shared_ptr<const std::vector<Solid>> solids;
-};
 
 /// Finds pairs of bodies that meet or may meet in this step, divides them into islands, and solves
 /// each. Results depend neither on the order in which bodies were added nor on far bodies: within
@@ -39,7 +29,8 @@ class Encounters {
         things_(things),
         movers_(movers),
         scene_(scene),
-        solver_(physics, movers) {}
+        solver_(physics, movers),
+        clearance_(physics, things, movers, scene, solver_) {}
 
   /// A body with a mover.
   struct Moving {
@@ -53,8 +44,18 @@ class Encounters {
   void find(std::span<const Moving> moving, double margin, base::Crew& crew);
   /// Gives the movers their velocities; the hinges join them.
   void solve(std::span<Hinge* const> hinges, base::Crew& crew);
+  /// Forgets the touches so far.
+  void forget_touches() { touches_.clear(); }
 
+  /// Of all calls of find() since forget_touches().
   std::span<const Touch> touches() const { return touches_; }
+  /// A body that a box presses into others, because nothing stops the box.
+  struct Press {
+    std::uint32_t body = 0, box = 0;  // things
+    double depth = 0.0;               // m, at the end of the step
+  };
+  /// The presses that solve() found, of most islands none.
+  std::span<const Press> presses() const { return presses_; }
   /// Takes over what another engine remembers of the last step.
   void take(const Encounters& other) { memory_ = other.memory_; }
 
@@ -69,9 +70,10 @@ class Encounters {
   struct Found {
     std::vector<Contact> contacts;
     std::vector<Touch> touches;
+    std::vector<Press> presses;
     // Kept to reuse their memory.
     std::vector<std::uint32_t> near;
-    std::vector<Vector2> space_a, space_b;
+    PairingSpace space;
   };
   /// Bodies that act on each other.
   struct Island {
@@ -90,15 +92,19 @@ class Encounters {
   void join(std::uint32_t a, std::uint32_t b);
   void involve(std::uint32_t mover);
   void order(std::span<Hinge* const> hinges);
-  void solve_island(const Island& island);
+  void solve_island(const Island& island, Found& found);
+  std::optional<Press> find_press(std::span<const Contact> contacts) const;
 
   const world::Physics& physics_;
   std::vector<Thing>& things_;
   std::vector<Mover>& movers_;
   PlanarScene& scene_;
   ContactSolver solver_;
+  Clearance clearance_;
+  double margin_ = 0.0;  // of the last find()
   std::vector<Contact> contacts_;
   std::vector<Touch> touches_;
+  std::vector<Press> presses_;
   std::vector<Memory> memory_;  // ascending
   std::vector<Found> found_;    // by each thread
   // Kept to reuse their memory.

@@ -72,9 +72,10 @@ void Mover::begin() {
 void Mover::enter(double step, Impact& impact) {
   impact_ = &impact;
   impact.middle = ahead_.turned(HalfTurn(0.5 * step * velocity_.turn).half());
-  impact.moving = impact.middle.turn(velocity_);
+  impact.free = impact.moving = impact.middle.turn(velocity_);
   impact.impulse = {};
   impact.shifted = {};
+  impact.part = 1.0;
   impact.tighter = 0;
   impact.response = answer();
 }
@@ -111,21 +112,37 @@ Mover::Stand Mover::stand() {
   return stood;
 }
 
+/// Its place after an arc: `turn` is half of the arc's angle, `middle` its direction in the middle.
+inline Placement Mover::along(const Twist& velocity, const HalfTurn& turn, const Direction& middle,
+                              double step) const {
+  const double way = step * turn.sinc;
+  const Vector2 moved = middle.turn(Vector2{way * velocity.x, way * velocity.y});
+  const Direction next = ahead_.turned(turn.whole()).normal();
+  const Vector2 &c = inertia().center, was = ahead_.turn(c), is = next.turn(c);
+  return {{place_.x + moved.x + was.x - is.x, place_.y + moved.y + was.y - is.y}, next};
+}
+
+Placement Mover::after(double part, double step) const {
+  const double time = part * step;
+  const Twist velocity = gives_way() ? impact_->middle.turn_back(impact_->moving) : velocity_;
+  return along(velocity, HalfTurn(0.5 * time * velocity.turn), impact_->middle, time);
+}
+
 void Mover::advance(double step) {
   const Impact* const impact = std::exchange(impact_, nullptr);
-  if (impact && gives_way()) velocity_ = impact->middle.turn_back(impact->moving);
+  if (impact && gives_way()) {
+    velocity_ = impact->middle.turn_back(impact->moving);
+    step *= impact->part;
+  }
   if (wheels_) wheels_.settle(velocity_);
   free_ = velocity_;
   if (velocity_ == Twist{}) return;
   const HalfTurn turn(0.5 * step * velocity_.turn);
-  const Direction middle = impact ? impact->middle : ahead_.turned(turn.half());
-  const double way = step * turn.sinc;
-  const Vector2 moved = middle.turn(Vector2{way * velocity_.x, way * velocity_.y});
-  const Direction whole = turn.whole(), next = ahead_.turned(whole).normal();
-  const Vector2 &c = inertia().center, was = ahead_.turn(c), is = next.turn(c);
-  place_ = {place_.x + moved.x + was.x - is.x, place_.y + moved.y + was.y - is.y};
-  ahead_ = next;
-  if (velocity_.turn != 0.0) free_ = whole.turn_back(velocity_);  // as carry()
+  const Placement next =
+      along(velocity_, turn, impact ? impact->middle : ahead_.turned(turn.half()), step);
+  place_ = next.place;
+  ahead_ = next.ahead;
+  if (velocity_.turn != 0.0) free_ = turn.whole().turn_back(velocity_);  // as carry()
   heading_rad_ += step * velocity_.turn;
   if (std::abs(heading_rad_) > std::numbers::pi) heading_rad_ = wrap_angle(heading_rad_);
 }

@@ -13,11 +13,13 @@ namespace elsie::physics {
 
 /// The motion of a body that meets others in a step, in the world.
 struct Impact {
+  Twist free;          // its velocity if it met nothing
   Twist moving;        // its velocity
   Twist impulse;       // the sum of all impulses
   Direction middle;    // of the body, in the middle of the arc
   Symmetric response;  // the change of velocity that an impulse makes
   Vector2 shifted;     // m, the sum of all shifts
+  double part = 1.0;   // of the step's way that it moves
   int tighter = 0;     // how often the undercarriage has become tighter
 };
 
@@ -36,6 +38,8 @@ class alignas(64) Mover {
   /// A box that nothing stops.
   Mover() = default;
 
+  /// Sets the distance of its farthest point from its place, m.
+  void set_reach(double reach) { reach_ = reach; }
   void put(const Vector2& place, double heading_rad);
   void stop();
   /// Moves as a rigid body with this velocity (in the world) of a point in the world. `step` is the
@@ -59,6 +63,8 @@ class alignas(64) Mover {
     impact_->impulse = impact_->impulse + impulse;
     impact_->moving = impact_->moving + change;
   }
+  /// Scales the sum of the impulses so far; stand() finds the velocity to it.
+  void scale(double factor) { impact_->impulse = factor * impact_->impulse; }
   /// The result of stand().
   struct Stand {
     double changed = 0.0;    // m/s, the largest change of the velocity
@@ -66,11 +72,16 @@ class alignas(64) Mover {
   };
   /// Lets the undercarriage hold against the impulses so far.
   Stand stand();
+  /// After enter(): where it will be after a part of the step, in [0, 1].
+  Placement after(double part, double step) const;
+  /// After enter(): lets it move only this part of its way.
+  void stop_after(double part) { impact_->part = part; }
   void advance(double step);
 
   const Inertia& inertia() const {
     return wheels_ ? wheels_.inertia() : sled_ ? sled_->inertia : kNoInertia;
   }
+  double reach() const { return reach_; }
   bool gives_way() const { return wheels_ || sled_; }
   Undercarriage& wheels() { return wheels_; }
   const Undercarriage& wheels() const { return wheels_; }
@@ -89,6 +100,8 @@ class alignas(64) Mover {
 
   // In a step, after enter(), in the world:
   const Twist& moving() const { return impact_->moving; }
+  /// Its velocity if it met nothing.
+  const Twist& moving_freely() const { return impact_->free; }
   /// Its direction in the middle of the arc.
   const Direction& middle() const { return impact_->middle; }
   /// The change of velocity that an impulse makes. In a step it only grows: if it were smaller than
@@ -121,6 +134,8 @@ class alignas(64) Mover {
   Twist ground(const Twist& free);
   Symmetric answer() const;
   void carry(double step);
+  Placement along(const Twist& velocity, const HalfTurn& turn, const Direction& middle,
+                  double step) const;
 
   // In the order of use: one step touches few lines of the processor's cache.
   Vector2 place_;  // of its origin
@@ -131,6 +146,7 @@ class alignas(64) Mover {
   Impact* impact_ = nullptr;  // of this step
   Undercarriage wheels_;      // if it has wheels
   std::shared_ptr<const Sled> sled_;
+  double reach_ = 0.0;
 };
 
 }  // namespace elsie::physics

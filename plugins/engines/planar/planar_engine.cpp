@@ -37,10 +37,16 @@ double second_moment(const world::Fixture& fixture) {
              : (size.x * size.x + size.y * size.y) / 12.0;
 }
 
+world::Physics with_step(world::Physics physics, double step) {
+  physics.step = step;
+  return physics;
+}
+
 }  // namespace
 
 PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& physics)
-    : physics_((check(arena, physics), physics)),
+    : parts_((check(arena, physics), parts_of(physics.step))),
+      physics_(with_step(physics, physics.step / parts_)),
       scene_(arena),
       models_(physics_),
       encounters_(physics_, things_, movers_, scene_),
@@ -69,6 +75,7 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   const std::uint32_t id = scene_.add(body, sensed, mover.has_value(), std::move(look), place,
                                       Direction::of(pose.heading_rad));
   if (mover) {
+    mover->set_reach(reach);
     mover->put(place, pose.heading_rad);
     thing.mover = static_cast<std::uint32_t>(movers_.size());
     movers_.push_back(std::move(*mover));

@@ -92,6 +92,8 @@ class PlanarEngine final : public Engine {
   void fit();
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
+  void stop_moving_boxes();
+  void move_on();
   double begin_movers();
   void settle();
   void settle_robot(std::size_t robot, double limit, PlanarScene::Moves& moves);
@@ -99,8 +101,10 @@ class PlanarEngine final : public Engine {
   bool is_well(const Mover& mover, double limit, bool stays_within) const;
   [[noreturn]] void fail(const Mover& mover, bool stays_within, const Body& body,
                          std::optional<std::size_t> segment) const;
+  void fail_if_pressed() const;
 
-  world::Physics physics_;
+  const int parts_;         // of a step
+  world::Physics physics_;  // with the length of a part as its step
   double time_ = 0.0;
   std::uint64_t next_number_ = 0;
   PlanarScene scene_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <tuple>
 
 #include "elsie/base/fnv1a.h"
 #include "elsie/physics/failure.h"
@@ -88,14 +89,26 @@ void PlanarEngine::start_moving_boxes() {
       continue;
     }
     // Moved back by the distance of this step, so that the box arrives with it.
+    const double step = parts_ * physics_.step;
     const Twist velocity = mover.ahead().turn(mover.velocity());
     const Vector2& at = mover.place();
-    mover.shift({box.target.x - physics_.step * velocity.x - at.x,
-                 box.target.y - physics_.step * velocity.y - at.y});
+    mover.shift({box.target.x - step * velocity.x - at.x, box.target.y - step * velocity.y - at.y});
   }
 }
 
-/// Returns how far two bodies may come nearer in this step, m.
+/// Puts those that were driven to their targets.
+void PlanarEngine::stop_moving_boxes() {
+  for (const std::uint32_t index : mobile_boxes_) {
+    BoxBody& box = boxes_[index];
+    if (!box.driven) continue;
+    box.driven = false;
+    Mover& mover = mover_of_box(box);
+    mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
+    scene_.move(box.thing, mover.place(), mover.ahead(), moves_.front());
+  }
+}
+
+/// Returns how far two bodies may come nearer in this part of the step, m.
 double PlanarEngine::begin_movers() {
   std::fill(fastest_.begin(), fastest_.end(), 0.0);
   crew_->divide(moving_.size(), kLeastMovers, [&](const base::Crew::Share& share) {
@@ -119,6 +132,18 @@ void PlanarEngine::step() {
   moves_.resize(crew_->threads());
   fastest_.resize(crew_->threads());
   start_moving_boxes();
+  encounters_.forget_touches();
+  const double from = time_;
+  for (int part = 1; part <= parts_; ++part) {
+    time_ = from + part * physics_.step;
+    move_on();
+  }
+  stop_moving_boxes();
+  scene_.settle(moves_);
+}
+
+/// A part of the step.
+void PlanarEngine::move_on() {
   hinges_.clear();
   for (const std::uint32_t i : jointed_) {
     robots_[i].begin(physics_.step, movers_);
@@ -126,8 +151,8 @@ void PlanarEngine::step() {
   }
   encounters_.find(moving_, begin_movers(), *crew_);
   encounters_.solve(hinges_, *crew_);
-  time_ += physics_.step;
   settle();
+  fail_if_pressed();
 }
 
 inline bool PlanarEngine::is_well(const Mover& mover, double limit, bool stays_within) const {
@@ -193,15 +218,8 @@ void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
     BoxBody& box = boxes_[index];
     Mover& mover = mover_of_box(box);
     mover.advance(physics_.step);
-    if (box.kind == world::BoxKind::moving) {
-      if (box.driven) {
-        box.driven = false;
-        mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
-      }
-    } else {
-      if (!is_well(mover, limit, box.stays_within)) {
-        fail(mover, box.stays_within, {BodyKind::box, index}, std::nullopt);
-      }
+    if (box.kind == world::BoxKind::dynamic && !is_well(mover, limit, box.stays_within)) {
+      fail(mover, box.stays_within, {BodyKind::box, index}, std::nullopt);
     }
     scene_.move(box.thing, mover.place(), mover.ahead(), moves);
   }
@@ -219,6 +237,30 @@ void PlanarEngine::fail(const Mover& mover, bool stays_within, const Body& body,
   }
   failure.body = body;
   failure.segment = segment;
+  failure.time_s = time_;
+  throw PhysicsFailure(failure);
+}
+
+/// Fails if a box that nothing stops leaves a body no room.
+void PlanarEngine::fail_if_pressed() const {
+  const auto presses = encounters_.presses();
+  if (presses.empty()) return;
+  // The same one, whatever the order in which they were found.
+  const auto rank = [this](const Encounters::Press& each) {
+    const Thing& thing = things_[each.body];
+    return std::tie(thing.body, thing.vehicle, things_[each.box].body);
+  };
+  const Encounters::Press& press =
+      *std::min_element(presses.begin(), presses.end(),
+                        [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const Thing& thing = things_[press.body];
+  const Vector2& at = movers_[thing.mover].place();
+  Failure failure;
+  failure.kind = Failure::Kind::pressed;
+  failure.body = thing.body;
+  if (thing.vehicle > 0) failure.segment = thing.vehicle - 1;
+  failure.presser = things_[press.box].body;
+  failure.place = {at.x, at.y, 0.0};
   failure.time_s = time_;
   throw PhysicsFailure(failure);
 }

@@ -46,6 +46,12 @@ struct Direction {
   }
 };
 
+/// Where a body is.
+struct Placement {
+  Vector2 place;  // of its origin
+  Direction ahead;
+};
+
 /// The sine of h, the cosine of h and sin(h) / h.
 struct HalfTurn {
   double s, c, sinc;

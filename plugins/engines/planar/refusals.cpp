@@ -1,11 +1,11 @@
 #include "refusals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "elsie/base/number_text.h"
-#include "elsie/world/warnings.h"
 
 namespace elsie::physics {
 namespace {
@@ -19,7 +19,18 @@ std::string above(const std::string& what, double z, const char* would) {
          ", but the engine 'planar' keeps everything at its height; expected z=\"0\"" + kOther;
 }
 
+// Contacts are found anew for each part of a step. In this time, robots and boxes of ordinary size
+// and speed turn and move little.
+constexpr double kLongestPart = 0.01;  // s
+constexpr double kRoundingOfParts = 1e-9;
+constexpr double kMostParts = 1000.0;  // more than a world can ask for
+
 }  // namespace
+
+int parts_of(double step) {
+  return static_cast<int>(
+      std::clamp(std::ceil(step / kLongestPart - kRoundingOfParts), 1.0, kMostParts));
+}
 
 std::optional<std::string> fault_of(const world::Physics& physics) {
   if (physics.gravity <= 0.0) return std::nullopt;
@@ -66,17 +77,4 @@ extern "C" __attribute__((visibility("default"))) void elsie_check_world(
     add(robot.location, fault_of_height(robot.z, what));
     add(robot.location, fault_of(robot.driven, what));
   }
-}
-
-// No world is too stiff or too soft for it, so these are of settings only.
-extern "C" __attribute__((visibility("default"))) void elsie_warn(
-    const elsie::world::World& world, std::vector<elsie::world::Warning>& warnings) {
-  const elsie::world::Physics& physics = world.physics;
-  if (physics.cfm == elsie::world::Physics{}.cfm) return;
-  warnings.push_back(
-      {.about = elsie::world::Warning::About::no_effect,
-       .location = physics.location,
-       .message = "cfm=\"" + elsie::base::number_text(physics.cfm) +
-                  "\" has no effect, because contacts are rigid in the engine "
-                  "'planar'; expected erp, friction or bounce, or the engine 'ode'"});
 }

@@ -8,6 +8,9 @@
 
 namespace elsie::physics {
 
+/// The number of equal parts in which the engine does a step of this length, s.
+int parts_of(double step);
+
 std::optional<std::string> fault_of(const world::Physics& physics);
 /// Begins with `what`: "the box 'crate'".
 std::optional<std::string> fault_of(const world::Box& box, const std::string& what);

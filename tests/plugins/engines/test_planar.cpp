@@ -206,8 +206,11 @@ TEST_CASE("A body that two others press to death ends the run, and is named") {
     context.drive(ram, {0.2, 0.0}, 3.0);
     FAIL("nothing was said");
   } catch (const PhysicsFailure& failure) {
-    CHECK(failure.failure.kind == Failure::Kind::outside);
+    CHECK(failure.failure.kind == Failure::Kind::pressed);
     CHECK(failure.failure.body == robot_body(robot));
+    CHECK(failure.failure.presser == box_body(ram));
+    CHECK(failure.failure.time_s == Approx(1.6).margin(0.03));
+    CHECK(failure.failure.place.x < 4.962);
   }
 }
 

@@ -188,7 +188,7 @@ using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics&
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 3;
+  std::uint32_t version = 4;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t box = sizeof(world::Box);

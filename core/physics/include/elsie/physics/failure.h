@@ -18,16 +18,17 @@ struct Failure {
     not_finite,   // a number of the body's state is infinite, or not a number
     below_floor,  // the middle of the body is below the floor
     outside,      // it began within the arena's walls, and its middle has left them
-    too_fast      // it moves faster than anything in the world could make it move
+    too_fast,     // it moves faster than anything in the world could make it move
+    pressed       // a moving box, which nothing stops, leaves it no room
   };
   Kind kind = Kind::stopped;
   std::optional<Body> body;            // a robot or a box
   std::optional<std::size_t> segment;  // of the robot; none: the robot itself
+  std::optional<Body> presser;         // pressed: the moving box
   double time_s = 0.0;
   Vector3 place;       // of its middle, m
   double speed = 0.0;  // m/s
   double limit = 0.0;  // m/s; too_fast: the largest possible speed
-  std::string detail;  // stopped: the solver's message, for developers
 
   /// "is below the floor: its middle is at (0.1, 0.2, -0.3) m", to follow the body's name.
   std::string in_words() const;
