@@ -13,7 +13,7 @@ namespace elsie::report {
 
 namespace {
 
-constexpr std::size_t kNameLength = 40;
+constexpr std::size_t kFactorLength = 40;
 
 FactorEffect effect_of(const Findings& findings, const Response& response,
                        const VariedFactor& factor) {
@@ -73,7 +73,7 @@ std::string effects_in_words(const Findings& findings) {
     return "";
   }
   const auto shown = [](const std::string& text) {
-    return output::shortened(output::one_line(text), kNameLength);
+    return output::shortened(output::one_line(text), kFactorLength);
   };
   const std::string unit =
       effects->response.unit.empty() ? "" : " " + shown(effects->response.unit);

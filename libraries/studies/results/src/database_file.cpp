@@ -127,7 +127,7 @@ void require_file(const fs::path& file) {
     throw DatabaseRefused("there is no database '" + file.string() +
                           "'; `elsie batch EXPERIMENT --database FILE` writes one");
   }
-  if (const std::string why = base::why_unreadable(file); !why.empty()) {
+  if (const std::string why = files::why_unreadable(file); !why.empty()) {
     throw DatabaseRefused(quoted + why + "; " + kExpected);
   }
   if (fs::file_size(file, ignored) == 0) {
