@@ -4,6 +4,7 @@
 #include <string>
 
 #include "elsie/api/sensor.h"
+#include "elsie/base/error.h"
 #include "elsie/base/number_text.h"
 
 namespace elsie::detail {
@@ -21,15 +22,15 @@ void no_such_reading(const char* kind, std::size_t i, std::size_t count) {
 }
 
 void other_layout(const ReadingKind& wanted, const ReadingGroup& made) {
-  throw std::logic_error(std::string("its readings of the kind '").append(wanted.name) + "' have " +
-                         std::to_string(wanted.size) + " bytes, but those of the sensor '" +
-                         made.readings.front().sensor + "' have " + std::to_string(made.kind.size) +
-                         "; build both plugins with the same header of this kind");
+  throw base::Error(std::string("its readings of the kind '").append(wanted.name) + "' have " +
+                    std::to_string(wanted.size) + " bytes, but those of the sensor '" +
+                    made.readings.front().sensor + "' have " + std::to_string(made.kind.size) +
+                    "; build both plugins with the same header of this kind");
 }
 
 void not_finite(const char* name, double value) {
-  throw std::domain_error("the number '" + std::string(name) + "' of its reading is " +
-                          base::number_text(value) + "; expected a finite number");
+  throw base::Error("the number '" + std::string(name) + "' of its reading is " +
+                    base::number_text(value) + "; expected a finite number");
 }
 
 }  // namespace elsie::detail

@@ -123,6 +123,8 @@ class Guard {
       return result;
     } catch (const PluginFault&) {
       throw;  // from another plugin that this one called
+    } catch (const base::Error& error) {
+      fail(use, error.what());  // found by Elsie, so that no line of the plugin threw it
     } catch (...) {
       fail(use, base::what_was_thrown(), base::place_of_throw());
     }

@@ -330,7 +330,8 @@ void report_if_own(int signal, const siginfo_t& info, const void* context) {
     const char number[] = {static_cast<char>('0' + above / 10), static_cast<char>('0' + above % 10),
                            '\0'};
     std::strncat(what, name ? "SIG" : "SIGRTMIN+", sizeof(what) - std::strlen(what) - 1);
-    std::strncat(what, name ? name : number, sizeof(what) - std::strlen(what) - 1);
+    std::strncat(what, name ? name : number + (above < 10 ? 1 : 0),
+                 sizeof(what) - std::strlen(what) - 1);
     write_report(what, place_of_fault(context));
     end_with(status_of_crash);
   }

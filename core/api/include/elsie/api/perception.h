@@ -106,7 +106,7 @@ class Sensed {
 namespace detail {
 /// Throws std::out_of_range with a sentence: there are only `count` readings of this kind.
 [[noreturn]] void no_such_reading(const char* kind, std::size_t i, std::size_t count);
-/// Throws std::logic_error with a sentence: a sensor makes other readings of this name.
+/// Throws base::Error with a sentence: a sensor makes other readings of this name.
 [[noreturn]] void other_layout(const ReadingKind& wanted, const ReadingGroup& made);
 }  // namespace detail
 
@@ -173,7 +173,7 @@ class Perception {
   /// The control period: the time from one decision to the next, s.
   double period_s() const { return data_->period_s; }
   /// The readings of one kind, e.g. `readings<elsie::RangeReading>()`; empty when no sensor
-  /// produces them. Throws std::logic_error when a sensor produces others of the same name.
+  /// produces them. Throws base::Error when a sensor produces others of the same name.
   template <class Reading>
   Readings<Reading> readings() const {
     constexpr ReadingKind wanted = ReadingKind::of<Reading>();

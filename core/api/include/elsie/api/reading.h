@@ -126,9 +126,9 @@ struct ListedNumber {
 /// A kind of reading that a plugin needs or produces, with the layout that it was compiled with.
 struct ReadingDeclaration {
   std::string kind;
-  std::size_t size = 0;               // bytes of the struct
-  bool lists_numbers = false;         // it has visit()
-  std::vector<ListedNumber> numbers;  // of a new reading
+  std::size_t size = 0;                 // bytes of the struct
+  bool lists_numbers = false;           // it has visit()
+  std::vector<ListedNumber> numbers{};  // of a new reading
 
   template <class Reading>
   static ReadingDeclaration of() {

@@ -122,7 +122,7 @@ struct Carrier {
 };
 
 namespace detail {
-/// Throws std::domain_error with a sentence.
+/// Throws base::Error with a sentence.
 [[noreturn]] void not_finite(const char* name, double value);
 }  // namespace detail
 
