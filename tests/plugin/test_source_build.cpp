@@ -386,8 +386,9 @@ TEST_CASE("A cache that other users could fill or replace is refused") {
   // As in /tmp, only its owner can rename what is in this folder.
   fs::permissions(here / "open", all | fs::perms::sticky_bit);
   REQUIRE(refusal(here / "straight.cpp", here / "open/cache") == "it was built");
-  for (const fs::path& folder :
-       {here / "open/cache", *fs::directory_iterator(here / "open/cache")}) {
+  const std::vector<fs::path> made{here / "open/cache",
+                                   *fs::directory_iterator(here / "open/cache")};
+  for (const fs::path& folder : made) {
     CHECK(fs::status(folder).permissions() == fs::perms::owner_all);
   }
   constexpr uid_t kSomeoneElse = 65533;
