@@ -17,11 +17,11 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/error.h"
-#include "elsie/base/thrown.h"
 #include "elsie/build/source_build.h"
 #include "elsie/output/clean_text.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
+#include "elsie/thrown/thrown.h"
 
 #include "command.h"
 #include "command_module.h"
@@ -81,7 +81,7 @@ int finish(const Job& job) {
     err() << error.message() << '\n';
     return error.exit_code();
   } catch (...) {
-    err() << "elsie: " << base::what_was_thrown() << '\n';
+    err() << "elsie: " << thrown::what_was_thrown() << '\n';
     return kOtherFailure;
   }
 }

@@ -12,7 +12,6 @@
 
 #include "elsie/api/registration.h"
 #include "elsie/base/near_name.h"
-#include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/call.h"
@@ -21,6 +20,7 @@
 #include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/inspection.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/thrown/thrown.h"
 
 #include "library.h"
 #include "text.h"
@@ -405,7 +405,7 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
       problem = "it made no object";
     }
   } catch (...) {
-    problem = base::what_was_thrown();
+    problem = thrown::what_was_thrown();
   }
   // Thrown here, outside of the catch block, when the plugin's own exception is destroyed.
   const std::string file =

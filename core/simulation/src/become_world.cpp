@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
+#include "elsie/thrown/thrown.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
@@ -102,7 +102,7 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   } catch (const world::WorldError& error) {
     throw refusal(changes, error, world_.file);
   } catch (...) {
-    throw ChangeRefused(text_of(changes) + ": " + base::what_was_thrown());
+    throw ChangeRefused(text_of(changes) + ": " + thrown::what_was_thrown());
   }
   settle(becoming);
   take_stock();

@@ -156,7 +156,7 @@ void check_tuned(const Tuned& tuned, const Cameras& cameras) {
   try {
     camera = tuned.robot->try_out(*tuned.object, tuned.setup);
   } catch (...) {
-    refuse(tuned.text, base::what_was_thrown());
+    refuse(tuned.text, thrown::what_was_thrown());
   }
   if (camera.has_value() != tuned.object->extras().camera.has_value()) {
     refuse(tuned.text, "the sensor would " + std::string(camera ? "gain" : "lose") +
@@ -217,7 +217,7 @@ void set_up(const std::vector<Tuned>& tunings) {
     } catch (const PluginFault&) {
       throw;
     } catch (...) {
-      refuse(tuned.text, base::what_was_thrown());
+      refuse(tuned.text, thrown::what_was_thrown());
     }
   }
   undo.settle();

@@ -49,7 +49,7 @@ class Swap {
     try {
       action();
     } catch (...) {
-      refuse(path, base::what_was_thrown());
+      refuse(path, thrown::what_was_thrown());
     }
   }
 

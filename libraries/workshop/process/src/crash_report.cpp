@@ -20,10 +20,10 @@
 
 #include "elsie/base/crew.h"
 #include "elsie/base/number_text.h"
-#include "elsie/base/thrown.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
+#include "elsie/thrown/thrown.h"
 
 #include "loaded_libraries.h"
 #include "reporting.h"
@@ -402,7 +402,7 @@ void report_crashes(int exit_status) {
   Call::watch_for_copies(end_copy);
   watch_libraries();
   prepare_stack_trace();
-  base::watch_throws(place_of_throw);
+  thrown::watch_throws(place_of_throw);
   alignas(16) static char stack[kStackSize];
   // Each thread that calls exit() takes one off the list. Without one it would end the process at
   // once, before another's has reported.

@@ -33,7 +33,7 @@ namespace elsie::process {
 /// which may ask report_own_signal().
 ///
 /// Exceptions that note_throw() sees are reported with the line of the plugin that threw them
-/// (base::place_of_throw()).
+/// (thrown::place_of_throw()).
 ///
 /// A stack overflow is reported in the calling thread only, which gets a second stack for it. To be
 /// called once, early, by a program, never by a library.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace elsie::base {
+namespace elsie::thrown {
 
 /// What the exception says, or its type if that is nothing: an exception of a plugin may have no
 /// text. The copy may outlive the library that threw it.
@@ -19,4 +19,4 @@ void watch_throws(std::string (*place)()) noexcept;
 /// A mangled name of C++ as the source has it; others unchanged.
 std::string demangled_name(const std::string& name);
 
-}  // namespace elsie::base
+}  // namespace elsie::thrown

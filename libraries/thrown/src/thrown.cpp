@@ -1,4 +1,4 @@
-#include "elsie/base/thrown.h"
+#include "elsie/thrown/thrown.h"
 
 #include <cstdlib>
 #include <exception>
@@ -7,7 +7,7 @@
 
 #include <cxxabi.h>
 
-namespace elsie::base {
+namespace elsie::thrown {
 namespace {
 
 std::string (*place_known_to_program)() = nullptr;
@@ -37,4 +37,4 @@ std::string demangled_name(const std::string& name) {
   return status == 0 && readable ? std::string(readable.get()) : name;
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::thrown
