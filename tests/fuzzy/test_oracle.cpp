@@ -118,10 +118,10 @@ TermText random_term(Random& random, const std::string& name, const std::string&
 
 std::vector<TermText> random_terms(Random& random, const std::vector<std::string>& shapes,
                                    double low, double high, bool heights) {
-  const int count = 3 + static_cast<int>(random.uniform(0.0, 3.0));
-  const double spacing = (high - low) / count;
+  const int terms_in_all = 3 + static_cast<int>(random.uniform(0.0, 3.0));
+  const double spacing = (high - low) / terms_in_all;
   std::vector<TermText> terms;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < terms_in_all; ++i) {
     const auto& shape =
         shapes[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(shapes.size())))];
     terms.push_back(random_term(random, "t" + std::to_string(i), shape, low + spacing * (i + 0.5),
