@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "elsie/base/error.h"
+#include "elsie/files/write_whole.h"
 
 namespace fs = std::filesystem;
 
@@ -15,7 +16,8 @@ namespace {
 
 fs::path end_of(const fs::path& file) {
   std::error_code error;
-  const fs::path end = fs::weakly_canonical(fs::absolute(file, error), error);
+  // Links may lead to a file that does not exist yet.
+  const fs::path end = fs::weakly_canonical(end_of_links(fs::absolute(file)), error);
   return error ? fs::absolute(file).lexically_normal() : end;
 }
 
