@@ -60,15 +60,17 @@ bool read_variable(std::string_view text) {
          fcntl(channel, F_SETFD, FD_CLOEXEC) == 0;
 }
 
+std::ostream* made_stream(std::streambuf* buffer) {
+  auto* const made = new std::ostream(buffer);
+  made->imbue(std::locale::classic());  // whatever a plugin has set for new streams
+  return made;
+}
+
 /// Standard output. Never destroyed: it is used until the process ends, and flushed before.
 std::ostream& as_it_is() {
   static auto* const buffer =
       new __gnu_cxx::stdio_filebuf<char>(kept_output, std::ios::out | std::ios::binary);
-  static auto* const stream = [] {
-    auto* const made = new std::ostream(buffer);
-    made->imbue(std::locale::classic());  // whatever a plugin has set for new streams
-    return made;
-  }();
+  static auto* const stream = made_stream(buffer);
   return *stream;
 }
 
@@ -125,17 +127,13 @@ void meet_supervisor() {
 
 std::ostream& out() {
   // Never destroyed: it is used until the process ends, and flushed before.
-  static auto* const stream = [] {
-    auto* const made = new std::ostream(new CleanBuffer(as_it_is()));
-    made->imbue(std::locale::classic());  // whatever a plugin has set for new streams
-    return made;
-  }();
+  static auto* const stream = made_stream(new CleanBuffer(as_it_is()));
   return *stream;
 }
 
 std::ostream& err() {
   static auto* const stream = [] {
-    auto* const made = new std::ostream(new CleanBuffer(std::cerr));
+    auto* const made = made_stream(new CleanBuffer(std::cerr));
     made->setf(std::ios::unitbuf);
     return made;
   }();
