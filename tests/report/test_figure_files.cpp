@@ -1,6 +1,7 @@
 // Figures and tables as files.
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -44,7 +45,64 @@ std::size_t draw(const Made& made, const fs::path& folder,
   return write_figures(made.findings(), file, {}, folder, formats);
 }
 
+// Where the bars of a chart stand, from its left edge, 0, to the right one, 1.
+std::vector<double> bars_in(const std::string& svg) {
+  std::smatch box;
+  REQUIRE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ")));
+  const std::regex bar(
+      "<path d=\"M ?([0-9.]+)[^\"]*\" stroke=\"[^\"]*\" stroke-opacity=\"0.6\" "
+      "stroke-width=\"1.4\"/>");
+  std::vector<double> places;
+  for (auto found = std::sregex_iterator(svg.begin(), svg.end(), bar);
+       found != std::sregex_iterator(); ++found) {
+    places.push_back(std::stod((*found)[1]) / std::stod(box[1]));
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
 }  // namespace
+
+TEST_CASE("Charts of times have every level in their frame, even if no median is known") {
+  using Labels = std::vector<std::string>;
+  const Labels moods =
+      GENERATE(Labels{"calm", "restless", "nervous", "mad"}, Labels{"1", "2", "3", "4"});
+  MadeExperiment study;
+  study.factors = {"world", "mood", "kind"};
+  for (const std::string& mood : moods) {
+    for (const std::string kind : {"a", "b"}) {
+      elsie::test::MadeCell& cell = study.cells.emplace_back();
+      cell.label = mood + ", " + kind;
+      cell.levels = {"w", mood, kind};
+      cell.world_text = elsie::test::made_world();
+      for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        elsie::test::MadeRun& run = cell.runs.emplace_back();
+        run.seed = seed;
+        run.outcome = seed <= 2 ? "success" : "time_limit";
+        run.measures = {{"time_s", seed <= 2 ? 10.0 + static_cast<double>(seed) : 40.0}};
+      }
+    }
+  }
+  const Folder folder;
+  draw(Made(study), folder.path(), {"svg"});
+  for (const auto& [name, count] : {std::pair<const char*, std::size_t>("effect-time_s-mood", 4),
+                                    {"interaction-time_s-mood-kind", 8}}) {
+    CAPTURE(name, moods);
+    const std::string svg = bytes(folder / (std::string(name) + ".svg"));
+    const std::vector<double> bars = bars_in(svg);
+    REQUIRE(bars.size() == count);
+    CHECK(bars.front() > 0.1);
+    CHECK(bars.back() < 1.0);
+    // The four levels share the frame evenly.
+    const std::size_t lines = count / 4;
+    const double step = bars[lines] - bars[0];
+    CHECK(step > 0.1);
+    for (std::size_t i = lines; i < count; ++i) {
+      CHECK(bars[i] - bars[i - lines] == Approx(step).margin(0.01));
+    }
+    for (const std::string& mood : moods) CHECK_THAT(svg, Contains(">" + mood + "</text>"));
+  }
+}
 
 TEST_CASE("Every figure is a file of each format, with its texts as texts") {
   const Made made(by_factor());

@@ -197,7 +197,7 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         tiles.x.names[column].at = place_of(along, column);
       }
       const std::vector<std::size_t> colours = level_colours(lines, inks);
-      picture::Interval range, values;
+      picture::Interval range, values, bars;
       std::vector<Margin> margins;
       for (std::size_t row = 0; row < rows; ++row) {
         tiles.y.names.push_back({place_of(lines, row), shown(lines.levels[row])});
@@ -216,17 +216,19 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
               step * (static_cast<double>(row) - 0.5 * static_cast<double>(rows - 1));
           add_point(series, place_of(along, column) + aside, margin);
           range.include(series.points.back().y);
+          bars.include(series.spread.back().low);
           tiles.values.push_back(margin.centre.value_or(kUnknown));
           values.include(tiles.values.back());
           margins.push_back(margin);
         }
         chart.series.push_back(std::move(series));
       }
-      if (range.empty()) {
+      if (range.empty() && bars.empty()) {
         continue;
       }
       // Decimals that tell the tiles apart.
-      const auto decimals = decimals_for(values.high, values.span());
+      const auto decimals =
+          values.empty() ? std::nullopt : decimals_for(values.high, values.span());
       for (const Margin& margin : margins) {
         tiles.texts.push_back(number_in_tile(margin, response, decimals));
       }
@@ -234,11 +236,14 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
           file_part(response.name) + "-" + file_part(along.name) + "-" + file_part(lines.name);
       const std::string words = response.words + " by " + along.name + " and " + lines.name;
       if (rows <= kMostLines) {
-        if (response.measure) {
+        if (response.measure && !range.empty()) {
           start_at_zero(chart.y, range);
         }
         charts.push_back({"interaction-" + name, words + ": " + what_is_shown(response, balance),
                           std::move(chart), notes_on(balance)});
+      }
+      if (values.empty()) {
+        continue;  // a "?" in each tile
       }
       charts.push_back({"tiles-" + name, words + (balance.medians ? kTilesOfMedians : ""),
                         std::move(tiles), notes_on(balance)});
