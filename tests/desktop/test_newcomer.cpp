@@ -14,6 +14,7 @@
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
+#include "disk.h"
 #include "export/exporter.h"
 #include "hands.h"
 #include "paint/number_boxes.h"
@@ -26,12 +27,6 @@
 using namespace elsie::desktop;
 
 namespace {
-
-QByteArray bytes_of(const QString& file) {
-  QFile opened(file);
-  REQUIRE(opened.open(QIODevice::ReadOnly));
-  return opened.readAll();
-}
 
 QString said(Window& window) { return window->statusBar()->currentMessage(); }
 

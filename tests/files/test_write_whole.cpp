@@ -12,28 +12,13 @@
 
 #include "elsie/files/write_whole.h"
 
+#include "folder.h"
+
 namespace fs = std::filesystem;
 namespace files = elsie::files;
+using elsie::test::Folder;
 
 namespace {
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "elsie-file-test-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()));
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  fs::path operator/(const char* name) const { return path_ / name; }
-  /// How many there are in it.
-  std::ptrdiff_t files() const {
-    return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
-  }
-
- private:
-  fs::path path_;
-};
 
 std::string read(const fs::path& name) {
   std::ifstream in(name, std::ios::binary);
