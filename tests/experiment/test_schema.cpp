@@ -27,6 +27,7 @@ const std::map<std::string, std::vector<std::string>> kBeyondSchemas = {
       "set_no_number", "set_out_of_range", "set_path_to_nowhere", "set_unknown_attribute",
       "set_unknown_robot", "level_changes_nothing", "levels_do_not_fit", "vary_value_out_of_range",
       "vary_value_same_number", "vary_values_without_a_separator", "world_is_wrong"}},
+    {"seeds, which no type of number has room for", {"seeds_negative"}},
     {"files",
      {"world_file_empty", "world_in_capitals", "world_is_a_directory", "world_missing",
       "world_is_an_experiment", "set_missing_file"}},
@@ -154,7 +155,7 @@ TEST_CASE("A schema of experiments without plugins is a schema") {
   const plugin::Host none;
   const Judge judge(none);
   CHECK(judge.accepts_text("<worlds><world file='a.xml'/></worlds><seeds from='1' to='2'/>"));
-  CHECK_FALSE(judge.accepts_text("<worlds><world file='a.xml'/></worlds><seeds from='a'/>"));
+  CHECK_FALSE(judge.accepts_text("<worlds><world file='a.xml'/></worlds><seeds repeats='a'/>"));
 }
 
 TEST_CASE("The schema accepts every experiment that is shipped, and the reader reads them") {

@@ -192,7 +192,7 @@ TEST_CASE("A layer that can never reach the motors is pointed out") {
 TEST_CASE("A priority has no effect on layers, and a note says so") {
   Team team;
   team.member("wander", 1, kWander).member("seek", 5, kSeek).member("avoid", 0.5, kAvoid);
-  const Coordinated robot("arbiter_subsumption", team);
+  Coordinated robot("arbiter_subsumption", team);
   REQUIRE((*robot).notes().size() == 1);
   CHECK(
       (*robot).notes()[0] ==

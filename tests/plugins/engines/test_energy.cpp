@@ -23,9 +23,9 @@ namespace {
 constexpr double kDeepest = 0.003;  // m, that bodies may be in each other
 
 /// Robots of one kind, and the most that their motors have given them.
-class Crowd {
+class Throng {
  public:
-  Crowd(PhysicsContext& context, const world::RobotBody& body, double speed)
+  Throng(PhysicsContext& context, const world::RobotBody& body, double speed)
       : context_(context), body_(body), speed_(speed) {
     for (const Part& part : world::plan_of(body, {}).parts) {
       const Vector3 &at = part.frame.origin, &size = part.shape.size;
@@ -135,7 +135,7 @@ Reached crowd_of(std::size_t robots, const world::Physics& physics, double speed
   PhysicsContext context(physics, {.length = size, .width = size});
   world::RobotBody body;
   body.wheel_torque = random.uniform(0.01, 0.05);
-  Crowd crowd(context, body, speed);
+  Throng crowd(context, body, speed);
   for (std::size_t i = 0; i < robots; ++i) {
     const double column = std::fmod(static_cast<double>(i), side);
     const double row = std::floor(static_cast<double>(i) / side);
@@ -236,7 +236,7 @@ TEST_CASE("Gaps of a millimetre: a robot that turns between walls gains nothing"
     CAPTURE(engine, step, seed, physics.friction);
     PhysicsContext context(physics, {.length = 2.0, .width = 0.102});
     const double speed = random.uniform(0.1, 1.0);
-    Crowd crowd(context, {}, speed);
+    Throng crowd(context, {}, speed);
     crowd.add(-0.5, 0.0, 0.0);
     crowd.add(-0.2, 0.0, 180.0);
     double energy = 0.0;

@@ -295,10 +295,10 @@ TEST_CASE("What cannot be scattered is refused in a sentence, at its line") {
       "w.xml:2: count=\"-1\" of <scatter>: expected a whole number at least 0 and at most 999999");
   CHECK_THAT(refusal(scattered("density='0.95'", "<static_box/>")), Contains("at most 0.9"));
   CHECK_THAT(refusal(scattered("density='0.8'", "<static_box/>")), Contains("lower the density"));
-  CHECK_THAT(refusal("<arena length='1000' width='1000'/>" +
-                     scattered("density='0.05' gap='0.001'",
-                               "<static_box length='0.1' width='0.1'/>")),
-             Contains("has a density of 0.05, which takes more than 1000000 things; lower"));
+  CHECK_THAT(
+      refusal("<arena length='1000' width='1000'/>" +
+              scattered("density='0.05' gap='0.001'", "<static_box length='0.1' width='0.1'/>")),
+      Contains("has a density of 0.05, which takes more than 1000000 things; lower"));
   CHECK_THAT(refusal(scattered("density='0.1' count='3'", "<static_box/>")),
              Contains("has a count and a density; expected one of them"));
   CHECK_THAT(refusal(scattered("density='0.1'", "<static_box/><gaussian/>")),
@@ -350,7 +350,7 @@ TEST_CASE("A mistake in the thing itself is said once, however many there are") 
   CHECK(refusal(scattered("count='50'", "<static_box lenth='1'/>")) ==
         "w.xml:2: <static_box> has no attribute 'lenth'; did you mean 'length'?");
   CHECK_THAT(refusal(scattered("count='50'", "<robot id='r' template='nope.xml'/>")),
-             Contains("the template 'nope.xml' is not there") && !Contains("\n"));
+             Contains("the template 'nope.xml': there is no such file") && !Contains("\n"));
   CHECK_THAT(
       refusal(scattered("count='50'", "<static_box/><draw path='@length' from='-2' to='-1'/>")),
       Contains("of <static_box>: expected a number") && !Contains("\n"));
