@@ -342,7 +342,7 @@ TEST_CASE("A camera that can take no picture is a fault at the sensor's place in
   };
   refuse({0, 10, 1.0}, "0 x 10 pixels");
   refuse({1000000, 10, 1.0}, "1000000 x 10 pixels, but on this machine");
-  refuse({10, 10, 0.0}, "field of view of 0.0");
+  refuse({10, 10, 0.0}, "field of view of 0 ");
   refuse({10, 10, 4.0}, "must be above 0 and below 180");
   refuse({10, 13, 1.0}, "it has no luck");
 }

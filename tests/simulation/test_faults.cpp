@@ -200,7 +200,7 @@ TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 
   CHECK_THROWS_WITH(step(1.0, 1.5),
                     Catch::Contains("plugin 'boaster' (id 'arbiter_suppression') of robot 'r1'") &&
                         Catch::Contains("the share of 'scripted' in its trace is "
-                                        "1.500000; expected a part of the whole"));
+                                        "1.5; expected a part of the whole"));
   CHECK_THROWS_WITH(step(1.0, -0.25),
                     Catch::Contains("the share of 'scripted' in its trace is -0.25; expected a "
                                     "part of the whole command, from 0 to 1"));
