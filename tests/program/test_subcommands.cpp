@@ -283,9 +283,11 @@ TEST_CASE("No name in a file commands the terminal, in words; JSON has it as it 
   CHECK(json::parse(here.elsie("replay r.mcap --json").out).at("world") == name);
   here.write("wrong.xml", "<world format=\"1\"><arena length=\"" + name + "\"/></world>");
   CHECK(is_clean(here.elsie("check wrong.xml").err));
+  here.write(
+      "w.xml",
+      "<world format=\"1\"><robots><robot id=\"r1\"/></robots><limits time=\"0.1\"/></world>");
   here.write("study.xml", "<experiment format=\"1\" name=\"" + name +
-                              "\"><worlds><world id=\"a\" file=\"worlds/open_arena.xml\"/></worlds>"
-                              "<set path=\"limits/@time\" value=\"0.1\"/>"
+                              "\"><worlds><world file=\"w.xml\"/></worlds>"
                               "<seeds list=\"1\"/></experiment>");
   CHECK(is_clean(here.elsie("batch study.xml --workers 1").out));
 }
