@@ -231,6 +231,7 @@ TEST_CASE("The terminal shows cells, measures, what was expected, what went wron
   CHECK(text ==
         "made up\n"
         "6 runs: 2 cells, 3 seeds; 1 ended abnormally\n"
+        "scheme moves success by 0.33 (which may be chance)\n"
         "\n"
         "cell   success   failed         path_length_m\n"
         "a          3/3        0   29.50 +- 0.10\n"
