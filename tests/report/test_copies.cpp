@@ -52,7 +52,8 @@ MadeExperiment with_noise(const MadeExperiment& study) {
   return longer;
 }
 
-const std::string kFusion = "coordinator=fusion", kArbitration = "coordinator=arbitration";
+const std::string kFusionCells = "coordinator=fusion",
+                  kArbitrationCells = "coordinator=arbitration";
 
 }  // namespace
 
@@ -107,8 +108,8 @@ TEST_CASE("A factor without effect changes no model, comparison or interval of t
     CHECK(rate_groups(thrice)[0].interval.low == Approx(rate_groups(once)[0].interval.low));
   }
   SECTION("comparisons") {
-    const auto once = compare(plain, kFusion, kArbitration);
-    const auto thrice = compare(noisy, kFusion, kArbitration);
+    const auto once = compare(plain, kFusionCells, kArbitrationCells);
+    const auto thrice = compare(noisy, kFusionCells, kArbitrationCells);
     REQUIRE(once.size() == thrice.size());
     for (std::size_t i = 0; i < once.size(); ++i) {
       CAPTURE(once[i].response.name);

@@ -85,8 +85,9 @@ TEST_CASE("Charts of times have every level in their frame, even if no median is
   }
   const Folder folder;
   draw(Made(study), folder.path(), {"svg"});
-  for (const auto& [name, count] : {std::pair<const char*, std::size_t>("effect-time_s-mood", 4),
-                                    {"interaction-time_s-mood-kind", 8}}) {
+  const std::pair<const char*, std::size_t> charts[] = {{"effect-time_s-mood", 4},
+                                                        {"interaction-time_s-mood-kind", 8}};
+  for (const auto& [name, count] : charts) {
     CAPTURE(name, moods);
     const std::string svg = bytes(folder / (std::string(name) + ".svg"));
     const std::vector<double> bars = bars_in(svg);
