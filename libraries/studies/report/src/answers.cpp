@@ -9,6 +9,7 @@
 #include "elsie/output/clean_text.h"
 #include "elsie/process/text_table.h"
 
+#include "copies.h"
 #include "numbers.h"
 #include "words.h"
 
@@ -190,6 +191,9 @@ std::string terminal_answers(const Findings& findings, const Answers& answers) {
   }
   if (text.empty()) {
     return text;
+  }
+  if (const std::string note = copies_in_words(findings); !note.empty()) {
+    text += "\nnote: " + output::one_line(note) + "\n";
   }
   if (!findings.good()) {
     text += "\n" + answer_in_words(findings) + "; the report without questions has the details\n";

@@ -424,7 +424,8 @@ std::string fit_in_words(const FactorModel& model) {
   const auto p = [](double value) {
     return value < 0.001 ? "p " + p_text(value) : "p = " + p_text(value);
   };
-  const std::string runs = counted(model.runs, "run");
+  const std::string runs =
+      counted(model.runs, model.runs < model.cells.size() ? "different run" : "run");
   if (const auto* fit = std::get_if<LinearFit>(&model.fit)) {
     return runs + "; R\xc2\xb2 " + fixed_text(fit->r_squared, 3) + ", adjusted " +
            fixed_text(fit->adjusted_r_squared, 3) + "; standard deviation of the residuals " +

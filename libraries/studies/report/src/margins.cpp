@@ -115,10 +115,6 @@ Balance balanced(const Findings& findings, const Response& response,
       ++balance.dropped_seeds;
     }
   }
-  for (std::size_t group = 0; group < groups.size(); ++group) {
-    const std::vector<Observation> all = observations(findings, response, balance, group, true);
-    balance.copies += all.size() - without_copies(all).size();
-  }
   return balance;
 }
 
@@ -156,11 +152,6 @@ std::vector<std::string> notes_on(const Balance& balance) {
   } else if (balance.one_run > 0) {
     notes.push_back("all seeds of " + counted(balance.one_run, "cell") +
                     " gave one and the same run, which counts once in a pooled test");
-  }
-  if (balance.copies > 0 && !balance.certain()) {
-    notes.push_back(counted(balance.copies, "run repeats", "runs repeat") +
-                    " another one bit by bit, and count" + (balance.copies == 1 ? "s" : "") +
-                    " once with it in a pooled test, a model and an interval");
   }
   return notes;
 }

@@ -19,6 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kDependent = 1e-9;  // the part of a column that must be new
+constexpr double kRounding = 1e-12;  // of an estimate, in standard errors
 
 struct Design {
   MatrixXd columns;  // the constant first
@@ -137,8 +138,8 @@ LinearFit fit_linear(std::span<const Term> terms, std::span<const double> values
   for (Eigen::Index i = 0; i < size; ++i) {
     Coefficient one;
     one.name = design.names[static_cast<std::size_t>(i)];
-    one.estimate = found(i);
     one.error = fit.deviation * std::sqrt(inverse(i, i));
+    one.estimate = std::abs(found(i)) <= kRounding * one.error ? 0.0 : found(i);
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
     one.p = perfect ? 0.0 : student_two_sided(one.estimate / one.error, freedom);
     one.inflation = inflation_of(design, w, inverse, i);
@@ -217,8 +218,8 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
   for (Eigen::Index i = 0; i < size; ++i) {
     Coefficient one;
     one.name = design.names[static_cast<std::size_t>(i)];
-    one.estimate = found(i);
     one.error = std::sqrt(inverse(i, i));
+    one.estimate = std::abs(found(i)) <= kRounding * one.error ? 0.0 : found(i);
     one.interval = {one.estimate - reach * one.error, one.estimate + reach * one.error};
     one.p = normal_two_sided(one.estimate / one.error);
     one.inflation = inflation_of(design, w, unweighted, i);

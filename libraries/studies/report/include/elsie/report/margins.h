@@ -29,7 +29,6 @@ struct Balance {
   bool confounded = false;
   std::size_t cells = 0;    // that count
   std::size_t one_run = 0;  // of them, those whose seeds all gave one and the same run
-  std::size_t copies = 0;   // runs that repeat another one of their group, bit by bit
   /// True if a run of any cell has only a bound: all centres of the response are medians.
   bool medians = false;
 
