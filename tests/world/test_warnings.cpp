@@ -24,7 +24,7 @@ std::string warned(const std::string& content, std::vector<std::string> override
   return text;
 }
 
-std::string robot(const std::string& body, const std::string& attributes = "") {
+std::string a_robot(const std::string& body, const std::string& attributes = "") {
   return "<robots>\n<robot id='r1' " + attributes + "><body " + body + "/></robot></robots>";
 }
 
@@ -33,7 +33,7 @@ std::string robot(const std::string& body, const std::string& attributes = "") {
 TEST_CASE("A world of defaults has no warning") {
   CHECK(warned("").empty());
   CHECK(
-      warned(robot("") +
+      warned(a_robot("") +
              "<obstacles><dynamic_box x='1'/><moving_box y='2'><waypoint x='3' y='2'/></moving_box>"
              "</obstacles>")
           .empty());
@@ -64,7 +64,7 @@ TEST_CASE("What is too much for steps in the plane") {
   CHECK_THAT(warned(planar + "\n<obstacles><moving_box id='ram'>"
                              "<waypoint x='4.8' y='0'/></moving_box></obstacles>"),
              Contains("the box 'ram' reaches into a wall at (4.8, 0), and ends the run"));
-  CHECK_THAT(warned(planar + robot("height='10'")),
+  CHECK_THAT(warned(planar + a_robot("height='10'")),
              Contains("would topple") && Contains("upright"));
   CHECK_THAT(warned("<physics engine='planar' erp='0.001'/>"), Contains("hardly moved apart"));
   CHECK(warned("<physics engine='planar' step='0.01'/>").empty());
@@ -76,21 +76,21 @@ TEST_CASE("A wheel slip of 0 matters where robots pull something") {
   const std::string train =
       "<robots><robot id='r1'><segments><segment/></segments></robot></robots>";
   CHECK_THAT(warned("<physics wheel_slip='0'/>" + train), Contains("wheel_slip is 0: "));
-  CHECK(warned("<physics wheel_slip='0'/>" + robot("")).empty());
+  CHECK(warned("<physics wheel_slip='0'/>" + a_robot("")).empty());
 }
 
 TEST_CASE("Contacts that are too soft for a weight") {
-  CHECK_THAT(warned("<physics cfm='0.001'/>" + robot("mass='1000'")),
+  CHECK_THAT(warned("<physics cfm='0.001'/>" + a_robot("mass='1000'")),
              Contains("world.xml:2: warning: the robot 'r1' weighs 1.04e+03 kg, under which it "
                       "sinks through the floor: contacts are too soft, with a cfm of 0.001"));
   CHECK_THAT(warned("<physics cfm='0.1'/><obstacles><dynamic_box x='1' mass='10'/></obstacles>"),
              Contains("the box 'dynamic_box_1' weighs 10 kg"));
-  CHECK_THAT(warned("<physics kp='1000' kd='100'/>" + robot("mass='1000'")),
+  CHECK_THAT(warned("<physics kp='1000' kd='100'/>" + a_robot("mass='1000'")),
              Contains("from kp and kd"));
 }
 
 TEST_CASE("What the warning about softness expects has no warning") {
-  const std::string heavy = robot("mass='10' wheel_mass='1'");
+  const std::string heavy = a_robot("mass='10' wheel_mass='1'");
   const std::string text = warned("<physics cfm='0.01'/>" + heavy);
   const std::string before = "expected at most ";
   REQUIRE_THAT(text, Contains(before));
@@ -99,24 +99,24 @@ TEST_CASE("What the warning about softness expects has no warning") {
 }
 
 TEST_CASE("Motors that turn the robot over, or their wheels in no time") {
-  CHECK_THAT(warned(robot("wheel_torque='100'")),
+  CHECK_THAT(warned(a_robot("wheel_torque='100'")),
              Contains("has motors of 100 N m, and its weight holds only 0.03"));
-  CHECK_THAT(warned(robot("wheel_mass='1e-5'")),
+  CHECK_THAT(warned(a_robot("wheel_mass='1e-5'")),
              Contains("bring a wheel of 1e-05 kg to ") && Contains("in one step"));
 }
 
 TEST_CASE("Masses that are too unlike") {
-  CHECK_THAT(warned("<physics cfm='1e-8'/>" + robot("mass='1000' wheel_mass='0.01'")),
+  CHECK_THAT(warned("<physics cfm='1e-8'/>" + a_robot("mass='1000' wheel_mass='0.01'")),
              Contains("the chassis of the robot 'r1' weighs 1e+03 kg and each wheel 0.01 kg"));
-  CHECK_THAT(warned("<obstacles><dynamic_box x='1' mass='1e-5'/></obstacles>" + robot("")),
+  CHECK_THAT(warned("<obstacles><dynamic_box x='1' mass='1e-5'/></obstacles>" + a_robot("")),
              Contains("weighs 1e-05 kg and the robot 'r1' 0.204 kg"));
 }
 
 TEST_CASE("Speeds that cross a body in one step") {
-  CHECK_THAT(warned(robot("", "max_speed='20'")),
+  CHECK_THAT(warned(a_robot("", "max_speed='20'")),
              Contains("the robot 'r1' moves up to 0.2 m in a step at 20 m/s") &&
                  Contains("expected a step of at most 0.002 s"));
-  CHECK(warned("<physics step='0.002'/>" + robot("", "max_speed='20'")).empty());
+  CHECK(warned("<physics step='0.002'/>" + a_robot("", "max_speed='20'")).empty());
   CHECK_THAT(warned("<obstacles><moving_box speed='50'><waypoint x='1' y='0'/></moving_box>"
                     "</obstacles>"),
              Contains("moves up to 0.5 m in a step"));
@@ -126,7 +126,7 @@ TEST_CASE("Moving boxes that reach into walls, walls that wheels roll over, robo
   CHECK_THAT(warned("<obstacles>\n<moving_box id='ram' length='1'><waypoint x='4.8' y='0'/>"
                     "</moving_box></obstacles>"),
              Contains("world.xml:2: warning: the box 'ram' reaches into a wall at (4.8, 0)"));
-  CHECK_THAT(warned("\n<arena wall_height='0.01'/>" + robot("")),
+  CHECK_THAT(warned("\n<arena wall_height='0.01'/>" + a_robot("")),
              Contains("world.xml:2: warning: the walls are 0.01 m high"));
-  CHECK_THAT(warned(robot("height='10'")), Contains("and topples"));
+  CHECK_THAT(warned(a_robot("height='10'")), Contains("and topples"));
 }
