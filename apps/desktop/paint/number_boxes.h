@@ -19,6 +19,7 @@ class CountBox : public QSpinBox {
  public:
   explicit CountBox(QWidget* parent = nullptr);
   QValidator::State validate(QString& text, int& cursor) const override;
+  void fixup(QString& /*text*/) const override {}  // Qt would take the comma out
 };
 
 }  // namespace elsie::desktop
