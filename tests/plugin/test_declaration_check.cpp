@@ -172,7 +172,7 @@ TEST_CASE("Each fault of a declaration is found and named") {
          d.kind = PluginKind::drive;
          d.events.clear();
          d.reacts_to.clear();
-         d.needs = {{"range", 8}};
+         d.needs = {ReadingDeclaration::of<RangeReading>()};
        }},
       {"the name of parameter 'max speed' must be",
        [](Declaration& d) { d.parameters[0].name = "max speed"; }},

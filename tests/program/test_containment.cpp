@@ -312,7 +312,7 @@ TEST_CASE("A plugin that crashes while it is checked is named with the trial") {
   const auto run = world.here.elsie("test-plugin leaving_at_once --plugin-path " + world.plugins);
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'leaving_at_once' ended the program by calling _exit() in "
-                               "step 0, while it was tried (its defaults; "));
+                               "step 0 (at 0 s), while it was tried (its defaults; "));
 }
 
 TEST_CASE("Every command that reads a file refuses a pipe, a device and what is far too large") {

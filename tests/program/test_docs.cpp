@@ -98,7 +98,8 @@ TEST_CASE("Every command in the docs runs, and reaches its goals unless it is cu
         }
         CAPTURE(run.err);
         const bool ends_early = kCutShort.contains(line);
-        CHECK(run.exit_code == (ends_early ? 1 : 0));
+        // 4: the report of an experiment that was cut short knows some answers not yet.
+        CHECK((ends_early ? run.exit_code == 1 || run.exit_code == 4 : run.exit_code == 0));
         CHECK(run.err.empty());
         if (ends_early) {
           cut_short.insert(line);

@@ -167,7 +167,7 @@ TEST_CASE("No output replaces what a subcommand reads, and two outputs are two f
               .exit_code <= 1);  // the goal may be missed
   here.write("world.xml",
              "<world format=\"1\"><robots><robot id=\"a\" x=\"1\"/></robots><layouts><floor_plan "
-             "id=\"p\" file=\"plan.png\" metres_per_pixel=\"0.1\"/></layouts><limits "
+             "id=\"p\" file=\"plan.png\" metres_per_pixel=\"0.002\"/></layouts><limits "
              "time=\"0.1\"/></world>\n");
   const std::string plan = here.read("plan.png"), recording = here.read("run.mcap");
   std::filesystem::copy_file(here.file("run.mcap"), here.file("run.png"));

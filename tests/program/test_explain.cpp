@@ -200,7 +200,7 @@ TEST_CASE("explain refuses what it cannot work with in a sentence") {
   expect("explain run.mcap --to 1,5", "--to");
   expect("explain run.mcap --episodes 0", "--episodes");
   expect("explain run.mcap --picture run.gif", "must end in .png or .svg");
-  expect("explain run.mcap --picture run.mcap", "must end in .png or .svg");
+  expect("explain run.mcap --picture run.mcap", "is read here, and its content would be lost");
 }
 
 TEST_CASE("explain shows the priorities that the user set in the run") {

@@ -102,7 +102,7 @@ TEST_CASE("A measure of one file is compiled and run; one that fails ends the ru
       here.sh("ELSIE_CACHE=cache elsie run world.xml --plugin forgetful.cpp --record run.csv");
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.err, Contains("plugin 'forgetful' (id 'f') among the world's measures failed in "
-                               "step 9: what was it again"));
+                               "step 9 (at 0.1 s): what was it again"));
 }
 
 TEST_CASE("Measures are listed, described and tried like other plugins") {

@@ -60,7 +60,7 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.out, Contains("before: hang, the run did not end within 5 s") &&
-                          Catch::EndsWith("\nthe same: hangs in " + place + "50\n"));
+                          Catch::EndsWith("\nthe same: hangs in " + place + "50 (at 0.5 s)\n"));
   CHECK_THAT(run.err,
              Contains("elsie: plugin 'looping' of robot 'r1' did not return before the wall limit "
                       "of the run in step 50 (at 0.5 s)\n") &&
@@ -73,7 +73,8 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
   here.query("faulty.sqlite", "UPDATE runs SET step = 70");
   auto other = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 3");
   CHECK(other.exit_code == 1);
-  CHECK(other.out == "not the same: hangs in " + place + "50, before in " + place + "70\n");
+  CHECK(other.out ==
+        "not the same: hangs in " + place + "50 (at 0.5 s), before in " + place + "70\n");
   here.query("faulty.sqlite", "UPDATE runs SET step = 50, robot = 'r2'");
   other = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 3");
   CHECK(other.exit_code == 1);

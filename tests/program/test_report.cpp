@@ -148,7 +148,8 @@ TEST_CASE("report refuses bad input in a sentence, with exit code 2") {
   refused("planless.sqlite", "'planless.sqlite' was not begun: its batch ended before");
   refused("broken.sqlite", "<experiment>");
   refused("runs.sqlite --html page.txt", "--html: expected a name that ends in .html");
-  refused("runs.sqlite --csv runs.sqlite", "--csv: expected a name that ends in .csv");
+  refused("runs.sqlite --csv runs.sqlite",
+          "--csv: 'runs.sqlite' is read here, and its content would be lost");
   refused("runs.sqlite --junit nowhere/results.xml", "there is no folder 'nowhere'");
   refused("runs.sqlite --html folder.html", "cannot write 'folder.html': it is a directory");
   refused("runs.sqlite --csv ''", "--csv");

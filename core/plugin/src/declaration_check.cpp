@@ -166,7 +166,7 @@ class Checker {
   void check_reading(const ReadingDeclaration& reading) {
     check_name("reading", reading.kind);
     const std::string subject = "reading '" + reading.kind + "' ";
-    if (reading.size == 0) fault(subject + "has no size");
+    if (reading.size == 0) return fault(subject + "has no size");
     static const std::array kOwn{ReadingDeclaration::of<RangeReading>(),
                                  ReadingDeclaration::of<ProximityReading>(),
                                  ReadingDeclaration::of<VisionReading>()};

@@ -15,6 +15,9 @@ namespace elsie::files {
 namespace {
 
 fs::path end_of(const fs::path& file) {
+  if (file.empty()) {
+    return file;
+  }
   std::error_code error;
   // Links may lead to a file that does not exist yet.
   const fs::path end = fs::weakly_canonical(end_of_links(fs::absolute(file)), error);

@@ -49,6 +49,17 @@ class NeighbourTrial final : public Trial {
   bool has_failed_ = false;
 };
 
+/// Whether one perceives what the other makes: plugins that belong together.
+bool exchange_readings(const Declaration& one, const Declaration& other) {
+  const auto makes_for = [](const Declaration& maker, const Declaration& user) {
+    return std::any_of(maker.produces.begin(), maker.produces.end(), [&](const auto& made) {
+      return std::any_of(user.needs.begin(), user.needs.end(),
+                         [&](const auto& needed) { return needed.kind == made.kind; });
+    });
+  };
+  return makes_for(one, other) || makes_for(other, one);
+}
+
 }  // namespace
 
 std::vector<const Declaration*> neighbours_of(const Declaration& declaration,
@@ -60,6 +71,7 @@ std::vector<const Declaration*> neighbours_of(const Declaration& declaration,
        {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
     for (const Declaration* const other : plugins.host().all(kind)) {
       if (other != &declaration && !file.empty() && found.size() < kMost &&
+          exchange_readings(declaration, *other) &&
           plugins.host().file_of(kind, other->name) == file) {
         found.push_back(other);
       }

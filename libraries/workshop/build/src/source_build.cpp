@@ -56,11 +56,16 @@ std::vector<std::string> words_of(const char* text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// The file's name as an argument that the compiler takes for nothing else: "-o.cpp" is an option,
-/// "@list.cpp" a file of options.
+/// The file's name as an argument that is no option, as "-o.cpp" would be. Throws BuildError for
+/// "@list.cpp", which GCC takes for a file of options in any folder.
 std::string operand(const fs::path& file) {
+  if (file.filename().string().starts_with('@')) {
+    throw BuildError("'" + file.string() +
+                     "' cannot be compiled: compilers take a name that begins with '@' for a list "
+                     "of options; rename it");
+  }
   const std::string name = file.string();
-  return name.starts_with('-') || name.starts_with('@') ? "./" + name : name;
+  return name.starts_with('-') ? "./" + name : name;
 }
 
 /// The folder with elsie/api/, next to the library, installed or in the build folder.

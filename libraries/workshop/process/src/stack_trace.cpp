@@ -68,6 +68,16 @@ struct Lines {
 };
 Lines lines;
 
+/// Takes " (discriminator 2)" out: places of one line in the machine's code.
+void leave_out_discriminators() {
+  constexpr std::string_view kMark = " (discriminator ";
+  for (std::size_t at; (at = lines.all().find(kMark)) != std::string_view::npos;) {
+    const std::size_t end = std::min(lines.all().find(')', at), lines.size - 1) + 1;
+    std::copy(lines.text + end, lines.text + lines.size, lines.text + at);
+    lines.size -= end - at;
+  }
+}
+
 /// Adds the output of a process, but does not wait for long.
 void read_lines(int pipe, pid_t process) {
   constexpr int kPatience_ms = 5000;
@@ -79,6 +89,7 @@ void read_lines(int pipe, pid_t process) {
     }
     lines.size += static_cast<std::size_t>(count);
   }
+  leave_out_discriminators();
   for (int i = 0; i < 100 && waitpid(process, nullptr, WNOHANG) == 0; ++i) {
     const timespec pause{0, 10'000'000};
     nanosleep(&pause, nullptr);
