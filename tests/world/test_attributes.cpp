@@ -208,6 +208,6 @@ TEST_CASE("A text is read as from the file, and files are found as from there") 
         ParameterValue(kFolder + "data/songs/one.txt"));
   CHECK(read("robot[r1]/roam/@song", "") == ParameterValue(std::string()));
   CHECK(found.why_not("robot[r1]/@max_speed", "3abc") ==
-        "expected a number at least 0 and at most 100 m/s");
+        "expected a number at least 0 and at most 100 m/s; write the number only; the unit is m/s");
   CHECK(found.why_not("robot[r1]/roam/@song", "none.txt").starts_with("there is no such file"));
 }

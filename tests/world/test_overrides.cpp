@@ -471,9 +471,10 @@ TEST_CASE("What a template would have had is not missed when the template is not
       "<robots><robot id=\"r1\" template=\"nowhere.xml\"/><robot id=\"r2\" x=\"1\"/></robots>";
   for (const char* path : {"robot[r1]/behavior[roam]/@speed", "robot[r1]/sensor[2]/@yaw_deg",
                            "behavior[roam]/@speed"}) {
-    CHECK_THAT(problems(world, {std::string(path) + "=3"}),
-               Catch::StartsWith("world.xml:1: the template 'nowhere.xml' is not there") &&
-                   !Catch::Contains("\n"));
+    CHECK_THAT(
+        problems(world, {std::string(path) + "=3"}),
+        Catch::StartsWith("world.xml:1: the template 'nowhere.xml': there is no such file") &&
+            !Catch::Contains("\n"));
   }
   CHECK_THAT(problems(world, {"robot[r2]/behavior[roam]/@speed=3"}),
              Catch::Contains("--set robot[r2]/behavior[roam]/@speed=3: there is no 'behavior'"));

@@ -61,7 +61,7 @@ TEST_CASE("What is too much for steps in the plane") {
       warned(planar + "\n<robots>\n<robot id='r1' max_speed='100'/></robots>"),
       Contains("world.xml:3: warning: the robot 'r1' moves up to 1 m in a step at 100 m/s") &&
           Contains("stays behind"));
-  CHECK_THAT(warned(planar + "\n<obstacles><moving_box id='ram'>"
+  CHECK_THAT(warned(planar + "\n<obstacles><moving_box id='ram' length='1'>"
                              "<waypoint x='4.8' y='0'/></moving_box></obstacles>"),
              Contains("the box 'ram' reaches into a wall at (4.8, 0), and ends the run"));
   CHECK_THAT(warned(planar + a_robot("height='10'")),

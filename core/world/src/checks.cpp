@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,13 +48,16 @@ std::vector<std::string> ids_of(const std::vector<Object>& objects) {
 void check_mentions(const Reading& reading, Problems& problems) {
   const World& world = reading.world;
   for (const Mention& mention : reading.mentions) {
-    const auto [what, ids] =
-        mention.kind == Reference::team    ? std::pair("team", ids_of(world.teams))
-        : mention.kind == Reference::robot ? std::pair("robot", ids_of(world.robots))
-                                           : std::pair("box", ids_of(world.boxes));
+    const auto [what, ids, is_any] =
+        mention.kind == Reference::team
+            ? std::tuple("team", ids_of(world.teams), !world.teams.empty())
+        : mention.kind == Reference::robot
+            ? std::tuple("robot", ids_of(world.robots), !world.robots.empty())
+            : std::tuple("box", ids_of(world.boxes), !world.boxes.empty());
     if (std::find(ids.begin(), ids.end(), mention.id) == ids.end()) {
-      const std::string list =
-          ids.empty() ? "; the world has none" : base::near_or_all(mention.id, ids, "there are");
+      const std::string list = !ids.empty() ? base::near_or_all(mention.id, ids, "there are")
+                               : is_any     ? "; the world has none with a valid id"
+                                            : "; the world has none";
       problems.add(mention.where,
                    mention.in_words +
                        (mention.id.empty() ? "" : std::string(": there is no such ") + what) +
