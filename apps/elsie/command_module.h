@@ -1,5 +1,5 @@
-// The library lib/elsie/elsie-commands.so: all subcommands but `elsie run`, and the views and cameras
-// of a run. A run without these does not load it, nor what it links: OpenGL, cairo, SQLite.
+// The library lib/elsie/elsie-commands.so: all subcommands but `elsie run`, and the views and
+// cameras of a run. A run without these does not load it, nor what it links: OpenGL, cairo, SQLite.
 #pragma once
 
 #include <memory>

@@ -19,8 +19,9 @@ namespace elsie::desktop {
 
 using client::Json;
 
-/// Sends orders to the engine and receives answers and snapshots (docs/internals/session.md); no call waits.
-/// When the process ends by itself, died() reports it, and a call of start() starts it again.
+/// Sends orders to the engine and receives answers and snapshots (docs/internals/session.md); no
+/// call waits. When the process ends by itself, died() reports it, and a call of start() starts it
+/// again.
 class Engine : public QObject {
   Q_OBJECT
 

@@ -1,8 +1,8 @@
 // A connection to the process of a session, which holds the document and its run. Plugins that
 // crash, loop or wait only affect that process.
 //
-// Messages are JSON objects, one per line; docs/internals/session.md lists them. Only the destructor waits
-// for the other process.
+// Messages are JSON objects, one per line; docs/internals/session.md lists them. Only the
+// destructor waits for the other process.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 //
 // The server reads messages, edits the document, and runs the world that it describes. Between two
 // decisions of the robots it reads messages again. It sends positions as snapshots and all other
-// data as messages; docs/internals/session.md lists them. A run in a session equals, bit for bit, that of
-// `elsie run` with the same world, seed and edits, whatever is watched.
+// data as messages; docs/internals/session.md lists them. A run in a session equals, bit for bit,
+// that of `elsie run` with the same world, seed and edits, whatever is watched.
 #pragma once
 
 #include <memory>
