@@ -8,6 +8,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "elsie/output/clean_text.h"
+
 #include "hostile.h"
 
 using namespace elsie::report;
