@@ -49,15 +49,16 @@ class NeighbourTrial final : public Trial {
   bool has_failed_ = false;
 };
 
-/// Whether one perceives what the other makes: plugins that belong together.
-bool exchange_readings(const Declaration& one, const Declaration& other) {
+/// Whether one perceives what the other makes, or both say that they share something.
+bool belong_together(const Declaration& one, const Declaration& other) {
   const auto makes_for = [](const Declaration& maker, const Declaration& user) {
     return std::any_of(maker.produces.begin(), maker.produces.end(), [&](const auto& made) {
       return std::any_of(user.needs.begin(), user.needs.end(),
                          [&](const auto& needed) { return needed.kind == made.kind; });
     });
   };
-  return makes_for(one, other) || makes_for(other, one);
+  return makes_for(one, other) || makes_for(other, one) ||
+         !(one.may_share_threads || other.may_share_threads);
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ std::vector<const Declaration*> neighbours_of(const Declaration& declaration,
        {PluginKind::sensor, PluginKind::behavior, PluginKind::coordinator}) {
     for (const Declaration* const other : plugins.host().all(kind)) {
       if (other != &declaration && !file.empty() && found.size() < kMost &&
-          exchange_readings(declaration, *other) &&
+          belong_together(declaration, *other) &&
           plugins.host().file_of(kind, other->name) == file) {
         found.push_back(other);
       }
