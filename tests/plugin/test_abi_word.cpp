@@ -33,6 +33,12 @@ TEST_CASE("Every setting that differs is named with both values") {
           Contains("pointer=4, where this program has pointer=8"));
 }
 
+TEST_CASE("Of another interface, whose word may have other settings, only the version is named") {
+  CHECK_THAT(
+      *abi_mismatch("api=0.2;rtti=on", "api=0.1"),
+      Contains("was built for plugin interface 0.1, which is older than this program's 0.2;"));
+}
+
 TEST_CASE("A flag that changes type information or exceptions is named") {
   const std::string host(host_abi_word());
   const auto with = [&](const std::string& setting, const std::string& other) {

@@ -73,29 +73,32 @@ std::string_view host_abi_word() { return ELSIE_ABI_WORD; }
 std::optional<std::string> abi_mismatch(std::string_view host, std::string_view library) {
   const std::vector<KeyAndValue> ours = entries_of(host);
   const std::vector<KeyAndValue> theirs = entries_of(library);
+  const auto version = value_of(ours, kInterface);
+  const auto their_version = value_of(theirs, kInterface);
   std::vector<std::string> differences;
   const auto compare = [&](std::string_view key) {
     const auto mine = value_of(ours, key);
     const auto other = value_of(theirs, key);
-    if (key == kInterface && mine && other) {
-      if (std::string difference = interface_difference(*mine, *other); !difference.empty()) {
-        differences.push_back("for " + difference);
-      }
-    } else if (mine != other) {
+    if (mine != other && !(key == kInterface && mine && other)) {
       differences.push_back("with " + with_value(key, other) + ", where this program has " +
                             with_value(key, mine));
     }
   };
-  for (const KeyAndValue& entry : ours) {
-    compare(entry.first);
-  }
-  for (const KeyAndValue& entry : theirs) {
-    if (!value_of(ours, entry.first)) {
+  const std::string of_interfaces =
+      version && their_version ? interface_difference(*version, *their_version) : "";
+  if (!of_interfaces.empty()) {
+    differences = {"for " + of_interfaces};  // whose words have other settings
+  } else {
+    for (const KeyAndValue& entry : ours) {
       compare(entry.first);
+    }
+    for (const KeyAndValue& entry : theirs) {
+      if (!value_of(ours, entry.first)) {
+        compare(entry.first);
+      }
     }
   }
   if (differences.empty()) return std::nullopt;
-  const auto version = value_of(ours, kInterface);
   return "was built " + joined(differences, ", and ") +
          "; rebuild it with the headers of this Elsie (plugin interface " +
          std::string(version.value_or("unknown")) + ") and with the same build settings";

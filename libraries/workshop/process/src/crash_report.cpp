@@ -297,7 +297,7 @@ void crashed(int signal, siginfo_t* info, void* context) {
   end_by(signal);
 }
 
-/// Whether a timer of this process, or a descriptor that it asked to be told of, caused the signal.
+/// Whether a timer of this process, or a descriptor whose signals it asked for, caused the signal.
 /// The program itself has none.
 bool is_by_timer(int signal, const siginfo_t& info) {
   switch (info.si_code) {
