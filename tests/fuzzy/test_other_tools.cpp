@@ -58,6 +58,14 @@ TEST_CASE("Untidy statements are noted with their lines, and change nothing") {
               "14: The term 'high' has one point only and is read as a singleton. Write := 100."});
     return;
   }
+  SECTION("triangles and trapezoids whose corners are at one place, which are singletons, too") {
+    parts.power = "  TERM low := TRIAN 0 0 0;\n  TERM high := trape 100 100 100 100;\n";
+    const Model model = read(parts);
+    CHECK(power(model, 2.5) == Approx(25.0));
+    CHECK_THAT(notes(model).at(0),
+               Contains("The term 'low' has one point only and is read as a singleton."));
+    return;
+  }
   SECTION("an output that always has its default") {
     parts.power += "END_DEFUZZIFY\nDEFUZZIFY lamp\n  TERM on := 1;\n";
     parts.inputs += "END_VAR\nVAR_OUTPUT\n  lamp : REAL;\n";
@@ -345,9 +353,51 @@ TEST_CASE("Hedges in conditions are those of fuzzylite") {
   CHECK(read(parts).rules()[0].text == "IF cold IS very yes THEN power IS high");
 }
 
-TEST_CASE("A function block without any output is refused") {
-  CHECK_THROWS_WITH(parse_fcl("FUNCTION_BLOCK nothing\nVAR_INPUT\n  a : REAL;\nEND_VAR\n"
-                              "FUZZIFY a\n  TERM x := (0, 0) (1, 1);\nEND_FUZZIFY\n"
-                              "END_FUNCTION_BLOCK\n"),
-                    Contains("The function block has no output"));
+TEST_CASE("A function block without any output is refused, but for viewing") {
+  const std::string text =
+      "FUNCTION_BLOCK nothing\nVAR_INPUT\n  a : REAL;\nEND_VAR\n"
+      "FUZZIFY a\n  TERM x := (0, 0) (1, 1);\nEND_FUZZIFY\nEND_FUNCTION_BLOCK\n";
+  CHECK_THROWS_WITH(parse_fcl(text), Contains("The function block has no output"));
+  const Model shown = parse_fcl(text, "heating.fcl", "", elsie::fuzzy::Gaps::noted);
+  CHECK(shown.outputs().empty());
+  CHECK(shown.inputs()[0].terms.at(0).set.degree(0.5) == Approx(0.5));
+  CHECK_THAT(notes(shown).at(0),
+             Contains("The function block has no output, so that no robot can use the model."));
+}
+
+TEST_CASE("A point among terms with an area adds nothing to the centre of gravity") {
+  Parts parts;
+  parts.power = "  TERM low := TRIAN 0 0 0;\n  TERM high := Triangle 40 60 80;\n";
+  parts.options = "  METHOD : COG;\n  DEFAULT := 7;\n";
+  const Model model = read(parts);
+  CHECK(power(model, 2.5) == Approx(60.0));
+  CHECK(power(model, 0.0) == 7.0);  // only 'low' is concluded
+  CHECK_THAT(notes(model).at(0), Contains("The term 'low' of 'power' has no area: beside terms "
+                                          "that have one, it counts for nothing."));
+  parts.options = "  METHOD : COG;\n";
+  CHECK_THROWS_WITH(read(parts), Contains("no rule decides it at cold = "));
+  parts.options = "  METHOD : MM;\n  DEFAULT := 7;\n";
+  CHECK_THROWS_WITH(read(parts), Contains("has both singletons and terms with an area"));
+  parts.options = "  METHOD : COG;\n  DEFAULT := 7;\n";
+  parts.power = "  TERM low := 0;\n  TERM high := Triangle 40 60 80;\n";
+  CHECK_THROWS_WITH(read(parts), Contains("has both singletons and terms with an area"));
+}
+
+TEST_CASE("COSINE, whose numbers two tools order differently, is written as in one of them") {
+  Parts parts;
+  parts.cold = "  TERM no := COSINE 5 2;\n  TERM yes := (0, 0) (10, 1);\n";
+  CHECK_THROWS_WITH(read(parts), Contains("half the width and the centre in jFuzzyLogic. Write "
+                                          "Cosine, the centre and the width."));
+}
+
+TEST_CASE("DSIGM of jFuzzyLogic is cut off at 0, where others take the absolute value") {
+  const auto degree = [](const std::string& shape) {
+    const Model model = parse_fcl(
+        "FUNCTION_BLOCK one\nVAR_INPUT\n  x : REAL;\nEND_VAR\nFUZZIFY x\n  TERM t := " + shape +
+            " 1 8 5 9;\n  RANGE := (0 .. 20);\nEND_FUZZIFY\nEND_FUNCTION_BLOCK\n",
+        "heating.fcl", "", elsie::fuzzy::Gaps::noted);
+    return model.inputs()[0].terms.at(0).set.degree(10.0);
+  };
+  CHECK(degree("DSIGM") == 0.0);
+  CHECK(degree("dsigmf") == Approx(0.112).margin(1e-3));
 }

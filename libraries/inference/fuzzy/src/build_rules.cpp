@@ -147,6 +147,9 @@ void ModelBuilder::rule(const ast::RuleBlock& block, const ast::Rule& rule,
                         base::enumerated(names, "or") + ".");
       continue;
     }
+    if (is_point(*term)) {
+      continue;
+    }
     conclusions_.push_back({model_->rules.size(), declared->index,
                             static_cast<std::size_t>(term - output.terms.data()), scales, hedges});
   }

@@ -166,18 +166,21 @@ const char* tool_of(std::string_view word) {
   return has(kJFuzzyLogic) ? "jFuzzyLogic" : has(kFuzzylite) ? "fuzzylite" : nullptr;
 }
 
-/// jFuzzyLogic reads one point, perhaps repeated, as what the standard writes as := x.
+/// A term of one point, perhaps repeated, is what the standard writes as := x.
 ast::Term ModelBuilder::with_singleton(const ast::Term& term) {
-  const auto is_it = [&](const FuzzySet::Point& point) { return point == term.points.front(); };
-  if (term.points.empty() || term.points.front().degree != 1.0 ||
-      !std::all_of(term.points.begin(), term.points.end(), is_it)) {
+  const auto is_first = [&](const FuzzySet::Point& point) { return point == term.points.front(); };
+  std::optional<double> x = only_corner(term.shape, term.parameters);
+  if (!term.points.empty() && term.points.front().degree == 1.0 &&
+      std::all_of(term.points.begin(), term.points.end(), is_first)) {
+    x = term.points.front().x;
+  }
+  if (!x) {
     return term;
   }
-  ast::Term singleton{term.name, {}, term.points.front().x, {}, {}, {}};
   problems_.add_note(term.name.line, "The term " + name_in_quotes(term.name.text) +
                                          " has one point only and is read as a singleton. Write " +
-                                         ":= " + number_text(*singleton.singleton) + ".");
-  return singleton;
+                                         ":= " + number_text(*x) + ".");
+  return {term.name, {}, x, {}, {}, {}};
 }
 
 /// Reduces points with the same x to the first and the last, unless another is higher or lower.
@@ -372,8 +375,31 @@ void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable&
   check_output_terms(block, output, method.has_value());
 }
 
-void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
+/// Among terms with an area, one of a single point adds nothing to the centre of gravity. Where it
+/// is written as := x, it is a mistake.
+void ModelBuilder::take_points_for_terms_without_area(const ast::VariableBlock& block,
+                                                      OutputVariable& output) {
+  const auto has_place = [](const auto& term) { return term.singleton.has_value(); };
+  if (std::any_of(block.terms.begin(), block.terms.end(), has_place) ||
+      std::all_of(output.terms.begin(), output.terms.end(), has_place)) {
+    return;
+  }
+  for (Term& term : output.terms) {
+    if (term.singleton && term.linear.empty() && term.formula.empty()) {
+      problems_.add_note(block.name.line, "The term " + name_in_quotes(term.name) + " of " +
+                                              name_in_quotes(output.name) +
+                                              " has no area: beside terms that have one, it counts "
+                                              "for nothing. Give it a width.");
+      term.singleton.reset();
+    }
+  }
+}
+
+void ModelBuilder::check_output_terms(const ast::VariableBlock& block, OutputVariable& output,
                                       bool method_given) {
+  if (output.method == Defuzzification::centroid) {
+    take_points_for_terms_without_area(block, output);
+  }
   const auto singletons = std::count_if(output.terms.begin(), output.terms.end(),
                                         [](const Term& t) { return t.singleton.has_value(); });
   const int line = method_given ? block.method->line : block.name.line;
@@ -404,7 +430,7 @@ void ModelBuilder::check_output_terms(const ast::VariableBlock& block, const Out
   }
   for (std::size_t i = 0; i < output.terms.size(); ++i) {
     const Term& term = output.terms[i];
-    if (!term.set.points.empty() &&
+    if (!term.set.points.empty() && !is_point(term) &&
         !(output.range.low < output.range.high &&
           area(restricted(term.set, output.range.low, output.range.high)) > 0.0)) {
       const auto written =

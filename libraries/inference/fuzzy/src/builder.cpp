@@ -24,7 +24,12 @@ std::shared_ptr<const ModelData> ModelBuilder::run() {
     problems_.add(block_.name.line, "The function block has no input. Declare one in VAR_INPUT.");
   }
   if (block_.outputs.empty()) {
-    problems_.add(block_.name.line, "The function block has no output. Declare one in VAR_OUTPUT.");
+    const std::string lacks = "The function block has no output";
+    const std::string remedy = "Declare one in VAR_OUTPUT.";
+    gaps_ == Gaps::refused
+        ? problems_.add(block_.name.line, lacks + ". " + remedy)
+        : problems_.add_note(block_.name.line,
+                             lacks + ", so that no robot can use the model. " + remedy);
   }
   for (const ast::RuleBlock& block : block_.rule_blocks) {
     rule_block(block);

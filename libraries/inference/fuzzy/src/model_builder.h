@@ -26,6 +26,13 @@ inline std::string range_text(const Range& range) {
   return std::string("(").append(number_text(range.low)) + " .. " + number_text(range.high) + ")";
 }
 
+/// Whether a term of an output with an area has none itself.
+inline bool is_point(const Term& term) {
+  const std::vector<FuzzySet::Point>& points = term.set.points;
+  return !term.singleton && !points.empty() && points.front().x == points.back().x &&
+         points.front().degree == 0.0 && points.back().degree == 0.0;
+}
+
 class ModelBuilder {
  public:
   ModelBuilder(const ast::FunctionBlock& block, Problems& problems, Gaps gaps)
@@ -63,7 +70,8 @@ class ModelBuilder {
   ast::Term with_singleton(const ast::Term& term);
   bool check_points(const ast::Term& term);
   std::vector<FuzzySet::Point> without_repetitions(const ast::Term& term);
-  void check_output_terms(const ast::VariableBlock& block, const OutputVariable& output,
+  void take_points_for_terms_without_area(const ast::VariableBlock& block, OutputVariable& output);
+  void check_output_terms(const ast::VariableBlock& block, OutputVariable& output,
                           bool method_given);
 
   /// The meaning of a word in the file; none: it is missing or unknown.

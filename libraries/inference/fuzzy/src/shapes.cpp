@@ -194,10 +194,13 @@ const std::vector<NamedKind>& kinds() {
   return kAll;
 }
 
+std::vector<NamedKind>::const_iterator kind_named(std::string_view name) {
+  return std::find_if(kinds().begin(), kinds().end(),
+                      [&](const NamedKind& candidate) { return same_name(candidate.name, name); });
+}
+
 FuzzySet Shape::make() {
-  const auto named = std::find_if(kinds().begin(), kinds().end(), [&](const NamedKind& candidate) {
-    return same_name(candidate.name, name_);
-  });
+  const auto named = kind_named(name_);
   if (named == kinds().end()) {
     std::vector<std::string> full_names;  // the other names abbreviate these
     std::copy_if(shape_names().begin(), shape_names().end(), std::back_inserter(full_names),
@@ -205,6 +208,11 @@ FuzzySet Shape::make() {
     refuse("Found the shape '" + name_ + "', which is not known." +
            did_you_mean(name_, shape_names()) + " Known are " + base::enumerated(full_names, "or") +
            ".");
+  }
+  if (named->kind.form == Kind::cosine && name_ != named->name) {
+    refuse("Found the shape '" + name_ +
+           "', whose numbers are the centre and the width in fuzzylite, which writes Cosine, and "
+           "half the width and the centre in jFuzzyLogic. Write Cosine, the centre and the width.");
   }
   name_ = named->name;
   const Kind& kind = named->kind;
@@ -292,11 +300,14 @@ FuzzySet Shape::make() {
       const double a = sigmoid_reach(v[1]);
       const double b = sigmoid_reach(v[3]);
       const bool product = kind.form == Kind::sigmoid_product;
+      const bool is_cut_off = name_ == "dsigm";  // jFuzzyLogic's; others take the absolute value
       curve(
           [&](double x) {
             const double first = sigmoid_at(x, v[0], v[1]);
-            return product ? first * sigmoid_at(x, v[2], v[3])
-                           : std::abs(first - sigmoid_at(x, v[2], v[3]));
+            const double second = sigmoid_at(x, v[2], v[3]);
+            return product      ? first * second
+                   : is_cut_off ? std::max(first - second, 0.0)
+                                : std::abs(first - second);
           },
           {v[0] - a, v[0], v[0] + a, v[2] - b, v[2], v[2] + b});
       break;
@@ -360,6 +371,18 @@ std::span<const std::string> shape_names() {
     return names;
   }();
   return kNames;
+}
+
+std::optional<double> only_corner(std::string_view name, std::span<const double> parameters) {
+  const auto named = kind_named(name);
+  const bool has_corners = named != kinds().end() && (named->kind.form == Kind::triangle ||
+                                                      named->kind.form == Kind::trapezoid);
+  return has_corners && parameters.size() == named->kind.order.size() &&
+                 std::isfinite(parameters.front()) &&
+                 std::all_of(parameters.begin(), parameters.end(),
+                             [&](double each) { return each == parameters.front(); })
+             ? std::optional(parameters.front())
+             : std::nullopt;
 }
 
 FuzzySet make_shape(std::string_view name, std::span<const double> parameters,

@@ -22,6 +22,9 @@ std::span<const std::string> shape_names();
 FuzzySet make_shape(std::string_view name, std::span<const double> parameters,
                     const std::optional<Range>& range);
 
+/// Where a triangle or trapezoid stands whose corners are all at one place.
+std::optional<double> only_corner(std::string_view name, std::span<const double> parameters);
+
 /// Applies hedges, "very" or "extremely very", to a set, the last word first. fuzzylite's hedges of
 /// a degree d: very d^2; extremely 2 d^2 up to d = 0.5, then 1 - 2 (1 - d)^2; somewhat d^(1/2);
 /// seldom (d/2)^(1/2), then 1 - ((1 - d)/2)^(1/2).

@@ -30,7 +30,7 @@
 //   gauss2mf deviation mean deviation mean  Bell centre width slope
 //   gbell, gbellmf width slope centre       Sigmoid centre slope     sigm, sigmf slope centre
 //   SigmoidDifference, SigmoidProduct left rising falling right
-//   dsigm, dsigmf, psigmf slope centre slope centre
+//   dsigm (at least 0), dsigmf (the absolute value), psigmf slope centre slope centre
 //   SShape, smf from to   ZShape, zmf from to   PiShape, pimf a b c d
 //   Cosine centre width   Spike centre width    Concave inflection end
 #pragma once
@@ -46,7 +46,8 @@ namespace elsie::fuzzy {
 /// membership.
 inline constexpr double kCurveTolerance = 2.5e-4;
 
-/// How to treat an output without DEFAULT that no rule decides for some inputs.
+/// How to treat a block without outputs, and an output without DEFAULT that no rule decides for
+/// some inputs.
 enum class Gaps {
   refused,  // an error, because a robot always needs a value
   noted,    // a note; see OutputVariable::gap. For viewing models of other tools
