@@ -60,7 +60,7 @@ TEST_CASE("Devices are written to by nobody, and stay") {
   fs::create_symlink("/dev/null", device);
   CHECK_THROWS_WITH(batch::merge(device, {part}), Contains("device.sqlite' is no file; choose"));
   CHECK_THROWS_WITH(ResultsDatabase::create(device, test::small_plan(folder)),
-                    Contains("device.sqlite' is no file; expected a database"));
+                    Contains("device.sqlite' is a device, not a file; expected a database"));
   CHECK(fs::is_symlink(device));
 }
 
@@ -210,8 +210,10 @@ TEST_CASE("Databases that do not fit together are refused, and nothing is left b
                                                "' are the same database; name it once");
   for (const std::string& name : {a, folder.file("link.sqlite")}) {
     const std::string before = folder.read("a.sqlite");
-    CHECK_THROWS_WITH(batch::merge(name, {a, twin}),
-                      Contains("'" + name + "' is both the new database and one of the databases"));
+    CHECK_THROWS_WITH(
+        batch::merge(name, {a, twin}),
+        Contains("OUT: '" + name + "' is ") &&
+            Contains("is read here, and its content would be lost; choose another name"));
     CHECK(folder.read("a.sqlite") == before);
   }
 

@@ -132,8 +132,8 @@ TEST_CASE("A process that ends without a record is a crash") {
 }
 
 TEST_CASE("A worker's last line names the culprit") {
-  const auto record =
-      result_of("printf '{\"state\":\"do\\n!wander\\troam\\tr1\\t50\\tSIGSEGV\\n' >&3; exit 3");
+  const auto record = result_of(
+      "printf '{\"state\":\"do\\n!wander\\troam\\tr1\\t50\\tSIGSEGV\\t0.5\\n' >&3; exit 3");
   CHECK(record.state == batch::RunState::crash);
   CHECK(record.signal == "SIGSEGV");
   CHECK(record.exit_code == 3);
@@ -185,7 +185,8 @@ TEST_CASE("Only the tail of a worker's output is kept, as readable text") {
 TEST_CASE("A worker that takes too long reports the plugin at work, and is ended") {
   // A shell runs its trap when its child has ended, so it waits for the child in the background.
   const auto asked = result_of(
-      "trap 'printf \"\\n!looping\\tlooping\\tr1\\t50\\t\\n\" >&3; exit 3' TERM; sleep 60 & wait",
+      "trap 'printf \"\\n!looping\\tlooping\\tr1\\t50\\t\\t0.5\\n\" >&3; exit 3' TERM; sleep 60 & "
+      "wait",
       {.wall_limit_s = 0.3});
   CHECK(asked.state == batch::RunState::hang);
   CHECK(asked.plugin == "looping");
@@ -197,14 +198,15 @@ TEST_CASE("A worker that takes too long reports the plugin at work, and is ended
 
 TEST_CASE("A slow run is reported by its step: no plugin is to blame") {
   const auto slow =
-      result_of("trap 'printf \"\\n!\\t\\t\\t626\\t\\n\" >&3; exit 3' TERM; sleep 60 & wait",
+      result_of("trap 'printf \"\\n!\\t\\t\\t626\\t\\t6.26\\n\" >&3; exit 3' TERM; sleep 60 & wait",
                 {.wall_limit_s = 0.3});
   CHECK(slow.state == batch::RunState::hang);
   CHECK(slow.step == 626);
   CHECK_FALSE(slow.plugin);
-  CHECK(slow.message ==
-        "the run did not end within 0.3 s on the clock and was ended in step 626, while no plugin "
-        "was at work");
+  CHECK(
+      slow.message ==
+      "the run did not end within 0.3 s on the clock and was ended in step 626 (at 6.26 s), while "
+      "no plugin was at work");
 }
 
 TEST_CASE("A worker that ignores the request is killed with its children") {

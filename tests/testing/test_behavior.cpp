@@ -72,6 +72,6 @@ TEST_CASE("A successor continues with what the other one remembers, and its rand
     const Situation now = Situation().time(0.01 * i);
     CHECK(after.respond(now).command == before.respond(now).command);
   }
-  Behavior still("avoid_obstacle"), other("avoid_obstacle");
+  Behavior still("braitenberg"), other("braitenberg");
   CHECK_FALSE(other.take_over(still));  // nothing to remember
 }

@@ -98,15 +98,18 @@ world::Robot random_robot(int number, const Vector2& at, Random& random) {
   return robot;
 }
 
-Surroundings random_surroundings(const Colour& colour, Random& random) {
-  const auto place = [&] {
-    const double angle = random.uniform(-kPi, kPi), distance = random.uniform(0.3, 3.0);
+Surroundings random_surroundings(const Colour& colour, bool has_company, Random& random) {
+  const auto place = [&](double furthest = 3.0) {
+    const double angle = random.uniform(-kPi, kPi), distance = random.uniform(0.3, furthest);
     return Vector2{distance * std::cos(angle), distance * std::sin(angle)};
   };
   Surroundings around;
   around.resource(100.0, 100.0, colour);  // out of sight, so that all scenes have the same colours
   const int things = static_cast<int>(random.uniform(0, 8));
   int robots = 0;
+  if (has_company) {
+    around.robot(random_robot(robots++, place(0.6), random));
+  }
   for (int i = 0; i < things; ++i) {
     const Vector2 at = place();
     switch (index(random, 4)) {
@@ -232,7 +235,7 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
     // A sensor for each instant, so that its reading stays in place.
     const auto sensor = std::make_shared<Sensor>(plugins_, (*maker)->name);
     sensor->reset(random.bits());
-    Surroundings around = random_surroundings(random_colour(random), random);
+    Surroundings around = random_surroundings(random_colour(random), false, random);
     around.at(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-180, 180));
     if (const auto camera = (*sensor)->camera()) {
       const Image picture = random_picture(camera->width, camera->height, random);
@@ -291,7 +294,8 @@ Input InputMaker::make(int robot, Random& random) const {
     input.robot = "a robot in random surroundings";
     const Colour colour = random_colour(random);
     for (int i = 0; i < 3; ++i) {
-      input.scenes.push_back(std::make_shared<Surroundings>(random_surroundings(colour, random)));
+      input.scenes.push_back(
+          std::make_shared<Surroundings>(random_surroundings(colour, i == 0, random)));
     }
     for (std::size_t i = 0; i < kInstants; ++i) {
       input.poses.push_back(

@@ -91,7 +91,7 @@ ELSIE_SENSOR(
               {.unit = "px", .min = 1, .max = 4096, .meaning = "rows of the picture"}),
     parameter("fov_deg", &Vision::fov_deg,
               {.unit = "deg",
-               .above = 0,
+               .min = 0.1,
                .max = 170,
                .meaning = "full horizontal angle; pixels are square, the vertical one follows"}),
     parameter(
