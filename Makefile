@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api site install package all demo test sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -41,6 +41,11 @@ desktop:
 
 test: all
 	ctest --preset $(PRESET)
+
+# The unit tests but the longest, in less than two minutes after a change of one file.
+test-quick: configure
+	cmake --build --preset $(PRESET) --target elsie_unit_tests
+	ctest --preset $(PRESET) --label-regex '^unit$$' --label-exclude '^long$$'
 
 # Installs the build: docs/installing.md.
 PREFIX ?= /usr/local
