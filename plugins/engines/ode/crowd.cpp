@@ -113,7 +113,7 @@ int Crowd::add_vehicle(const OdeVehicle& vehicle) {
     if (!wheel.motor) continue;
     const Cylinder& shape = vehicle.wheel_shapes()[i];
     const double rate = dot(shape.axis, to_vector(dBodyGetAngularVel(wheel.motor->body)));
-    const int spin = solver_.add(ImpulseSolver::Spin{rate, 1.0 / wheel.about_axle});
+    const int spin = solver_.add(ImpulseSolver::Spin{index, rate, 1.0 / wheel.about_axle});
     places_[wheel.motor->body] = {index, spin, shape.center, shape.axis, false};
     wheels_.push_back({wheel.motor->body, index, spin, shape.axis});
     add_motor(*wheel.motor, index, spin, shape.axis);
@@ -267,8 +267,12 @@ void Crowd::add_contact(const FoundContact& contact) {
       (surface.mode & dContactSlip2) ? surface.slip2 : cfm);
 }
 
-void Crowd::step() {
-  solver_.solve(kSweeps);
+void Crowd::step(Method method) {
+  if (method == Method::newton) {
+    newton_.solve(solver_);
+  } else {
+    solver_.solve(kSweeps);
+  }
   for (const Wheel& wheel : wheels_) {
     const Vector3& turning = solver_.body(wheel.carrier).turning;
     const double own = solver_.spin(wheel.spin).rate - dot(turning, wheel.axle);

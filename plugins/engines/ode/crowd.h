@@ -7,18 +7,20 @@
 #include "elsie/world/description.h"
 
 #include "impulse_solver.h"
+#include "newton_solver.h"
 #include "ode_contacts.h"
 #include "ode_robot.h"
 
 namespace elsie::physics {
 
-/// Moves robots and boxes by a step when very many of them touch each other.
+/// Moves robots and boxes by a step when very many of them touch each other, or hang together.
 ///
 /// ODE's dWorldStep solves a dense system over all bodies that touch, and its cost grows with the
-/// cube of their number: it takes 1.8 s for a second of thirty robots that drive to one point, and
-/// half a minute for a hundred. Here the cost grows with the number. The wheels and casters of a
-/// robot only turn against its chassis, so a robot is one rigid body with spinning wheels, without
-/// rows for their joints; the contacts and motors are rows of an iterative solver.
+/// cube of their number: it takes 1.8 s for a second of thirty robots that drive to one point, half
+/// a minute for a hundred, and 6 s for a train of a hundred segments. Here the cost grows with the
+/// number. The wheels and casters of a robot only turn against its chassis, so a robot is one rigid
+/// body with spinning wheels, without rows for their joints; contacts, motors and the joints
+/// between vehicles are rows of a solver.
 ///
 /// Differences from ODE's step: the turning of casters and gyroscopic torques are left out.
 class Crowd {
@@ -33,9 +35,11 @@ class Crowd {
   void add_contact(const FoundContact& contact);
 
   bool empty() const { return places_.empty(); }
+  /// Sweeps suit heaps, in which everything touches everything; Newton's method suits chains.
+  enum class Method { sweeps, newton };
   /// Gives the bodies the velocities after the step, and moves them. OdeVehicle::settle() then
   /// moves the parts that hang on a chassis.
-  void step();
+  void step(Method method);
 
  private:
   /// The place of an ODE body in the solver.
@@ -70,6 +74,7 @@ class Crowd {
 
   world::Physics physics_;
   ImpulseSolver solver_;
+  NewtonSolver newton_;
   std::unordered_map<dBodyID, Place> places_;
   std::vector<Moved> moved_;
   std::vector<Wheel> wheels_;

@@ -31,6 +31,7 @@ class ImpulseSolver {
 
   /// A wheel, which turns about an axle that a body carries along.
   struct Spin {
+    int body = kNone;              // that carries it
     double rate = 0.0;             // rad/s, about the axle, in the world's frame
     double inverse_inertia = 0.0;  // 1/(kg m2)
   };
@@ -61,7 +62,11 @@ class ImpulseSolver {
 
   Body& body(int index) { return bodies_[static_cast<std::size_t>(index)]; }
   const Body& body(int index) const { return bodies_[static_cast<std::size_t>(index)]; }
+  Spin& spin(int index) { return spins_[static_cast<std::size_t>(index)]; }
   const Spin& spin(int index) const { return spins_[static_cast<std::size_t>(index)]; }
+  Row& row(int index) { return rows_[static_cast<std::size_t>(index)]; }
+  const std::vector<Body>& bodies() const { return bodies_; }
+  const std::vector<Spin>& spins() const { return spins_; }
   const std::vector<Row>& rows() const { return rows_; }
 
  private:

@@ -16,7 +16,6 @@ class Islands {
     parents_.resize(members);
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
     sizes_.assign(members, 1);
-    members_.assign(members, 1);
   }
   void count(std::size_t member, std::size_t as) { sizes_[member] = as; }
   void link(std::size_t a, std::size_t b) {
@@ -26,7 +25,6 @@ class Islands {
     if (b < a) std::swap(a, b);
     parents_[b] = a;
     sizes_[a] += sizes_[b];
-    members_[a] += members_[b];
   }
   /// The first member of this member's island.
   std::size_t island(std::size_t member) {
@@ -38,13 +36,10 @@ class Islands {
   }
   /// The sum of the counts of all members of its island.
   std::size_t size(std::size_t member) { return sizes_[island(member)]; }
-  /// The number of members of its island.
-  std::size_t members(std::size_t member) { return members_[island(member)]; }
 
  private:
   std::vector<std::size_t> parents_;
   std::vector<std::size_t> sizes_;
-  std::vector<std::size_t> members_;
 };
 
 }  // namespace elsie::physics

@@ -4,11 +4,10 @@
 
 #include "elsie/physics/engine.h"
 
+#include "eigen_vectors.h"
+
 namespace elsie::physics {
 namespace {
-
-Eigen::Vector3d to_eigen(const Vector3& v) { return {v.x, v.y, v.z}; }
-Vector3 from_eigen(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// The inertia of a part about its middle, along the axes of its frame, kg m2.
 Eigen::Matrix3d own_inertia(const Part& part) {

@@ -336,7 +336,7 @@ void OdeEngine::take_step() {
     find_contacts(Routing::OdeTakes::nothing);
     routing_.wake();
   }
-  routing_.step_crowd();
+  routing_.step_others(*crew_);
   time_ += physics_.step;
   settle();
 }

@@ -6,8 +6,8 @@
 namespace elsie::physics {
 namespace {
 
-// ODE's solver takes islands up to this size: six robots. A segment or a box has about half as many
-// equations as a robot.
+// ODE's solver takes islands up to this size: six robots, or one with ten segments. A segment or a
+// box has about half as many equations as a robot.
 constexpr std::size_t kRobotSize = 2;
 constexpr std::size_t kMostForOde = 6 * kRobotSize;
 
@@ -18,7 +18,8 @@ std::size_t member_of(void* data) { return reinterpret_cast<std::uintptr_t>(data
 void Routing::add_robot(const OdeRobot& robot) {
   Member member;
   member.robot = robots_++;
-  member.size = kRobotSize + robot.vehicles().size() - 1;
+  member.segments = robot.vehicles().size() - 1;
+  member.size = kRobotSize + member.segments;
   robot.for_each_body([&](dBodyID body) { member.bodies.push_back(body); });
   add(std::move(member));
 }
@@ -51,18 +52,17 @@ void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
       }
     }
   }
-  crowd_.clear();
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    // A member without contacts is small, however many segments it pulls.
-    const bool small = islands_.members(i) == 1 || islands_.size(i) <= kMostForOde;
-    if (takes == OdeTakes::nothing || !small) take_out(members_[i], robots);
+  choose_movers(takes);
+  for (Member& member : members_) {
+    if (member.mover) take_out(member, robots);
   }
   std::size_t number = 0;
   for (FoundContacts& some : found) {
     for (FoundContact& contact : some.contacts.found()) {
       joints.finish(contact, number++);
-      if (members_[member_of(contact.a ? contact.member_a : contact.member_b)].in_crowd) {
-        crowd_.add_contact(contact);
+      if (Crowd* const mover =
+              members_[member_of(contact.a ? contact.member_a : contact.member_b)].mover) {
+        mover->add_contact(contact);
       } else {
         joints.join(contact);
       }
@@ -70,20 +70,53 @@ void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
   }
 }
 
+void Routing::choose_movers(OdeTakes takes) {
+  crowd_.clear();
+  used_trains_ = 0;
+  segments_.assign(members_.size(), 0);
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    segments_[islands_.island(i)] += members_[i].segments;
+  }
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const std::size_t island = islands_.island(i);
+    if (takes == OdeTakes::small_islands && islands_.size(i) <= kMostForOde) continue;
+    if (island != i) {
+      members_[i].mover = members_[island].mover;
+      continue;
+    }
+    const bool is_train = 2 * segments_[i] >= islands_.size(i);
+    members_[i].mover = is_train ? &next_train() : &crowd_;
+  }
+}
+
+Crowd& Routing::next_train() {
+  if (used_trains_ == trains_.size()) trains_.emplace_back(physics_);
+  Crowd& train = trains_[used_trains_++];
+  train.clear();
+  return train;
+}
+
+void Routing::step_others(base::Crew& crew) {
+  crowd_.step(Crowd::Method::sweeps);
+  crew.divide(used_trains_, 1, [this](const base::Crew::Share& share) {
+    prepare_ode();
+    for (std::size_t i = share.first; i < share.end; ++i) trains_[i].step(Crowd::Method::newton);
+  });
+}
+
 void Routing::take_out(Member& member, std::span<const OdeRobot> robots) {
-  member.in_crowd = true;
   if (member.robot) {
-    crowd_.add_robot(robots[*member.robot]);
+    member.mover->add_robot(robots[*member.robot]);
   } else {
-    for (const dBodyID body : member.bodies) crowd_.add_box(body);
+    for (const dBodyID body : member.bodies) member.mover->add_box(body);
   }
   for (const dBodyID body : member.bodies) dBodyDisable(body);
 }
 
 void Routing::wake() {
   for (Member& member : members_) {
-    if (!member.in_crowd) continue;
-    member.in_crowd = false;
+    if (!member.mover) continue;
+    member.mover = nullptr;
     for (const dBodyID body : member.bodies) dBodyEnable(body);
   }
 }

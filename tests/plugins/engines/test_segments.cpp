@@ -16,7 +16,7 @@
 #include "elsie/base/random.h"
 #include "elsie/world/parts.h"
 
-#include "physics_context.h"
+#include "trains.h"
 
 using namespace elsie;
 using namespace elsie::physics;
@@ -36,69 +36,7 @@ std::vector<world::Segment> on_axle() {
   return segments;
 }
 
-struct Train {
-  PhysicsContext& context;
-  std::size_t robot;
-  std::vector<world::Segment> segments;
-  std::vector<world::Coupling> joints = world::couplings(world::plan_of({}, {}), segments);
-
-  SegmentState segment(std::size_t i) const { return context.engine->segment(robot, i); }
-  void drive(double left, double right) { context.drive(robot, {left, right}); }
-
-  /// The largest distance between a segment's joint and where the body in front holds it.
-  double widest_gap() const {
-    double widest = 0.0;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      const Frame front = i == 0 ? context.engine->robot(robot).frame : segment(i - 1).frame;
-      const Vector3 held = front.point({-joints[i].behind, 0.0, joints[i].height});
-      const Vector3 apart = segment(i).frame.point({joints[i].ahead, 0.0, joints[i].height}) - held;
-      widest = std::max(widest, std::sqrt(dot(apart, apart)));
-    }
-    return widest;
-  }
-};
-
-Train train(PhysicsContext& context, const std::vector<world::Segment>& segments = kThree,
-            double x = 0.0, double y = 0.0, double heading_deg = 0.0) {
-  return {context, context.train(x, y, heading_deg, segments), segments};
-}
-
 double tilt(const Frame& frame) { return std::acos(std::min(1.0, frame.up.z)); }
-
-/// Kinetic energy as positions tell it, and potential energy, of a train in motion.
-class Energy {
- public:
-  explicit Energy(const Train& train) : train_(train), last_(frames()) {}
-
-  double now() {
-    const std::vector<Frame> frames = this->frames();
-    const double h = train_.context.physics.step;
-    double energy = 0.0;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      const Vector3 middle{0.0, 0.0, 0.05};
-      const Vector3 now = frames[i].point(middle), moved = now - last_[i].point(middle);
-      const Vector3 a = frames[i].forward - last_[i].forward, b = frames[i].up - last_[i].up;
-      const double mass = i == 0 ? 0.2 : train_.segments[i - 1].mass;
-      const double inertia = mass * 0.02 * 0.02;
-      energy += 0.5 * (mass * dot(moved, moved) + inertia * (dot(a, a) + dot(b, b))) / (h * h) +
-                mass * 9.81 * now.z;
-    }
-    last_ = frames;
-    return energy;
-  }
-
- private:
-  std::vector<Frame> frames() const {
-    std::vector<Frame> frames{train_.context.engine->robot(train_.robot).frame};
-    for (std::size_t i = 0; i < train_.segments.size(); ++i) {
-      frames.push_back(train_.segment(i).frame);
-    }
-    return frames;
-  }
-
-  const Train& train_;
-  std::vector<Frame> last_;
-};
 
 }  // namespace
 
@@ -124,7 +62,7 @@ TEST_CASE("Straight on the segments follow in line, at their distance") {
   const double rate = GENERATE(10.0, 25.0);
   CAPTURE(step, rate);
   PhysicsContext context(with_step(step), open_field());
-  Train pulled = train(context);
+  Train pulled = train(context, kThree);
   pulled.drive(rate, rate);
   double widest = 0.0, steepest = 0.0, most_turned = 0.0;
   context.run(10.0, [&] {
