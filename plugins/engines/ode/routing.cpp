@@ -75,7 +75,7 @@ void Routing::choose_movers(OdeTakes takes) {
   used_trains_ = 0;
   segments_.assign(members_.size(), 0);
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    segments_[islands_.island(i)] += members_[i].segments;
+    if (members_[i].size > kMostForOde) segments_[islands_.island(i)] += members_[i].segments;
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const std::size_t island = islands_.island(i);
