@@ -17,6 +17,7 @@
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
+#include "engine/past.h"
 #include "export/exporter.h"
 #include "main_window_recorded.h"
 #include "scene/scene_view.h"
@@ -68,6 +69,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   auto* column = new QVBoxLayout(view);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  past_ = new Past(workbench_, this);
   scene_ = new SceneView;
   time_line_ = new TimeLine(workbench_);
   column->addWidget(scene_, 1);

@@ -22,6 +22,7 @@ class ControlBar;
 class CoordinationPanel;
 class Exporter;
 class FuzzyPanel;
+class Past;
 class PlotsPanel;
 class ProblemsPanel;
 class RunReader;
@@ -118,6 +119,9 @@ class MainWindow : public QMainWindow {
   void note_recent(const QString& file);
   /// Asks the engine only for what the window shows.
   void watch();
+  /// Likewise for the stored past.
+  void wish_past();
+  void show_looked_back();
   void watch_robot(const QString& id);
   bool is_the_present();
   void enter_what_is_typed();
@@ -138,6 +142,7 @@ class MainWindow : public QMainWindow {
   QString elsie_;
   QStringList options_;
   Workbench workbench_;
+  Past* past_;
   Authoring* authoring_;
   Exporter* exporter_;
   QStackedWidget* centre_;
@@ -179,6 +184,7 @@ class MainWindow : public QMainWindow {
   QSet<QString> seen_;     // the docks in front
   QString watched_;        // what the engine was last asked to send
   QString watched_robot_;  // the robot in the panels that show one robot
+  QStringList plottable_;  // the robots whose numbers are offered; none: all
   bool was_shown_ = false;
 };
 

@@ -171,6 +171,7 @@ void MainWindow::make_actions() {
     QAction* made = action(name, text, {}, [this, which, name] {
       scene_->overlays().*which = actions_[name]->isChecked();
       scene_->update();
+      wish_past();
     });
     made->setCheckable(true);
     made->setChecked(scene_->overlays().*which);
@@ -180,7 +181,8 @@ void MainWindow::make_actions() {
   overlay("show_views", tr("Fields of &view"), &SceneView::Overlays::views);
   overlay("show_names", tr("Nam&es"), &SceneView::Overlays::names);
   overlay("show_grid", tr("&Grid"), &SceneView::Overlays::grid);
-  action("clear_trails", tr("&Clear trajectories"), {}, [this] { scene_->clear_trails(); });
+  action("clear_trails", tr("&Clear trajectories"), {},
+         [this] { scene_->begin_trails_at(scene_->stage().time_s()); });
   for (const auto& [layout, text] : {std::pair{"author", tr("Layout: aut&hor")},
                                      {"watch", tr("Layout: &watch")},
                                      {"train", tr("Layout: t&rain")}}) {

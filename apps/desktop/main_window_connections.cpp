@@ -11,6 +11,7 @@
 
 #include "authoring/authoring.h"
 #include "control_bar.h"
+#include "engine/past.h"
 #include "export/exporter.h"
 #include "main_window.h"
 #include "recorded_world.h"
@@ -59,8 +60,8 @@ void MainWindow::connect_workbench() {
         !place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
       QString first;
       for (const Stage::Body& body : scene_->stage().bodies()) {
-        if (first.isEmpty() && body.path.startsWith("robot[")) {
-          first = body.path.mid(6, body.path.size() - 7);
+        if (first.isEmpty() && body.is_robot()) {
+          first = body.robot();
         }
       }
       watch_robot(first);
@@ -71,8 +72,10 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
-    if (seen_.contains("coordination")) coordination_->add(state);
-    if (seen_.contains("plots") || !plots_->chosen().isEmpty()) plots_->add(state);
+    if (seen_.contains("coordination")) {
+      coordination_->add(state);
+      wish_past();
+    }
     if (seen_.contains("vision")) vision_->add(state);
     if (seen_.contains("fuzzy")) fuzzy_->add(state);
     if (seen_.contains("sensors")) sensors_->add(state);
@@ -83,6 +86,7 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
+    show_looked_back();
     show_pose();
     show_state();
   });
@@ -101,10 +105,9 @@ void MainWindow::connect_workbench() {
       outcome_.clear();
       failure_.clear();
       show_problems();
-      scene_->clear_trails();
+      scene_->begin_trails_at(0.0);
       time_line_->clear();
       coordination_->clear();
-      plots_->begin();
     }
     show_state();
   });
@@ -353,28 +356,23 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
 void MainWindow::watch() {
   Json what = Json::array();
   const auto shows = [this](const char* name) { return seen_.contains(name); };
-  const bool plots = shows("plots") || !plots_->chosen().isEmpty();
   const bool is_behavior =
       !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
-  if (shows("coordination") || plots || is_behavior) what.push_back("decisions");
-  if (shows("sensors") || plots) what.push_back("sensors");
-  if (plots) what.push_back("measures");
+  if (shows("coordination") || is_behavior) what.push_back("decisions");
+  if (shows("sensors")) what.push_back("sensors");
+  if (shows("plots") || !plots_->choice().isEmpty()) what.push_back("measures");
   if (shows("vision")) what.push_back("cameras");
   if (shows("fuzzy")) what.push_back("fuzzy");
   Json robots = Json::array();  // none: all
+  if (!shows("vision") && place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
+    robots.push_back(watched_robot_.toStdString());
+  }
   const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
   const bool are_few = std::count_if(bodies.begin(), bodies.end(), [](const Stage::Body& body) {
                          return body.is_robot();
                        }) <= kFewRobots;
-  if (!shows("vision") && !(shows("plots") && are_few) && !watched_robot_.isEmpty()) {
-    QStringList wished = plots_->chosen_robots();
-    if (!wished.contains(watched_robot_)) wished << watched_robot_;
-    for (const QString& id : std::as_const(wished)) {
-      if (place_of(workbench_.tree(), "robot[" + id + ']').element) {
-        robots.push_back(id.toStdString());
-      }
-    }
-  }
+  plottable_ = are_few ? QStringList() : plots_->chosen_robots() + QStringList{watched_robot_};
+  wish_past();
   const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};
   const QString asked =
       QString::fromStdString(order.dump()) + QString::number(workbench_.engine().generation());
@@ -382,6 +380,26 @@ void MainWindow::watch() {
     watched_ = asked;
     workbench_.ask(order, {});
   }
+}
+
+void MainWindow::wish_past() {
+  const bool plots = seen_.contains("plots") || !plots_->choice().isEmpty();
+  past_->wish_paths(scene_->overlays().trails);
+  if (!plots && !seen_.contains("coordination")) {
+    past_->wish_no_numbers();
+    return;
+  }
+  QStringList numbers = plots ? plots_->chosen() : QStringList();
+  if (seen_.contains("coordination")) {
+    numbers += coordination_->numbers(time_line_->is_in_the_past());
+  }
+  numbers.removeDuplicates();
+  past_->wish_numbers(numbers, plottable_);
+}
+
+void MainWindow::show_looked_back() {
+  coordination_->look_back(time_line_->is_in_the_past() ? std::optional(workbench_.time_s())
+                                                        : std::nullopt);
 }
 
 void MainWindow::watch_robot(const QString& id) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "authoring/authoring.h"
+#include "engine/past.h"
 #include "main_window.h"
 #include "scene/scene_view.h"
 #include "text/problems_panel.h"
@@ -92,6 +93,17 @@ void MainWindow::make_docks() {
     });
   }
   connect(plots_, &PlotsPanel::choice_changed, this, &MainWindow::watch);
+  scene_->show_trails(*past_);
+  const auto show_numbers = [this] {
+    plots_->set_samples(past_->numbers());
+    coordination_->set_samples(past_->numbers());
+  };
+  show_numbers();
+  connect(past_, &Past::numbers_changed, this, show_numbers);
+  connect(past_, &Past::named, this, [this](const QStringList& names) {
+    plots_->set_names(names);
+    wish_past();
+  });
 }
 
 void MainWindow::arrange(const QString& layout) {

@@ -107,7 +107,7 @@ void MainWindow::forget_world() {
   time_line_->expect({}, 0.0);
   scene_->unlock_all();
   authoring_->select({});
-  plots_->clear();
+  plots_->set_names({});
   vision_->clear();
   fuzzy_->clear();
   sensors_->clear();

@@ -135,6 +135,8 @@ void MainWindow::show_past() {
   control_bar_->show_past(time_line_->is_playing()       ? ControlBar::Past::plays
                           : time_line_->is_in_the_past() ? ControlBar::Past::may_play
                                                          : ControlBar::Past::none);
+  show_looked_back();
+  wish_past();
   show_state();
 }
 

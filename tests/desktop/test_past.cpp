@@ -1,4 +1,5 @@
 // The past of a run, which the time line shows.
+#include <QDockWidget>
 #include <QLabel>
 #include <QStatusBar>
 #include <QToolButton>
@@ -7,10 +8,168 @@
 
 #include "control_bar.h"
 #include "hands.h"
+#include "paint/axes.h"
 #include "scene/scene_view.h"
+#include "watch/coordination_panel.h"
+#include "watch/plots_panel.h"
 #include "window.h"
 
 using namespace elsie::desktop;
+
+namespace {
+
+/// A table of numbers by its columns.
+struct Table {
+  explicit Table(const QString& file) {
+    QFile opened(file);
+    REQUIRE(opened.open(QIODevice::ReadOnly));
+    const QStringList names = QString::fromUtf8(opened.readLine()).trimmed().split(',');
+    while (!opened.atEnd()) {
+      const QStringList cells = QString::fromUtf8(opened.readLine()).trimmed().split(',');
+      for (int i = 0; i < names.size(); ++i) {
+        columns[names[i]].push_back(cells.value(i).toFloat());
+      }
+    }
+  }
+  const std::vector<float>& operator[](const QString& name) const {
+    REQUIRE(columns.contains(name));
+    return columns.find(name)->second;
+  }
+  std::map<QString, std::vector<float>> columns;
+};
+
+/// A recording of the world with this seed by `elsie run`.
+Table recorded(Window& window, const QString& world, double duration_s) {
+  const QString table = window.folder() + "/recorded.csv";
+  run_elsie(
+      {"run", world, "--duration", QString::number(duration_s), "--record", table, "--quiet"});
+  return Table(table);
+}
+
+/// Whether every second sample of the trail of r1, until the time of a row, is a row of the
+/// recording, and none is missing.
+bool is_driven(const SceneView& scene, const Table& table, std::size_t rows, double until_s) {
+  const auto pieces = scene.trails().pieces("r1", until_s);
+  if (pieces.size() != 1 || pieces[0].size() != 2 * rows - 1) {
+    return false;
+  }
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (pieces[0][2 * row] != QPointF(table["x_m"][row], table["y_m"][row])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("At greatest speed, trails and plots are those of a recording") {
+  Window window;
+  const QString room = window.file(kRoom);
+  window.open(room);
+  window.get<QDockWidget>("dock_plots")->raise();
+  auto* plots = window->findChild<PlotsPanel*>();
+  window.run_to_the_end();
+  const Table table = recorded(window, room, 60.0);
+  const std::size_t rows = table["x_m"].size();
+  REQUIRE(rows == 601);
+  const SceneView& scene = window->scene();
+  CHECK(wait_for([&] { return is_driven(scene, table, rows, 60.0); }));
+
+  REQUIRE(plots->names().contains("r1/speed"));
+  plots->choose("r1/speed", true);  // late: it has its past
+  plots->choose("r1/ahead/distance_m", true);
+  const QString csv = window.folder() + "/plot.csv";
+  REQUIRE(wait_for([&] {
+    return plots->sampling() == "1201 samples, up to 0.05 s apart" && plots->save(csv).isEmpty();
+  }));
+  const Table plot(csv);
+  for (std::size_t row = 0; row < rows; ++row) {
+    CAPTURE(row);
+    REQUIRE(plot["time_s"][2 * row] == table["time_s"][row]);
+    REQUIRE(plot["r1/speed"][2 * row] == table["forward_m_s"][row]);
+    REQUIRE(plot["r1/ahead/distance_m"][2 * row] == table["sensor[ahead].distance_m"][row]);
+  }
+  plots->choose("r1/speed", false);
+  plots->choose("r1/ahead/distance_m", false);
+}
+
+TEST_CASE("After seeking, the trail leads to the shown time, and Coordination shows that time") {
+  Window window;
+  const QString room = window.file(kRoom);
+  window.open(room);
+  window.get<QDockWidget>("dock_coordination")->raise();
+  auto* panel = window->findChild<CoordinationPanel*>();
+  const SceneView& scene = window->scene();
+  const auto shows = [&](const Table& table, double time_s) {
+    return wait_for([&] {
+      return std::abs(scene.stage().time_s() - time_s) < 1e-6 &&
+             is_driven(scene, table, static_cast<std::size_t>(10.0 * time_s + 1.5),
+                       scene.stage().time_s());
+    });
+  };
+  const Table table = recorded(window, room, 30.0);
+  auto* line = window->findChild<TimeLine*>();
+  line->expect({}, 30.0);
+  line->go_to(20.0);  // forward: it runs there as fast as possible
+  CHECK(shows(table, 20.0));
+  line->go_to(5.0);
+  CHECK(shows(table, 5.0));
+  const auto has_activation = [&](std::size_t row) {
+    return panel->rows() == 1 &&
+           panel->row_text(0).contains(
+               QString("weight %1, ").arg(table["behavior[wander].weight"][row])) &&
+           panel->row_text(0).contains(number_text(table["behavior[wander].turn_rad_s"][row]));
+  };
+  CHECK(wait_for([&] { return has_activation(50); }));
+  line->go_to(12.0);
+  CHECK(shows(table, 12.0));
+  CHECK(wait_for([&] { return has_activation(120); }));
+  line->go_to_now();
+  CHECK(shows(table, 20.0));
+  CHECK(panel->share_at(0, 3.0) == table["behavior[wander].share"][30]);
+  line->go_to(30.0);
+  CHECK(shows(table, 30.0));
+}
+
+TEST_CASE("A recording that is opened has its own paths, wherever the time line is") {
+  Window window;
+  const QString room = window.file(kRoom);
+  const QString recording = window.folder() + "/run.mcap";
+  run_elsie({"run", room, "--duration", "20", "--seed", "3", "--record", recording, "--record",
+             window.folder() + "/run.csv", "--quiet"});
+  const Table table(window.folder() + "/run.csv");
+  REQUIRE(window->open(recording));
+  auto* line = window->findChild<TimeLine*>();
+  const auto* label = window.get<QLabel>("shown_time");
+  REQUIRE(wait_for([&] { return window.bench().is_right() && window.bench().seed() == 3; }));
+  const SceneView& scene = window->scene();
+  for (const double time_s : {15.0, 4.0, 9.0}) {
+    CAPTURE(time_s);
+    REQUIRE(wait_for([&] { return label->text().endsWith("of 20.00 s"); }));
+    line->go_to(time_s);
+    CHECK(wait_for([&] {
+      return std::abs(scene.stage().time_s() - time_s) < 1e-6 &&
+             is_driven(scene, table, static_cast<std::size_t>(10.0 * time_s + 1.5), time_s);
+    }));
+  }
+}
+
+TEST_CASE("A trail has a gap where a hand put the robot somewhere else, and begins where cleared") {
+  Window window;
+  window.open(window.file(kRoom));
+  run_until(window, 1.0);
+  window.after([&] { window.bench().edit({"robot[r1]/@x=0", "robot[r1]/@y=-1"}, "move"); });
+  run_until(window, 2.0);
+  const Trails& trails = window->scene().trails();
+  CHECK(wait_for([&] {
+    const auto pieces = trails.pieces("r1", 2.0);
+    return pieces.size() == 2 && pieces[0].size() == 21 && pieces[1].size() == 20;
+  }));
+  window.act("clear_trails");
+  CHECK(trails.pieces("r1", 1.9).empty());
+  CHECK(trails.pieces("r1", 2.0).size() == 1);
+}
 
 TEST_CASE("The past of a run is shown, and the run goes on from now") {
   Window window;

@@ -125,6 +125,25 @@ TEST_CASE("Pictures: cameras and plots", "[.pictures]") {
   keep(window.window(), "watch");
 }
 
+TEST_CASE("Pictures: a run at greatest speed", "[.pictures]") {
+  Window window(world_file("layers"));
+  resize(window);
+  window->scene().look_from_top();
+  window.get<QDockWidget>("dock_coordination")->raise();
+  window.run_to_the_end();
+  keep(window.window(), "fast_coordination");
+  window.get<QDockWidget>("dock_plots")->raise();
+  auto* plots = window->findChild<PlotsPanel*>();
+  const QString robot = window->scene().stage().bodies().front().robot();
+  REQUIRE(wait_for([&] { return plots->names().contains(robot + "/speed"); }));
+  plots->choose(robot + "/speed", true);
+  plots->choose(robot + "/asked/turn", true);
+  REQUIRE(wait_for([&] { return !plots->sampling().startsWith("0 "); }));
+  keep(window.window(), "fast_plots");
+  plots->choose(robot + "/speed", false);
+  plots->choose(robot + "/asked/turn", false);
+}
+
 TEST_CASE("Pictures: dialogs", "[.pictures]") {
   Window window(world_file("learned_priorities"));
   resize(window);

@@ -315,7 +315,7 @@ TEST_CASE("What is saved as CSV says how it was sampled") {
   });
   QTest::mouseClick(window.get<QToolButton>("plots_save"), Qt::LeftButton);
   CHECK(content_of(table).starts_with("time_s,r1/speed\n"));
-  CHECK(window.get<QToolButton>("plots_save")->toolTip().contains("30 per second"));
+  CHECK(window.get<QToolButton>("plots_save")->toolTip().contains("equal times"));
 
   at_dialog("export_dialog", [&](QDialog* dialog) {
     CHECK(dialog->windowTitle().contains("10 samples per simulated second"));

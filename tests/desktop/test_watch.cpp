@@ -19,28 +19,37 @@
 #include "elsie/fuzzy/fcl.h"
 
 #include "paint/axes.h"
+#include "stored.h"
 #include "watch/control_surface.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/fuzzy_panel.h"
 #include "watch/plots_panel.h"
 #include "watch/sensors_panel.h"
+#include "watch/state.h"
 #include "watch/vision_panel.h"
 
 using namespace elsie::desktop;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
 Json state(double time, double share) {
   const QByteArray raw(3 * 8 * 6, static_cast<char>(0x80));
-  Json member = {
-      {"path", "explore/avoid"},     {"depth", 1},         {"priority", 2.0},
-      {"activation", 0.75},          {"share", share},     {"asked", true},
-      {"command", {0.2, 0.0, -1.5}}, {"inhibited_by", -1}, {"reason", "box 0.3 m ahead"}};
+  Json member = {{"path", "explore/avoid"},
+                 {"depth", 1},
+                 {"parent", 0},
+                 {"priority", 2.0},
+                 {"weight", 0.5},
+                 {"activation", 0.75},
+                 {"share", share},
+                 {"asked", true},
+                 {"command", {0.2, 0.0, -1.5}},
+                 {"inhibited_by", -1},
+                 {"reason", "box 0.3 m ahead"}};
   Json outer = member;
   outer["path"] = "explore";
   outer["depth"] = 0;
+  outer["parent"] = -1;
   outer["reason"] = "";
   Json idle = outer;
   idle["path"] = "charge";
@@ -63,6 +72,24 @@ Json state(double time, double share) {
             {"height", 6},
             {"raw", raw.toBase64().toStdString()}}}}}}}};
 }
+
+/// Members of one decision with these weights and shares.
+Json decision(const std::vector<std::pair<double, double>>& weights_and_shares) {
+  Json now = state(0.1, 0.0);
+  Json members = Json::array();
+  for (const auto& [weight, share] : weights_and_shares) {
+    Json member = now["robots"][0]["members"][0];
+    member.update({{"path", "b" + std::to_string(members.size())},
+                   {"priority", 1.0},
+                   {"weight", weight},
+                   {"share", share}});
+    members.push_back(member);
+  }
+  now["robots"][0]["members"] = members;
+  return now;
+}
+
+const QString kShare = QStringLiteral("r1/explore/avoid/share");
 
 constexpr const char* kTwoInputs = R"(FUNCTION_BLOCK m
 VAR_INPUT range : REAL; angle : REAL; END_VAR
@@ -130,9 +157,11 @@ TEST_CASE("painted widgets have their figures for screen readers, and as a table
   CHECK(table->item(2, 3)->text() == QStringLiteral("not asked"));
 
   PlotsPanel plots;
-  plots.add(state(0.1, 0.25));
-  plots.add(state(0.2, 0.75));
-  plots.choose(QStringLiteral("r1/explore/avoid/share"), true);
+  Samples samples;
+  samples.add(stored({0.1, 0.2}, {{kShare.toStdString(), {0.25F, 0.75F}}}));
+  plots.set_names({kShare});
+  plots.set_samples(samples);
+  plots.choose(kShare, true);
   auto* plot = plots.findChild<QWidget*>(QStringLiteral("plot"));
   REQUIRE(plot);
   const QString plotted = QAccessible::queryAccessibleInterface(plot)->text(QAccessible::Value);
@@ -145,19 +174,85 @@ TEST_CASE("painted widgets have their figures for screen readers, and as a table
                                   QStringLiteral("6"), QStringLiteral("#808080")}});
 }
 
-TEST_CASE("coordination: the bands keep the past until time goes back") {
+TEST_CASE("coordination: the bands are the stored shares, and the rows those of the shown time") {
   CoordinationPanel panel;
   panel.set_robot(QStringLiteral("r1"));
-  panel.add(state(0.1, 0.25));
   panel.add(state(0.2, 0.75));
-  CHECK(panel.share_at(1, 0.15) == 0.25);
+  Samples samples;
+  const QStringList names = panel.numbers(true);
+  CHECK(names.contains(kShare));
+  CHECK_FALSE(panel.numbers(false).contains(QStringLiteral("r1/explore/avoid/weight")));
+  samples.add(stored({0.1, 0.15, 0.2}, {{"r1/explore/avoid/share", {0.25F, 0.3F, 0.75F}},
+                                        {"r1/explore/avoid/asked", {1.0F, 1.0F, 1.0F}},
+                                        {"r1/explore/avoid/weight", {0.125F, 0.2F, 0.5F}},
+                                        {"r1/charge/share", {0.0F, 0.0F, 0.0F}},
+                                        {"r1/charge/asked", {0.0F, 0.0F, 0.0F}}}));
+  panel.set_samples(samples);
+  CHECK(panel.share_at(1, 0.12) == 0.25);
   CHECK(panel.share_at(1, 0.2) == 0.75);
   CHECK(std::isnan(panel.share_at(2, 0.2)));
   CHECK(std::isnan(panel.share_at(1, 0.05)));
-  panel.add(state(0.05, 1.0));
-  CHECK(panel.share_at(1, 0.2) == 1.0);
+  panel.look_back(0.1);
+  CHECK(panel.row_text(1).contains(QStringLiteral("weight 0.125, share 25 %")));
+  CHECK_FALSE(panel.row_text(1).contains(QStringLiteral("box")));  // the reason is not stored
+  panel.look_back(std::nullopt);
+  CHECK(panel.row_text(1).contains(QStringLiteral("weight 0.5, share 75 %")));
   panel.set_robot(QStringLiteral("r2"));
   CHECK(panel.rows() == 0);
+}
+
+TEST_CASE("coordination: a behaviour has the weight of the run, not the world's priority") {
+  CoordinationPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(decision({{0.999, 0.998}, {0.002, 0.002}}));
+  CHECK(panel.row_text(0).contains(QStringLiteral("weight 0.999")));
+  CHECK(panel.row_text(1).contains(QStringLiteral("weight 0.002")));
+  CHECK_FALSE(panel.row_text(0).contains(QStringLiteral("priority")));
+  CHECK(panel.figures().rows[0][2] == QStringLiteral("0.999"));
+}
+
+TEST_CASE("coordination: tiny weights and shares are shown as such") {
+  CoordinationPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(decision({{3e-7, 1e-6}, {0.3, 0.999999}}));
+  CHECK(panel.row_text(0).contains(QStringLiteral("weight 3e-07, share 0 %")));
+  CHECK(panel.row_text(1).contains(QStringLiteral("weight 0.3, share 100 %")));
+}
+
+TEST_CASE("coordination: the shares of a decision add up to 100 %") {
+  CHECK(whole_percents({0.335, 0.335, 0.33}) == std::vector{34, 33, 33});
+  CHECK(whole_percents({0.005, 0.995}) == std::vector{1, 99});
+  CHECK(whole_percents({0.25, 0.25}) == std::vector{25, 25});  // part of the command
+  CHECK(whole_percents({0.0, std::nan("")}) == std::vector{0, 0});
+  CHECK(whole_percents({}).empty());
+  CoordinationPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(decision({{1.0, 0.155}, {1.0, 0.255}, {1.0, 0.59}}));
+  int sum = 0;
+  for (const QStringList& row : panel.figures().rows) {
+    sum += row[3].toInt();
+  }
+  CHECK(sum == 100);
+}
+
+TEST_CASE("samples: those that the engine has dropped are dropped here, too") {
+  Samples samples;
+  samples.add(stored({0.0, 0.05, 0.1, 0.15}, {{"a", {0.0F, 1.0F, 2.0F, 3.0F}}}));
+  const int revision = samples.revision();
+  samples.add(stored({0.2}, {{"a", {4.0F}}, {"b", {5.0F}}}));
+  CHECK(samples.revision() == revision);
+  samples.add(stored({0.3}, {{"a", {6.0F}}, {"b", {7.0F}}}, 0.1));
+  CHECK(samples.revision() != revision);
+  CHECK(samples.times() == std::vector{0.0, 0.1, 0.2, 0.3});
+  CHECK(*samples.curve(QStringLiteral("a")) == std::vector{0.0F, 2.0F, 4.0F, 6.0F});
+  CHECK(std::isnan(samples.at(QStringLiteral("b"), 0.15)));
+  CHECK(samples.at(QStringLiteral("b"), 0.25) == 5.0F);
+  CHECK_FALSE(samples.curve(QStringLiteral("c")));
+  CHECK_THROWS(samples.add(stored({0.2}, {{"a", {1.0F}}}, 0.1)));  // an earlier time
+  CHECK_THROWS(samples.add(stored({0.4}, {{"a", {1.0F, 2.0F}}}, 0.1)));
+  Json damaged = stored({0.4}, {});
+  damaged["times"] = "what?";
+  CHECK_THROWS(samples.add(damaged));
 }
 
 TEST_CASE("sensors: readings, and a filter") {
@@ -188,23 +283,24 @@ TEST_CASE("vision: pictures as they come, chosen by name") {
   CHECK(!is_drawn());
 }
 
-TEST_CASE("plots: any number of a state, saved as a table and as a picture") {
+TEST_CASE("plots: the chosen numbers, saved as a table and as a picture") {
   PlotsPanel panel;
   panel.resize(500, 300);
-  panel.add(state(0.1, 0.25));
-  panel.add(state(0.2, 0.75));
-  const QString share = QStringLiteral("r1/explore/avoid/share");
-  CHECK(panel.names().contains(share));
-  CHECK(panel.names().contains(QStringLiteral("r1/explore/avoid/command/turn")));
-  CHECK(panel.names().contains(QStringLiteral("r1/left/range")));
-  panel.choose(share, true);
-  panel.choose(QStringLiteral("r1/gps/y"), true);
+  const QString far = QStringLiteral("r1/gps/y");
+  Samples samples;
+  samples.add(stored({0.1, 0.2}, {{kShare.toStdString(), {0.25F, 0.7F}},
+                                  {far.toStdString(), {std::nanf(""), std::nanf("")}}}));
+  panel.set_names({kShare, far, QStringLiteral("r1/left/range")});
+  panel.set_samples(samples);
+  panel.choose(kShare, true);
+  panel.choose(far, true);
+  CHECK(panel.sampling() == QStringLiteral("2 samples, up to 0.1 s apart"));
   QTemporaryDir folder;
   REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))).isEmpty());
   QFile table(folder.filePath(QStringLiteral("a.csv")));
   REQUIRE(table.open(QIODevice::ReadOnly));
   CHECK(table.readAll() ==
-        QByteArray("time_s,r1/explore/avoid/share,r1/gps/y\n0.1,0.25,\n0.2,0.75,\n"));
+        QByteArray("time_s,r1/explore/avoid/share,r1/gps/y\n0.1,0.25,\n0.2,0.7,\n"));
   CHECK(panel.save(folder.filePath(QStringLiteral("a.png"))).isEmpty());
   CHECK(panel.save(folder.filePath(QStringLiteral("a.svg"))).isEmpty());
   CHECK(panel.save(folder.filePath(QStringLiteral("a.doc"))).contains(QStringLiteral(".svg")));
@@ -214,17 +310,36 @@ TEST_CASE("plots: any number of a state, saved as a table and as a picture") {
             .contains(QStringLiteral("chosen")));
 }
 
-TEST_CASE("plots: a run that starts again keeps what is chosen, without its past") {
+TEST_CASE("plots: the choice stays for numbers of the same names") {
   PlotsPanel panel;
-  panel.add(state(5.0, 0.25));
-  panel.choose(QStringLiteral("r1/explore/share"), true);
-  panel.add(state(0.1, 0.75));
-  CHECK(panel.chosen() == QStringList{QStringLiteral("r1/explore/share")});
-  QTemporaryDir folder;
-  REQUIRE(panel.save(folder.filePath(QStringLiteral("a.csv"))).isEmpty());
-  QFile table(folder.filePath(QStringLiteral("a.csv")));
-  REQUIRE(table.open(QIODevice::ReadOnly));
-  CHECK(table.readAll() == QByteArray("time_s,r1/explore/share\n0.1,0.75\n"));
+  panel.set_names({kShare});
+  panel.choose(kShare, true);
+  panel.set_names({QStringLiteral("r2/speed")});
+  CHECK(panel.chosen().isEmpty());
+  CHECK(panel.choice() == QStringList{kShare});
+  panel.set_names({QStringLiteral("r2/speed"), kShare});
+  CHECK(panel.chosen() == QStringList{kShare});
+}
+
+TEST_CASE("plots: a long curve keeps its peaks") {
+  constexpr int kCount = 100'000;
+  std::vector<double> times;
+  std::vector<float> values(kCount, 0.0F);
+  for (int i = 0; i < kCount; ++i) {
+    times.push_back(0.05 * i);
+  }
+  values[kCount / 2] = 1.0F;  // one of hundreds in its column of pixels
+  Samples samples;
+  samples.add(stored(times, {{kShare.toStdString(), values}}));
+  PlotsPanel panel;
+  panel.set_names({kShare});
+  panel.set_samples(samples);
+  panel.choose(kShare, true);
+  const QPolygonF points = panel.polygon(kShare, {0.0, times.back()}, 400.0);
+  CHECK(points.size() < 4 * 402);
+  CHECK(points.contains(QPointF(times[kCount / 2], 1.0)));
+  CHECK(points.front().x() == 0.0);
+  CHECK(points.back().x() == times.back());
 }
 
 TEST_CASE("fuzzy: how far each rule fires now, and a file that cannot be read") {
@@ -329,17 +444,23 @@ TEST_CASE("pictures of the panels", "[.shots]") {
   CoordinationPanel coordination;
   coordination.set_robot(QStringLiteral("r1"));
   coordination.resize(900, 200);
+  std::vector<double> times;
+  std::vector<float> shares, asked(300, 1.0F);
   for (int i = 0; i < 300; ++i) {
-    coordination.add(state(0.1 * i, 0.5 + 0.5 * std::sin(0.05 * i)));
+    times.push_back(0.1 * i);
+    shares.push_back(static_cast<float>(0.5 + 0.5 * std::sin(0.05 * i)));
   }
+  Samples samples;
+  samples.add(
+      stored(times, {{"r1/explore/avoid/share", shares}, {"r1/explore/avoid/asked", asked}}, 0.1));
+  coordination.add(state(times.back(), shares.back()));
+  coordination.set_samples(samples);
   coordination.grab().save(folder + QStringLiteral("/coordination.png"));
   PlotsPanel plots;
   plots.resize(700, 300);
-  for (int i = 0; i < 300; ++i) {
-    plots.add(state(0.1 * i, 0.5 + 0.5 * std::sin(0.05 * i)));
-  }
-  plots.choose(QStringLiteral("r1/explore/avoid/share"), true);
-  plots.choose(QStringLiteral("r1/left/range"), true);
+  plots.set_names({kShare});
+  plots.set_samples(samples);
+  plots.choose(kShare, true);
   plots.grab().save(folder + QStringLiteral("/plots.png"));
   VisionPanel vision;
   vision.resize(300, 250);

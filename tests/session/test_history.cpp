@@ -1,4 +1,6 @@
 // The history of a session: what it keeps, and what it drops.
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "history.h"
@@ -49,6 +51,39 @@ TEST_CASE("A history that is full drops every second sample, and goes on at that
   for (const double time_s : {0.0, 15.0, 30.0, 45.0, 59.0}) {
     CHECK(history.at(time_s).time_s == Approx(time_s).margin(0.5));
   }
+}
+
+TEST_CASE("What was asked for before a history thins out continues with every second sample") {
+  constexpr std::size_t kMost = 20'000;
+  History history(kMost);
+  history.begin({"robot[r1] 0"});
+  run(history, 0.0, 5.0);
+  const std::size_t before = history.size();
+  const double last_s = history.after(-1.0).back().time_s;
+  REQUIRE(history.period_s() == History::kPeriod_s);
+  for (int s = 5; history.period_s() == History::kPeriod_s; ++s) {
+    run(history, s + 0.01, s + 1.0);
+  }
+  REQUIRE(history.period_s() == 2.0 * History::kPeriod_s);
+  const auto all = history.after(-1.0);
+  const auto rest = history.after(last_s);
+  CHECK(all.size() - rest.size() == (before + 1) / 2);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(all[i].time_s == Approx(0.1 * static_cast<double>(i)));
+  }
+}
+
+TEST_CASE("Paths have a place for each sample in which the body exists") {
+  History history;
+  history.begin({"robot[r1] 0"});
+  history.add(0.0, 0, at(1.0));
+  history.rename({"robot[r2] 0", "robot[r1] 0"});
+  history.add(0.05, 5, {at(2.0)[0], at(3.0)[0]});
+  const std::vector<std::string> names{"robot[r1] 0", "robot[r2] 0"};
+  const auto paths = History::paths(names, history.after(-1.0));
+  CHECK(paths[0].x == std::vector{1.0F, 3.0F});
+  CHECK(std::isnan(paths[1].x[0]));
+  CHECK(paths[1].x[1] == 2.0F);
 }
 
 TEST_CASE("Bodies are known by their names, whatever scene they were in") {

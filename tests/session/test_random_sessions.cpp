@@ -59,6 +59,8 @@ class Visitor {
         break;
       case 4:
         session.ask({{"do", "at"}, {"time_s", 0.1 * static_cast<double>(random_.below(30))}});
+        session.ask({{"do", "paths"}, {"after_s", 0.1 * static_cast<double>(random_.below(30))}});
+        session.ask({{"do", "numbers"}, {"names", {"r1/speed"}}});
         break;
       case 5:
         session.ask({{"do", "watch"}, {"what", {"decisions", "sensors", "fuzzy", "measures"}}});

@@ -67,7 +67,6 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
   if (!stage_.take(snapshot)) {
     return;
   }
-  trails_.note(stage_);
   if (const Stage::Body* body = followed_.isEmpty() ? nullptr : stage_.body_of(followed_)) {
     camera_.target = {body->frame.origin.x, body->frame.origin.y, 0.0};
     trails_.paint_anew();
@@ -76,8 +75,13 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
   update();
 }
 
-void SceneView::clear_trails() {
-  trails_.clear();
+void SceneView::show_trails(const Past& past) {
+  trails_.show(past);
+  connect(&past, &Past::paths_changed, this, qOverload<>(&QWidget::update));
+}
+
+void SceneView::begin_trails_at(double time_s) {
+  trails_.begin_at(time_s);
   update();
 }
 
@@ -238,7 +242,9 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
   const OverlayPainter over(painter, stage_, camera_, size());
   if (has_no_renderer_) over.outlines();
   if (overlays_.grid) over.grid();
-  if (overlays_.trails) trails_.paint(painter, camera_, size(), devicePixelRatioF());
+  if (overlays_.trails) {
+    trails_.paint(painter, stage_, camera_, size(), devicePixelRatioF());
+  }
   if (overlays_.views) over.views();
   if (overlays_.beams) over.beams();
   if (overlays_.names) over.names();

@@ -53,8 +53,11 @@ class SceneView : public QWidget {
   void set_notice(const QString& notice);
   const QString& notice() const { return notice_; }
   void take(const snapshots::Snapshot& snapshot);
-  /// Removes the lines behind the robots.
-  void clear_trails();
+  /// Where the lines behind the robots come from; it must outlive the view.
+  void show_trails(const Past& past);
+  /// Leaves out the lines from before this time, s.
+  void begin_trails_at(double time_s);
+  const Trails& trails() const { return trails_; }
   void set_selection(const QStringList& paths);
   /// Locks these objects, and unlocks those of them that were locked. Mouse and keys do not move
   /// locked objects.

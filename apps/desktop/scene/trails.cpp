@@ -6,82 +6,103 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kStep = 0.01;  // m
-constexpr std::size_t kLongest = 20'000;
-constexpr double kHeight = 0.005;  // m; above the marks on the floor
-constexpr double kWidth = 1.6;     // px
+constexpr double kHeight = 0.005;    // m; above the marks on the floor
+constexpr double kWidth = 1.6;       // px
+constexpr double kIndistinct = 0.5;  // px; nearer points look like one
 
 }  // namespace
 
-void Trails::clear() {
-  trails_.clear();
-  until_s_ = 0.0;
+void Trails::begin_at(double time_s) {
+  begins_at_s_ = time_s;
   paint_anew();
 }
 
-void Trails::note(const Stage& stage) {
-  if (stage.time_s() < until_s_) {
-    if (stage.time_s() == 0.0) {
-      clear();
-    }
+template <class See>
+void Trails::visit(const QString& robot, std::size_t from, std::size_t end, const See& see) const {
+  const Samples& paths = past_->paths();
+  const std::vector<float>* const x = paths.curve(robot + "/x");
+  const std::vector<float>* const y = paths.curve(robot + "/y");
+  if (!x || !y) {
     return;
   }
-  until_s_ = stage.time_s();
-  for (const Stage::Body& body : stage.bodies()) {
-    if (!body.is_robot()) {
+  std::vector<double> placed;
+  for (const Placed& each : past_->placed()) {
+    if (each.robot == robot) placed.push_back(each.time_s);
+  }
+  const std::vector<double>& times = paths.times();
+  const auto was_placed = [&](std::size_t before) {
+    return std::any_of(placed.begin(), placed.end(), [&](double time_s) {
+      return times[before] <= time_s && time_s < times[before + 1];
+    });
+  };
+  for (std::size_t i = from; i < end; ++i) {
+    if (times[i] < begins_at_s_ || !std::isfinite((*x)[i]) || !std::isfinite((*y)[i])) {
       continue;
     }
-    Trail& trail = trails_[body.path];
-    trail.colour = QColor(body.colour.red, body.colour.green, body.colour.blue);
-    const Vector3 at{body.frame.origin.x, body.frame.origin.y, kHeight};
-    if (!trail.points.empty() &&
-        std::hypot(at.x - trail.points.back().x, at.y - trail.points.back().y) < kStep) {
-      continue;
-    }
-    trail.points.push_back(at);
-    if (trail.points.size() > kLongest) {
-      trail.points.pop_front();
-      trail.painted -= std::min<std::size_t>(1, trail.painted);
-    }
+    const bool is_connected = i > from && times[i - 1] >= begins_at_s_ &&
+                              std::isfinite((*x)[i - 1]) && !was_placed(i - 1);
+    see(QPointF((*x)[i], (*y)[i]), is_connected);
   }
 }
 
-void Trails::paint(QPainter& painter, const OrbitCamera& camera, const QSize& size, double ratio) {
-  if (layer_.size() != size * ratio) {
+std::vector<std::vector<QPointF>> Trails::pieces(const QString& robot, double until_s) const {
+  std::vector<std::vector<QPointF>> pieces;
+  if (past_) {
+    visit(robot, 0, past_->paths().count_until(until_s), [&](const QPointF& at, bool is_connected) {
+      (is_connected ? pieces.back() : pieces.emplace_back()).push_back(at);
+    });
+  }
+  return pieces;
+}
+
+void Trails::paint(QPainter& painter, const Stage& stage, const OrbitCamera& camera,
+                   const QSize& size, double ratio) {
+  if (!past_) {
+    return;
+  }
+  const Samples& paths = past_->paths();
+  const std::size_t end = paths.count_until(stage.time_s());
+  if (layer_.size() != size * ratio || revision_ != paths.revision() || end < painted_) {
     layer_ = QImage(size * ratio, QImage::Format_ARGB32_Premultiplied);
     layer_.setDevicePixelRatio(ratio);
     layer_.fill(Qt::transparent);
-    for (Trail& trail : trails_) {
-      trail.painted = 0;
+    painted_ = 0;
+    revision_ = paths.revision();
+  }
+  if (painted_ < end) {
+    QPainter lines(&layer_);
+    lines.setRenderHint(QPainter::Antialiasing);
+    const std::size_t from = painted_ - std::min<std::size_t>(1, painted_);
+    for (const Stage::Body& body : stage.bodies()) {
+      if (!body.is_robot()) {
+        continue;
+      }
+      lines.setPen(QPen(QColor(body.colour.red, body.colour.green, body.colour.blue), kWidth));
+      QPolygonF run;
+      QPointF last;  // perhaps too near to be in it
+      const auto draw = [&] {
+        if (!run.isEmpty() && run.back() != last) run << last;
+        if (run.size() > 1) lines.drawPolyline(run);
+        run.clear();
+      };
+      visit(body.robot(), from, end, [&](const QPointF& point, bool is_connected) {
+        const auto at = camera.project({point.x(), point.y(), kHeight}, size);
+        if (!is_connected || !at) {
+          draw();
+        }
+        if (!at) {
+          return;
+        }
+        if (run.isEmpty() || QLineF(run.back(), *at).length() >= kIndistinct) {
+          run << *at;
+        }
+        last = *at;
+      });
+      draw();
     }
+    painted_ = end;
   }
-  QPainter lines(&layer_);
-  lines.setRenderHint(QPainter::Antialiasing);
-  for (Trail& trail : trails_) {
-    paint_rest(lines, trail, camera, size);
-  }
-  lines.end();
   painter.drawImage(QPoint(0, 0), layer_);
-}
-
-void Trails::paint_rest(QPainter& painter, Trail& trail, const OrbitCamera& camera,
-                        const QSize& size) {
-  if (trail.painted == trail.points.size()) {
-    return;
-  }
-  painter.setPen(QPen(trail.colour, kWidth));
-  QPolygonF run;
-  for (std::size_t i = trail.painted - std::min<std::size_t>(1, trail.painted);
-       i < trail.points.size(); ++i) {
-    if (const auto at = camera.project(trail.points[i], size)) {
-      run << *at;
-    } else if (!run.isEmpty()) {
-      painter.drawPolyline(run);
-      run.clear();
-    }
-  }
-  painter.drawPolyline(run);
-  trail.painted = trail.points.size();
 }
 
 }  // namespace elsie::desktop

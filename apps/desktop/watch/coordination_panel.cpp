@@ -6,6 +6,8 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "paint/axes.h"
 #include "watch/state.h"
@@ -18,17 +20,29 @@ struct CoordinationPanel::Row {
   QString reason;
   QString inhibited_by;
   int depth = 0;
+  int parent = -1;
   double activation = 0.0;
-  double priority = 0.0;
+  double priority = 0.0;  // as the world sets it
+  double weight = 0.0;    // what the coordinator made of it
   double share = 0.0;
+  int percent = 0;  // the share; those of a decision add up to 100
   bool asked = false;
   QString command;
 };
 
 namespace {
 
-constexpr double kSpan = 30.0;          // s on the time axis
-constexpr std::size_t kMost = 30 * 60;  // instants kept
+constexpr double kSpan = 30.0;  // s on the time axis
+constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+constexpr const char* kCommand[] = {"command/forward", "command/lateral", "command/turn"};
+
+QString command_text(const std::vector<double>& parts) {
+  QStringList texts;
+  for (const double part : parts) {
+    texts << number_text(part);
+  }
+  return texts.join(QStringLiteral(", "));
+}
 
 }  // namespace
 
@@ -50,8 +64,21 @@ void CoordinationPanel::set_robot(const QString& id) {
 
 void CoordinationPanel::clear() {
   rows_.clear();
-  past_.clear();
+  now_s_ = 0.0;
+  looked_back_to_s_.reset();
   lay_out();
+}
+
+void CoordinationPanel::set_samples(const Samples& samples) {
+  samples_ = &samples;
+  viewport()->update();
+}
+
+void CoordinationPanel::look_back(std::optional<double> time_s) {
+  if (looked_back_to_s_ != time_s) {
+    looked_back_to_s_ = time_s;
+    viewport()->update();
+  }
 }
 
 void CoordinationPanel::add(const Json& state) {
@@ -61,57 +88,103 @@ void CoordinationPanel::add(const Json& state) {
     return;
   }
   const Json& members = member(robot, "members");
-  std::vector<Row> rows;
-  Instant now{time, {}};
+  rows_.clear();
   for (const Json& one : members) {
-    Row row;
+    Row& row = rows_.emplace_back();
     row.path = text_of(one, "path");
     row.name = row.path.section(u'/', -1);
     row.reason = text_of(one, "reason");
-    const Json& depth = member(one, "depth");
-    row.depth = depth.is_number() ? depth.get<int>() : 0;
+    row.depth = integer_of(one, "depth", 0);
+    row.parent = integer_of(one, "parent", -1);
     row.activation = number_of(one, "activation");
     row.priority = number_of(one, "priority");
+    row.weight = number_of(one, "weight");
     row.share = number_of(one, "share");
-    row.asked = member(one, "asked").is_boolean() && member(one, "asked").get<bool>();
+    row.asked = member(one, "asked") == true;
     const double inhibitor = number_of(one, "inhibited_by");
     if (inhibitor >= 0.0 && inhibitor < static_cast<double>(members.size())) {
       row.inhibited_by = text_of(members[static_cast<std::size_t>(inhibitor)], "path");
     }
-    QStringList command;
+    std::vector<double> command;
     for (const Json& value : member(one, "command")) {
-      command << (value.is_number() ? number_text(value.get<double>()) : QStringLiteral("-"));
+      command.push_back(value.is_number() ? value.get<double>() : kMissing);
     }
-    row.command = command.join(QStringLiteral(", "));
-    now.shares.push_back(row.asked ? static_cast<float>(row.share)
-                                   : std::numeric_limits<float>::quiet_NaN());
-    rows.push_back(std::move(row));
+    row.command = command_text(command);
   }
-  const bool same_rows = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
-                                    [](const Row& a, const Row& b) { return a.path == b.path; });
-  if (!same_rows || (!past_.empty() && time < past_.back().time_s)) {
-    past_.clear();
-  }
-  rows_ = std::move(rows);
-  if (!past_.empty() && past_.back().time_s == time) {
-    past_.back() = std::move(now);
-  } else {
-    past_.push_back(std::move(now));
-  }
-  while (past_.size() > kMost || past_.front().time_s < time - kSpan) {
-    past_.pop_front();
-  }
+  set_percents(rows_);
+  now_s_ = time;
   lay_out();
 }
 
+void CoordinationPanel::set_percents(std::vector<Row>& rows) {
+  std::map<int, std::vector<std::size_t>> decisions;  // by the behaviour around the members
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    decisions[rows[i].parent].push_back(i);
+  }
+  for (const auto& [parent, members] : decisions) {
+    std::vector<double> shares;
+    for (const std::size_t i : members) {
+      shares.push_back(rows[i].asked ? rows[i].share : 0.0);
+    }
+    const std::vector<int> percents = whole_percents(shares);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      rows[members[i]].percent = percents[i];
+    }
+  }
+}
+
+QString CoordinationPanel::number_of_row(const Row& row, const char* name) const {
+  return robot_ + u'/' + row.path + u'/' + QLatin1String(name);
+}
+
+QStringList CoordinationPanel::numbers(bool looks_back) const {
+  QStringList names;
+  for (const Row& row : rows_) {
+    for (const char* name : {"asked", "share"}) {
+      names << number_of_row(row, name);
+    }
+    if (looks_back) {
+      for (const char* name : {"priority", "activation", "weight"}) {
+        names << number_of_row(row, name);
+      }
+      for (const char* name : kCommand) {
+        names << number_of_row(row, name);
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<CoordinationPanel::Row> CoordinationPanel::shown_rows() const {
+  std::vector<Row> rows = rows_;
+  if (!looked_back_to_s_ || !samples_) {
+    return rows;
+  }
+  for (Row& row : rows) {
+    const auto then = [&](const char* name) -> double {
+      return samples_->at(number_of_row(row, name), *looked_back_to_s_);
+    };
+    row.asked = then("asked") > 0.0;
+    row.priority = then("priority");
+    row.activation = then("activation");
+    row.weight = then("weight");
+    row.share = then("share");
+    row.command = command_text({then(kCommand[0]), then(kCommand[1]), then(kCommand[2])});
+    row.inhibited_by.clear();
+    row.reason.clear();
+  }
+  set_percents(rows);
+  return rows;
+}
+
 Figures CoordinationPanel::figures() const {
-  Figures figures{{tr("behaviour"), tr("activation"), tr("priority"), tr("share [%]"),
+  Figures figures{{tr("behaviour"), tr("activation"), tr("weight"), tr("share [%]"),
                    tr("command [m/s, m/s, rad/s]"), tr("inhibited by"), tr("reason")},
                   {}};
-  for (const Row& row : rows_) {
-    figures.rows.push_back({row.path, number_text(row.activation), number_text(row.priority),
-                            row.asked ? number_text(100.0 * row.share) : tr("not asked"),
-                            row.command, row.inhibited_by, row.reason});
+  for (const Row& row : shown_rows()) {
+    figures.rows.push_back({row.path, number_text(row.activation), number_text(row.weight),
+                            row.asked ? QString::number(row.percent) : tr("not asked"), row.command,
+                            row.inhibited_by, row.reason});
   }
   return figures;
 }
@@ -119,12 +192,14 @@ Figures CoordinationPanel::figures() const {
 int CoordinationPanel::rows() const { return static_cast<int>(rows_.size()); }
 
 QString CoordinationPanel::row_text(int index) const {
-  const Row& row = rows_.at(static_cast<std::size_t>(index));
-  QString text = tr("%1: activation %2, priority %3, share %4 %")
-                     .arg(row.path, number_text(row.activation), number_text(row.priority),
-                          number_text(100.0 * row.share));
+  const Row row = shown_rows().at(static_cast<std::size_t>(index));
+  QString text = row.asked
+                     ? tr("%1: activation %2, weight %3, share %4 %")
+                           .arg(row.path, number_text(row.activation), number_text(row.weight))
+                           .arg(row.percent)
+                     : tr("%1: not asked").arg(row.path);
   text += row.asked ? tr("\ncommand (forward m/s, lateral m/s, turn rad/s): %1").arg(row.command)
-                    : tr("\nnot asked");
+                    : tr("\npriority in the world: %1").arg(number_text(row.priority));
   if (!row.inhibited_by.isEmpty()) {
     text += tr("\ninhibited by %1").arg(row.inhibited_by);
   }
@@ -132,10 +207,10 @@ QString CoordinationPanel::row_text(int index) const {
 }
 
 double CoordinationPanel::share_at(int row, double time_s) const {
-  const auto after = std::upper_bound(past_.begin(), past_.end(), time_s,
-                                      [](double t, const Instant& i) { return t < i.time_s; });
-  return after == past_.begin() ? std::numeric_limits<double>::quiet_NaN()
-                                : std::prev(after)->shares.at(static_cast<std::size_t>(row));
+  const Row& of = rows_.at(static_cast<std::size_t>(row));
+  return samples_ && samples_->at(number_of_row(of, "asked"), time_s) > 0.0F
+             ? samples_->at(number_of_row(of, "share"), time_s)
+             : kMissing;
 }
 
 int CoordinationPanel::row_height() const { return fontMetrics().height() * 5 / 2; }
@@ -163,6 +238,45 @@ bool CoordinationPanel::viewportEvent(QEvent* event) {
   return QAbstractScrollArea::viewportEvent(event);
 }
 
+/// The lane goes from the start to the end. A share holds until the next sample.
+void CoordinationPanel::paint_band(QPainter& painter, const QRectF& lane, int row, double start_s,
+                                   double end_s) const {
+  const Row& of = rows_[static_cast<std::size_t>(row)];
+  const std::vector<float>* const asked =
+      samples_ ? samples_->curve(number_of_row(of, "asked")) : nullptr;
+  const std::vector<float>* const shares =
+      samples_ ? samples_->curve(number_of_row(of, "share")) : nullptr;
+  if (!asked || !shares || !(end_s > start_s)) {
+    return;
+  }
+  QColor grey = palette().color(QPalette::Text);
+  grey.setAlphaF(0.10F);
+  const std::vector<double>& times = samples_->times();
+  const auto x_of = [&](double time_s) {
+    return lane.left() + (std::max(time_s, start_s) - start_s) / (end_s - start_s) * lane.width();
+  };
+  const std::size_t all = samples_->count_until(end_s);
+  const std::size_t before = samples_->count_until(start_s);
+  const double period_s = all > 1 ? times[all - 1] - times[all - 2] : 0.0;
+  for (std::size_t i = before - std::min<std::size_t>(1, before), next = i; i < all; i = next) {
+    // One rectangle for a stretch of the same share.
+    for (next = i + 1;
+         next < all && (*asked)[next] == (*asked)[i] && (*shares)[next] == (*shares)[i]; ++next) {
+    }
+    const double from = x_of(times[i]);
+    const double until_s = next < all ? times[next] : times[all - 1] + period_s;
+    const double width = x_of(std::min(until_s, end_s)) - from;
+    if ((*asked)[i] > 0.0F) {
+      const double high = std::clamp(static_cast<double>((*shares)[i]), 0.0, 1.0) * lane.height();
+      const QRectF part(from, lane.center().y() - high / 2, width, high);
+      painter.fillRect(part, curve_colour(row, palette()));
+      painter.fillRect(part, QBrush(palette().color(QPalette::Base), hatch(row)));
+    } else if ((*asked)[i] == 0.0F) {
+      painter.fillRect(QRectF(from, lane.top(), width, lane.height()), grey);
+    }
+  }
+}
+
 void CoordinationPanel::paintEvent(QPaintEvent*) {
   QPainter painter(viewport());
   const QFontMetrics font = fontMetrics();
@@ -178,14 +292,15 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
                                .arg(robot_));
     return;
   }
+  const std::vector<Row> shown = shown_rows();
   int names = em * 8;
-  for (const Row& row : rows_) {
+  for (const Row& row : shown) {
     names = std::max(names, font.horizontalAdvance(row.name) + (2 * row.depth + 2) * em);
   }
   names = std::min(names, viewport()->width() / 3);
   const int figures = std::min(em * 42, viewport()->width() / 2);
   const QRect bands(names, 0, viewport()->width() - names - figures - em, viewport()->height());
-  const double end = past_.back().time_s;
+  const double end = looked_back_to_s_.value_or(now_s_);
   const double start = std::max(0.0, end - kSpan);
   const double length = std::max(end - start, 1.0);
   const auto x_of = [&](double t) { return bands.left() + (t - start) / length * bands.width(); };
@@ -193,9 +308,8 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
 
   painter.setClipRect(0, 0, viewport()->width(), axis);
   for (int n = 0; n < rows(); ++n) {
-    const Row& row = rows_[static_cast<std::size_t>(n)];
+    const Row& row = shown[static_cast<std::size_t>(n)];
     const int top = n * row_height() - verticalScrollBar()->value();
-    const QRect lane(bands.left(), top + 3, bands.width(), row_height() - 6);
     const QColor colour = curve_colour(n, palette());
     QColor grey = ink;
     grey.setAlphaF(0.10F);
@@ -204,28 +318,9 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
     const int indent = em / 2 + row.depth * 2 * em;
     painter.drawText(QRect(indent, top, names - indent, row_height()), Qt::AlignVCenter,
                      font.elidedText(row.name, Qt::ElideMiddle, names - indent));
-    for (std::size_t i = 0; i < past_.size(); ++i) {
-      const float share = past_[i].shares[static_cast<std::size_t>(n)];
-      std::size_t last = i;  // one rectangle for a stretch of the same share
-      while (last + 1 < past_.size()) {
-        const float next = past_[last + 1].shares[static_cast<std::size_t>(n)];
-        if (next != share && !(std::isnan(next) && std::isnan(share))) {
-          break;
-        }
-        ++last;
-      }
-      const double from = x_of(past_[i].time_s);
-      const double to = x_of(last + 1 < past_.size() ? past_[last + 1].time_s : end);
-      if (std::isnan(share)) {
-        painter.fillRect(QRectF(from, lane.top(), to - from, lane.height()), grey);
-      } else {
-        const double high = std::clamp(static_cast<double>(share), 0.0, 1.0) * lane.height();
-        const QRectF part(from, lane.center().y() - high / 2, to - from, high);
-        painter.fillRect(part, colour);
-        painter.fillRect(part, QBrush(palette().color(QPalette::Base), hatch(n)));
-      }
-      i = last;
-    }
+    const double right = x_of(end);
+    paint_band(painter, QRectF(bands.left(), top + 3, right - bands.left(), row_height() - 6), n,
+               start, end);
     painter.setPen(grey);
     painter.drawLine(0, top + row_height() - 1, viewport()->width(), top + row_height() - 1);
 
@@ -242,9 +337,10 @@ void CoordinationPanel::paintEvent(QPaintEvent*) {
                                    .arg(number_text(std::round(100.0 * row.activation) / 100.0));
     const QString numbers =
         (row.asked ? activation : QString()) +
-        (row.asked ? tr("priority %1  share %2 %  (%3)")
-                         .arg(number_text(row.priority), number_text(std::round(100.0 * row.share)),
-                              row.command)
+        (row.asked ? tr("weight %1  share %2 %  (%3)")
+                         .arg(number_text(row.weight))
+                         .arg(row.percent)
+                         .arg(row.command)
                    : tr("priority %1  not asked").arg(number_text(row.priority)));
     const int beside = em * 5;
     painter.drawText(text.adjusted(beside, 1, 0, 0), Qt::AlignTop,

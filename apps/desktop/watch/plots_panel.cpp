@@ -12,20 +12,18 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <set>
+#include <limits>
 
 #include "elsie/files/write_whole.h"
 #include "elsie/output/csv_line.h"
 #include "elsie/picture/plot.h"
 
-#include "paint/axes.h"
-#include "watch/state.h"
-
 namespace elsie::desktop {
 namespace {
 
-constexpr std::size_t kMostSamples = 6000;  // samples of a number: 200 s at 30 per second
+constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kName = Qt::UserRole;
 constexpr int kStrip_lines = 7;  // the least height of a strip
 
@@ -64,6 +62,15 @@ QString unit_of(const QString& name) {
   return last == u"distance" ? QStringLiteral("m") : QString();
 }
 
+/// The number with the fewest digits that is this value in single precision.
+double shortest(float value) {
+  std::array<char, 64> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  double number = 0.0;
+  std::from_chars(digits.data(), end, number);
+  return number;
+}
+
 QString title_of(const QString& name) {
   const QString unit = unit_of(name);
   return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
@@ -83,8 +90,8 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   save_button->setObjectName(QStringLiteral("plots_save"));
   save_button->setText(tr("Save..."));
   save_button->setToolTip(tr(
-      "Save the plot as PNG or SVG, or its numbers as CSV: the samples that the window received, "
-      "at most 30 per second on the clock. 'Record the next run' writes samples at equal times."));
+      "Save the plot as PNG or SVG, or its numbers as CSV: the samples of the run at equal times, "
+      "whatever its speed. A long run keeps fewer of them."));
   connect(save_button, &QToolButton::clicked, this, [this] {
     QFileDialog dialog(this, tr("Save plot: %1").arg(sampling()), {},
                        tr("Pictures or tables (*.png *.svg *.csv)"));
@@ -121,75 +128,60 @@ PlotsPanel::PlotsPanel(QWidget* parent)
   });
 }
 
-void PlotsPanel::add(const Json& state) {
-  const double time = number_of(state, "time_s");
-  if (!std::isfinite(time)) {
-    return;
-  }
-  if (time < time_) {
-    begin();
-  } else if (time == time_) {
-    return;
-  }
-  time_ = time;
-  for (const Json& robot : member(state, "robots")) {
-    collect(robot, text_of(robot, "id"), time);
-  }
-  collect(member(state, "measures"), tr("measures"), time);
+void PlotsPanel::set_samples(const Samples& samples) {
+  samples_ = &samples;
   plot_->update();
 }
 
-void PlotsPanel::collect(const Json& value, const QString& path, double time) {
-  static const std::set<std::string> kCommands{"command", "asked", "possible"};
-  static const std::set<std::string> kLeftOut{"depth", "parent", "inhibited_by", "cameras"};
-  static const std::array<QString, 3> kParts{QStringLiteral("forward"), QStringLiteral("lateral"),
-                                             QStringLiteral("turn")};
-  for (const auto& [key, inner] : value.items()) {
-    const QString name = path + u'/' + QString::fromStdString(key);
-    if (kLeftOut.contains(key)) {
-      continue;
+void PlotsPanel::set_names(const QStringList& names) {
+  const std::set<QString> all(names.begin(), names.end());
+  if (!std::includes(all.begin(), all.end(), names_.begin(), names_.end())) {
+    const QSignalBlocker quiet(tree_);
+    items_.clear();
+    tree_->clear();
+    names_.clear();
+  }
+  for (const QString& name : names) {
+    if (names_.insert(name).second) {
+      add_item(name);
     }
-    if (inner.is_number()) {
-      record(name, inner, time);
-    } else if (inner.is_object()) {
-      collect(inner, name, time);
-    } else if (inner.is_array() && kCommands.contains(key)) {
-      for (std::size_t i = 0; i < std::min(inner.size(), kParts.size()); ++i) {
-        record(name + u'/' + kParts[i], inner[i], time);
-      }
-    } else if (inner.is_array() && key == "values") {
-      const Json& names = member(value, "names");
-      for (std::size_t i = 0; i < inner.size(); ++i) {
-        const bool named = i < names.size() && names[i].is_string();
-        record(path + u'/' +
-                   (named ? QString::fromStdString(names[i].get<std::string>())
-                          : QString::number(i + 1)),
-               inner[i], time);
-      }
-    } else if (inner.is_array()) {
-      for (const Json& one : inner) {
-        for (const char* id : {"path", "id", "name"}) {
-          if (const QString part = text_of(one, id); !part.isEmpty()) {
-            collect(one, path + u'/' + part, time);
-            break;
-          }
-        }
-      }
+  }
+  fit();
+}
+
+template <class See>
+void PlotsPanel::visit(const QString& name, const See& see) const {
+  const std::vector<float>* const values = samples_ ? samples_->curve(name) : nullptr;
+  for (std::size_t i = 0; values && i < values->size(); ++i) {
+    if (std::isfinite((*values)[i])) {
+      see(samples_->times()[i], (*values)[i]);
     }
   }
 }
 
-void PlotsPanel::record(const QString& path, const Json& value, double time) {
-  auto [found, is_new] = curves_.try_emplace(path);
-  if (is_new) {
-    add_item(path);
+QPolygonF PlotsPanel::polygon(const QString& name, const Span& x, double width) const {
+  QPolygonF points;
+  const std::vector<float>* const values = samples_ ? samples_->curve(name) : nullptr;
+  const auto column = [&](std::size_t i) {
+    return std::floor((samples_->times()[i] - x.low) / x.length() * width);
+  };
+  const auto point = [&](std::size_t i) { return QPointF(samples_->times()[i], (*values)[i]); };
+  for (std::size_t begin = 0, end = 0; values && begin < values->size(); begin = end) {
+    std::array<std::size_t, 4> kept;  // first, least, greatest, last
+    kept.fill(begin);
+    const bool is_whole = std::isfinite((*values)[begin]);  // else it interrupts the curve
+    for (end = begin + 1; is_whole && end < values->size() && std::isfinite((*values)[end]) &&
+                          column(end) == column(begin);
+         ++end) {
+      kept[1] = (*values)[end] < (*values)[kept[1]] ? end : kept[1];
+      kept[2] = (*values)[end] > (*values)[kept[2]] ? end : kept[2];
+      kept[3] = end;
+    }
+    std::sort(kept.begin(), kept.end());
+    std::for_each(kept.begin(), std::unique(kept.begin(), kept.end()),
+                  [&](std::size_t i) { points << point(i); });
   }
-  Curve& curve = found->second;
-  curve.emplace_back(
-      time, value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
-  if (curve.size() > kMostSamples) {
-    curve.pop_front();
-  }
+  return points;
 }
 
 void PlotsPanel::add_item(const QString& name) {
@@ -210,33 +202,9 @@ void PlotsPanel::add_item(const QString& name) {
   parent->setFlags(parent->flags() | Qt::ItemIsUserCheckable);
   parent->setData(0, kName, name);
   parent->setCheckState(0, chosen_.contains(name) ? Qt::Checked : Qt::Unchecked);
-  if (chosen_.contains(name)) fit();
 }
 
-void PlotsPanel::begin() {
-  for (auto& [name, curve] : curves_) {
-    curve.clear();
-  }
-  time_ = -1.0;
-  plot_->update();
-}
-
-void PlotsPanel::clear() {
-  const QSignalBlocker quiet(tree_);
-  curves_.clear();
-  items_.clear();
-  tree_->clear();
-  time_ = -1.0;
-  fit();
-}
-
-QStringList PlotsPanel::names() const {
-  QStringList all;
-  for (const auto& [name, curve] : curves_) {
-    all << name;
-  }
-  return all;
-}
+QStringList PlotsPanel::names() const { return {names_.begin(), names_.end()}; }
 
 QTreeWidgetItem* PlotsPanel::item_of(const QString& name) const {
   const auto found = items_.find(name);
@@ -246,7 +214,7 @@ QTreeWidgetItem* PlotsPanel::item_of(const QString& name) const {
 QStringList PlotsPanel::chosen() const {
   QStringList all;
   for (const QString& name : chosen_) {
-    if (curves_.contains(name)) {
+    if (names_.contains(name)) {
       all << name;
     }
   }
@@ -255,7 +223,7 @@ QStringList PlotsPanel::chosen() const {
 
 void PlotsPanel::set_choice(const QStringList& names) {
   chosen_ = {names.begin(), names.end()};
-  for (const auto& [name, curve] : curves_) {
+  for (const QString& name : names_) {
     choose(name, chosen_.contains(name));
   }
   fit();
@@ -271,7 +239,7 @@ QStringList PlotsPanel::chosen_robots() const {
 }
 
 void PlotsPanel::choose(const QString& name, bool on) {
-  if (curves_.contains(name)) {
+  if (names_.contains(name)) {
     item_of(name)->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
   }
 }
@@ -303,15 +271,15 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
     painter.drawText(area, Qt::AlignCenter, tr("Choose numbers to plot them"));
     return;
   }
-  Span x{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Span x{kFar, -kFar};
   const QFontMetricsF font = painter.fontMetrics();
   const double line = font.height();
   double legend = 0.0;
   for (const QString& name : chosen()) {
     legend = std::max(legend, font.horizontalAdvance(title_of(name)) + 4.0 * line);
-    if (const Curve& curve = curves_.at(name); !curve.empty()) {
-      x = {std::min(x.low, curve.front().x()), std::max(x.high, curve.back().x())};
-    }
+    visit(name, [&](double time_s, double) {
+      x = {std::min(x.low, time_s), std::max(x.high, time_s)};
+    });
   }
   if (!(x.length() > 0.0)) {
     x = {std::isfinite(x.low) ? x.low : 0.0, (std::isfinite(x.low) ? x.low : 0.0) + 1.0};
@@ -332,13 +300,11 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
 /// `legend`: the width of the names beside it; `n`: the number of its first curve.
 void PlotsPanel::draw_strip(QPainter& painter, const QRectF& area, double legend,
                             const Strip& strip, const Span& x, int& n) const {
-  Span y{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Span y{kFar, -kFar};
   for (const QString& name : strip.names) {
-    for (const QPointF& point : curves_.at(name)) {
-      if (std::isfinite(point.y())) {
-        y = {std::min(y.low, point.y()), std::max(y.high, point.y())};
-      }
-    }
+    visit(name, [&](double, double value) {
+      y = {std::min(y.low, value), std::max(y.high, value)};
+    });
   }
   if (!std::isfinite(y.length())) {
     y = {};
@@ -350,9 +316,8 @@ void PlotsPanel::draw_strip(QPainter& painter, const QRectF& area, double legend
   axes.draw(painter, palette(), tr("time [s]"), strip.title);
   double middle = axes.area().top() + line * 0.5;
   for (const QString& name : strip.names) {
-    const Curve& curve = curves_.at(name);
     const QPen pen(curve_colour(n, palette()), line / 9.0, pen_style(n));
-    axes.draw_curve(painter, QPolygonF(QList<QPointF>(curve.begin(), curve.end())), pen);
+    axes.draw_curve(painter, polygon(name, x, axes.area().width()), pen);
     const double left = area.right() - legend + line / 2.0;
     painter.setPen(pen);
     painter.drawLine(QPointF(left, middle), QPointF(left + 2.5 * line, middle));
@@ -367,16 +332,19 @@ void PlotsPanel::draw_strip(QPainter& painter, const QRectF& area, double legend
 }
 
 QString PlotsPanel::sampling() const {
-  qsizetype count = 0;
+  int most = 0;
   double widest_s = 0.0;
   for (const QString& name : chosen()) {
-    const Curve& curve = curves_.at(name);
-    count = std::max(count, static_cast<qsizetype>(curve.size()));
-    for (std::size_t i = 1; i < curve.size(); ++i) {
-      widest_s = std::max(widest_s, curve[i].x() - curve[i - 1].x());
-    }
+    int count = 0;
+    double before_s = 0.0;
+    visit(name, [&](double time_s, double) {
+      widest_s = count > 0 ? std::max(widest_s, time_s - before_s) : widest_s;
+      before_s = time_s;
+      ++count;
+    });
+    most = std::max(most, count);
   }
-  return tr("%1 samples, up to %2 s apart").arg(count).arg(number_text(widest_s));
+  return tr("%1 samples, up to %2 s apart").arg(most).arg(number_text(widest_s));
 }
 
 QString PlotsPanel::save(const QString& file) const {
@@ -409,9 +377,7 @@ picture::LineChart PlotsPanel::chart(const Strip& strip) const {
   for (const QString& name : strip.names) {
     picture::Series& series = chart.series.emplace_back();
     series.name = title_of(name).toStdString();
-    for (const QPointF& point : curves_.at(name)) {
-      series.points.push_back({point.x(), point.y()});
-    }
+    visit(name, [&](double time_s, double value) { series.points.push_back({time_s, value}); });
   }
   return chart;
 }
@@ -420,17 +386,18 @@ Figures PlotsPanel::figures() const {
   Figures figures{{tr("number"), tr("now"), tr("least"), tr("most"), tr("from [s]"), tr("to [s]")},
                   {}};
   for (const QString& name : chosen()) {
-    const Curve& curve = curves_.at(name);
-    if (curve.empty()) {
+    const std::vector<float>* const values = samples_ ? samples_->curve(name) : nullptr;
+    if (!values || values->empty()) {
       figures.rows.push_back({title_of(name)});
       continue;
     }
-    const auto [least, most] =
-        std::minmax_element(curve.begin(), curve.end(),
-                            [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
-    figures.rows.push_back({title_of(name), number_text(curve.back().y()), number_text(least->y()),
-                            number_text(most->y()), number_text(curve.front().x()),
-                            number_text(curve.back().x())});
+    Span range{kFar, -kFar};
+    visit(name, [&](double, double value) {
+      range = {std::min(range.low, value), std::max(range.high, value)};
+    });
+    figures.rows.push_back({title_of(name), number_text(values->back()), number_text(range.low),
+                            number_text(range.high), number_text(samples_->times().front()),
+                            number_text(samples_->times().back())});
   }
   return figures;
 }
@@ -439,11 +406,11 @@ std::string PlotsPanel::table() const {
   const QStringList shown = chosen();
   std::map<double, std::vector<double>> rows;
   for (int n = 0; n < shown.size(); ++n) {
-    for (const QPointF& point : curves_.at(shown[n])) {
-      std::vector<double>& row = rows[point.x()];
+    visit(shown[n], [&](double time_s, float value) {
+      std::vector<double>& row = rows[time_s];
       row.resize(static_cast<std::size_t>(shown.size()), std::nan(""));
-      row[static_cast<std::size_t>(n)] = point.y();
-    }
+      row[static_cast<std::size_t>(n)] = shortest(value);
+    });
   }
   output::CsvLine line;
   line.text("time_s");
@@ -452,7 +419,7 @@ std::string PlotsPanel::table() const {
   }
   std::string text = line.take() + '\n';
   for (const auto& [time, row] : rows) {
-    line.number(time);
+    line.number(output::tidy_time(time));
     for (const double value : row) {
       std::isfinite(value) ? line.number(value) : line.empty();
     }

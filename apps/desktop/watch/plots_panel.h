@@ -1,16 +1,13 @@
 // Live plots of any number of a run.
 #pragma once
 
-#include <QPointF>
 #include <QWidget>
-#include <deque>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "engine/past.h"
 #include "paint/axes.h"
 #include "paint/figures.h"
 
@@ -24,22 +21,19 @@ struct LineChart;
 
 namespace elsie::desktop {
 
-/// Lists all numbers of the `state` events in a tree with check boxes, and plots the chosen ones
-/// over simulated time. The last samples of every number are kept, so that a curve that is chosen
-/// late has its past.
+/// Lists all numbers of a run in a tree with check boxes, and plots the chosen ones over simulated
+/// time, through the samples that the engine stored from the beginning of the run.
 class PlotsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlotsPanel(QWidget* parent = nullptr);
 
-  /// Takes a `state` event. If its time is before the last one, the curves start again.
-  void add(const nlohmann::ordered_json& state);
-  /// Starts the curves again; the choice stays.
-  void begin();
-  /// Forgets all numbers, because the world is another one. The choice stays, for numbers of the
-  /// same names.
-  void clear();
+  /// The samples of the chosen numbers, which must outlive the panel. Call it again when they have
+  /// changed.
+  void set_samples(const Samples& samples);
+  /// The numbers that exist. The choice stays, for numbers of the same names.
+  void set_names(const QStringList& names);
 
   /// The numbers known, such as "r1/speed" or "r1/explore/avoid/share", sorted.
   QStringList names() const;
@@ -54,7 +48,10 @@ class PlotsPanel : public QWidget {
   Figures figures() const;
   /// Draws axes, curves and legend, as on the screen: a strip for each unit.
   void draw(QPainter& painter, const QRectF& area) const;
-  /// How far apart the samples are; a fast run sends fewer of them.
+  /// The samples of a number as points; where several share a column of pixels, the first, the
+  /// last, the least and the greatest of them. `width` of the span `x` is in px.
+  QPolygonF polygon(const QString& name, const Span& x, double width) const;
+  /// How far apart the samples are; a long run keeps fewer of them.
   QString sampling() const;
   /// Writes the chosen curves in the format of the file's ending: .png, .svg or .csv. Returns "",
   /// or why they were not written.
@@ -64,10 +61,9 @@ class PlotsPanel : public QWidget {
   void choice_changed();
 
  private:
-  using Curve = std::deque<QPointF>;
-
-  void collect(const nlohmann::ordered_json& value, const QString& path, double time);
-  void record(const QString& path, const nlohmann::ordered_json& value, double time);
+  /// Calls `see` with the time and the value of each sample of a number that has one.
+  template <class See>
+  void visit(const QString& name, const See& see) const;
   QTreeWidgetItem* item_of(const QString& name) const;
   void add_item(const QString& name);
   /// The chosen numbers that share an axis.
@@ -83,9 +79,9 @@ class PlotsPanel : public QWidget {
   std::string table() const;
 
   std::set<QString> chosen_;
-  std::map<QString, Curve> curves_;
+  std::set<QString> names_;
+  const Samples* samples_ = nullptr;
   std::map<QString, QTreeWidgetItem*> items_;
-  double time_ = -1.0;
   QTreeWidget* tree_;
   QWidget* plot_;
 };

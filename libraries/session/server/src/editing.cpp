@@ -192,7 +192,7 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
   }
   simulation_->change(changes_of(edits_there));
   ++epoch_;
-  history_.rename(body_names(simulation_->world()));
+  past_.replaced(*simulation_);
   repetition_.add(simulation_->time_s(), simulation_->world().physics.step, std::move(edits));
   if (!running_) {
     show();

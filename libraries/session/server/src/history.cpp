@@ -1,23 +1,12 @@
 #include "history.h"
 
 #include <algorithm>
-#include <map>
+#include <limits>
 #include <utility>
 
 namespace elsie::server {
-namespace {
-
-std::size_t bytes_of(const History::Sample& sample) {
-  return sizeof(sample) + sample.bodies.size() * sizeof(snapshots::BodyState);
-}
-
-}  // namespace
-
-void History::begin(std::vector<std::string> names) {
-  samples_.clear();
-  bytes_ = 0;
-  sampling_ = traces::Sampling(kPeriod_s);
-  sampling_.is_due(0.0);
+void History::begin(std::vector<std::string> names, double period_s) {
+  samples_.begin(period_s);
   names_ = std::make_shared<const std::vector<std::string>>(std::move(names));
 }
 
@@ -29,53 +18,49 @@ void History::rename(std::vector<std::string> names) {
 
 void History::add(double time_s, std::uint64_t steps, std::vector<snapshots::BodyState> bodies) {
   bodies.shrink_to_fit();
-  samples_.push_back({time_s, steps, names_, std::move(bodies)});
-  bytes_ += bytes_of(samples_.back());
-  if (bytes_ > most_ && samples_.size() > 2) {
-    thin_out();
-  }
-}
-
-void History::thin_out() {
-  const double now_s = samples_.back().time_s;
-  bytes_ = 0;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < samples_.size(); i += 2, ++kept) {
-    if (i != kept) {
-      samples_[kept] = std::move(samples_[i]);
-    }
-    bytes_ += bytes_of(samples_[kept]);
-  }
-  samples_.resize(kept);
-  sampling_ = traces::Sampling(2.0 * sampling_.period_s());
-  sampling_.is_due(now_s);
+  samples_.add({time_s, steps, names_, std::move(bodies)});
 }
 
 History::Sample History::at(double time_s) const {
+  const std::vector<Sample>& all = samples_.all();
   auto found =
-      std::lower_bound(samples_.begin(), samples_.end(), time_s,
+      std::lower_bound(all.begin(), all.end(), time_s,
                        [](const Sample& sample, double time) { return sample.time_s < time; });
-  if (found == samples_.end() ||
-      (found != samples_.begin() && time_s - (found - 1)->time_s < found->time_s - time_s)) {
+  if (found == all.end() ||
+      (found != all.begin() && time_s - (found - 1)->time_s < found->time_s - time_s)) {
     --found;
   }
   if (found->names == names_) {
     return *found;
   }
-  std::map<std::string, std::size_t> known;
-  for (std::size_t i = 0; i < found->names->size(); ++i) {
-    known.emplace((*found->names)[i], i);
-  }
   Sample sample{found->time_s, found->steps, names_, {}};
-  for (const std::string& name : *names_) {
-    const auto place = known.find(name);
+  for (const std::size_t place : places_of(*names_, *found->names)) {
     snapshots::BodyState gone = snapshots::BodyState::of({});
     gone.present = 0.0F;
-    sample.bodies.push_back(place != known.end() && place->second < found->bodies.size()
-                                ? found->bodies[place->second]
-                                : gone);
+    sample.bodies.push_back(place < found->bodies.size() ? found->bodies[place] : gone);
   }
   return sample;
+}
+
+std::vector<History::Path> History::paths(std::span<const std::string> names,
+                                          std::span<const Sample> samples) {
+  std::vector<Path> paths(names.size());
+  const std::vector<std::string>* list = nullptr;  // successive samples mostly share it
+  std::vector<std::size_t> places;
+  for (const Sample& sample : samples) {
+    if (sample.names.get() != list) {
+      list = sample.names.get();
+      places = places_of(names, *list);
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+      const bool is_there =
+          places[i] < sample.bodies.size() && sample.bodies[places[i]].present != 0.0F;
+      paths[i].x.push_back(is_there ? sample.bodies[places[i]].origin[0] : kNowhere);
+      paths[i].y.push_back(is_there ? sample.bodies[places[i]].origin[1] : kNowhere);
+    }
+  }
+  return paths;
 }
 
 }  // namespace elsie::server

@@ -64,6 +64,7 @@ void Server::Impl::use(const plugin::Host& host, Json& event) {
   for (const std::string& note : simulation_->replace_plugins(host).notes) {
     event["problems"].push_back(note);
   }
+  past_.replaced(*simulation_);
   document_ = std::move(document);
 }
 

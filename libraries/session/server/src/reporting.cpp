@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "elsie/base/error.h"
 
 #include "scene.h"
@@ -14,6 +16,7 @@ void Server::Impl::show() {
   if (!simulation_) {
     return;
   }
+  answer_past();
   const Clock::time_point now = Clock::now();
   place_bodies(*simulation_, bodies_);
   list_beams(*simulation_, beams_);
@@ -26,13 +29,9 @@ void Server::Impl::show() {
   is_state_due_ = !running_;
 }
 
-void Server::Impl::keep() {
-  place_bodies(*simulation_, bodies_);
-  history_.add(simulation_->time_s(), simulation_->steps(), bodies_);
-}
-
 void Server::Impl::watch(const Json& message, Json&) {
   watching_.choose(message);
+  past_.watch(watching_.watches("measures"), watching_.watches("fuzzy"));
   is_state_due_ = watching_.is_on() && simulation_;
 }
 
@@ -41,16 +40,40 @@ void Server::Impl::look_back(const Json& message, Json& answer) {
     throw base::BadInput("the run goes on; pause it to look back");
   }
   double time_s = simulation_->time_s();
-  answer["from_s"] = history_.from_s();
+  answer["from_s"] = past_.poses().from_s();
   answer["to_s"] = time_s;
   if (message.contains("time_s") && message["time_s"].get<double>() < time_s) {
-    const History::Sample sample = history_.at(message["time_s"].get<double>());
+    const History::Sample sample = past_.poses().at(message["time_s"].get<double>());
     time_s = sample.time_s;
     writer_.write({epoch_, sample.steps, time_s, 0.0}, sample.bodies, {});
   } else {
     show();
   }
   answer["time_s"] = time_s;
+}
+
+void Server::Impl::paths(const Json& message, Json& answer) {
+  tell_past(Past::wish_of(message, false), answer);
+}
+
+void Server::Impl::numbers(const Json& message, Json& answer) {
+  tell_past(Past::wish_of(message, true), answer);
+}
+
+void Server::Impl::tell_past(Past::Wish wish, Json& answer) {
+  soon_.emplace_back(std::move(wish), answer);
+  answers_soon_ = true;
+  if (!running_) {
+    answer_past();
+  }
+}
+
+void Server::Impl::answer_past() {
+  for (auto& [wish, answer] : std::exchange(soon_, {})) {
+    answer["epoch"] = epoch_;
+    past_.tell(wish, answer);
+    link_.send(answer);
+  }
 }
 
 void Server::Impl::report_pause() {

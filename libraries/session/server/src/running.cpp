@@ -67,8 +67,7 @@ void Server::Impl::take_next() {
   recording_.close();
   repetition_.begin(document_->file(), document_->text(), seed_);
   told_events_ = told_notes_ = 0;
-  history_.begin(body_names(simulation_->world()));
-  keep();
+  past_.begin(*simulation_);
   show();
 }
 
@@ -169,9 +168,11 @@ void Server::Impl::command(const Json&, Json& answer) {
 void Server::Impl::run() {
   phase_ = Phase::under_way;
   Json end = {{"event", "ended"}};
+  std::vector<simulation::Observer*> observers = recording_.observers();
+  observers.push_back(&past_);
   try {
     const simulation::RunResult result =
-        simulation_->run(recording_.observers(), {}, [this](Simulation&) { between_decisions(); });
+        simulation_->run(observers, {}, [this](Simulation&) { between_decisions(); });
     end["outcome"] = to_string(result.outcome);
     end["reason"] = result.reason;
     end["seed"] = result.seed;
@@ -200,7 +201,7 @@ void Server::Impl::run() {
   }
   phase_ = Phase::ended;
   recording_.close();
-  keep();
+  past_.keep(*simulation_);
   hold();
   report_news();
   report_state();
@@ -208,9 +209,6 @@ void Server::Impl::run() {
 }
 
 void Server::Impl::between_decisions() {
-  if (history_.is_due(simulation_->time_s())) {
-    keep();
-  }
   if (pause_at_ && simulation_->steps() >= *pause_at_) {
     const bool is_told = is_pause_told_;
     hold();
@@ -221,7 +219,7 @@ void Server::Impl::between_decisions() {
     }
   }
   const Clock::time_point now = Clock::now();
-  if (now - shown_ >= kBetweenSnapshots && writer_.taken()) {
+  if (now - shown_ >= kBetweenSnapshots && (writer_.taken() || !soon_.empty())) {
     show();
   }
   if (watching_.is_on() && now - stated_ >= kBetweenStates && link_.is_idle()) {
@@ -238,6 +236,7 @@ void Server::Impl::between_decisions() {
     }
     link_.wait(std::min(kLongestNap, std::chrono::microseconds(std::llround(early * 1e6))));
     hear();
+    answer_past();
   }
   while (!running_) {
     link_.wait(kLongestWait);

@@ -37,6 +37,7 @@ const std::map<std::string, Server::Impl::KnownOrder>& Server::Impl::orders() {
       {"step", {&Impl::step}},          {"speed", {&Impl::set_speed}},
       {"reset", {&Impl::reset}},        {"at", {&Impl::look_back}},
       {"record", {&Impl::record}},      {"command", {&Impl::command}},
+      {"paths", {&Impl::paths}},        {"numbers", {&Impl::numbers}},
   };
   return known;
 }
@@ -47,7 +48,7 @@ void Server::Impl::handle(const Json& message) {
     return;
   }
   Json answer = {{"answer", message.value("id", Json())}};
-  answers_later_ = false;
+  answers_later_ = answers_soon_ = false;
   try {
     const auto name = message.value("do", std::string());
     const auto order = orders().find(name);
@@ -68,6 +69,9 @@ void Server::Impl::handle(const Json& message) {
          std::string("the order lacks a member, or one has a wrong type: ") + error.what()}});
   } catch (const std::exception& error) {
     answer["refused"] = problems_json(std::vector<base::Problem>{{"", 0, error.what()}});
+  }
+  if (answers_soon_) {
+    return;
   }
   if (answers_later_ || left_) {
     later_.push_back(std::move(answer));

@@ -19,8 +19,8 @@
 #include "elsie/simulation/simulation.h"
 #include "elsie/snapshots/snapshots.h"
 
-#include "history.h"
 #include "link.h"
+#include "past.h"
 #include "recording.h"
 #include "repetition.h"
 #include "watching.h"
@@ -80,6 +80,8 @@ class Server::Impl {
   void reset(const Json& message, Json& answer);
   void watch(const Json& message, Json& answer);
   void look_back(const Json& message, Json& answer);
+  void paths(const Json& message, Json& answer);
+  void numbers(const Json& message, Json& answer);
   void record(const Json& message, Json& answer);
   void command(const Json& message, Json& answer);
 
@@ -130,8 +132,10 @@ class Server::Impl {
   // Messages and snapshots to the window.
 
   void show();
-  /// Adds the current positions to the history.
-  void keep();
+  /// Answers an order for the past: while the run advances, just before the next snapshot, so that
+  /// a window has the past up to what it shows.
+  void tell_past(Past::Wish wish, Json& answer);
+  void answer_past();
   void report_state();
   /// Says that a run to a time has reached it.
   void report_pause();
@@ -159,19 +163,21 @@ class Server::Impl {
   Phase phase_ = Phase::ready;
   bool left_ = false;
   bool running_ = false;
-  bool answers_later_ = false;             // to the current order
+  bool answers_later_ = false;             // to the current order, after its steps
+  bool answers_soon_ = false;              // to the current order, with the next snapshot
   std::optional<std::uint64_t> pause_at_;  // steps
   bool is_pause_paced_ = false;            // until then the run keeps its speed; else full speed
   bool is_pause_told_ = false;             // an event will report the pause
   bool is_pause_due_ = false;              // after the answer to the current order
   std::vector<Json> later_;                // answers to be sent later
+  std::vector<std::pair<Past::Wish, Json>> soon_;  // and with the next snapshot
   std::uint64_t seed_ = 1;
   std::uint64_t epoch_ = 0;
 
   Watching watching_;
   bool is_state_due_ = false;  // the shown state has changed while nothing runs
   std::size_t told_events_ = 0, told_notes_ = 0;
-  History history_;
+  Past past_;
   Recording recording_;
   Repetition repetition_;
   std::string run_file_;  // the document's when the run began

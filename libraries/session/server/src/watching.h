@@ -17,12 +17,12 @@ class Watching {
   /// Reads an order: `what` and `robots`. Throws base::BadInput.
   void choose(const Json& order);
   bool is_on() const { return !what_.empty(); }
+  bool watches(const char* what) const { return what_.contains(what); }
 
   /// The event `state`. Does not change the simulation. Throws simulation::PluginFault.
   Json state(const simulation::Simulation& simulation, std::uint64_t epoch) const;
 
  private:
-  bool watches(const char* what) const { return what_.contains(what); }
   Json robot(const simulation::Simulation& simulation, std::size_t index) const;
 
   std::set<std::string, std::less<>> what_;

@@ -1,0 +1,68 @@
+// The stored past of a run: the poses of all bodies and the numbers of all robots at regular
+// simulated times, whatever a window shows, and the orders that ask for them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "elsie/simulation/observer.h"
+#include "elsie/snapshots/snapshots.h"
+
+#include "history.h"
+#include "link.h"
+#include "numbers.h"
+
+namespace elsie::server {
+
+class Past final : public simulation::Observer {
+ public:
+  /// What a window lacks of the past.
+  struct Wish {
+    bool of_numbers = false;          // otherwise the paths of robots
+    std::vector<std::string> names;   // of the numbers
+    std::vector<std::string> robots;  // none: all
+    double after_s = -1.0;
+    std::uint64_t layout = 0;  // the list of names that the window has
+  };
+
+  /// Begins a new run, at time zero.
+  void begin(const simulation::Simulation& simulation);
+  /// Whether to store measures, and the values of fuzzy models, from now on. They cost more than
+  /// the others, so that they are stored from the first time that they are watched.
+  void watch(bool measures, bool fuzzy);
+  /// Stores the present state as the last one of the run.
+  void keep(const simulation::Simulation& simulation);
+  /// The history of poses.
+  const History& poses() const { return poses_; }
+  /// Reads an order. Throws base::BadInput.
+  static Wish wish_of(const Json& order, bool of_numbers);
+  /// Adds the next samples to an answer, at most about a hundred thousand numbers.
+  void tell(const Wish& wish, Json& answer) const;
+
+  void stepped(const simulation::Simulation& simulation) override;
+  void replaced(const simulation::Simulation& simulation) override;
+
+ private:
+  /// An edit put a robot somewhere else, where it did not drive.
+  struct Placed {
+    std::string robot;
+    double time_s = 0.0;
+  };
+
+  void keep_poses(const simulation::Simulation& simulation);
+  void keep_numbers(const simulation::Simulation& simulation);
+  void note_placements(const simulation::Simulation& simulation);
+  void tell_paths(const Wish& wish, Json& answer) const;
+  void tell_numbers(const Wish& wish, Json& answer) const;
+
+  History poses_;
+  Numbers numbers_;
+  std::vector<Placed> placed_;
+  std::size_t events_ = 0;  // seen of the run
+  std::vector<snapshots::BodyState> bodies_;
+  bool with_measures_ = false;
+  bool with_fuzzy_ = false;
+};
+
+}  // namespace elsie::server

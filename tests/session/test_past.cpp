@@ -1,0 +1,221 @@
+// Sessions: the stored past of a run, which is that of a recording.
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+#include "elsie/output/base64.h"
+
+#include "session.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+template <class Number>
+std::vector<Number> unpacked(const Json& text) {
+  const auto bytes = output::from_base64(text.get<std::string>());
+  REQUIRE(bytes);
+  std::vector<Number> numbers(bytes->size() / sizeof(Number));
+  std::memcpy(numbers.data(), bytes->data(), bytes->size());
+  return numbers;
+}
+
+/// The samples of all answers to an order, until there are no more.
+struct Past {
+  std::vector<double> times;
+  std::map<std::string, std::vector<float>> values;
+  Json last;
+
+  void ask(Session& session, Json order) {
+    do {
+      order["after_s"] = times.empty() ? -1.0 : times.back();
+      last = session.ask(order);
+      INFO(last.dump());
+      REQUIRE_FALSE(last.contains("refused"));
+      const auto more = unpacked<double>(last["times"]);
+      times.insert(times.end(), more.begin(), more.end());
+      for (const auto& [name, text] : last["values"].items()) {
+        const auto samples = unpacked<float>(text);
+        REQUIRE(samples.size() == more.size());
+        values[name].insert(values[name].end(), samples.begin(), samples.end());
+      }
+    } while (last["more"] == true);
+  }
+};
+
+/// The rows of a recording as a table, by column; an empty cell is NaN.
+std::map<std::string, std::vector<double>> columns_of(const std::string& csv) {
+  const auto cells_of = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) {
+      cells.push_back(cell);
+    }
+    return cells;
+  };
+  std::istringstream stream(csv);
+  std::string line;
+  std::getline(stream, line);
+  const std::vector<std::string> names = cells_of(line);
+  std::map<std::string, std::vector<double>> columns;
+  while (std::getline(stream, line)) {
+    std::vector<std::string> cells = cells_of(line);
+    cells.resize(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      char* end = nullptr;
+      const double value = std::strtod(cells[i].c_str(), &end);
+      columns[names[i]].push_back(end == cells[i].c_str() ? std::nan("") : value);
+    }
+  }
+  return columns;
+}
+
+bool is_same(float a, double b) {
+  return (std::isnan(a) && std::isnan(b)) || a == static_cast<float>(b);
+}
+
+const std::vector<std::string> kNames{"r1/asked/turn", "r1/turn_left/share", "r1/ahead/distance_m"};
+
+constexpr const char* kTwoWishes = R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots>
+    <robot id="r1" x="-1">
+      <sensors><beam_range id="ahead"/></sensors>
+      <behaviors><turn_left/><wander/></behaviors>
+      <coordinator><fusion_vector_summation/></coordinator>
+    </robot>
+  </robots>
+  <limits time="4"/>
+</world>
+)";
+
+}  // namespace
+
+TEST_CASE("The past has the samples of a recording, whatever the speed and whenever it is asked") {
+  const Workplace place;
+  const std::string csv = place.file("run.csv").string();
+  Session session;
+  session.open(kTwoWishes);
+  REQUIRE_FALSE(session.ask({{"do", "record"}, {"files", {csv}}}).contains("refused"));
+  Past paths, numbers;
+  session.ask({{"do", "run"}});
+  const bool asks_meanwhile = GENERATE(true, false);
+  for (int i = 0; asks_meanwhile && i < 5; ++i) {
+    paths.ask(session, {{"do", "paths"}});
+    numbers.ask(session, {{"do", "numbers"}, {"names", kNames}});
+  }
+  session.end_of_run();
+  paths.ask(session, {{"do", "paths"}});
+  numbers.ask(session, {{"do", "numbers"}, {"names", kNames}});
+
+  const auto recorded = columns_of(place.read("run.csv"));
+  REQUIRE(recorded.at("time_s").size() == 41);
+  REQUIRE(paths.times.size() == 81);  // twice as many
+  CHECK(numbers.times == paths.times);
+  for (std::size_t row = 0; row < 41; ++row) {
+    const std::size_t i = 2 * row;
+    CAPTURE(row);
+    CHECK(paths.times[i] == Approx(recorded.at("time_s")[row]));
+    CHECK(is_same(paths.values["r1/x"][i], recorded.at("x_m")[row]));
+    CHECK(is_same(paths.values["r1/y"][i], recorded.at("y_m")[row]));
+    CHECK(is_same(numbers.values[kNames[0]][i], recorded.at("asked_turn_rad_s")[row]));
+    CHECK(is_same(numbers.values[kNames[1]][i], recorded.at("behavior[turn_left].share")[row]));
+    CHECK(is_same(numbers.values[kNames[2]][i], recorded.at("sensor[ahead].distance_m")[row]));
+  }
+}
+
+TEST_CASE("The names of numbers come once, and again when they have changed") {
+  Session session;
+  session.open(kTwoWishes);
+  session.ask({{"do", "step"}});
+  const auto names_after = [&](const Json& layout) {
+    const Json answer =
+        session.ask({{"do", "numbers"}, {"names", Json::array()}, {"layout", layout}});
+    return std::pair(answer["layout"], answer.value("names", std::vector<std::string>()));
+  };
+  const auto [layout, names] = names_after(0);
+  for (const std::string& name : kNames) {
+    CHECK(std::find(names.begin(), names.end(), name) != names.end());
+  }
+  CHECK(names_after(layout).second.empty());
+  session.edit({kSecond});
+  const auto [next, more] = names_after(layout);
+  CHECK(next != layout);
+  CHECK(std::find(more.begin(), more.end(), "r2/turn_right/weight") != more.end());
+
+  const Json some =
+      session.ask({{"do", "numbers"}, {"names", Json::array()}, {"robots", {"r2"}}})["names"];
+  CHECK(std::all_of(some.begin(), some.end(),
+                    [](const std::string& name) { return name.starts_with("r2/"); }));
+}
+
+TEST_CASE("A robot that an edit adds has no past before, and one that it moves has a gap") {
+  Session session;
+  session.open(kRoom);
+  for (int i = 0; i < 20; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  session.edit({kSecond, "robot[r1]/@y=1"});
+  for (int i = 0; i < 20; ++i) {
+    session.ask({{"do", "step"}});
+  }
+  Past paths;
+  paths.ask(session, {{"do", "paths"}});
+  REQUIRE(paths.times.size() == 9);
+  CHECK(std::isnan(paths.values["r2/x"][4]));
+  CHECK(paths.values["r2/x"][5] == Approx(1.0).margin(0.1));
+  CHECK(paths.values["r1/y"][4] == Approx(0.0).margin(0.1));
+  CHECK(paths.values["r1/y"][5] == Approx(1.0).margin(0.1));
+  REQUIRE(paths.last["placed"].size() >= 1);
+  const Json& placed = paths.last["placed"].back();
+  CHECK(placed["robot"] == "r1");
+  CHECK(placed["time_s"].get<double>() >= paths.times[4]);
+  CHECK(placed["time_s"].get<double>() < paths.times[5]);
+  Past one;
+  one.ask(session, {{"do", "paths"}, {"robots", {"r2"}}});
+  CHECK(one.values.size() == 2);
+}
+
+TEST_CASE("Measures and fuzzy values are stored from when they are watched") {
+  Session session;
+  const std::string file = source_path("worlds/clutter.xml");
+  session.open(text_of("worlds/clutter.xml"), file);
+  session.ask({{"do", "run"}, {"until_s", 0.2}});
+  session.event("paused");
+  session.ask({{"do", "watch"}, {"what", {"measures", "fuzzy"}}});
+  session.ask({{"do", "run"}, {"until_s", 0.4}});
+  session.event("paused");
+  const std::vector<std::string> names =
+      session.ask({{"do", "numbers"}, {"names", Json::array()}})["names"];
+  const auto fuzzy = std::find_if(names.begin(), names.end(), [](const std::string& name) {
+    return name.ends_with("/inputs/range");
+  });
+  REQUIRE(fuzzy != names.end());
+  Past numbers;
+  numbers.ask(session, {{"do", "numbers"}, {"names", {"measures/time_s", *fuzzy}}});
+  REQUIRE(numbers.times.size() == 9);
+  for (std::size_t i = 0; i < 9; ++i) {
+    CAPTURE(i);
+    const float time_s = numbers.values["measures/time_s"][i];
+    CHECK((i <= 4 ? std::isnan(time_s) : time_s == Approx(numbers.times[i])));
+    CHECK(std::isnan(numbers.values[*fuzzy][i]) == (i <= 4));
+  }
+}
+
+TEST_CASE("A slow run answers for its past, and a wrong order is refused") {
+  Session session;
+  session.open(kRoom);
+  session.ask({{"do", "speed"}, {"factor", 1e-6}});
+  session.ask({{"do", "run"}});
+  CHECK(session.ask({{"do", "paths"}})["values"].contains("r1/x"));
+  CHECK(session.ask({{"do", "numbers"}}).contains("refused"));
+  CHECK(session.ask({{"do", "numbers"}, {"names", "r1/speed"}}).contains("refused"));
+  CHECK(session.ask({{"do", "paths"}, {"after_s", "now"}}).contains("refused"));
+  Past numbers;
+  numbers.ask(session, {{"do", "numbers"}, {"names", {"r9/speed"}}});
+  CHECK(std::isnan(numbers.values["r9/speed"].at(0)));
+  session.ask({{"do", "reset"}});
+  CHECK(unpacked<double>(session.ask({{"do", "paths"}})["times"]) == std::vector{0.0});
+}
