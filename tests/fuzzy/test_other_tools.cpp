@@ -52,10 +52,9 @@ TEST_CASE("Untidy statements are noted with their lines, and change nothing") {
     parts.power = "  TERM low := (0, 1);\n  TERM high := (100, 1) (100, 1);\n";
     const Model model = read(parts);
     CHECK(power(model, 2.5) == Approx(25.0));
-    CHECK(
-        notes(model) ==
-        Notes{"13: The term 'low' has one point only and is read as a singleton. Write := 0.",
-              "14: The term 'high' has one point only and is read as a singleton. Write := 100."});
+    CHECK(notes(model) ==
+          Notes{"13: The term 'low' has one point only and is read as the singleton := 0.",
+                "14: The term 'high' has one point only and is read as the singleton := 100."});
     return;
   }
   SECTION("triangles and trapezoids whose corners are at one place, which are singletons, too") {
@@ -63,7 +62,7 @@ TEST_CASE("Untidy statements are noted with their lines, and change nothing") {
     const Model model = read(parts);
     CHECK(power(model, 2.5) == Approx(25.0));
     CHECK_THAT(notes(model).at(0),
-               Contains("The term 'low' has one point only and is read as a singleton."));
+               Contains("The term 'low' has one point only and is read as the singleton := 0."));
     return;
   }
   SECTION("an output that always has its default") {
@@ -372,8 +371,8 @@ TEST_CASE("A point among terms with an area adds nothing to the centre of gravit
   const Model model = read(parts);
   CHECK(power(model, 2.5) == Approx(60.0));
   CHECK(power(model, 0.0) == 7.0);  // only 'low' is concluded
-  CHECK_THAT(notes(model).at(0), Contains("The term 'low' of 'power' has no area: beside terms "
-                                          "that have one, it counts for nothing."));
+  CHECK_THAT(notes(model).back(), Contains("The term 'low' of 'power' has no area, so that it has "
+                                           "no effect among terms with an area."));
   parts.options = "  METHOD : COG;\n";
   CHECK_THROWS_WITH(read(parts), Contains("no rule decides it at cold = "));
   parts.options = "  METHOD : MM;\n  DEFAULT := 7;\n";

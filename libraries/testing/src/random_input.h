@@ -78,7 +78,7 @@ class InputMaker {
 };
 
 /// Walls, boxes, robots, and resources of this colour around the origin, within 3 m.
-/// `has_company`: a robot is near for certain.
+/// `has_company`: there is always a robot within 0.6 m.
 Surroundings random_surroundings(const Colour& colour, bool has_company, Random& random);
 /// Coloured blobs on a grey background.
 Image random_picture(int width, int height, Random& random);

@@ -136,7 +136,7 @@ void NewtonSolver::lay_out() {
   }
   std::sort(links_.begin(), links_.end());
   links_.erase(std::unique(links_.begin(), links_.end()), links_.end());
-  std::vector<int> layout;
+  std::vector<int> layout{static_cast<int>(blocks_.size())};
   for (const Block& block : blocks_) layout.push_back(block.size);
   for (const Link& link : links_) layout.insert(layout.end(), {link.low, link.high});
   const bool is_known = layout == layout_;
@@ -267,11 +267,9 @@ std::pair<double, bool> NewtonSolver::line_search(double slope) {
     const double bend = term.change * term.change / term.softness;
     const double impulse = term.impulse();
     const bool is_free = impulse > term.lower && impulse < term.upper;
-    if (is_free) {
-      bends_.emplace_back(out, -bend);
-    } else if (out > 0.0 && in < out) {
-      bends_.emplace_back(std::max(0.0, in), bend);
-      bends_.emplace_back(out, -bend);
+    if (is_free || (out > 0.0 && in < out)) {
+      if (!is_free) bends_.emplace_back(std::max(0.0, in), bend);
+      if (std::isfinite(out)) bends_.emplace_back(out, -bend);  // else it has no limit there
     }
   }
   std::sort(bends_.begin(), bends_.end());

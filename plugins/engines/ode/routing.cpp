@@ -11,6 +11,9 @@ namespace {
 constexpr std::size_t kRobotSize = 2;
 constexpr std::size_t kMostForOde = 6 * kRobotSize;
 
+// In a heap of more long trains the matrix of all contacts fills up, and sweeps take less time.
+constexpr std::size_t kMostEntangled = 8;
+
 std::size_t member_of(void* data) { return reinterpret_cast<std::uintptr_t>(data) - 1; }
 
 }  // namespace
@@ -73,9 +76,12 @@ void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
 void Routing::choose_movers(OdeTakes takes) {
   crowd_.clear();
   used_trains_ = 0;
-  segments_.assign(members_.size(), 0);
+  trains_in_.assign(members_.size(), {});
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    if (members_[i].size > kMostForOde) segments_[islands_.island(i)] += members_[i].segments;
+    if (members_[i].size <= kMostForOde) continue;
+    Trains& trains = trains_in_[islands_.island(i)];
+    ++trains.count;
+    trains.segments += members_[i].segments;
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const std::size_t island = islands_.island(i);
@@ -84,8 +90,10 @@ void Routing::choose_movers(OdeTakes takes) {
       members_[i].mover = members_[island].mover;
       continue;
     }
-    const bool is_train = 2 * segments_[i] >= islands_.size(i);
-    members_[i].mover = is_train ? &next_train() : &crowd_;
+    const Trains& trains = trains_in_[i];
+    const bool are_trains =
+        2 * trains.segments >= islands_.size(i) && trains.count <= kMostEntangled;
+    members_[i].mover = are_trains ? &next_train() : &crowd_;
   }
 }
 

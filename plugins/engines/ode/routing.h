@@ -18,8 +18,8 @@
 namespace elsie::physics {
 
 /// Divides movable robots and boxes by the contacts of a step: small islands are left to ODE, the
-/// others are taken out of its step. Where the segments of trains that are too long for ODE make up
-/// most of an island, it becomes a train of its own; all others become the crowd.
+/// others are taken out of its step. Where the segments of a few trains that are too long for ODE
+/// make up most of an island, it becomes a train of its own; all others become the crowd.
 class Routing {
  public:
   enum class OdeTakes { small_islands, nothing };
@@ -51,6 +51,12 @@ class Routing {
     Crowd* mover = nullptr;       // in this step; null: ODE
   };
 
+  /// Those that are too long for ODE.
+  struct Trains {
+    std::size_t count = 0;
+    std::size_t segments = 0;
+  };
+
   void add(Member member);
   void choose_movers(OdeTakes takes);
   Crowd& next_train();
@@ -59,7 +65,7 @@ class Routing {
   std::vector<Member> members_;  // the data of an ODE body is the place of its member, from 1
   std::size_t robots_ = 0;
   Islands islands_;
-  std::vector<std::size_t> segments_;  // of long trains, in the island with this first member
+  std::vector<Trains> trains_in_;  // in the island with this first member
   world::Physics physics_;
   Crowd crowd_;
   std::deque<Crowd> trains_;  // each an island

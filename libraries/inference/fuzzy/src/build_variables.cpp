@@ -178,8 +178,8 @@ ast::Term ModelBuilder::with_singleton(const ast::Term& term) {
     return term;
   }
   problems_.add_note(term.name.line, "The term " + name_in_quotes(term.name.text) +
-                                         " has one point only and is read as a singleton. Write " +
-                                         ":= " + number_text(*x) + ".");
+                                         " has one point only and is read as the singleton := " +
+                                         number_text(*x) + ".");
   return {term.name, {}, x, {}, {}, {}};
 }
 
@@ -375,6 +375,12 @@ void ModelBuilder::output_block(const ast::VariableBlock& block, OutputVariable&
   check_output_terms(block, output, method.has_value());
 }
 
+const ast::Name& written_as(const Term& term, const ast::VariableBlock& block) {
+  return std::find_if(block.terms.begin(), block.terms.end(),
+                      [&](const ast::Term& written) { return written.name.text == term.name; })
+      ->name;
+}
+
 /// Among terms with an area, one of a single point adds nothing to the centre of gravity. Where it
 /// is written as := x, it is a mistake.
 void ModelBuilder::take_points_for_terms_without_area(const ast::VariableBlock& block,
@@ -386,10 +392,11 @@ void ModelBuilder::take_points_for_terms_without_area(const ast::VariableBlock& 
   }
   for (Term& term : output.terms) {
     if (term.singleton && term.linear.empty() && term.formula.empty()) {
-      problems_.add_note(block.name.line, "The term " + name_in_quotes(term.name) + " of " +
-                                              name_in_quotes(output.name) +
-                                              " has no area: beside terms that have one, it counts "
-                                              "for nothing. Give it a width.");
+      problems_.add_note(written_as(term, block).line,
+                         "The term " + name_in_quotes(term.name) + " of " +
+                             name_in_quotes(output.name) +
+                             " has no area, so that it has no effect among terms with an area. "
+                             "Give it a width.");
       term.singleton.reset();
     }
   }
@@ -433,10 +440,7 @@ void ModelBuilder::check_output_terms(const ast::VariableBlock& block, OutputVar
     if (!term.set.points.empty() && !is_point(term) &&
         !(output.range.low < output.range.high &&
           area(restricted(term.set, output.range.low, output.range.high)) > 0.0)) {
-      const auto written =
-          std::find_if(block.terms.begin(), block.terms.end(),
-                       [&](const ast::Term& t) { return t.name.text == term.name; });
-      problems_.add(written->name.line,
+      problems_.add(written_as(term, block).line,
                     "The term " + name_in_quotes(term.name) + " of " + name_in_quotes(output.name) +
                         " has no area within " + range_text(output.range) +
                         ", so that nothing can be concluded from it. Correct the term or the "
