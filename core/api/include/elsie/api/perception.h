@@ -179,8 +179,9 @@ class Perception {
     constexpr ReadingKind wanted = ReadingKind::of<Reading>();
     for (const ReadingGroup& group : data_->groups) {
       if (!group.kind.has_name_of(wanted)) continue;
-      if (group.kind.size != wanted.size) [[unlikely]]
+      if (group.kind.size != wanted.size) [[unlikely]] {
         detail::other_layout(wanted, group);
+      }
       return Readings<Reading>(group.readings);
     }
     return {};
