@@ -158,12 +158,10 @@ TEST_CASE("A schema of experiments without plugins is a schema") {
   CHECK_FALSE(judge.accepts_text("<worlds><world file='a.xml'/></worlds><seeds repeats='a'/>"));
 }
 
-TEST_CASE("The schema accepts every experiment that is shipped, and the reader reads them") {
+TEST_CASE("The schema accepts every experiment that is shipped") {
   const plugin::Host shipped(
       std::vector<plugin::SearchDirectory>{{test::plugin_directory(), "the build"}});
   const Judge judge(shipped);
-  experiment::ReadOptions reading;
-  reading.data_directories = {test::source_path("")};
   int count = 0;
   for (const auto& entry : fs::directory_iterator(test::source_path("experiments"))) {
     if (entry.path().extension() == ".xml") {
@@ -171,7 +169,6 @@ TEST_CASE("The schema accepts every experiment that is shipped, and the reader r
       const std::string file = entry.path().string();
       CAPTURE(file);
       CHECK(judge.accepts(file));
-      CHECK_NOTHROW(experiment::read_experiment(file, shipped, reading));
     }
   }
   CHECK(count > 0);

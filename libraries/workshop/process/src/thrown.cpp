@@ -36,7 +36,7 @@ std::string place_of_throw() {
   const std::exception_ptr handled = std::current_exception();
   const void* exception = nullptr;
   static_assert(sizeof handled == sizeof exception);
-  std::memcpy(&exception, &handled, sizeof exception);
+  std::memcpy(&exception, static_cast<const void*>(&handled), sizeof exception);
   return exception && exception == last.exception
              ? own_line(std::span(last.frames).first(static_cast<std::size_t>(last.count)))
              : "";
