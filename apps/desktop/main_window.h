@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
   /// Asks the engine only for what the window shows.
   void watch();
   /// Likewise for the stored past.
-  void wish_past();
+  void request_past();
   void show_looked_back();
   void watch_robot(const QString& id);
   bool is_the_present();

@@ -171,7 +171,7 @@ void MainWindow::make_actions() {
     QAction* made = action(name, text, {}, [this, which, name] {
       scene_->overlays().*which = actions_[name]->isChecked();
       scene_->update();
-      wish_past();
+      request_past();
     });
     made->setCheckable(true);
     made->setChecked(scene_->overlays().*which);

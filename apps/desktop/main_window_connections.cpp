@@ -74,7 +74,7 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
     if (seen_.contains("coordination")) {
       coordination_->add(state);
-      wish_past();
+      request_past();
     }
     if (seen_.contains("vision")) vision_->add(state);
     if (seen_.contains("fuzzy")) fuzzy_->add(state);
@@ -362,7 +362,13 @@ void MainWindow::watch() {
   if (shows("sensors")) what.push_back("sensors");
   if (shows("plots") || !plots_->choice().isEmpty()) what.push_back("measures");
   if (shows("vision")) what.push_back("cameras");
-  if (shows("fuzzy")) what.push_back("fuzzy");
+  const QStringList plotted = plots_->choice();
+  const auto is_fuzzy = [](const QString& name) {
+    return name.contains("/inputs/") || name.contains("/outputs/");
+  };
+  if (shows("fuzzy") || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
+    what.push_back("fuzzy");
+  }
   Json robots = Json::array();  // none: all
   if (!shows("vision") && place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
     robots.push_back(watched_robot_.toStdString());
@@ -372,7 +378,7 @@ void MainWindow::watch() {
                          return body.is_robot();
                        }) <= kFewRobots;
   plottable_ = are_few ? QStringList() : plots_->chosen_robots() + QStringList{watched_robot_};
-  wish_past();
+  request_past();
   const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};
   const QString asked =
       QString::fromStdString(order.dump()) + QString::number(workbench_.engine().generation());
@@ -382,11 +388,11 @@ void MainWindow::watch() {
   }
 }
 
-void MainWindow::wish_past() {
+void MainWindow::request_past() {
   const bool plots = seen_.contains("plots") || !plots_->choice().isEmpty();
-  past_->wish_paths(scene_->overlays().trails);
+  past_->request_paths(scene_->overlays().trails);
   if (!plots && !seen_.contains("coordination")) {
-    past_->wish_no_numbers();
+    past_->request_no_numbers();
     return;
   }
   QStringList numbers = plots ? plots_->chosen() : QStringList();
@@ -394,7 +400,7 @@ void MainWindow::wish_past() {
     numbers += coordination_->numbers(time_line_->is_in_the_past());
   }
   numbers.removeDuplicates();
-  past_->wish_numbers(numbers, plottable_);
+  past_->request_numbers(numbers, plottable_);
 }
 
 void MainWindow::show_looked_back() {

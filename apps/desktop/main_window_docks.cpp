@@ -102,7 +102,7 @@ void MainWindow::make_docks() {
   connect(past_, &Past::numbers_changed, this, show_numbers);
   connect(past_, &Past::named, this, [this](const QStringList& names) {
     plots_->set_names(names);
-    wish_past();
+    request_past();
   });
 }
 

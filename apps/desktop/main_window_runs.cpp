@@ -136,7 +136,7 @@ void MainWindow::show_past() {
                           : time_line_->is_in_the_past() ? ControlBar::Past::may_play
                                                          : ControlBar::Past::none);
   show_looked_back();
-  wish_past();
+  request_past();
   show_state();
 }
 

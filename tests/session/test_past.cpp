@@ -1,6 +1,5 @@
 // Sessions: the stored past of a run, which is that of a recording.
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <sstream>
 
@@ -15,17 +14,16 @@ namespace {
 
 template <class Number>
 std::vector<Number> unpacked(const Json& text) {
-  const auto bytes = output::from_base64(text.get<std::string>());
-  REQUIRE(bytes);
-  std::vector<Number> numbers(bytes->size() / sizeof(Number));
-  std::memcpy(numbers.data(), bytes->data(), bytes->size());
-  return numbers;
+  const auto numbers = output::unpacked<Number>(text.get<std::string>());
+  REQUIRE(numbers);
+  return *numbers;
 }
 
 /// The samples of all answers to an order, until there are no more.
 struct Past {
   std::vector<double> times;
   std::map<std::string, std::vector<float>> values;
+  std::vector<Json> placed;
   Json last;
 
   void ask(Session& session, Json order) {
@@ -36,11 +34,15 @@ struct Past {
       REQUIRE_FALSE(last.contains("refused"));
       const auto more = unpacked<double>(last["times"]);
       times.insert(times.end(), more.begin(), more.end());
-      for (const auto& [name, text] : last["values"].items()) {
-        const auto samples = unpacked<float>(text);
-        REQUIRE(samples.size() == more.size());
-        values[name].insert(values[name].end(), samples.begin(), samples.end());
+      const auto samples = unpacked<float>(last["values"]);
+      REQUIRE(samples.size() == more.size() * last["curves"].size());
+      auto from = samples.begin();
+      for (const std::string name : last["curves"]) {
+        const auto end = from + static_cast<std::ptrdiff_t>(more.size());
+        values[name].insert(values[name].end(), from, end);
+        from = end;
       }
+      placed.insert(placed.end(), last["placed"].begin(), last["placed"].end());
     } while (last["more"] == true);
   }
 };
@@ -168,8 +170,8 @@ TEST_CASE("A robot that an edit adds has no past before, and one that it moves h
   CHECK(paths.values["r2/x"][5] == Approx(1.0).margin(0.1));
   CHECK(paths.values["r1/y"][4] == Approx(0.0).margin(0.1));
   CHECK(paths.values["r1/y"][5] == Approx(1.0).margin(0.1));
-  REQUIRE(paths.last["placed"].size() >= 1);
-  const Json& placed = paths.last["placed"].back();
+  REQUIRE_FALSE(paths.placed.empty());
+  const Json& placed = paths.placed.back();
   CHECK(placed["robot"] == "r1");
   CHECK(placed["time_s"].get<double>() >= paths.times[4]);
   CHECK(placed["time_s"].get<double>() < paths.times[5]);
@@ -209,7 +211,7 @@ TEST_CASE("A slow run answers for its past, and a wrong order is refused") {
   session.open(kRoom);
   session.ask({{"do", "speed"}, {"factor", 1e-6}});
   session.ask({{"do", "run"}});
-  CHECK(session.ask({{"do", "paths"}})["values"].contains("r1/x"));
+  CHECK(session.ask({{"do", "paths"}})["curves"][0] == "r1/x");
   CHECK(session.ask({{"do", "numbers"}}).contains("refused"));
   CHECK(session.ask({{"do", "numbers"}, {"names", "r1/speed"}}).contains("refused"));
   CHECK(session.ask({{"do", "paths"}, {"after_s", "now"}}).contains("refused"));
@@ -218,4 +220,100 @@ TEST_CASE("A slow run answers for its past, and a wrong order is refused") {
   CHECK(std::isnan(numbers.values["r9/speed"].at(0)));
   session.ask({{"do", "reset"}});
   CHECK(unpacked<double>(session.ask({{"do", "paths"}})["times"]) == std::vector{0.0});
+}
+
+TEST_CASE("The past of a run that a change at time zero alters has the names and places after it") {
+  Session session;
+  session.open(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots><robot id="r1" x="-1"/><robot id="r2" x="1"/><robot id="r3"/></robots>
+  <changes>
+    <change time="0" path="robot[r1]/@remove" value="true"/>
+    <change time="0" path="robot[r3]/@y" value="1"/>
+  </changes>
+  <limits time="0.2"/>
+</world>
+)");
+  session.ask({{"do", "run"}});
+  session.end_of_run();
+  Past paths;
+  paths.ask(session, {{"do", "paths"}});
+  REQUIRE(paths.times.size() == 5);
+  CHECK_FALSE(paths.values.contains("r1/x"));
+  for (std::size_t i = 0; i < 5; ++i) {
+    CAPTURE(i);
+    CHECK(paths.values["r2/x"][i] == Approx(1.0));
+    CHECK(paths.values["r3/y"][i] == Approx(1.0));
+  }
+}
+
+TEST_CASE("The past answers for ten thousand numbers at once, and refuses more with a sentence") {
+  Session session;
+  session.open(kRoom);
+  std::vector<std::string> names(10'000, "r1/speed");
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    names[i] = "r1/unknown_" + std::to_string(i);
+  }
+  const Json answer = session.ask({{"do", "numbers"}, {"names", names}});
+  CHECK(answer["curves"].size() == 10'000);
+  const auto values = unpacked<float>(answer["values"]);
+  REQUIRE(values.size() == 10'000);
+  CHECK(values[0] == 0.0F);
+  CHECK(std::isnan(values[1]));
+  names.emplace_back("r1/energy");
+  const Json refused = session.ask({{"do", "numbers"}, {"names", names}});
+  REQUIRE(refused.contains("refused"));
+  CHECK(refused["refused"][0]["message"] ==
+        "the order asks for 10001 numbers; expected at most 10000 `names`: ask for the others in a "
+        "further order");
+}
+
+TEST_CASE("A sensor that fails to list its numbers loses only these, and a note says so once") {
+  Session session({"--plugin", build_path("tests/program/plugins/faulty.so")});
+  session.open(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots>
+    <robot id="r1" x="-1"><sensors><renaming_sensor id="odd"/><beam_range id="ahead"/></sensors></robot>
+    <robot id="r2" x="1"><sensors><beam_range id="ahead"/></sensors></robot>
+  </robots>
+  <limits time="0.5"/>
+</world>
+)");
+  session.ask({{"do", "run"}});
+  CHECK(session.end_of_run()["outcome"] == "time_limit");
+  Past numbers;
+  numbers.ask(session, {{"do", "numbers"},
+                        {"names", {"r1/odd/early", "r1/ahead/distance_m", "r2/ahead/hit"}}});
+  REQUIRE(numbers.times.size() == 11);
+  for (std::size_t i = 1; i < 11; ++i) {
+    CAPTURE(i);
+    CHECK(std::isnan(numbers.values["r1/odd/early"][i]) == (i > 4));
+    CHECK(numbers.values["r1/ahead/distance_m"][i] > 0.0F);
+    CHECK_FALSE(std::isnan(numbers.values["r2/ahead/hit"][i]));
+  }
+  const Json note = session.event("note");
+  CHECK(note["robot"] == "r1");
+  CHECK(note["plugin"] == "odd");
+  CHECK_THAT(note["text"].get<std::string>(),
+             Catch::Contains("its numbers are not stored from now on"));
+  session.ask({{"do", "ping"}});
+  CHECK_FALSE(session.has_event("note"));
+}
+
+TEST_CASE("Measures are stored only while they are watched") {
+  Session session;
+  session.open(kRoom);
+  const auto run_until = [&](double time_s) {
+    session.ask({{"do", "run"}, {"until_s", time_s}});
+    session.event("paused");
+  };
+  session.ask({{"do", "watch"}, {"what", {"measures"}}});
+  run_until(0.2);
+  session.ask({{"do", "watch"}, {"what", Json::array()}});
+  run_until(0.4);
+  Past numbers;
+  numbers.ask(session, {{"do", "numbers"}, {"names", {"measures/time_s"}}});
+  REQUIRE(numbers.times.size() == 9);
+  CHECK(numbers.values["measures/time_s"][4] == Approx(0.2));
+  CHECK(std::isnan(numbers.values["measures/time_s"][5]));
 }

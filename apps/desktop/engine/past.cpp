@@ -1,12 +1,11 @@
 #include "engine/past.h"
 
-#include <QByteArray>
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "elsie/base/error.h"
+#include "elsie/output/base64.h"
 
 #include "engine/workbench.h"
 
@@ -18,17 +17,14 @@ constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 template <class Number>
 std::vector<Number> unpacked(const Json& text) {
-  const auto bytes = QByteArray::fromBase64Encoding(
-      text.is_string() ? QByteArray::fromStdString(text.get<std::string>()) : QByteArray("?"),
-      QByteArray::AbortOnBase64DecodingErrors);
-  if (!bytes || bytes.decoded.size() % static_cast<qsizetype>(sizeof(Number)) != 0) {
+  std::optional<std::vector<Number>> numbers;
+  if (text.is_string()) {
+    numbers = output::unpacked<Number>(text.get_ref<const std::string&>());
+  }
+  if (!numbers) {
     throw base::Error("samples of the past are no numbers in base64");
   }
-  std::vector<Number> numbers(static_cast<std::size_t>(bytes.decoded.size()) / sizeof(Number));
-  if (!numbers.empty()) {
-    std::memcpy(numbers.data(), bytes.decoded.data(), numbers.size() * sizeof(Number));
-  }
-  return numbers;
+  return *std::move(numbers);
 }
 
 template <class Number>
@@ -95,18 +91,25 @@ void Samples::add(const Json& answer) {
   while (period_s_ < 0.75 * period_s) {
     thin_out();
   }
-  for (const auto& [name, text] : member(answer, "values").items()) {
-    const std::vector<float> values = unpacked<float>(text);
-    if (values.size() != times.size()) {
-      throw base::Error("samples of the past have more or fewer values than times");
+  const Json& names = member(answer, "curves");
+  const std::vector<float> values = unpacked<float>(member(answer, "values"));
+  if (values.size() != names.size() * times.size()) {
+    throw base::Error("samples of the past have more or fewer values than curves and times");
+  }
+  auto from = values.begin();
+  for (const Json& name : names) {
+    const auto end = from + static_cast<std::ptrdiff_t>(times.size());
+    if (!name.is_string()) {
+      throw base::Error("a curve of the past has no name");
     }
-    std::vector<float>& curve = curves_[QString::fromStdString(name)];
+    std::vector<float>& curve = curves_[QString::fromStdString(name.get_ref<const std::string&>())];
     curve.resize(times_.size(), kMissing);
-    curve.insert(curve.end(), values.begin(), values.end());
+    curve.insert(curve.end(), from, end);
+    from = end;
   }
   times_.insert(times_.end(), times.begin(), times.end());
-  for (auto& [name, values] : curves_) {
-    values.resize(times_.size(), kMissing);
+  for (auto& [name, curve] : curves_) {
+    curve.resize(times_.size(), kMissing);
   }
 }
 
@@ -147,18 +150,19 @@ void Past::restart() {
   Q_EMIT numbers_changed();
 }
 
-void Past::wish_paths(bool is_wished) {
-  paths_.is_wished = is_wished;
+void Past::request_paths(bool is_requested) {
+  paths_.is_requested = is_requested;
   ask(paths_);
 }
 
-void Past::wish_numbers(const QStringList& numbers, const QStringList& robots) {
-  const bool are_new = std::any_of(numbers.begin(), numbers.end(),
-                                   [this](const QString& name) { return !wished_.contains(name); });
+void Past::request_numbers(const QStringList& numbers, const QStringList& robots) {
+  const bool are_new = std::any_of(numbers.begin(), numbers.end(), [this](const QString& name) {
+    return !requested_.contains(name);
+  });
   const bool are_others = robots != robots_;
-  wished_ = numbers;
+  requested_ = numbers;
   robots_ = robots;
-  numbers_.is_wished = true;
+  numbers_.is_requested = true;
   if (are_others) {
     layout_ = 0;
   }
@@ -171,7 +175,7 @@ void Past::wish_numbers(const QStringList& numbers, const QStringList& robots) {
   ask(numbers_);
 }
 
-void Past::wish_no_numbers() { numbers_.is_wished = false; }
+void Past::request_no_numbers() { numbers_.is_requested = false; }
 
 void Past::look() {
   ask(paths_);
@@ -179,20 +183,22 @@ void Past::look() {
 }
 
 void Past::ask(Part& part) {
-  if (!part.is_wished || part.is_asked || !workbench_.tree().is_object()) {
+  if (!part.is_requested || part.is_asked || !workbench_.tree().is_object()) {
+    part.is_asked_for_later = part.is_asked;
     return;
   }
   const bool of_numbers = &part == &numbers_;
   const Samples& samples = of_numbers && next_ ? *next_ : part.samples;
-  Json order{{"do", of_numbers ? "numbers" : "paths"},
-             {"after_s", samples.times().empty() ? -1.0 : samples.times().back()}};
+  const double after_s = samples.times().empty() ? -1.0 : samples.times().back();
+  Json order{{"do", of_numbers ? "numbers" : "paths"}, {"after_s", after_s}};
   if (of_numbers) {
-    order["names"] = list_of(wished_);
+    order["names"] = list_of(requested_);
     order["robots"] = list_of(robots_);
     order["layout"] = layout_;
   }
   part.is_asked = true;
-  workbench_.ask(order, [this, &part, turn = part.turn](const Json& answer) {
+  part.is_asked_for_later = false;
+  workbench_.ask(order, [this, &part, turn = part.turn, after_s](const Json& answer) {
     if (turn != part.turn) {
       return;
     }
@@ -200,20 +206,20 @@ void Past::ask(Part& part) {
     if (!answer.contains("times")) {
       return;  // it was refused
     }
-    &part == &paths_ ? take_paths(answer) : take_numbers(answer);
-    if (answer.value("more", false) || workbench_.run_state() == Workbench::Run::running) {
+    &part == &paths_ ? take_paths(answer, after_s) : take_numbers(answer);
+    if (answer.value("more", false) || part.is_asked_for_later) {
       ask(part);
     }
   });
 }
 
-void Past::take_paths(const Json& answer) {
+void Past::take_paths(const Json& answer, double after_s) {
   paths_.samples.add(answer);
+  while (!placed_.empty() && placed_.back().time_s >= after_s) {
+    placed_.pop_back();  // it comes again
+  }
   for (const Json& each : member(answer, "placed")) {
-    const Placed placed{text_of(each, "robot"), number_of(each, "time_s")};
-    if (std::find(placed_.begin(), placed_.end(), placed) == placed_.end()) {
-      placed_.push_back(placed);
-    }
+    placed_.push_back({text_of(each, "robot"), number_of(each, "time_s")});
   }
   Q_EMIT paths_changed();
 }

@@ -47,22 +47,21 @@ class Samples {
 struct Placed {
   QString robot;
   double time_s = 0.0;
-  bool operator==(const Placed&) const = default;
 };
 
-/// Asks for what is wished while it is wished, at the rate of pictures during a run, and when the
-/// run pauses or the wish changes.
+/// Asks for what is requested: at most once for each picture during a run, and when the run pauses
+/// or the request changes.
 class Past : public QObject {
   Q_OBJECT
 
  public:
   explicit Past(Workbench& workbench, QObject* parent = nullptr);
 
-  /// Whether the paths of all robots are wished.
-  void wish_paths(bool is_wished);
-  /// Wishes these numbers, and the names of all numbers of these robots; no robots: of all.
-  void wish_numbers(const QStringList& numbers, const QStringList& robots);
-  void wish_no_numbers();
+  /// Whether the paths of all robots are requested.
+  void request_paths(bool is_requested);
+  /// Requests these numbers, and the names of all numbers of these robots; no robots: of all.
+  void request_numbers(const QStringList& numbers, const QStringList& robots);
+  void request_no_numbers();
 
   /// The curves "r1/x" and "r1/y" of all robots, m.
   const Samples& paths() const { return paths_.samples; }
@@ -72,14 +71,15 @@ class Past : public QObject {
  Q_SIGNALS:
   void paths_changed();
   void numbers_changed();
-  /// The names of all numbers of the wished robots.
+  /// The names of all numbers of the requested robots.
   void named(const QStringList& names);
 
  private:
   struct Part {
-    bool is_wished = false;
+    bool is_requested = false;
     bool is_asked = false;
-    int turn = 0;  // answers to earlier turns are dropped
+    bool is_asked_for_later = false;  // a later picture was shown meanwhile
+    int turn = 0;                     // answers to earlier turns are dropped
     Samples samples;
   };
 
@@ -87,13 +87,13 @@ class Past : public QObject {
   void ask_again(Part& part);
   void look();
   void ask(Part& part);
-  void take_paths(const Json& answer);
+  void take_paths(const Json& answer, double after_s);
   void take_numbers(const Json& answer);
 
   Workbench& workbench_;
   Part paths_, numbers_;
   std::vector<Placed> placed_;
-  QStringList wished_, robots_;
+  QStringList requested_, robots_;
   std::optional<Samples> next_;  // with new numbers; replaces the samples when it is complete
   std::uint64_t layout_ = 0;
 };

@@ -323,6 +323,22 @@ class CrashingSensor final : public elsie::SensorOf<elsie::RangeReading> {
   }
 };
 
+/// A reading that lists another number after a fifth of a second.
+struct RenamedReading {
+  static constexpr const char* kind = "renamed";
+  bool is_late = false;
+
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor(is_late ? "late" : "early", is_late);
+  }
+};
+
+class RenamingSensor final : public elsie::SensorOf<RenamedReading> {
+ public:
+  RenamedReading sense(const elsie::SensorContext& now) override { return {now.time_s >= 0.195}; }
+};
+
 class UnableToReport final : public elsie::Measure {
  public:
   std::vector<elsie::Quantity> quantities() const override { return {{"", "m", "nothing"}}; }
@@ -409,4 +425,5 @@ ELSIE_BEHAVIOR(CrashesWhenDestroyed, "crashes_when_destroyed", "Crashes when it 
 ELSIE_COORDINATOR(CrashingCoordinator, "crashing_coordinator",
                   "Reads from nowhere after half a second");
 ELSIE_SENSOR(CrashingSensor, "crashing_sensor", "Reads from nowhere after half a second");
+ELSIE_SENSOR(RenamingSensor, "renaming_sensor", "Lists another number after a fifth of a second");
 ELSIE_MEASURE(UnableToReport, "unable_to_report", "Throws when it is asked what came of a run");

@@ -7,12 +7,12 @@
 namespace elsie::server {
 void History::begin(std::vector<std::string> names, double period_s) {
   samples_.begin(period_s);
-  names_ = std::make_shared<const std::vector<std::string>>(std::move(names));
+  names_ = share(std::move(names));
 }
 
 void History::rename(std::vector<std::string> names) {
-  if (!names_ || names != *names_) {
-    names_ = std::make_shared<const std::vector<std::string>>(std::move(names));
+  if (!names_ || names != names_->names()) {
+    names_ = share(std::move(names));
   }
 }
 
@@ -34,7 +34,7 @@ History::Sample History::at(double time_s) const {
     return *found;
   }
   Sample sample{found->time_s, found->steps, names_, {}};
-  for (const std::size_t place : places_of(*names_, *found->names)) {
+  for (const std::size_t place : found->names->places_of(names_->names())) {
     snapshots::BodyState gone = snapshots::BodyState::of({});
     gone.present = 0.0F;
     sample.bodies.push_back(place < found->bodies.size() ? found->bodies[place] : gone);
@@ -45,12 +45,12 @@ History::Sample History::at(double time_s) const {
 std::vector<History::Path> History::paths(std::span<const std::string> names,
                                           std::span<const Sample> samples) {
   std::vector<Path> paths(names.size());
-  const std::vector<std::string>* list = nullptr;  // successive samples mostly share it
+  const NameList* list = nullptr;  // successive samples mostly share it
   std::vector<std::size_t> places;
   for (const Sample& sample : samples) {
     if (sample.names.get() != list) {
       list = sample.names.get();
-      places = places_of(names, *list);
+      places = list->places_of(names);
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
       constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();

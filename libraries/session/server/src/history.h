@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,7 +20,7 @@ class History {
   struct Sample {
     double time_s = 0.0;
     std::uint64_t steps = 0;
-    std::shared_ptr<const std::vector<std::string>> names;  // of the bodies
+    SharedNames names;  // of the bodies
     std::vector<snapshots::BodyState> bodies;
 
     std::size_t bytes() const {
@@ -33,15 +32,14 @@ class History {
     std::vector<float> x, y;
   };
 
-  static constexpr double kPeriod_s = 0.05;
   explicit History(std::size_t most = std::size_t{200} << 20) : samples_(most) {}
 
   /// Begins a new run with these bodies. The first sample must be added at once.
-  void begin(std::vector<std::string> names, double period_s = kPeriod_s);
+  void begin(std::vector<std::string> names, double period_s);
   /// Sets the names of the bodies from now on.
   void rename(std::vector<std::string> names);
   /// The present names.
-  const std::vector<std::string>& names() const { return *names_; }
+  const std::vector<std::string>& names() const { return names_->names(); }
   /// Whether a sample is due. Must be called once for each time, in ascending order.
   bool is_due(double time_s) { return samples_.is_due(time_s); }
   void add(double time_s, std::uint64_t steps, std::vector<snapshots::BodyState> bodies);
@@ -59,7 +57,7 @@ class History {
 
  private:
   Samples<Sample> samples_;
-  std::shared_ptr<const std::vector<std::string>> names_;
+  SharedNames names_;
 };
 
 }  // namespace elsie::server

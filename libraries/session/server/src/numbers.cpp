@@ -15,6 +15,10 @@ using simulation::Simulation;
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
+// Sources that are no sensors: the fuzzy models of a robot, and the measures.
+constexpr std::size_t kNoSensor = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
+
 /// Takes the values, in the order of the names.
 class Values {
  public:
@@ -60,10 +64,9 @@ class Names {
   std::string prefix_;
 };
 
-/// Visits all numbers of a robot. `has_decided`: there are decisions and measurements.
+/// Visits all numbers of a robot except those of its sensors. `has_decided`: there are decisions.
 template <class Visitor>
-void visit(const Simulation& simulation, std::size_t index, bool has_sensors, bool has_decided,
-           std::vector<NamedValue>& listed, Visitor& visitor) {
+void visit(const Simulation& simulation, std::size_t index, bool has_decided, Visitor& visitor) {
   const RobotView robot = simulation.robot(index);
   const std::string& id = robot.description->id;
   const OwnState& state = *robot.state;
@@ -93,42 +96,68 @@ void visit(const Simulation& simulation, std::size_t index, bool has_sensors, bo
     visitor.see("command/lateral", if_decided(row.command.lateral));
     visitor.see("command/turn", if_decided(row.command.turn));
   }
-  for (std::size_t i = 0; has_sensors && i < simulation.sensors(index); ++i) {
-    listed.clear();
-    simulation.list_values(index, i, listed);
-    visitor.begin(id, simulation.sensor(index, i).id);
-    for (const NamedValue& value : listed) {
-      visitor.see(value.name, if_decided(value.value));
-    }
-  }
-}
-
-template <class Visitor>
-void visit(const Simulation& simulation, bool has_sensors, Visitor visitor) {
-  std::vector<NamedValue> listed;
-  for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    visit(simulation, i, has_sensors, simulation.steps() > 0, listed, visitor);
-  }
 }
 
 }  // namespace
 
+template <class Visitor>
+bool Numbers::visit_all(const Simulation& simulation, Visitor visitor) {
+  const std::size_t failed = failed_.size();
+  const bool has_decided = simulation.steps() > 0;
+  std::vector<NamedValue> listed;
+  for (std::size_t robot = 0; robot < simulation.robots(); ++robot) {
+    visit(simulation, robot, has_decided, visitor);
+    for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
+      listed.clear();
+      if (!succeeds({robot, i}, [&] { simulation.list_values(robot, i, listed); })) {
+        continue;
+      }
+      visitor.begin(simulation.robot(robot).description->id, simulation.sensor(robot, i).id);
+      for (const NamedValue& value : listed) {
+        visitor.see(value.name, has_decided ? value.value : kNone);
+      }
+    }
+  }
+  return failed_.size() == failed;
+}
+
+template <class Call>
+bool Numbers::succeeds(std::pair<std::size_t, std::size_t> source, const Call& call) {
+  if (failed_.contains(source)) {
+    return false;
+  }
+  try {
+    call();
+    return true;
+  } catch (const simulation::PluginFault& fault) {
+    failed_.insert(source);
+    if (noted_.emplace(fault.robot, fault.id).second) {
+      notes_.push_back({fault.robot, fault.id,
+                        std::string("its numbers are not stored from now on, until an edit or a "
+                                    "reset: ") +
+                            fault.what()});
+    }
+    return false;
+  }
+}
+
 void Numbers::begin(const Simulation& simulation, double period_s) {
   samples_.begin(period_s);
-  has_sensors_ = true;
+  noted_.clear();
+  notes_.clear();
   lay_out(simulation);
 }
 
 void Numbers::lay_out(const Simulation& simulation) {
+  failed_.clear();
+  list_names(simulation);
+}
+
+void Numbers::list_names(const Simulation& simulation) {
   std::vector<std::string> names;
-  try {
-    visit(simulation, has_sensors_, Names(names));
-  } catch (const simulation::PluginFault&) {
-    has_sensors_ = false;
-    lay_out(simulation);
-    return;
-  }
-  if (names_ && names.size() == fixed_ && std::equal(names.begin(), names.end(), names_->begin())) {
+  visit_all(simulation, Names(names));
+  if (names_ && names.size() == fixed_ &&
+      std::equal(names.begin(), names.end(), names_->names().begin())) {
     return;
   }
   fixed_ = names.size();
@@ -137,20 +166,16 @@ void Numbers::lay_out(const Simulation& simulation) {
 }
 
 void Numbers::set_names(std::vector<std::string> names) {
-  names_ = std::make_shared<const std::vector<std::string>>(std::move(names));
+  names_ = share(std::move(names));
   ++layout_;
 }
 
 void Numbers::add(const Simulation& simulation, bool with_measures, bool with_fuzzy) {
   std::vector<float> values;
-  values.reserve(names_->size());
-  try {
-    visit(simulation, has_sensors_, Values(values));
-  } catch (const simulation::PluginFault&) {
-    has_sensors_ = false;
-    lay_out(simulation);
-    add(simulation, with_measures, with_fuzzy);
-    return;
+  values.reserve(names_->names().size());
+  while (!visit_all(simulation, Values(values))) {
+    list_names(simulation);  // without what has failed
+    values.clear();
   }
   add_further(simulation, with_measures, with_fuzzy, values);
   samples_.add({simulation.time_s(), names_, std::move(values)});
@@ -158,52 +183,63 @@ void Numbers::add(const Simulation& simulation, bool with_measures, bool with_fu
 
 void Numbers::add_further(const Simulation& simulation, bool with_measures, bool with_fuzzy,
                           std::vector<float>& values) {
+  std::vector<std::string> fresh;
+  const auto put = [&](std::string name, double value) {
+    const auto [place, is_new] =
+        further_.try_emplace(std::move(name), names_->names().size() + fresh.size());
+    if (is_new) {
+      fresh.push_back(place->first);
+    }
+    if (values.size() <= place->second) {
+      values.resize(place->second + 1, kNone);
+    }
+    values[place->second] = static_cast<float>(value);
+  };
   for (std::size_t i = 0; with_fuzzy && i < simulation.robots(); ++i) {
-    for (const simulation::MadeInference& made : simulation.inferences(i)) {
+    std::vector<simulation::MadeInference> all;
+    succeeds({i, kNoSensor}, [&] { all = simulation.inferences(i); });
+    for (const simulation::MadeInference& made : all) {
       const std::string prefix = simulation.robot(i).description->id + '/' + made.path + '/';
       for (const Inference::Value& each : made.inference.inputs) {
-        put(prefix + "inputs/" + each.name, each.value, values);
+        put(prefix + "inputs/" + each.name, each.value);
       }
       for (const Inference::Value& each : made.inference.outputs) {
-        put(prefix + "outputs/" + each.name, each.value, values);
+        put(prefix + "outputs/" + each.name, each.value);
       }
     }
   }
   if (with_measures && simulation.steps() > 0) {  // measures exist from the first step
-    for (const simulation::MeasuredValue& measure : simulation.measures()) {
-      put(std::string(kMeasures) + '/' + measure.name, measure.value.value_or(kNone), values);
+    std::vector<simulation::MeasuredValue> all;
+    succeeds({kNoRobot, kNoSensor}, [&] { all = simulation.measures(); });
+    for (const simulation::MeasuredValue& measure : all) {
+      put(std::string(kMeasures) + '/' + measure.name, measure.value.value_or(kNone));
     }
   }
-}
-
-void Numbers::put(const std::string& name, double value, std::vector<float>& values) {
-  const auto [place, is_new] = further_.try_emplace(name, names_->size());
-  if (is_new) {
-    std::vector<std::string> names = *names_;
-    names.push_back(name);
+  if (!fresh.empty()) {
+    std::vector<std::string> names = names_->names();
+    names.insert(names.end(), fresh.begin(), fresh.end());
     set_names(std::move(names));
   }
-  if (values.size() <= place->second) {
-    values.resize(place->second + 1, kNone);
-  }
-  values[place->second] = static_cast<float>(value);
 }
 
-std::vector<std::vector<float>> Numbers::values(std::span<const std::string> names,
-                                                std::span<const Sample> samples) {
-  std::vector<std::vector<float>> columns(names.size());
-  const std::vector<std::string>* list = nullptr;  // successive samples mostly share it
+std::vector<float> Numbers::values(std::span<const std::string> names,
+                                   std::span<const Sample> samples) {
+  std::vector<float> values(names.size() * samples.size(), kNone);
+  const NameList* list = nullptr;  // successive samples mostly share it
   std::vector<std::size_t> places;
-  for (const Sample& sample : samples) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Sample& sample = samples[k];
     if (sample.names.get() != list) {
       list = sample.names.get();
-      places = places_of(names, *list);
+      places = list->places_of(names);
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-      columns[i].push_back(places[i] < sample.values.size() ? sample.values[places[i]] : kNone);
+      if (places[i] < sample.values.size()) {
+        values[i * samples.size() + k] = sample.values[places[i]];
+      }
     }
   }
-  return columns;
+  return values;
 }
 
 }  // namespace elsie::server

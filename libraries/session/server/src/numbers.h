@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "elsie/simulation/simulation.h"
@@ -24,7 +24,7 @@ class Numbers {
  public:
   struct Sample {
     double time_s = 0.0;
-    std::shared_ptr<const std::vector<std::string>> names;
+    SharedNames names;
     std::vector<float> values;  // of the first names; the others are NaN
 
     std::size_t bytes() const { return sizeof(*this) + values.size() * sizeof(float); }
@@ -41,31 +41,44 @@ class Numbers {
   /// Whether a sample is due. Must be called once for each time, in ascending order.
   bool is_due(double time_s) { return samples_.is_due(time_s); }
   /// Adds the present numbers; measures and the values of fuzzy models only on request, because
-  /// they cost more. A plugin that fails to list its numbers loses them; the run goes on.
+  /// they cost more. A plugin that fails to list its numbers loses them until the next layout,
+  /// which a note says once in a run.
   void add(const simulation::Simulation& simulation, bool with_measures, bool with_fuzzy);
+
+  /// The notes that were made since the last call.
+  std::vector<simulation::Note> take_notes() { return std::exchange(notes_, {}); }
 
   double period_s() const { return samples_.period_s(); }
   std::size_t size() const { return samples_.all().size(); }
   std::span<const Sample> after(double time_s) const { return samples_.after(time_s); }
   /// The present names, and the number of this list, which changes with it.
-  const std::vector<std::string>& names() const { return *names_; }
+  const std::vector<std::string>& names() const { return names_->names(); }
   std::uint64_t layout() const { return layout_; }
-  /// The values of these numbers in some samples.
-  static std::vector<std::vector<float>> values(std::span<const std::string> names,
-                                                std::span<const Sample> samples);
+  /// The values of these numbers in some samples: all of the first number, all of the second, ...
+  static std::vector<float> values(std::span<const std::string> names,
+                                   std::span<const Sample> samples);
 
  private:
+  /// Visits the numbers of all robots except what has failed. Returns whether nothing new failed.
+  template <class Visitor>
+  bool visit_all(const simulation::Simulation& simulation, Visitor visitor);
+  /// Calls plugins of this source, a robot and a sensor, unless they have failed. Returns whether
+  /// they have succeeded.
+  template <class Call>
+  bool succeeds(std::pair<std::size_t, std::size_t> source, const Call& call);
+  void list_names(const simulation::Simulation& simulation);
   void set_names(std::vector<std::string> names);
   void add_further(const simulation::Simulation& simulation, bool with_measures, bool with_fuzzy,
                    std::vector<float>& values);
-  void put(const std::string& name, double value, std::vector<float>& values);
 
   Samples<Sample> samples_;
-  std::shared_ptr<const std::vector<std::string>> names_;
+  SharedNames names_;
   std::unordered_map<std::string, std::size_t> further_;  // places of measures and fuzzy values
   std::size_t fixed_ = 0;                                 // the number of names before them
   std::uint64_t layout_ = 0;
-  bool has_sensors_ = true;
+  std::set<std::pair<std::size_t, std::size_t>> failed_;
+  std::set<std::pair<std::string, std::string>> noted_;  // the robot and the id of a plugin
+  std::vector<simulation::Note> notes_;
 };
 
 }  // namespace elsie::server

@@ -1,12 +1,13 @@
 #include "past.h"
 
 #include <algorithm>
-#include <bit>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 
+#include "elsie/base/error.h"
 #include "elsie/output/base64.h"
+#include "elsie/traces/tracks.h"
 
 #include "scene.h"
 
@@ -14,16 +15,9 @@ namespace elsie::server {
 namespace {
 
 constexpr std::size_t kMostNumbers = 100'000;  // in an answer
+constexpr std::size_t kMostNames = 10'000;     // in an order
 
 using Robots = std::unordered_set<std::string_view>;  // none: all
-
-static_assert(std::endian::native == std::endian::little);
-
-template <class Number>
-std::string packed(const std::vector<Number>& numbers) {
-  return output::base64(
-      {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
-}
 
 /// The first of the samples, so many as fit into an answer with that number of columns. Adds their
 /// times to the answer.
@@ -38,8 +32,7 @@ std::span<const Sample> first_of(std::span<const Sample> samples, std::size_t co
   }
   answer["period_s"] = period_s;
   answer["more"] = first.size() < samples.size();
-  answer["times"] = packed(times);
-  answer["values"] = Json::object();
+  answer["times"] = output::packed(times);
   return first;
 }
 
@@ -55,8 +48,8 @@ void Past::begin(const simulation::Simulation& simulation) {
 }
 
 void Past::watch(bool measures, bool fuzzy) {
-  with_measures_ = with_measures_ || measures;
-  with_fuzzy_ = with_fuzzy_ || fuzzy;
+  with_measures_ = measures;
+  with_fuzzy_ = fuzzy;
 }
 
 void Past::keep(const simulation::Simulation& simulation) {
@@ -73,19 +66,16 @@ void Past::keep_numbers(const simulation::Simulation& simulation) {
   numbers_.add(simulation, with_measures_, with_fuzzy_);
 }
 
-void Past::note_placements(const simulation::Simulation& simulation) {
-  const auto events = simulation.events();
-  for (; events_ < events.size(); ++events_) {
-    const simulation::EventRecord& event = events[events_];
-    const auto* const changed = event.as<events::Changed>();
-    if (changed && changed->moves_robot()) {
-      placed_.push_back({event.robot, event.time_s});
-    }
-  }
+void Past::started(const simulation::Simulation& simulation) {
+  const std::size_t seen = events_;
+  begin(simulation);
+  events_ = seen;  // a window may have the sample from before the changes at time zero
 }
 
 void Past::stepped(const simulation::Simulation& simulation) {
-  note_placements(simulation);
+  traces::see_placements(simulation, events_, [this](const simulation::EventRecord& event) {
+    placed_.push_back({event.robot, event.time_s});
+  });
   if (poses_.is_due(simulation.time_s())) {
     keep_poses(simulation);
   }
@@ -99,25 +89,30 @@ void Past::replaced(const simulation::Simulation& simulation) {
   numbers_.lay_out(simulation);
 }
 
-Past::Wish Past::wish_of(const Json& order, bool of_numbers) {
-  Wish wish;
-  wish.of_numbers = of_numbers;
-  wish.robots = order.value("robots", wish.robots);
-  wish.after_s = order.value("after_s", wish.after_s);
+Past::Request Past::request_of(const Json& order, bool of_numbers) {
+  Request request;
+  request.of_numbers = of_numbers;
+  request.robots = order.value("robots", request.robots);
+  request.after_s = order.value("after_s", request.after_s);
   if (of_numbers) {
-    wish.names = order.at("names").get<std::vector<std::string>>();
-    wish.layout = whole_number(order, "layout", 0);
+    request.names = order.at("names").get<std::vector<std::string>>();
+    if (request.names.size() > kMostNames) {
+      throw base::BadInput("the order asks for " + std::to_string(request.names.size()) +
+                           " numbers; expected at most " + std::to_string(kMostNames) +
+                           " `names`: ask for the others in a further order");
+    }
+    request.layout = whole_number(order, "layout", 0);
   }
-  return wish;
+  return request;
 }
 
-void Past::tell(const Wish& wish, Json& answer) const {
-  wish.of_numbers ? tell_numbers(wish, answer) : tell_paths(wish, answer);
+void Past::tell(const Request& request, Json& answer) const {
+  request.of_numbers ? tell_numbers(request, answer) : tell_paths(request, answer);
 }
 
-void Past::tell_paths(const Wish& wish, Json& answer) const {
+void Past::tell_paths(const Request& request, Json& answer) const {
   constexpr std::string_view kBegin = "robot[", kEnd = "] 0";  // of a robot's first vehicle
-  const Robots robots(wish.robots.begin(), wish.robots.end());
+  const Robots robots(request.robots.begin(), request.robots.end());
   std::vector<std::string> bodies, ids;
   for (const std::string& name : poses_.names()) {
     if (name.starts_with(kBegin) && name.ends_with(kEnd)) {
@@ -129,32 +124,36 @@ void Past::tell_paths(const Wish& wish, Json& answer) const {
     }
   }
   const auto samples =
-      first_of(poses_.after(wish.after_s), 2 * ids.size(), poses_.period_s(), answer);
+      first_of(poses_.after(request.after_s), 2 * ids.size(), poses_.period_s(), answer);
   const std::vector<History::Path> paths = History::paths(bodies, samples);
+  Json& curves = answer["curves"] = Json::array();
+  std::vector<float> values;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    answer["values"][ids[i] + "/x"] = packed(paths[i].x);
-    answer["values"][ids[i] + "/y"] = packed(paths[i].y);
+    curves.push_back(ids[i] + "/x");
+    curves.push_back(ids[i] + "/y");
+    values.insert(values.end(), paths[i].x.begin(), paths[i].x.end());
+    values.insert(values.end(), paths[i].y.begin(), paths[i].y.end());
   }
-  answer["placed"] = Json::array();
-  for (const Placed& each : placed_) {
-    if (each.time_s >= wish.after_s) {
-      answer["placed"].push_back({{"robot", each.robot}, {"time_s", each.time_s}});
-    }
+  answer["values"] = output::packed(values);
+  Json& placed = answer["placed"] = Json::array();
+  const auto is_before = [](const Placed& each, double time_s) { return each.time_s < time_s; };
+  auto each = std::lower_bound(placed_.begin(), placed_.end(), request.after_s, is_before);
+  for (; each != placed_.end() && !samples.empty() && each->time_s < samples.back().time_s;
+       ++each) {
+    placed.push_back({{"robot", each->robot}, {"time_s", each->time_s}});
   }
 }
 
-void Past::tell_numbers(const Wish& wish, Json& answer) const {
+void Past::tell_numbers(const Request& request, Json& answer) const {
   const auto samples =
-      first_of(numbers_.after(wish.after_s), wish.names.size(), numbers_.period_s(), answer);
-  const std::vector<std::vector<float>> values = Numbers::values(wish.names, samples);
-  for (std::size_t i = 0; i < wish.names.size(); ++i) {
-    answer["values"][wish.names[i]] = packed(values[i]);
-  }
+      first_of(numbers_.after(request.after_s), request.names.size(), numbers_.period_s(), answer);
+  answer["curves"] = request.names;
+  answer["values"] = output::packed(Numbers::values(request.names, samples));
   answer["layout"] = numbers_.layout();
-  if (wish.layout == numbers_.layout()) {
+  if (request.layout == numbers_.layout()) {
     return;
   }
-  const Robots robots(wish.robots.begin(), wish.robots.end());
+  const Robots robots(request.robots.begin(), request.robots.end());
   Json& names = answer["names"] = Json::array();
   for (const std::string& name : numbers_.names()) {
     const std::string_view robot = std::string_view(name).substr(0, name.find('/'));

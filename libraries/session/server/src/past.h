@@ -17,8 +17,8 @@ namespace elsie::server {
 
 class Past final : public simulation::Observer {
  public:
-  /// What a window lacks of the past.
-  struct Wish {
+  /// The samples of the past that a window asks for.
+  struct Request {
     bool of_numbers = false;          // otherwise the paths of robots
     std::vector<std::string> names;   // of the numbers
     std::vector<std::string> robots;  // none: all
@@ -29,17 +29,20 @@ class Past final : public simulation::Observer {
   /// Begins a new run, at time zero.
   void begin(const simulation::Simulation& simulation);
   /// Whether to store measures, and the values of fuzzy models, from now on. They cost more than
-  /// the others, so that they are stored from the first time that they are watched.
+  /// the others, so that they are stored only while they are watched.
   void watch(bool measures, bool fuzzy);
   /// Stores the present state as the last one of the run.
   void keep(const simulation::Simulation& simulation);
   /// The history of poses.
   const History& poses() const { return poses_; }
   /// Reads an order. Throws base::BadInput.
-  static Wish wish_of(const Json& order, bool of_numbers);
+  static Request request_of(const Json& order, bool of_numbers);
+  /// The notes about it since the last call.
+  std::vector<simulation::Note> take_notes() { return numbers_.take_notes(); }
   /// Adds the next samples to an answer, at most about a hundred thousand numbers.
-  void tell(const Wish& wish, Json& answer) const;
+  void tell(const Request& request, Json& answer) const;
 
+  void started(const simulation::Simulation& simulation) override;
   void stepped(const simulation::Simulation& simulation) override;
   void replaced(const simulation::Simulation& simulation) override;
 
@@ -52,14 +55,13 @@ class Past final : public simulation::Observer {
 
   void keep_poses(const simulation::Simulation& simulation);
   void keep_numbers(const simulation::Simulation& simulation);
-  void note_placements(const simulation::Simulation& simulation);
-  void tell_paths(const Wish& wish, Json& answer) const;
-  void tell_numbers(const Wish& wish, Json& answer) const;
+  void tell_paths(const Request& request, Json& answer) const;
+  void tell_numbers(const Request& request, Json& answer) const;
 
   History poses_;
   Numbers numbers_;
-  std::vector<Placed> placed_;
-  std::size_t events_ = 0;  // seen of the run
+  std::vector<Placed> placed_;  // ascending in time
+  std::size_t events_ = 0;      // seen of the run
   std::vector<snapshots::BodyState> bodies_;
   bool with_measures_ = false;
   bool with_fuzzy_ = false;

@@ -1,7 +1,9 @@
+#include <exception>
 #include <utility>
 
 #include "elsie/base/error.h"
 
+#include "described.h"
 #include "scene.h"
 #include "server_impl.h"
 
@@ -53,27 +55,38 @@ void Server::Impl::look_back(const Json& message, Json& answer) {
 }
 
 void Server::Impl::paths(const Json& message, Json& answer) {
-  tell_past(Past::wish_of(message, false), answer);
+  tell_past(Past::request_of(message, false), answer);
 }
 
 void Server::Impl::numbers(const Json& message, Json& answer) {
-  tell_past(Past::wish_of(message, true), answer);
+  tell_past(Past::request_of(message, true), answer);
 }
 
-void Server::Impl::tell_past(Past::Wish wish, Json& answer) {
-  soon_.emplace_back(std::move(wish), answer);
-  answers_soon_ = true;
+void Server::Impl::tell_past(Past::Request request, Json& answer) {
+  with_next_snapshot_.emplace_back(std::move(request), answer);
+  answers_with_snapshot_ = true;
   if (!running_) {
     answer_past();
   }
 }
 
 void Server::Impl::answer_past() {
-  for (auto& [wish, answer] : std::exchange(soon_, {})) {
-    answer["epoch"] = epoch_;
-    past_.tell(wish, answer);
-    link_.send(answer);
+  std::size_t answered = 0;
+  for (; answered < with_next_snapshot_.size() && link_.waiting_bytes() < kMostWaiting;
+       ++answered) {
+    auto& [request, answer] = with_next_snapshot_[answered];
+    Json full = answer;
+    try {
+      full["epoch"] = epoch_;
+      past_.tell(request, full);
+    } catch (const std::exception& error) {
+      full = answer;
+      full["refused"] = problems_json(std::vector<base::Problem>{{"", 0, error.what()}});
+    }
+    link_.send(full);
   }
+  with_next_snapshot_.erase(with_next_snapshot_.begin(),
+                            with_next_snapshot_.begin() + static_cast<std::ptrdiff_t>(answered));
 }
 
 void Server::Impl::report_pause() {
@@ -104,14 +117,18 @@ void Server::Impl::report_news() {
                 {"name", event.name()},
                 {"detail", event.detail()}});
   }
+  for (const simulation::Note& note : past_.take_notes()) {
+    report_note(note);
+  }
   const auto notes = simulation_->notes();
   for (; told_notes_ < notes.size() && link_.waiting_bytes() < kMostWaiting; ++told_notes_) {
-    const simulation::Note& note = notes[told_notes_];
-    link_.send({{"event", "note"},
-                {"robot", note.robot},
-                {"plugin", note.plugin},
-                {"text", text_of(note)}});
+    report_note(notes[told_notes_]);
   }
+}
+
+void Server::Impl::report_note(const simulation::Note& note) {
+  link_.send(
+      {{"event", "note"}, {"robot", note.robot}, {"plugin", note.plugin}, {"text", text_of(note)}});
 }
 
 }  // namespace elsie::server

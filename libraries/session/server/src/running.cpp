@@ -219,7 +219,7 @@ void Server::Impl::between_decisions() {
     }
   }
   const Clock::time_point now = Clock::now();
-  if (now - shown_ >= kBetweenSnapshots && (writer_.taken() || !soon_.empty())) {
+  if (now - shown_ >= kBetweenSnapshots && (writer_.taken() || !with_next_snapshot_.empty())) {
     show();
   }
   if (watching_.is_on() && now - stated_ >= kBetweenStates && link_.is_idle()) {
@@ -267,6 +267,9 @@ void Server::Impl::hear() {
     if (left_) {
       throw Left{};
     }
+  }
+  if (!running_) {
+    answer_past();
   }
   if (link_.closed()) {
     throw Left{};

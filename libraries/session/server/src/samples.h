@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,24 +24,53 @@ inline double period_of_past(double step_s) {
   return static_cast<double>(steps % 2 == 0 ? steps / 2 : steps) * step_s;
 }
 
-/// The place of each name in a list; the list's size if it is not in it.
-inline std::vector<std::size_t> places_of(std::span<const std::string> names,
-                                          const std::vector<std::string>& list) {
-  std::unordered_map<std::string_view, std::size_t> known;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    known.emplace(list[i], i);
+/// Names that the samples of a run share as long as they stay the same.
+class NameList {
+ public:
+  explicit NameList(std::vector<std::string> names) : names_(std::move(names)) {
+    places_.reserve(names_.size());
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      places_.emplace(names_[i], i);
+    }
   }
-  std::vector<std::size_t> places;
-  for (const std::string& name : names) {
-    const auto place = known.find(name);
-    places.push_back(place == known.end() ? list.size() : place->second);
+  NameList(const NameList&) = delete;
+  NameList& operator=(const NameList&) = delete;
+
+  const std::vector<std::string>& names() const { return names_; }
+  /// The place of each of these names; size() of the list if it is not in it.
+  std::vector<std::size_t> places_of(std::span<const std::string> names) const {
+    std::vector<std::size_t> places;
+    places.reserve(names.size());
+    for (const std::string& name : names) {
+      const auto place = places_.find(name);
+      places.push_back(place == places_.end() ? names_.size() : place->second);
+    }
+    return places;
   }
-  return places;
+  /// About the memory that the list takes.
+  std::size_t bytes() const {
+    std::size_t bytes =
+        names_.size() * (sizeof(std::string) + sizeof(*places_.begin()) + 3 * sizeof(void*));
+    for (const std::string& name : names_) {
+      bytes += name.size();
+    }
+    return bytes;
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string_view, std::size_t> places_;
+};
+
+using SharedNames = std::shared_ptr<const NameList>;
+
+inline SharedNames share(std::vector<std::string> names) {
+  return std::make_shared<const NameList>(std::move(names));
 }
 
-/// One sample per period, ascending in time. When they take more than `most` bytes, every second
-/// sample is dropped, and the period doubles; the first one stays. A `Sample` has `time_s` and
-/// `bytes()`.
+/// One sample per period, ascending in time. When they and their names take more than `most` bytes,
+/// every second sample is dropped, and the period doubles; the first one stays. A `Sample` has
+/// `time_s`, its `names` and `bytes()` without these.
 template <class Sample>
 class Samples {
  public:
@@ -60,7 +90,7 @@ class Samples {
     if (!samples_.empty() && sample.time_s <= samples_.back().time_s) {
       return;
     }
-    bytes_ += sample.bytes();
+    bytes_ += sample.bytes() + new_names(sample, samples_.size());
     samples_.push_back(std::move(sample));
     if (bytes_ > most_ && samples_.size() > 2) {
       thin_out();
@@ -77,6 +107,11 @@ class Samples {
   }
 
  private:
+  /// The bytes of the names of a sample that the sample before this place does not have.
+  std::size_t new_names(const Sample& sample, std::size_t place) const {
+    return place > 0 && samples_[place - 1].names == sample.names ? 0 : sample.names->bytes();
+  }
+
   void thin_out() {
     const double now_s = samples_.back().time_s;
     bytes_ = 0;
@@ -85,7 +120,7 @@ class Samples {
       if (i != kept) {
         samples_[kept] = std::move(samples_[i]);
       }
-      bytes_ += samples_[kept].bytes();
+      bytes_ += samples_[kept].bytes() + new_names(samples_[kept], kept);
     }
     samples_.resize(kept);
     sampling_ = traces::Sampling(2.0 * sampling_.period_s());

@@ -15,6 +15,7 @@ namespace elsie::server {
 void Server::Impl::serve() {
   while (!link_.closed()) {
     link_.wait(kLongestWait);
+    answer_past();
     report_news();
     renew_plugins();
     while (const auto message = link_.next()) {
@@ -48,7 +49,7 @@ void Server::Impl::handle(const Json& message) {
     return;
   }
   Json answer = {{"answer", message.value("id", Json())}};
-  answers_later_ = answers_soon_ = false;
+  answers_later_ = answers_with_snapshot_ = false;
   try {
     const auto name = message.value("do", std::string());
     const auto order = orders().find(name);
@@ -70,7 +71,7 @@ void Server::Impl::handle(const Json& message) {
   } catch (const std::exception& error) {
     answer["refused"] = problems_json(std::vector<base::Problem>{{"", 0, error.what()}});
   }
-  if (answers_soon_) {
+  if (answers_with_snapshot_) {
     return;
   }
   if (answers_later_ || left_) {

@@ -134,13 +134,14 @@ class Server::Impl {
   void show();
   /// Answers an order for the past: while the run advances, just before the next snapshot, so that
   /// a window has the past up to what it shows.
-  void tell_past(Past::Wish wish, Json& answer);
+  void tell_past(Past::Request request, Json& answer);
   void answer_past();
   void report_state();
   /// Says that a run to a time has reached it.
   void report_pause();
   /// Sends new events and notes of the run.
   void report_news();
+  void report_note(const simulation::Note& note);
 
   /// Loads plugins that have changed on disk, as `elsie run --watch` does.
   void renew_plugins();
@@ -164,13 +165,13 @@ class Server::Impl {
   bool left_ = false;
   bool running_ = false;
   bool answers_later_ = false;             // to the current order, after its steps
-  bool answers_soon_ = false;              // to the current order, with the next snapshot
+  bool answers_with_snapshot_ = false;     // to the current order, with the next snapshot
   std::optional<std::uint64_t> pause_at_;  // steps
   bool is_pause_paced_ = false;            // until then the run keeps its speed; else full speed
   bool is_pause_told_ = false;             // an event will report the pause
   bool is_pause_due_ = false;              // after the answer to the current order
   std::vector<Json> later_;                // answers to be sent later
-  std::vector<std::pair<Past::Wish, Json>> soon_;  // and with the next snapshot
+  std::vector<std::pair<Past::Request, Json>> with_next_snapshot_;  // and with the next snapshot
   std::uint64_t seed_ = 1;
   std::uint64_t epoch_ = 0;
 

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "elsie/simulation/simulation.h"
-
 namespace elsie::traces {
 
 void TrackRecorder::started(const simulation::Simulation& simulation) {
@@ -64,18 +62,12 @@ void TrackRecorder::sample(const simulation::Simulation& simulation) {
 }
 
 void TrackRecorder::note_placements(const simulation::Simulation& simulation) {
-  const auto events = simulation.events();
-  for (; events_ < events.size(); ++events_) {
-    const simulation::EventRecord& event = events[events_];
-    const auto* const changed = event.as<events::Changed>();
-    if (!changed || !changed->moves_robot()) {
-      continue;
-    }
+  see_placements(simulation, events_, [this](const simulation::EventRecord& event) {
     const auto moved = places_.find(event.robot);
     if (moved != places_.end() && !tracks_[moved->second].path.empty()) {
       was_placed_[moved->second] = true;
     }
-  }
+  });
 }
 
 }  // namespace elsie::traces

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace elsie::output {
 
@@ -60,6 +63,28 @@ inline std::optional<std::string> from_base64(std::string_view text) {
   }
   bytes.resize(bytes.size() - padding);
   return bytes;
+}
+
+static_assert(std::endian::native == std::endian::little);
+
+/// Little-endian numbers as text.
+template <class Number>
+std::string packed(const std::vector<Number>& numbers) {
+  return base64({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)});
+}
+
+/// The numbers of such a text; none if it is not one.
+template <class Number>
+std::optional<std::vector<Number>> unpacked(std::string_view text) {
+  const std::optional<std::string> bytes = from_base64(text);
+  if (!bytes || bytes->size() % sizeof(Number) != 0) {
+    return std::nullopt;
+  }
+  std::vector<Number> numbers(bytes->size() / sizeof(Number));
+  if (!numbers.empty()) {
+    std::memcpy(numbers.data(), bytes->data(), bytes->size());
+  }
+  return numbers;
 }
 
 }  // namespace elsie::output

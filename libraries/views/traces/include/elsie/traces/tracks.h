@@ -8,9 +8,23 @@
 
 #include "elsie/api/geometry.h"
 #include "elsie/simulation/observer.h"
+#include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 
 namespace elsie::traces {
+
+/// Calls `see` for the events, from the one with the index `next`, by which an edit put a robot
+/// somewhere else, where it did not drive. Moves `next` behind the last event.
+template <class See>
+void see_placements(const simulation::Simulation& simulation, std::size_t& next, const See& see) {
+  const auto events = simulation.events();
+  for (; next < events.size(); ++next) {
+    const auto* const changed = events[next].as<events::Changed>();
+    if (changed && changed->moves_robot()) {
+      see(events[next]);
+    }
+  }
+}
 
 /// The path of one robot.
 struct Track {
