@@ -1,6 +1,7 @@
 // The past of a run, which the time line shows.
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineF>
 #include <QStatusBar>
 #include <QToolButton>
 
@@ -169,6 +170,63 @@ TEST_CASE("A trail has a gap where a hand put the robot somewhere else, and begi
   window.act("clear_trails");
   CHECK(trails.pieces("r1", 1.9).empty());
   CHECK(trails.pieces("r1", 2.0).size() == 1);
+}
+
+TEST_CASE("A run that starts again keeps what is chosen, without its past") {
+  Window window;
+  window.open(window.file(kRoom));
+  window.get<QDockWidget>("dock_plots")->raise();
+  auto* plots = window->findChild<PlotsPanel*>();
+  auto* panel = window->findChild<CoordinationPanel*>();
+  REQUIRE(wait_for([&] { return plots->names().contains("r1/speed"); }));
+  plots->choose("r1/speed", true);
+  window.get<QDockWidget>("dock_coordination")->raise();
+  const Trails& trails = window->scene().trails();
+  const auto has_samples = [&](int count) {
+    const auto pieces = trails.pieces("r1", 60.0);
+    return pieces.size() == 1 && static_cast<int>(pieces[0].size()) == count &&
+           plots->sampling().startsWith(QString("%1 samples").arg(count));
+  };
+  run_until(window, 1.0);
+  CHECK(wait_for([&] { return has_samples(21) && panel->rows() == 1; }));
+  CHECK(wait_for([&] { return panel->share_at(0, 0.5) == 1.0; }));
+  window.after([&] { window.act("reset"); });
+  CHECK(wait_for([&] { return has_samples(1); }));
+  CHECK(plots->chosen() == QStringList{"r1/speed"});
+  REQUIRE(wait_for([&] { return panel->rows() == 1; }));
+  CHECK(std::isnan(panel->share_at(0, 0.5)));
+  run_until(window, 0.5);
+  CHECK(wait_for([&] { return has_samples(11) && panel->share_at(0, 0.4) == 1.0; }));
+  plots->choose("r1/speed", false);
+}
+
+TEST_CASE("A trail is painted through points a centimetre apart, and a robot that stands has one") {
+  Window window;
+  window.open(window.file(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots>
+    <robot id="stands" x="1"/>
+    <robot id="turns" x="1" y="1" max_speed="0.1">
+      <behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+</world>
+)"));
+  run_until(window, 2.0);
+  const Trails& trails = window->scene().trails();
+  REQUIRE(wait_for([&] {
+    const auto pieces = trails.pieces("turns", 60.0);
+    return pieces.size() == 1 && pieces[0].size() == 41;
+  }));
+  CHECK(trails.pieces("stands", 60.0)[0].size() == 41);
+  CHECK(trails.points("stands").size() == 1);
+  const std::vector<Trails::Point>& points = trails.points("turns");
+  REQUIRE(points.size() > 5);
+  CHECK(points.size() < 41);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    CHECK(QLineF(points[i - 1].at, points[i].at).length() >= 0.01);
+  }
 }
 
 TEST_CASE("The past of a run is shown, and the run goes on from now") {

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QHash>
 #include <QImage>
+#include <QLineF>
 #include <QPainter>
 #include <QPointF>
 #include <vector>
@@ -32,9 +33,23 @@ class Trails {
   /// else by hand, another piece begins.
   std::vector<std::vector<QPointF>> pieces(const QString& robot, double until_s) const;
 
+  /// The place of a robot in a sample, and whether a line leads there from the one before.
+  struct Point {
+    std::size_t sample = 0;
+    QPointF at;
+    bool is_connected = false;
+  };
+  /// The points that are painted: those of the whole past without the ones nearer than 1 cm to the
+  /// one before, so that a robot that stands adds none.
+  const std::vector<Point>& points(const QString& robot) const;
+
  private:
-  /// Calls `see` for the points of the samples from the one with this index, and whether each is
-  /// connected with the one before.
+  struct Painted {
+    std::size_t samples = 0;  // that have been seen
+    std::vector<Point> points;
+  };
+
+  /// Calls `see` for the points of the samples from the one with this index.
   template <class See>
   void visit(const QString& robot, std::size_t from, std::size_t end, const See& see) const;
 
@@ -42,7 +57,9 @@ class Trails {
   double begins_at_s_ = 0.0;
   std::size_t painted_ = 0;  // samples
   int revision_ = 0;         // of the painted samples
-  QImage layer_;             // null: everything must be painted
+  mutable QHash<QString, Painted> painted_points_;
+  mutable int points_revision_ = 0;
+  QImage layer_;  // null: everything must be painted
 };
 
 }  // namespace elsie::desktop
