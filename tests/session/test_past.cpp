@@ -273,7 +273,11 @@ TEST_CASE("A sensor that fails to list its numbers loses only these, and a note 
   session.open(R"(<world format="1">
   <arena length="4" width="4"/>
   <robots>
-    <robot id="r1" x="-1"><sensors><renaming_sensor id="odd"/><beam_range id="ahead"/></sensors></robot>
+    <robot id="r1" x="-1">
+      <sensors><renaming_sensor id="odd"/><beam_range id="ahead"/></sensors>
+      <behaviors><wander/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
     <robot id="r2" x="1"><sensors><beam_range id="ahead"/></sensors></robot>
   </robots>
   <limits time="0.5"/>

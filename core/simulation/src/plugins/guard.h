@@ -51,6 +51,18 @@ class Guard {
     return caught(use, call, action);
   }
 
+  /// A call that only shows what an object has. Its fault is for the caller, and not kept: a run
+  /// that nobody looks at would not have it.
+  template <class Action>
+  auto look(const world::PluginUse& use, Action action) {
+    try {
+      return run(use, action);
+    } catch (const PluginFault&) {
+      forgive();
+      throw;
+    }
+  }
+
   /// A call of a PluginObject within a step: the budget applies.
   template <class Object, class Action>
   auto step(Object& object, Action action) {

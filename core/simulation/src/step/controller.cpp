@@ -308,7 +308,7 @@ void Controller::list_inferences(const std::string& path, std::vector<MadeInfere
     const auto* infers = dynamic_cast<const Infers*>(object.held.get());
     if (!infers) return;
     std::vector<Inference> made;
-    setting_.guard.run(*object.use, [&] { infers->list_inferences(made); });
+    setting_.guard.look(*object.use, [&] { infers->list_inferences(made); });
     for (Inference& each : made) {
       list.push_back({path + object.use->id, std::move(each)});
     }

@@ -303,16 +303,20 @@ void Robot::ask(Statements& said) {
 
 void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
   const SensorSlot& slot = *sensors_[sensor];
-  const auto before = static_cast<std::ptrdiff_t>(values.size());
-  guard_.run(*slot.use, [&] { slot.object().list_values(values); });
-  const ReadingDeclaration& fresh = slot.declaration->produces.front();
-  const auto is_same = [](const NamedValue& a, const ListedNumber& b) { return a.name == b.name; };
-  if (fresh.lists_numbers && !std::equal(values.begin() + before, values.end(),
-                                         fresh.numbers.begin(), fresh.numbers.end(), is_same)) {
-    guard_.fail(*slot.use,
-                "its reading lists other numbers in visit() than a new one; every reading must "
-                "list the same ones: give arrays their full size from the beginning");
-  }
+  guard_.look(*slot.use, [&] {
+    const auto before = static_cast<std::ptrdiff_t>(values.size());
+    slot.object().list_values(values);
+    const ReadingDeclaration& fresh = slot.declaration->produces.front();
+    const auto is_same = [](const NamedValue& a, const ListedNumber& b) {
+      return a.name == b.name;
+    };
+    if (fresh.lists_numbers && !std::equal(values.begin() + before, values.end(),
+                                           fresh.numbers.begin(), fresh.numbers.end(), is_same)) {
+      guard_.fail(*slot.use,
+                  "its reading lists other numbers in visit() than a new one; every reading must "
+                  "list the same ones: give arrays their full size from the beginning");
+    }
+  });
 }
 
 void Robot::use_energy(double period_s) {
