@@ -16,6 +16,15 @@
 
 namespace elsie::test {
 
+/// Thirty boxes.
+inline const std::string kClutter =
+    "<layouts><scatter id='clutter' count='30' gap='0.2'><static_box/><heading/></scatter>"
+    "</layouts>";
+
+inline std::string scattered(const std::string& attributes, const std::string& inside) {
+  return "<layouts><scatter id='c' " + attributes + ">" + inside + "</scatter></layouts>";
+}
+
 inline world::World drawn(const std::string& content, std::uint64_t seed = 1,
                           std::vector<std::string> overrides = {}) {
   world::ReadOptions options;
