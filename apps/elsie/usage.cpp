@@ -57,7 +57,8 @@ void check_words(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
     return;
   }
-  const CLI::App& command = subcommand_of(program, argv[1]);
+  const std::string subcommand = argv[1];
+  const CLI::App& command = subcommand_of(program, subcommand);
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {
@@ -96,7 +97,8 @@ std::string usage_message(const CLI::App* command, const CLI::Error& error) {
     message = found[0] + " is given " + found[2] + " times; it may be given once";
   } else if (has({"", ": 1 required ", " missing"})) {
     message = found[0] + " takes a value, which is missing";
-  } else if (has({"", ": Value ", " not in range ", " to ", ""})) {
+  } else if (has({"", ": Value ", " not in range ", " to ", ""}) ||   // CLI11 2.1
+             has({"", ": Value ", " not in range [", " - ", "]"})) {  // and 2.4
     message = found[0] + ": '" + found[1] + "' is not a whole number from " + found[2] + " to " +
               found[3];
   } else if (has({"", " is required"})) {

@@ -90,8 +90,8 @@ inline std::string each_engine() {
 }
 
 /// Within two per cent, or the tolerance that is given.
-inline Catch::Detail::Approx within(double value, double absolute = 1e-3) {
-  return Catch::Detail::Approx(value).epsilon(0.02).margin(absolute);
+inline auto within(double value, double absolute = 1e-3) {
+  return Approx(value).epsilon(0.02).margin(absolute);
 }
 
 }  // namespace elsie::test
