@@ -26,7 +26,7 @@ namespace {
 /// None when the file cannot be read.
 std::optional<std::string> hash_of(const fs::path& file) {
   try {
-    return results::sha256(results::file_content(file.string()));
+    return results::file_sha256(file.string());
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

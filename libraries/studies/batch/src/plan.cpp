@@ -233,11 +233,10 @@ class Planner {
   std::size_t add_file(FileKind kind, const std::string& path) {
     const auto [known, is_new] = file_places_.try_emplace(path, plan_.files.size());
     if (is_new) {
-      std::string content = results::file_content(path);
-      std::string hash = results::sha256(content);
-      if (kind != FileKind::data) {
-        content.clear();
-      }
+      // Of data files the database has the bytes.
+      std::string content = kind == FileKind::data ? results::file_content(path) : "";
+      std::string hash =
+          kind == FileKind::data ? results::sha256(content) : results::file_sha256(path);
       const auto rank = ranks_.find(path);
       plan_.files.push_back({kind, path, std::move(hash), std::move(content),
                              rank == ranks_.end() ? 0 : rank->second});
@@ -427,7 +426,7 @@ bool FileCheck::is_changed(std::size_t place) {
     return false;
   }
   try {
-    if (results::sha256(results::file_content(file.path)) != file.sha256) {
+    if (results::file_sha256(file.path) != file.sha256) {
       return true;
     }
   } catch (const std::runtime_error& why) {
