@@ -47,7 +47,7 @@ double binomial(double trials, double p, std::size_t hits) {
 
 }  // namespace
 
-TEST_CASE("The interval of a mean keeps its promise for five and for ten runs") {
+TEST_CASE("The interval of a mean keeps its promise for five and for ten runs", "[release]") {
   // Two standard errors of 500 experiments are 2 %. In 2000, normal values gave 94 and 96 %, the
   // log-normal ones 92 and 94 %, the very skewed ones 90 and 91 %; Student's t 81 and 85 % for
   // these, the percentile bootstrap 71 and 81 %, and BCa 72 and 83 %.
@@ -97,7 +97,7 @@ TEST_CASE("The percentile bootstrap does not keep it, so means have another inte
   CHECK(coverage(10, 10.0, normal, percentile) < 0.93);
 }
 
-TEST_CASE("The interval of a difference and of a ratio of means keeps its promise") {
+TEST_CASE("The interval of a difference and of a ratio of means keeps its promise", "[release]") {
   // Both cells share an effect of the seed; the second takes twice as long, and 3 more.
   for (const std::size_t size : {std::size_t{5}, std::size_t{10}}) {
     CAPTURE(size);
@@ -190,7 +190,7 @@ TEST_CASE("The interval of a difference of rates keeps its promise in the mean o
   }
 }
 
-TEST_CASE("The table of docs/research/statistics.md is what the simulation gives") {
+TEST_CASE("The table of docs/research/statistics.md is what the simulation gives", "[release]") {
   // Fewer experiments than `make coverage` does: each number within five standard errors of both.
   constexpr int kFew = 60, kMany = 2000;
   std::ostringstream page;

@@ -435,7 +435,8 @@ TEST_CASE("A page without factors, or without a run, has no section by factor") 
   CHECK_THAT(Made(pending).html(), !Contains("By factor"));
 }
 
-TEST_CASE("Two thousand cells of three factors have figures by factor in four megabytes") {
+TEST_CASE("Two thousand cells of three factors have figures by factor in four megabytes",
+          "[release]") {
   MadeExperiment study;
   study.factors = {"world", "gain", "delay", "scheme"};
   const std::string world = elsie::test::made_world();

@@ -368,7 +368,8 @@ TEST_CASE("A ring is round what the list of outliers has, be it a run without su
   CHECK(rings(page({3, 3, 3, 3, 3, 4}, 5)) == "0 and 1");
 }
 
-TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded") {
+TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded",
+          "[release]") {
   const std::string html = Made(with_ways(300, 10, 400)).html();
   CHECK(html.size() < 6'000'000);
   CHECK(count(html, "<article class=\"cell\"") == 100);
@@ -381,7 +382,7 @@ TEST_CASE("Many runs in a cell: some are drawn, and the page says how many") {
   CHECK(html.size() < 1'000'000);
 }
 
-TEST_CASE("A page of two thousand cells stays below four megabytes") {
+TEST_CASE("A page of two thousand cells stays below four megabytes", "[release]") {
   MadeExperiment made_up;
   made_up.factors = {"world", "gain"};
   elsie::Random random(3, "large");

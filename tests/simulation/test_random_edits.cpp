@@ -25,12 +25,12 @@ using namespace elsie::test;
 
 namespace {
 
-constexpr int kEdits = 120;  // of each world; ELSIE_EDITS asks for others
 constexpr unsigned kSeed = 11;
 
-int edits_of_each_world() {
-  const char* const asked = std::getenv("ELSIE_EDITS");
-  return asked ? std::atoi(asked) : kEdits;
+// ELSIE_TEST_EDITS asks for other numbers of edits in all.
+int edits_of_each_world(std::size_t worlds) {
+  const char* const asked = std::getenv("ELSIE_TEST_EDITS");
+  return asked ? std::atoi(asked) / static_cast<int>(worlds) + 1 : 120;
 }
 
 simulation::Change change_of(const std::string& edit) {
@@ -313,7 +313,7 @@ TEST_CASE("Random edits of running worlds are what edits of their files are, or 
     RunningEdits random(seed++, shipped());
     Simulation simulation(document.world(), shipped(), run);
     Simulation twin(document.world(), shipped(), run);  // which is not asked for what is refused
-    for (int i = 0; i < edits_of_each_world(); ++i) {
+    for (int i = 0; i < edits_of_each_world(files.size()); ++i) {
       Drawn drawn = random.next(simulation.world());
       // What is put in place is only described once the world became another one.
       const bool is_described = i % 2 == 0;

@@ -155,7 +155,7 @@ TEST_CASE("A long train keeps to its joints and is never faster than its motors"
 
 // A train that snakes exercises all limits. In a step of 0.1 s the tail of a whip goes through a
 // tenth of a turn, and its speed from place to place is no longer that of its motion.
-TEST_CASE("A long train stays within bounds at every step") {
+TEST_CASE("A long train stays within bounds at every step", "[release]") {
   const double step = GENERATE(0.002, 0.02, 0.1);
   CAPTURE(step);
   PhysicsContext context(with_step(step), open_field());
@@ -167,7 +167,8 @@ TEST_CASE("A long train stays within bounds at every step") {
   CHECK(ride.past_limit <= 0.0);
 }
 
-TEST_CASE("In a steady circle each axle of a long train runs at the radius of the closed form") {
+TEST_CASE("In a steady circle each axle of a long train runs at the radius of the closed form",
+          "[release]") {
   PhysicsContext context({}, open_field());
   Train pulled = train(context, steady(30));
   pulled.drive(18, 20);
@@ -217,7 +218,7 @@ TEST_CASE("A wall stops a long train that is pushed against it") {
   CHECK(most > 5.0 - 1e-3);
 }
 
-TEST_CASE("A long train that curls up is stopped by its own segments") {
+TEST_CASE("A long train that curls up is stopped by its own segments", "[release]") {
   PhysicsContext context({}, open_field());
   constexpr std::size_t kCount = 20;
   std::vector<world::Segment> segments(kCount);
@@ -240,7 +241,7 @@ TEST_CASE("A long train that curls up is stopped by its own segments") {
   CHECK(ride.most_gain < 1.1 * Ride::kMostWork);
 }
 
-TEST_CASE("Long trains have the same bits with any number of threads") {
+TEST_CASE("Long trains have the same bits with any number of threads", "[release]") {
   const auto hash = [](std::size_t threads) {
     base::Crew crew(threads);
     world::Arena small;
@@ -260,8 +261,8 @@ TEST_CASE("Long trains have the same bits with any number of threads") {
   CHECK(hash(3) == alone);
 }
 
-TEST_CASE(
-    "A long train that is hitched in the middle of its gaps snakes by the slip of its wheels") {
+TEST_CASE("A long train that is hitched in the middle of its gaps snakes by the slip of its wheels",
+          "[release]") {
   const auto widest_yaw = [](double slip, double hitch) {
     world::Physics physics;
     physics.wheel_slip = slip;
