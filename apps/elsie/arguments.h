@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -23,8 +24,13 @@ CLI::Validator positive_number(double most = std::numeric_limits<double>::infini
 /// Validates options that take a finite number, zero or above.
 CLI::Validator non_negative_number();
 
+/// Validates options that take a number of this range, its ends included.
+CLI::Validator number_between(double least, double most);
+
 /// Validates options that take a signed whole number of 64 bits.
 CLI::Validator whole_number();
+/// The same, of this range, its ends included.
+CLI::Validator whole_number(std::int64_t least, std::int64_t most);
 
 /// Validates seeds: unsigned whole numbers of 64 bits.
 CLI::Validator seed_number();

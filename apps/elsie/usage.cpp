@@ -97,10 +97,6 @@ std::string usage_message(const CLI::App* command, const CLI::Error& error) {
     message = found[0] + " is given " + found[2] + " times; it may be given once";
   } else if (has({"", ": 1 required ", " missing"})) {
     message = found[0] + " takes a value, which is missing";
-  } else if (has({"", ": Value ", " not in range ", " to ", ""}) ||   // CLI11 2.1
-             has({"", ": Value ", " not in range [", " - ", "]"})) {  // and 2.4
-    message = found[0] + ": '" + found[1] + "' is not a whole number from " + found[2] + " to " +
-              found[3];
   } else if (has({"", " is required"})) {
     message = found[0] + " is missing";
   }

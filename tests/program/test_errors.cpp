@@ -152,6 +152,10 @@ TEST_CASE("A wrong command line is reported in sentences") {
         "elsie: --picture is given 2 times; it may be given once");
   CHECK(refused("picture worlds/maze.xml --width 1e3") ==
         "elsie: --width: '1e3' is not a whole number from 200 to 8000");
+  CHECK(refused("picture worlds/maze.xml --width 8001") ==
+        "elsie: --width: '8001' is not a whole number from 200 to 8000");
+  CHECK(refused("test-plugin wander --memory-limit 49.5") ==
+        "elsie: --memory-limit: '49.5' is not a number from 50 to 1000000");
   CHECK(refused("explain a.mcap --from -1") ==
         "elsie: --from: '-1' is not a number of zero or above");
   CHECK(refused("describe vision --kind camera") ==

@@ -167,14 +167,14 @@ void add_explain_command(CLI::App& program, Job& job) {
   command
       ->add_option("--episodes", options->episodes,
                    "At most so many episodes for each coordinator; short ones are joined")
-      ->check(CLI::Range(1, 1000000))
+      ->check(whole_number(1, 1000000))
       ->capture_default_str();
   command->add_flag("--all", options->all, "Show all episodes, without joining short ones");
   command
       ->add_option("--picture", options->picture, "Draw who decided, shares and weights over time")
       ->type_name("FILE.png|FILE.svg");
   command->add_option("--width", options->width, "Width of the picture in pixels")
-      ->check(CLI::Range(200, 8000))
+      ->check(whole_number(200, 8000))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command->callback([&job, options] { job = [options] { return explain(*options); }; });

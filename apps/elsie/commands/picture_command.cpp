@@ -78,7 +78,7 @@ void add_picture_command(CLI::App& program, Job& job) {
       ->check(seed_number())
       ->capture_default_str();
   command->add_option("--width", options->width, "Width in pixels")
-      ->check(CLI::Range(200, 8000))
+      ->check(whole_number(200, 8000))
       ->capture_default_str();
   command->add_flag("--bare", options->bare,
                     "Draw the arena alone, without title, axes, legend and names");

@@ -232,7 +232,7 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Seed of the random input")->capture_default_str();
   command->add_option("--variants", options->variants, "How many sets of random parameters to try")
-      ->check(CLI::Range(0, 1000000))
+      ->check(whole_number(0, 1000000))
       ->capture_default_str();
   command
       ->add_option("--time-limit", options->time_limit_s,
@@ -244,7 +244,7 @@ void add_test_plugin_command(CLI::App& program, Job& job) {
       ->add_option("--memory-limit", options->memory_limit_mb,
                    "How much memory the plugins may take in all; a plugin that grows to half of it "
                    "is a finding")
-      ->check(CLI::Range(50.0, 1e6))
+      ->check(number_between(50.0, 1e6))
       ->type_name("MB")
       ->capture_default_str();
   options->plugins.add_to(*command);

@@ -205,7 +205,7 @@ void add_batch_command(CLI::App& program, Job& job) {
       ->add_option("--workers", options->workers,
                    "Runs at the same time, each in a process of its own; default: one for each "
                    "processor, or for each --threads processors")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   add_threads_option(*command, options->threads);
   command
       ->add_option("--database", options->database,
@@ -238,7 +238,7 @@ void add_batch_command(CLI::App& program, Job& job) {
       ->add_option("--shards", options->shards,
                    "With --cluster: number of tasks in the job array; default: 16. --workers then "
                    "applies to each task; default: 1")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(whole_number(1, 1'000'000));
   command
       ->add_option("--sbatch", options->sbatch,
                    "With --cluster: an option for sbatch, such as --sbatch=--time=02:00:00; may be "

@@ -195,7 +195,7 @@ void add_replay_command(CLI::App& program, Job& job) {
                              ->type_name("FILE.png|FILE.svg");
   command->add_option("--width", options->width, "Width of the picture in pixels")
       ->needs(picture)
-      ->check(CLI::Range(200, 8000))
+      ->check(whole_number(200, 8000))
       ->capture_default_str();
   command
       ->add_option("--at", options->at,
@@ -226,7 +226,7 @@ void add_replay_command(CLI::App& program, Job& job) {
   command
       ->add_option("--workers", options->workers,
                    "With --where: runs at the same time; default: one for each processor")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   again.views.record.add_to(*command);
   describe_formats(*command);
   command
