@@ -23,8 +23,7 @@ if(ELSIE_SANITIZE STREQUAL "thread")
   target_compile_options(elsie_compiler INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(elsie_compiler INTERFACE -fsanitize=thread)
 elseif(ELSIE_SANITIZE)
-  # At each use of a pointer the address sanitizer looks already; to ask before whether it is null or aligned takes half as long again to compile.
-  target_compile_options(elsie_compiler INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size -fno-omit-frame-pointer
+  target_compile_options(elsie_compiler INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
                                                   -fno-sanitize-recover=undefined)
   # With the sanitizers, GCC 12 does not see that a std::variant is initialised.
   target_compile_options(elsie_compiler INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)

@@ -90,8 +90,7 @@ TEST_CASE("A source file becomes a plugin, and is compiled again only when somet
   CHECK(speed_of(build_source(there / "straight.cpp", cache.path())) == 5.0);
 }
 
-TEST_CASE("What is saved while the compiler runs is compiled too, and nothing stale is kept",
-          "[release]") {
+TEST_CASE("What is saved while the compiler runs is compiled too, and nothing stale is kept") {
   Folder here, cache;
   // A compiler that reads everything, and then finds that the user has saved a file.
   write(here / "compiler",
@@ -132,8 +131,7 @@ TEST_CASE("What is saved while the compiler runs is compiled too, and nothing st
   CHECK(build_source(here / "straight.cpp", cache.path()).from_cache);
 }
 
-TEST_CASE("A source that is saved each time that it is compiled is given up with a sentence",
-          "[release]") {
+TEST_CASE("A source that is saved each time that it is compiled is given up with a sentence") {
   Folder here, cache;
   write(here / "compiler",
         "#!/bin/sh\nc++ \"$@\"; result=$?\n"
@@ -276,8 +274,7 @@ TEST_CASE("Flags of the user's own are part of what is cached") {
   CHECK(built("-DSPEED=1.0") == 1.0);
 }
 
-TEST_CASE("Flags that change layouts, calls or type information are refused, by name",
-          "[release]") {
+TEST_CASE("Flags that change layouts, calls or type information are refused, by name") {
   Folder here, cache;
   write(here / "straight.cpp", std::string_view(kSource));
   write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));
@@ -404,7 +401,7 @@ TEST_CASE("A cache that other users could fill or replace is refused") {
   }
 }
 
-TEST_CASE("A library in the cache that is not the one that was compiled is not used", "[release]") {
+TEST_CASE("A library in the cache that is not the one that was compiled is not used") {
   Folder here, cache;
   write(here / "straight.cpp", std::string_view(kSource));
   write(here / "speed.h", std::string_view("constexpr double kSpeed = 3.0;\n"));

@@ -215,7 +215,7 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   unsetenv("ELSIE_CACHE");
 }
 
-TEST_CASE("A watch builds again what is saved while it compiles, also at its start", "[release]") {
+TEST_CASE("A watch builds again what is saved while it compiles, also at its start") {
   Folder here, cache;
   const Variable there("ELSIE_CACHE", cache.path());
   // A compiler that reads everything, and then finds that the user has saved a file.
@@ -245,8 +245,7 @@ TEST_CASE("A watch builds again what is saved while it compiles, also at its sta
   CHECK(last == 6.0);
 }
 
-TEST_CASE("Of a source whose library is refused the old one goes on, not another of its name",
-          "[release]") {
+TEST_CASE("Of a source whose library is refused the old one goes on, not another of its name") {
   Folder here, cache, others;
   const Variable there("ELSIE_CACHE", cache.path());
   const bool is_shadowed = GENERATE(true, false);

@@ -368,8 +368,7 @@ TEST_CASE("A ring is round what the list of outliers has, be it a run without su
   CHECK(rings(page({3, 3, 3, 3, 3, 4}, 5)) == "0 and 1");
 }
 
-TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded",
-          "[release]") {
+TEST_CASE("Hundreds of cells: the page stays within a few megabytes, and cells are folded") {
   const std::string html = Made(with_ways(300, 10, 400)).html();
   CHECK(html.size() < 6'000'000);
   CHECK(count(html, "<article class=\"cell\"") == 100);

@@ -98,8 +98,7 @@ void check(const std::string& file, const std::vector<std::string>& overrides = 
 
 }  // namespace
 
-TEST_CASE("The same libraries, loaded time and again, change nothing of any world, bit for bit",
-          "[release]") {
+TEST_CASE("The same libraries, loaded time and again, change nothing of any world, bit for bit") {
   for (const auto& entry : fs::directory_iterator(source_path("worlds"))) {
     if (entry.path().extension() == ".xml") {
       check(entry.path().string());

@@ -155,7 +155,7 @@ TEST_CASE("A long train keeps to its joints and is never faster than its motors"
 
 // A train that snakes exercises all limits. In a step of 0.1 s the tail of a whip goes through a
 // tenth of a turn, and its speed from place to place is no longer that of its motion.
-TEST_CASE("A long train stays within bounds at every step", "[release]") {
+TEST_CASE("A long train stays within bounds at every step") {
   const double step = GENERATE(0.002, 0.02, 0.1);
   CAPTURE(step);
   PhysicsContext context(with_step(step), open_field());
@@ -218,7 +218,7 @@ TEST_CASE("A wall stops a long train that is pushed against it") {
   CHECK(most > 5.0 - 1e-3);
 }
 
-TEST_CASE("A long train that curls up is stopped by its own segments", "[release]") {
+TEST_CASE("A long train that curls up is stopped by its own segments") {
   PhysicsContext context({}, open_field());
   constexpr std::size_t kCount = 20;
   std::vector<world::Segment> segments(kCount);
@@ -241,7 +241,7 @@ TEST_CASE("A long train that curls up is stopped by its own segments", "[release
   CHECK(ride.most_gain < 1.1 * Ride::kMostWork);
 }
 
-TEST_CASE("Long trains have the same bits with any number of threads", "[release]") {
+TEST_CASE("Long trains have the same bits with any number of threads") {
   const auto hash = [](std::size_t threads) {
     base::Crew crew(threads);
     world::Arena small;

@@ -214,7 +214,7 @@ TEST_CASE("A round chassis is in the pyramid from its nearest point on, not the 
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
 }
 
-TEST_CASE("Pyramids against cylinders agree with boxes in and around them", "[release]") {
+TEST_CASE("Pyramids against cylinders agree with boxes in and around them") {
   Random random(5);
   int in = 0, out = 0;
   for (int world = 0; world < 40; ++world) {
