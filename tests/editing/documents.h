@@ -99,27 +99,23 @@ inline std::string diff(const std::string& from, const std::string& to) {
   return text;
 }
 
-// What an edit changes in a text. Its inverse must restore the text, and as a text the world.
+// What an edit changes in a text. Undoing it must restore the text.
 inline std::string change(Document document, const std::string& edit) {
   const std::string before = document.text();
   const world::World world = document.world();
-  const editing::Edits inverse = document.apply(edit);
+  const editing::Undo undo = document.apply({edit});
   const std::string after = document.text();
-  {
-    Document other(after, document.file(), host(), reading());
-    CHECK(same(other.world(), document.world()));
-    other.apply(inverse.texts());
-    CHECK(same(other.world(), world));
-  }
-  const editing::Edits again = document.apply(inverse);
+  CHECK(same(Document(after, document.file(), host(), reading()).world(), document.world()));
+  const editing::Undo redo = document.undo(undo);
   CHECK(document.text() == before);
-  document.apply(again);
+  CHECK(same(document.world(), world));
+  document.undo(redo);
   CHECK(document.text() == after);
   return diff(before, after);
 }
 inline std::string change(const std::string& edit) { return change(document(), edit); }
 
-inline std::string refusal(Document& document, const editing::Edits& edits) {
+inline std::string refusal(Document& document, const std::vector<std::string>& edits) {
   const std::string before = document.text();
   const world::World world = document.world();
   try {
@@ -131,9 +127,9 @@ inline std::string refusal(Document& document, const editing::Edits& edits) {
   }
   return "";
 }
-inline std::string refusal(const editing::Edits& edits) {
+inline std::string refusal(const std::string& edit) {
   Document one = document();
-  return refusal(one, edits);
+  return refusal(one, {edit});
 }
 
 }  // namespace elsie::test

@@ -10,7 +10,6 @@
 using namespace elsie;
 using namespace elsie::test;
 using editing::Document;
-using Several = std::vector<std::string>;
 
 TEST_CASE("A document is its text and its world") {
   const Document d = document();
@@ -139,28 +138,41 @@ TEST_CASE("Edits of a document are refused as those of a file are") {
 
 TEST_CASE("Several edits are made together or not at all") {
   Document d = document();
-  CHECK_THAT(refusal(d, Several{"robot[r1]/@y=-2", "robot[r2]/@x=nowhere"}),
+  CHECK_THAT(refusal(d, {"robot[r1]/@y=-2", "robot[r2]/@x=nowhere"}),
              Catch::Contains("expected a number"));
   // The world between them would be refused.
-  const editing::Edits inverse = d.apply(Several{"goal[+]=<travel robot='r2' distance='1'/>",
-                                                 "robot[r2]/@remove=true", "goal[1]/@robot=r1"});
+  const editing::Undo undo = d.apply(
+      {"goal[+]=<travel robot='r2' distance='1'/>", "robot[r2]/@remove=true", "goal[1]/@robot=r1"});
   CHECK(d.world().robots.size() == 1);
-  Document other = document(d.text());
-  other.apply(inverse.texts());
-  CHECK(other.world().robots.size() == 2);
-  CHECK(other.world().goals.empty());
-  d.apply(inverse);
+  d.undo(undo);
   CHECK(d.text() == kWorld);
 }
 
-TEST_CASE("An inverse that comes late does what its text says") {
+TEST_CASE("An edit is undone only in the text that it has made") {
   Document d = document();
-  const editing::Edits inverse = d.apply("robot[r1]/@max_speed=0.5");
-  d.apply("robot[r1]/@x=-2");
-  d.apply(inverse);
-  CHECK(d.world().robots[0].max_speed == 0.3);
-  CHECK(d.world().robots[0].x == -2);
-  CHECK(inverse.texts() == std::vector<std::string>{"robot[r1]/@max_speed=0.30"});
+  const editing::Undo first = d.apply({"robot[r1]/@max_speed=0.5"});
+  const editing::Undo second = d.apply({"robot[r1]/@x=-2"});
+  const std::string text = d.text();
+  CHECK_THROWS_WITH(d.undo(first), Catch::Contains("only in the text that it has made"));
+  CHECK(d.text() == text);
+  d.undo(second);
+  d.undo(first);
+  CHECK(d.text() == kWorld);
+}
+
+TEST_CASE("A document becomes another text, and back") {
+  Document d = document();
+  const std::string other =
+      "<!-- moved -->\n<world format=\"1\"><robots><robot id=\"r1\"/></robots></world>";
+  const editing::Undo undo = d.become(other);
+  CHECK(d.text() == other);
+  CHECK(d.world().robots.size() == 1);
+  CHECK_THROWS_AS(d.become("<world format=\"1\"><robot/></world>"), world::WorldError);
+  CHECK(d.text() == other);
+  const editing::Undo redo = d.undo(undo);
+  CHECK(d.text() == kWorld);
+  d.undo(redo);
+  CHECK(d.text() == other);
 }
 
 TEST_CASE("A member that is named by its place yields its name to one that is given it") {
@@ -174,9 +186,9 @@ TEST_CASE("A member that is named by its place yields its name to one that is gi
 )");
   const std::string before = d.text();
   CHECK(d.world().boxes[2].id == "static_box_3");
-  const editing::Edits inverse = d.apply("obstacle[2]/@remove=true");
+  const editing::Undo undo = d.apply({"obstacle[2]/@remove=true"});
   CHECK(d.world().boxes[1].id == "static_box_2");
-  d.apply(inverse.texts());
+  d.undo(undo);
   CHECK(d.text() == before);
   CHECK(d.world().boxes[2].id == "static_box_3");
 }
@@ -197,13 +209,29 @@ TEST_CASE("A member that is named elsewhere keeps its name when its place change
 </world>
 )");
   const std::string before = d.text();
-  const editing::Edits inverse = d.apply("obstacle[1]/@remove=true");
+  const editing::Undo undo = d.apply({"obstacle[1]/@remove=true"});
   CHECK(diff(before, d.text()) ==
         "-    <dynamic_box x=\"1\"/>\n-    <dynamic_box x=\"2\"/>\n"
         "+    <dynamic_box x=\"2\" id=\"dynamic_box_2\"/>\n");
-  d.apply(inverse);
+  d.undo(undo);
   CHECK(d.text() == before);
-  CHECK_THAT(refusal(d, "obstacle[2]/@remove=true"), Catch::Contains("there is no such box"));
+  CHECK_THAT(refusal(d, {"obstacle[2]/@remove=true"}), Catch::Contains("there is no such box"));
+}
+
+TEST_CASE("In a running world, all members keep their names") {
+  Document d = document(R"(<world format="1">
+  <obstacles>
+    <dynamic_box x="1"/>
+    <dynamic_box x="2"/>
+    <dynamic_box x="3" id="last"/>
+  </obstacles>
+</world>
+)");
+  const std::string before = d.text();
+  d.apply({"obstacle[1]/@remove=true"}, editing::Names::all);
+  CHECK(diff(before, d.text()) ==
+        "-    <dynamic_box x=\"1\"/>\n-    <dynamic_box x=\"2\"/>\n"
+        "+    <dynamic_box x=\"2\" id=\"dynamic_box_2\"/>\n");
 }
 
 TEST_CASE("In a running world, which is given no defaults, an attribute may have its own already") {

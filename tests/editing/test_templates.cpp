@@ -51,7 +51,7 @@ class Templated {
   std::string change(const std::string& edit) const { return ::change(open(), edit); }
   std::string refusal(const std::string& edit) const {
     Document one = open();
-    return ::refusal(one, edit);
+    return ::refusal(one, {edit});
   }
 
   test::Folder folder_;
@@ -112,7 +112,7 @@ TEST_CASE("What is added to a robot with a template does not override the templa
 TEST_CASE("Elements of a plugin replace those of the template as a list") {
   const Templated files;
   Document d = files.open();
-  d.apply("robot[r1]/sensor[eye]/threshold[2]/@low=0.3");
+  d.apply({"robot[r1]/sensor[eye]/threshold[2]/@low=0.3"});
   const auto& eye = d.world().robots[0].sensors[1];
   REQUIRE(eye.elements.size() == 3);
   CHECK(std::get<double>(eye.elements[0].parameters.at("low")) == 0.1);
@@ -132,7 +132,7 @@ TEST_CASE("A document is saved elsewhere with names that lead to the same files"
   files.folder_.write("worlds/here.txt", "la");
   files.folder_.write("other/deep/place.txt", "");
   Document d = files.open();
-  d.apply("robot[r1]/behavior[both]/behavior[roam]/@song=here.txt");
+  d.apply({"robot[r1]/behavior[both]/behavior[roam]/@song=here.txt"});
   const std::string before = d.text();
   CHECK(d.text_for(files.path("worlds")) == before);
   const std::string text = d.text_for(files.path("other/deep"));
@@ -144,14 +144,14 @@ TEST_CASE("A document is saved elsewhere with names that lead to the same files"
         d.world().robots[0].behaviors[1].inside.at(0).behaviors[0].parameters);
   // Names in what is edited later, too.
   d.apply(
-      "change[+]=<change time=\"1\" path=\"robot[r1]/behavior[both]/behavior[roam]/@song\" "
-      "value=\"here.txt\"/>");
+      {"change[+]=<change time=\"1\" path=\"robot[r1]/behavior[both]/behavior[roam]/@song\" "
+       "value=\"here.txt\"/>"});
   d.apply(
-      "change[+]=<change time=\"2\" path=\"robot[+]\"><robot id=\"r9\" x=\"5\" "
-      "template=\"../robots/two.xml\"/></change>");
+      {"change[+]=<change time=\"2\" path=\"robot[+]\"><robot id=\"r9\" x=\"5\" "
+       "template=\"../robots/two.xml\"/></change>"});
   d.apply(
-      "change[+]=<change time=\"3\" path=\"robot[+]\" value=\"&lt;robot id='r8' x='5' "
-      "template='../robots/two.xml'/&gt;\"/>");
+      {"change[+]=<change time=\"3\" path=\"robot[+]\" value=\"&lt;robot id='r8' x='5' "
+       "template='../robots/two.xml'/&gt;\"/>"});
   const std::string later = d.text_for(files.path("other/deep"));
   CHECK_THAT(later, Catch::Contains("value=\"../../worlds/here.txt\"") &&
                         Catch::Contains("x=\"5\" template=\"../../robots/two.xml\"") &&

@@ -75,7 +75,7 @@ class Visitor {
       case 7: {
         editing::Document typed(text_, file_, shipped(), reading());
         try {
-          typed.apply(random_.next(typed.world()));
+          typed.apply({random_.next(typed.world())});
         } catch (const world::WorldError&) {
           break;
         }
@@ -143,9 +143,9 @@ TEST_CASE("Whatever is ordered is answered, and the command line repeats the run
     const Workplace place;
     editing::Document document(text_of(world), source_path(world), shipped(), reading());
     if (!document.world().goals.empty()) {
-      document.apply("goal[*]/@remove=true");
+      document.apply({"goal[*]/@remove=true"});
     }
-    document.apply("limits/@time=4");
+    document.apply({"limits/@time=4"});
     place.write("world.xml", document.text_for(place.file("").string()));
     Visitor visitor(seed, place.file("world.xml").string(), place.read("world.xml"));
     for (int i = 0; i < 25; ++i) {

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "elsie/world/tree.h"
+
 namespace elsie::world {
 namespace {
 

@@ -4,10 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "elsie/editing/between.h"
 #include "elsie/plugin/host.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/data_directories.h"
@@ -19,8 +17,8 @@
 
 #include "drawn.h"
 #include "meaning.h"
+#include "own_text.h"
 #include "rewriting.h"
-#include "undo.h"
 
 namespace elsie::editing {
 
@@ -35,30 +33,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostAttempts = 8;
-
 [[noreturn]] void refuse(const std::string& edit, const std::string& message) {
   throw WorldError({{"--set " + edit, 0, message}});
-}
-
-// Sorts elements that may occur only once in the order of the vocabulary; files may have any order.
-void put_in_order(Element& element, const ElementSpec& spec = world::vocabulary()) {
-  const bool of_plugins = spec.group && spec.children.front().plugins;
-  const auto& below = spec.below();
-  const auto rank = [&](const Element& child) {
-    return std::find_if(below.begin(), below.end(),
-                        [&](const ElementSpec& each) { return each.name == child.name; });
-  };
-  if (!spec.group) {
-    std::stable_sort(element.children.begin(), element.children.end(),
-                     [&](const Element& a, const Element& b) { return rank(a) < rank(b); });
-  }
-  for (Element& child : element.children) {
-    const auto known = of_plugins ? below.begin() : rank(child);
-    if (known != below.end()) {
-      put_in_order(child, *known);
-    }
-  }
 }
 
 // The element with that number; null if there is none. Elements are numbered in the order of their
@@ -75,129 +51,23 @@ const Element* element_of(const Element& tree, std::size_t object) {
   return found;
 }
 
-// Compares an edited tree with the tree that was read from its text.
-class Comparison {
- public:
-  Comparison(Element& wanted, Additions& additions, const std::string& edit,
-             const plugin::Host& host)
-      : additions_(additions), edit_(edit), host_(host) {
-    // Texts that may refer to a name, and other elements with that name.
-    world::for_each_element(wanted, [&](const Element& element) {
-      for (const Attribute& attribute : element.attributes) {
-        if (!attribute.completed) {
-          used_.insert(attribute.value);
-        }
-      }
-    });
-  }
+// Whether a text says what it should: all but names by position that nothing uses.
+bool says(const Element& found, const Element& wanted) {
+  const auto has = [](const Element& element, const Attribute& attribute) {
+    const Attribute* const other = element.find(attribute.name);
+    return other && (other->value == attribute.value ||
+                     (attribute.name == "id" && attribute.completed && other->completed));
+  };
+  return found.name == wanted.name && found.text == wanted.text &&
+         found.attributes.size() == wanted.attributes.size() &&
+         std::all_of(found.attributes.begin(), found.attributes.end(),
+                     [&](const Attribute& each) { return has(wanted, each); }) &&
+         std::equal(found.children.begin(), found.children.end(), wanted.children.begin(),
+                    wanted.children.end(), says);
+}
 
-  // If they differ, notes what else the text must contain: in the additions, or as attributes of
-  // `wanted` (defaults that override a template).
-  bool equal(Element& wanted, const Element& found) {
-    misnamed_.clear();
-    if (!equal(wanted, found, Meaning::of_world())) {
-      return false;
-    }
-    additions_.ids.insert(misnamed_.begin(), misnamed_.end());
-    return misnamed_.empty();
-  }
-
- private:
-  bool equal(Element& wanted, const Element& found, const Meaning& meaning) {
-    bool same = wanted.name == found.name && wanted.text == found.text;
-    for (const Attribute& attribute : wanted.attributes) {
-      const Attribute* other = found.find(attribute.name);
-      if (other && other->value == attribute.value) {
-        continue;
-      }
-      if (attribute.name != "id" || !attribute.completed) {
-        same = false;
-      } else if (!other || !other->completed || used_.contains(attribute.value)) {
-        additions_.ids.insert(&wanted);
-        same = false;
-      } else if (used_.contains(other->value)) {
-        misnamed_.push_back(&wanted);
-      }
-    }
-    for (const Attribute& attribute : found.attributes) {
-      if (!wanted.find(attribute.name)) {
-        same = false;
-        set_default(wanted, attribute.name, meaning);
-      }
-    }
-    return equal_children(wanted, found, meaning) && same;
-  }
-
-  bool equal_children(Element& wanted, const Element& found, const Meaning& meaning) {
-    const std::size_t size = wanted.children.size();
-    if (size == found.children.size()) {
-      bool same = true;
-      for (std::size_t i = 0; i < size; ++i) {
-        Element& child = wanted.children[i];
-        if (are_one(child, found.children[i])) {
-          same &= equal(child, found.children[i], meaning.child(child, host_));
-          continue;
-        }
-        same = false;
-        note_place(child);
-      }
-      return same;
-    }
-    const auto is_wanted = [&](const Element& other) {
-      return std::any_of(wanted.children.begin(), wanted.children.end(), [&](const Element& child) {
-        return child.name == other.name && child.value("id") == other.value("id");
-      });
-    };
-    for (const Element& child : found.children) {
-      if (size < found.children.size() && child.find("id") && !is_wanted(child)) {
-        additions_.removals[&wanted].push_back(child);
-      }
-    }
-    for (const Element& child : wanted.children) {
-      note_place(child);
-    }
-    return false;
-  }
-
-  // Whether they may be the same element with another position, and so another default name.
-  static bool are_one(const Element& a, const Element& b) {
-    const Attribute* const first = a.find("id");
-    const Attribute* const second = b.find("id");
-    return a.name == b.name && (!first || !second || first->value == second->value ||
-                                (first->completed && second->completed));
-  }
-
-  // Notes that the element must be at another place.
-  void note_place(const Element& element) {
-    const Attribute* id = element.find("id");
-    if (id && id->completed) {
-      additions_.ids.insert(&element);
-    }
-    if (!element.object) {
-      additions_.in_place.insert(&element);
-    }
-  }
-
-  // The template's value applies if the robot's own element does not have the attribute.
-  void set_default(Element& wanted, const std::string& attribute, const Meaning& meaning) {
-    const auto field = meaning.field(attribute);
-    if (!field || !field->default_value) {
-      refuse(edit_, "<" + wanted.name + "> has its '" + attribute +
-                        "' from the robot's template, and a file cannot restore its default; give "
-                        "it a value instead");
-    }
-    wanted.set(attribute, world::format_value(*field->default_value), {edit_, 0});
-  }
-
-  Additions& additions_;
-  const std::string& edit_;
-  const plugin::Host& host_;
-  std::set<std::string> used_;
-  std::vector<const Element*> misnamed_;  // elements whose name refers to another element
-};
-
-// The single piece in which two texts differ, as it is in `from`.
-Splice difference(const std::string& from, const std::string& to) {
+// What leads from the one text back to the other: the single piece in which they differ.
+Undo difference(const std::string& from, const std::string& to) {
   const std::size_t most = std::min(from.size(), to.size());
   std::size_t begin = 0;
   while (begin < most && from[begin] == to[begin]) {
@@ -207,15 +77,21 @@ Splice difference(const std::string& from, const std::string& to) {
   while (end < most - begin && from[from.size() - 1 - end] == to[to.size() - 1 - end]) {
     ++end;
   }
-  return {begin, to.size() - end, from.substr(begin, from.size() - begin - end)};
+  return {std::hash<std::string>()(to), begin, to.size() - end,
+          from.substr(begin, from.size() - begin - end)};
 }
 
 }  // namespace
 
-struct Edits::Restored {
-  Splice splice;
-  std::size_t hash = 0;  // of the text that it applies to
-  std::vector<std::string> inverse;
+struct Document::State {
+  std::string text;
+  std::vector<ElementSpan> spans;
+  Trees trees;
+  World world;
+
+  bool has(const Element& element) const {
+    return element.object && *element.object < spans.size();
+  }
 };
 
 class Document::Impl {
@@ -226,62 +102,43 @@ class Document::Impl {
         options_(std::move(options)),
         files_(file_, options_.data_directories, file_, options_.files) {
     options_.overrides.clear();
-    take(read(std::move(text)));
+    now_ = with_world(read(std::move(text)));
   }
 
-  Edits apply(const Edits& edits) {
-    const std::string old = now_.text;
-    Edits inverse;
-    if (edits.restored_ && edits.restored_->hash == std::hash<std::string>()(old)) {
-      take(read(spliced(old, {edits.restored_->splice})));
-      inverse.texts_ = edits.restored_->inverse;
-    } else if (edits.restored_ && edits.texts_.empty()) {
+  Undo apply(const std::vector<std::string>& edits, Names names);
+  Undo become(std::string text) { return take(with_world(read(std::move(text)))); }
+  Undo undo(const Undo& change) {
+    if (change.hash != std::hash<std::string>()(now_.text)) {
       throw WorldError({{file_, 0, "this edit can be undone only in the text that it has made"}});
-    } else {
-      inverse.texts_ = apply_texts(edits.texts_);
     }
-    inverse.restored_ = std::make_shared<Edits::Restored>(Edits::Restored{
-        difference(old, now_.text), std::hash<std::string>()(now_.text), edits.texts_});
-    return inverse;
-  }
-
-  Edits become(std::string text) {
-    const World& before = world_;
-    WorldText next = read(std::move(text));
-    World world = world_of(next.merged);
-    Edits inverse;
-    inverse.texts_ = edits_from(world, before);
-    inverse.restored_ = std::make_shared<Edits::Restored>(
-        Edits::Restored{difference(now_.text, next.text), std::hash<std::string>()(next.text),
-                        edits_from(before, world)});
-    now_ = std::move(next);
-    world_ = std::move(world);
-    return inverse;
+    return become(spliced(now_.text, {{change.begin, change.end, change.text}}));
   }
 
   std::string text_for(const std::string& folder) const;
 
   const std::string& file() const { return file_; }
   const std::string& text() const { return now_.text; }
-  const World& world() const { return world_; }
-  const Element& tree() const { return now_.merged; }
+  const World& world() const { return now_.world; }
+  const Element& tree() const { return now_.trees.merged; }
   const Element* written(const Element& element) const {
-    return now_.has(element) ? element_of(now_.raw, *element.object) : nullptr;
+    return now_.has(element) ? element_of(now_.trees.raw, *element.object) : nullptr;
   }
 
  private:
-  WorldText read(std::string text) const {
-    WorldText result;
+  /// All of a text but its world.
+  State read(std::string text) const {
+    State result;
     result.text = std::move(text);
-    result.raw = world::tree_of_world(result.text, file_, &result.spans);
-    result.merged = result.raw;
+    Trees& trees = result.trees;
+    trees.raw = world::tree_of_world(result.text, file_, &result.spans);
+    trees.merged = trees.raw;
     Problems problems;
-    world::merge_templates(result.merged, host_, files_, problems);
+    world::merge_templates(trees.merged, host_, files_, problems);
     problems.raise<WorldError>(file_);
-    put_in_order(result.raw);
-    put_in_order(result.merged);
+    put_in_order(trees.raw);
+    put_in_order(trees.merged);
     std::size_t count = result.spans.size();
-    world::for_each_element(result.merged, [&](Element& element) {
+    world::for_each_element(trees.merged, [&](Element& element) {
       if (!element.object) {
         element.object = count++;
       }
@@ -289,35 +146,33 @@ class Document::Impl {
     return result;
   }
 
-  World world_of(const Element& merged) const {
+  World world_of(Element merged) const {
     Problems problems;
-    return world::world_of_tree(merged, file_, host_, files_, options_, problems);
+    return world::world_of_tree(std::move(merged), file_, host_, files_, options_, problems);
+  }
+  State with_world(State state) const {
+    state.world = world_of(state.trees.merged);
+    return state;
+  }
+  Undo take(State next) {
+    Undo undo = difference(now_.text, next.text);
+    now_ = std::move(next);
+    return undo;
   }
 
-  void take(WorldText text) {
-    world_ = world_of(text.merged);
-    now_ = std::move(text);
-  }
-
-  std::vector<std::string> apply_texts(const std::vector<std::string>& edits);
-  /// The edits from one world to another. If they are empty, only the text itself can be restored.
-  std::vector<std::string> edits_from(const World& from, const World& to) const {
-    try {
-      return edits_between(from, to, host_, options_);
-    } catch (const WorldError&) {
-      return {};
-    }
-  }
   /// The field of the attribute at the end of a path; none if this world has no such attribute.
   std::optional<Field> field_at(const std::string& path) const {
     try {
-      return world::Attributes(world_, host_, options_.data_directories).find(path).front().field;
+      return world::Attributes(now_.world, host_, options_.data_directories)
+          .find(path)
+          .front()
+          .field;
     } catch (const std::invalid_argument&) {
       return std::nullopt;
     }
   }
-  WorldText edited(const WorldText& from, const std::string& edit, Element& wanted,
-                   std::vector<std::string>& inverse) const;
+  /// The text after an edit; `wanted` receives the tree that it must have.
+  State edited(const State& from, const std::string& edit, Names names, Element& wanted) const;
   /// The layout that has drawn what an edit is about; null if there is none.
   const Element* layout_of(const Element& tree, const std::string& edit) const;
 
@@ -325,32 +180,28 @@ class Document::Impl {
   const plugin::Host& host_;
   ReadOptions options_;
   Files files_;
-  WorldText now_;
-  World world_;
+  State now_;
 };
 
-// Makes each edit in the text; the world is checked only at the end.
-std::vector<std::string> Document::Impl::apply_texts(const std::vector<std::string>& edits) {
-  WorldText text = now_;
-  std::vector<std::string> inverse;
+// The world is checked only after the last edit.
+Undo Document::Impl::apply(const std::vector<std::string>& edits, Names names) {
+  State next = now_;
   Element wanted;  // the tree after the last edit
   for (const std::string& edit : edits) {
-    text = edited(text, edit, wanted, inverse);
+    next = edited(next, edit, names, wanted);
   }
   try {
-    take(std::move(text));
+    return take(with_world(std::move(next)));
   } catch (const WorldError&) {
-    if (edits.size() == 1) {
+    if (edits.size() == 1) {  // with the edit as the place of its mistakes
       Problems problems;
-      Element merged = wanted;
       if (world::concern_of(edits.front()) != Concern::other) {
-        world::merge_templates(merged, host_, files_, problems);
+        world::merge_templates(wanted, host_, files_, problems);
       }
-      world::world_of_tree(std::move(merged), file_, host_, files_, options_, problems);
+      world::world_of_tree(std::move(wanted), file_, host_, files_, options_, problems);
     }
     throw;
   }
-  return inverse;
 }
 
 // The layout that draws what the edit changes; null if none does.
@@ -363,10 +214,10 @@ const Element* Document::Impl::layout_of(const Element& tree, const std::string&
   return problems.empty() ? layout_that_made_edited(tree, drawn, edit) : nullptr;
 }
 
-WorldText Document::Impl::edited(const WorldText& from, const std::string& edit, Element& wanted,
-                                 std::vector<std::string>& inverse) const {
+Document::State Document::Impl::edited(const State& from, const std::string& edit, Names names,
+                                       Element& wanted) const {
   const bool is_raw = world::concern_of(edit) != Concern::other;
-  const Element& before = is_raw ? from.raw : from.merged;
+  const Element& before = is_raw ? from.trees.raw : from.trees.merged;
   wanted = before;
   Problems problems;
   world::apply_override(wanted, edit, options_.is_running, problems);
@@ -380,20 +231,15 @@ WorldText Document::Impl::edited(const WorldText& from, const std::string& edit,
   problems.raise<WorldError>(file_);
   world::remove_overridden(wanted);
   put_in_order(wanted);
-  Additions additions;
-  Comparison comparison(wanted, additions, edit, host_);
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    WorldText text = read(rewritten(from, before, wanted, additions, host_));
-    const Element& found = is_raw ? text.raw : text.merged;
-    if (comparison.equal(wanted, found)) {
-      const auto steps = undoing(before, wanted, found, host_);
-      inverse.insert(inverse.begin(), steps.begin(), steps.end());
-      return text;
-    }
+  Element raw = is_raw ? wanted : OwnText(host_, files_, "--set " + edit).of(from.trees, wanted);
+  give_ids(raw, names);
+  State next = read(rewritten(from.text, from.spans, from.trees.raw, raw));
+  if (!says(is_raw ? next.trees.raw : next.trees.merged, wanted)) {
+    refuse(edit,
+           "a file cannot express this: the robot has other elements from its template, which come "
+           "first and cannot be replaced by new ones with their ids; remove one and add another");
   }
-  refuse(edit,
-         "a file cannot express this: the robot has other elements from its template, which come "
-         "first and cannot be replaced by new ones with their ids; remove one and add another");
+  return next;
 }
 
 Document::Document(std::string text, std::string file, const plugin::Host& host,
@@ -413,8 +259,11 @@ const std::string& Document::text() const { return impl_->text(); }
 const World& Document::world() const { return impl_->world(); }
 const Element& Document::tree() const { return impl_->tree(); }
 const Element* Document::written(const Element& element) const { return impl_->written(element); }
-Edits Document::apply(const Edits& edits) { return impl_->apply(edits); }
-Edits Document::become(std::string text) { return impl_->become(std::move(text)); }
+Undo Document::apply(const std::vector<std::string>& edits, Names names) {
+  return impl_->apply(edits, names);
+}
+Undo Document::become(std::string text) { return impl_->become(std::move(text)); }
+Undo Document::undo(const Undo& change) { return impl_->undo(change); }
 std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }
 
 // Replaces names of files, so that they lead to the same files from the other folder.
@@ -476,7 +325,7 @@ std::string Document::Impl::text_for(const std::string& folder) const {
                                             : meaning.child(child, host_));
     }
   };
-  visit(now_.raw, Meaning::of_world());
+  visit(now_.trees.raw, Meaning::of_world());
   return spliced(now_.text, std::move(splices));
 }
 

@@ -1,11 +1,12 @@
 #include "rewriting.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "elsie/world/escaped.h"
-
-#include "meaning.h"
 
 namespace elsie::editing {
 
@@ -70,27 +71,25 @@ class Layout {
 
 class Rewriting {
  public:
-  Rewriting(const WorldText& text, const Additions& additions, const plugin::Host& host)
-      : text_(text), additions_(additions), host_(host), layout_(text.text) {}
+  Rewriting(std::string_view text, const std::vector<ElementSpan>& spans)
+      : text_(text), spans_(spans), layout_(text) {}
 
-  // Changes an element that is in the text itself.
-  void change(const Element& before, const Element& after, const Meaning& meaning) {
-    const std::size_t self = *before.object;
-    change_attributes(self, before, after);
-    change_children(self, before, after, meaning);
+  void change(const Element& before, const Element& after) {
+    change_attributes(*before.object, before, after);
+    change_children(*before.object, before, after);
   }
 
   std::string result() {
     for (const auto& [holder, elements] : filled_) {
       fill(holder, elements);
     }
-    return spliced(text_.text, std::move(splices_));
+    return spliced(text_, std::move(splices_));
   }
 
  private:
-  const ElementSpan& span(std::size_t element) const { return text_.spans[element]; }
+  const ElementSpan& span(std::size_t element) const { return spans_[element]; }
   std::string_view piece(std::size_t begin, std::size_t end) const {
-    return std::string_view(text_.text).substr(begin, end - begin);
+    return text_.substr(begin, end - begin);
   }
   const ElementSpan::Attribute* given(std::size_t element, const std::string& name) const {
     for (const auto& attribute : span(element).attributes) {
@@ -104,19 +103,13 @@ class Rewriting {
   void change_attributes(std::size_t self, const Element& before, const Element& after) {
     for (const Attribute& attribute : after.attributes) {
       const Attribute* old = before.find(attribute.name);
-      const bool is_given = given(self, attribute.name);
-      const bool must_be_given = additions_.ids.contains(&after) && attribute.name == "id";
-      if (old && old->value == attribute.value && (is_given || !must_be_given)) {
-        continue;
-      }
-      if (!attribute.completed || must_be_given) {
+      if (!attribute.completed && !(old && !old->completed && old->value == attribute.value)) {
         set(self, attribute);
-      } else if (is_given) {
-        remove(self, attribute.name);
       }
     }
     for (const Attribute& attribute : before.attributes) {
-      if (!after.find(attribute.name)) {
+      const Attribute* now = after.find(attribute.name);
+      if (!now || now->completed) {
         remove(self, attribute.name);
       }
     }
@@ -124,8 +117,8 @@ class Rewriting {
 
   void set(std::size_t self, const Attribute& attribute) {
     if (const auto* known = given(self, attribute.name)) {
-      splices_.push_back({known->value, known->end - 1,
-                          quoted_value(attribute.value, text_.text[known->value - 1])});
+      splices_.push_back(
+          {known->value, known->end - 1, quoted_value(attribute.value, text_[known->value - 1])});
       return;
     }
     const auto& attributes = span(self).attributes;
@@ -144,208 +137,43 @@ class Rewriting {
     }
   }
 
-  void change_children(std::size_t self, const Element& before, const Element& after,
-                       const Meaning& meaning) {
+  void change_children(std::size_t self, const Element& before, const Element& after) {
     std::set<std::size_t> kept;
     for (const Element& child : after.children) {
       if (child.object) {
         kept.insert(*child.object);
       }
     }
-    const bool whole_lists = replaces_inherited(before, after, meaning);
-    const auto is_inherited = [&](const Element& child) { return !text_.has(child); };
     std::optional<std::size_t> last;  // the previous element in the text
     auto old = before.children.begin();
     const auto is_gone = [&] {
-      return old != before.children.end() && !(old->object && kept.contains(*old->object));
+      return old != before.children.end() && !kept.contains(*old->object);
     };
-    const auto take_away = [&] {
-      if (text_.has(*old)) {
-        splices_.push_back(layout_.removal(span(*old->object)));
-      } else if (!meaning.child(*old, host_).is_declared()) {
-        insert(self, last, removal_of(*old));
-      }
-      ++old;
-    };
+    const auto take_away = [&] { splices_.push_back(layout_.removal(span(*(old++)->object))); };
     for (const Element& child : after.children) {
-      if (!child.object) {
-        if (is_gone() && removal_in_text(self, child.value("id"))) {
+      if (child.object) {
+        while (is_gone()) {
           take_away();
-        } else if (is_gone() && text_.has(*old)) {
-          replace(*old->object, written(child));
-          last = *old->object;
-          ++old;
-          continue;
-        } else if (is_gone()) {
-          ++old;  // a template's member, which the new one overrides
         }
-        add(self, last, child);
-        continue;
-      }
-      while (is_gone()) {
-        take_away();
-      }
-      const Meaning below = meaning.child(child, host_);
-      if (!is_inherited(child)) {
         last = *child.object;
-        change(*old, child, below);
-      } else if (whole_lists && below.is_declared()) {
-        insert(self, last, written(child));
-      } else if (!alike(*old, child) || is_wanted(child)) {
-        insert(self, last, overriding(*old, child, below));
+        change(*old++, child);
+      } else if (is_gone()) {
+        last = *old->object;
+        replace(*(old++)->object, child);
+      } else {
+        insert(self, last, child);
       }
-      ++old;
     }
     while (is_gone()) {
       take_away();
     }
-    if (const auto found = additions_.removals.find(&after); found != additions_.removals.end()) {
-      for (const Element& removed : found->second) {
-        insert(self, last, removal_of(removed));
-      }
-    }
-  }
-
-  // Adds a child. If the text removes a template's member with its id, the child comes after that.
-  void add(std::size_t self, std::optional<std::size_t>& last, const Element& child) {
-    const auto removal = removal_in_text(self, child.value("id"));
-    Element element = written(child);
-    if (removal) {
-      element.set("id", child.value("id"), {});
-      last = std::max(last, removal);
-    }
-    if (removal && additions_.in_place.contains(&child)) {
-      replace(*removal, element);
-    } else {
-      insert(self, last, element);
-    }
-  }
-
-  // The element in a list that removes this member of the template.
-  std::optional<std::size_t> removal_in_text(std::size_t list, const std::string& id) const {
-    if (const Element* holder = raw(text_.raw, list)) {
-      for (const Element& entry : holder->children) {
-        if (entry.value("remove") == "true" && entry.value("id") == id) {
-          return entry.object;
-        }
-      }
-    }
-    return std::nullopt;
-  }
-
-  static const Element* raw(const Element& element, std::size_t number) {
-    if (element.object == number) {
-      return &element;
-    }
-    const Element* holder = nullptr;  // the last child that begins before the place
-    for (const Element& child : element.children) {
-      if (*child.object <= number && (!holder || *child.object > *holder->object)) {
-        holder = &child;
-      }
-    }
-    return holder ? raw(*holder, number) : nullptr;
-  }
-
-  // Elements that a plugin declares replace all those of the template together.
-  bool replaces_inherited(const Element& before, const Element& after,
-                          const Meaning& meaning) const {
-    if (!meaning.is_use()) {
-      return false;
-    }
-    const auto declared = [&](const Element& element) {
-      std::vector<const Element*> found;
-      for (const Element& child : element.children) {
-        if (meaning.child(child, host_).is_declared()) {
-          found.push_back(&child);
-        }
-      }
-      return found;
-    };
-    const auto old = declared(before);
-    const auto now = declared(after);
-    return !std::equal(old.begin(), old.end(), now.begin(), now.end(),
-                       [](const Element* a, const Element* b) { return alike(*a, *b); });
-  }
-
-  // Whether an addition concerns the element or one inside it.
-  bool is_wanted(const Element& element) const {
-    return additions_.removals.contains(&element) ||
-           std::any_of(element.children.begin(), element.children.end(),
-                       [&](const Element& child) { return is_wanted(child); });
-  }
-
-  // The element that overrides an element of a template.
-  Element overriding(const Element& before, const Element& after, const Meaning& meaning) const {
-    Element own;
-    own.name = after.name;
-    const std::string id = before.value("id");
-    if (!id.empty() && !(id == after.name && meaning.spec() && meaning.spec()->at_most == 1)) {
-      own.set("id", id, {});
-    }
-    for (const Attribute& attribute : after.attributes) {
-      const Attribute* old = before.find(attribute.name);
-      if (!old || old->value != attribute.value) {
-        own.set(attribute.name, attribute.value, {});
-      }
-    }
-    const bool whole_lists = replaces_inherited(before, after, meaning);
-    for (const Element& child : after.children) {
-      const auto old = std::find_if(
-          before.children.begin(), before.children.end(),
-          [&](const Element& each) { return child.object && each.object == child.object; });
-      const Meaning below = meaning.child(child, host_);
-      if (old == before.children.end() || (whole_lists && below.is_declared())) {
-        own.children.push_back(written(child));
-      } else if (!alike(*old, child) || is_wanted(child)) {
-        own.children.push_back(overriding(*old, child, below));
-      }
-    }
-    for (const Element& old : before.children) {
-      const bool stays = std::any_of(
-          after.children.begin(), after.children.end(),
-          [&](const auto& child) { return child.object && child.object == old.object; });
-      const bool is_replaced =
-          std::any_of(own.children.begin(), own.children.end(), [&](const auto& child) {
-            return child.value("id") == old.value("id") ||
-                   (meaning.spec() && meaning.spec()->group &&
-                    meaning.spec()->children.front().at_most == 1);
-          });
-      if (!stays && !is_replaced && !meaning.child(old, host_).is_declared()) {
-        own.children.push_back(removal_of(old));
-      }
-    }
-    if (const auto found = additions_.removals.find(&after); found != additions_.removals.end()) {
-      for (const Element& removed : found->second) {
-        own.children.push_back(removal_of(removed));
-      }
-    }
-    return own;
-  }
-
-  static Element removal_of(const Element& member) {
-    Element removal;
-    removal.name = member.name;
-    removal.set("id", member.value("id"), {});
-    removal.set("remove", "true", {});
-    return removal;
-  }
-
-  // A new element without default ids, which the reader adds.
-  Element written(const Element& element) const {
-    Element copy = element;
-    if (!additions_.ids.contains(&element)) {
-      std::erase_if(copy.attributes, [](const Attribute& each) { return each.completed; });
-    }
-    copy.children.clear();
-    for (const Element& child : element.children) {
-      copy.children.push_back(written(child));
-    }
-    return copy;
   }
 
   std::string lines(const Element& element, const std::string& indent,
                     const std::string& step) const {
-    std::string text = start_tag(element);
+    Element shown = element;
+    std::erase_if(shown.attributes, [](const Attribute& each) { return each.completed; });
+    std::string text = start_tag(shown);
     if (element.children.empty() && element.text.empty()) {
       return text + "/>";
     }
@@ -375,7 +203,7 @@ class Rewriting {
   // Inserts an element behind `last`, a child of the holder in the text, or before all children.
   void insert(std::size_t holder, std::optional<std::size_t> last, const Element& element) {
     const std::size_t first = holder + 1;
-    const bool is_filled = first < text_.spans.size() && span(first).parent == holder;
+    const bool is_filled = first < spans_.size() && span(first).parent == holder;
     if (!last && !is_filled) {
       filled_[holder].push_back(element);
       return;
@@ -418,9 +246,8 @@ class Rewriting {
     }
   }
 
-  const WorldText& text_;
-  const Additions& additions_;
-  const plugin::Host& host_;
+  std::string_view text_;
+  const std::vector<ElementSpan>& spans_;
   const Layout layout_;
   std::vector<Splice> splices_;
   std::map<std::size_t, std::vector<Element>> filled_;
@@ -450,10 +277,10 @@ std::string quoted_value(const std::string& value, char quote) {
   return text;
 }
 
-std::string rewritten(const WorldText& text, const Element& before, const Element& after,
-                      const Additions& additions, const plugin::Host& host) {
-  Rewriting rewriting(text, additions, host);
-  rewriting.change(before, after, Meaning::of_world());
+std::string rewritten(std::string_view text, const std::vector<ElementSpan>& spans,
+                      const Element& before, const Element& after) {
+  Rewriting rewriting(text, spans);
+  rewriting.change(before, after);
   return rewriting.result();
 }
 

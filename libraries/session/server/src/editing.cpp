@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -6,6 +7,7 @@
 #include "elsie/editing/between.h"
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
+#include "elsie/world/tree.h"
 
 #include "described.h"
 #include "scene.h"
@@ -22,6 +24,22 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
                        equals == std::string::npos ? std::string() : edit.substr(equals + 1)});
   }
   return changes;
+}
+
+bool edits_elements(const std::string& edit) {
+  const simulation::Change change = changes_of({edit}).front();
+  return change.value.starts_with('<') || change.path.ends_with("@remove");
+}
+
+/// Whether these edits of a document have the same meaning in its run, which has neither templates
+/// nor layouts. Made together there, they count removed elements in numbers of paths, too.
+bool are_of_run(const std::vector<std::string>& edits) {
+  return edits.size() == 1
+             ? world::concern_of(edits.front()) != world::Concern::templates &&
+                   !world::is_about_layouts(edits.front())
+             : !edits.empty() && std::none_of(edits.begin(), edits.end(), [](const auto& edit) {
+                 return edits_elements(edit) || !are_of_run({edit});
+               });
 }
 
 std::filesystem::path folder_of(const std::string& file) {
@@ -62,15 +80,17 @@ void Server::Impl::open(const Json& message, Json& answer) {
   }();
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
-  inverses_.clear();
+  undos_.clear();
   seed_ = seed;
   begin(std::move(simulation));
   describe(answer);
 }
 
 void Server::Impl::edit(const Json& message, Json& answer) {
-  const editing::Edits edits(message.at("edits").get<std::vector<std::string>>());
-  change([&] { return document_->apply(edits); }, edits.texts(), answer);
+  const auto edits = message.at("edits").get<std::vector<std::string>>();
+  // Objects of a run that is under way keep their names.
+  const auto names = phase_ == Phase::under_way ? editing::Names::all : editing::Names::used;
+  change([&] { return document_->apply(edits, names); }, edits, answer);
 }
 
 void Server::Impl::become(const Json& message, Json& answer) {
@@ -80,11 +100,11 @@ void Server::Impl::become(const Json& message, Json& answer) {
 }
 
 void Server::Impl::undo(const Json& message, Json& answer) {
-  const auto kept = inverses_.find(whole_number(message, "edit", 0));  // the first edit is 1
-  if (kept == inverses_.end()) {
+  const auto kept = undos_.find(whole_number(message, "edit", 0));  // the first edit is 1
+  if (kept == undos_.end()) {
     throw base::BadInput("there is no such edit");
   }
-  change([&] { return document_->apply(kept->second); }, {}, answer);
+  change([&] { return document_->undo(kept->second); }, {}, answer);
 }
 
 void Server::Impl::text_for(const Json& message, Json& answer) {
@@ -105,7 +125,7 @@ void Server::Impl::move(const Json& message, Json& answer) {
       begun == before ? moved.text() : adapted(begun, old_file, folder_of(file));
   document_ = std::move(moved);
   repetition_.move(file, begun_there);
-  inverses_.clear();  // they contain names of files as in the old text
+  undos_.clear();  // they contain names of files as in the old text
   describe(answer);
 }
 
@@ -129,35 +149,29 @@ void Server::Impl::ping(const Json&, Json&) {}
 
 void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_json(host())); }
 
-void Server::Impl::change(const std::function<editing::Edits()>& make,
-                          std::vector<std::string> edits, Json& answer) {
-  std::optional<world::World> before, before_in_run;
+void Server::Impl::change(const std::function<editing::Undo()>& make,
+                          const std::vector<std::string>& edits, Json& answer) {
+  std::optional<world::World> before, before_there;
   if (phase_ == Phase::under_way) {
     before = document_->world();
-    before_in_run = world_of_run();
+    before_there = world_of_run();
   }
-  editing::Edits inverse = make();
+  const editing::Undo undo = make();
   try {
     if (phase_ != Phase::under_way) {
       restart(seed_);
     } else {
-      // The document makes edits one after the other, and names elements without ids by position.
-      // In the run, the same edits may have another meaning.
-      const bool are_right = !edits.empty() && editing::lead_to(document_->world(), *before, edits,
-                                                                host(), reading(seed_));
-      edits = are_right ? std::move(edits) : edits_from(*before, document_->world());
-      if (before_in_run) {
-        change_run(edits_from(*before_in_run, *world_of_run()), std::move(edits));
-      } else {
-        change_run(edits, edits);
-      }
+      const std::vector<std::string> made =
+          are_of_run(edits) ? edits : editing::edits_between(*before, document_->world());
+      change_run(before_there ? editing::edits_between(*before_there, *world_of_run()) : made,
+                 made);
     }
   } catch (...) {
-    document_->apply(inverse);
+    document_->undo(undo);
     throw;
   }
-  answer["undo"] = ++last_inverse_;
-  inverses_.emplace(last_inverse_, std::move(inverse));
+  answer["undo"] = ++last_undo_;
+  undos_.emplace(last_undo_, undo);
   describe(answer);
 }
 
@@ -169,18 +183,8 @@ std::optional<world::World> Server::Impl::world_of_run() const {
   return editing::Document(document_->text_for(folder), run_file_, host(), reading(seed_)).world();
 }
 
-std::vector<std::string> Server::Impl::edits_from(const world::World& before,
-                                                  const world::World& after) const {
-  try {
-    return editing::edits_between(before, after, host(), reading(seed_));
-  } catch (const world::WorldError&) {
-    throw base::BadInput(
-        "no edits lead from the running world to this one; reset the run to begin with this one");
-  }
-}
-
 void Server::Impl::change_run(const std::vector<std::string>& edits_there,
-                              std::vector<std::string> edits) {
+                              const std::vector<std::string>& edits) {
   if (edits_there.empty()) {
     return;
   }
@@ -193,7 +197,7 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
   simulation_->change(changes_of(edits_there));
   ++epoch_;
   past_.replaced(*simulation_);
-  repetition_.add(simulation_->time_s(), simulation_->world().physics.step, std::move(edits));
+  repetition_.add(simulation_->time_s(), simulation_->world().physics.step, edits);
   if (!running_) {
     show();
   }

@@ -89,11 +89,10 @@ class Server::Impl {
 
   const plugin::Host& host() const { return plugins_.host(); }
   world::ReadOptions reading(std::uint64_t seed) const;
-  /// Changes the document; `make` returns the inverse. A run that is under way is changed to the
-  /// new document by `edits` or, if there are none, by the edits that lead to it.
-  void change(const std::function<editing::Edits()>& make, std::vector<std::string> edits,
+  /// Changes the document. A run that is under way is changed by the same `edits` or, if it cannot
+  /// make them or there are none, by those that lead to the document's new world.
+  void change(const std::function<editing::Undo()>& make, const std::vector<std::string>& edits,
               Json& answer);
-  std::vector<std::string> edits_from(const world::World& before, const world::World& after) const;
   /// The document's world, with file names relative to the folder where the run began; none: the
   /// document has not moved to another folder since then.
   std::optional<world::World> world_of_run() const;
@@ -103,7 +102,8 @@ class Server::Impl {
   std::string adapted(const std::string& text, const std::string& file,
                       const std::filesystem::path& folder) const;
   /// `edits_there`: with names of files as the run has them; `edits`: as the document has them.
-  void change_run(const std::vector<std::string>& edits_there, std::vector<std::string> edits);
+  void change_run(const std::vector<std::string>& edits_there,
+                  const std::vector<std::string>& edits);
   void describe(Json& answer);
 
   // The run.
@@ -155,8 +155,8 @@ class Server::Impl {
   Link link_;
 
   std::optional<editing::Document> document_;
-  std::map<std::uint64_t, editing::Edits> inverses_;
-  std::uint64_t last_inverse_ = 0;
+  std::map<std::uint64_t, editing::Undo> undos_;
+  std::uint64_t last_undo_ = 0;
 
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Simulation>

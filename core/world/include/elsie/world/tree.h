@@ -18,6 +18,7 @@
 #include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/reader.h"
+#include "elsie/world/vocabulary.h"
 
 namespace elsie::world {
 
@@ -28,6 +29,11 @@ class Files;
 /// WorldError if the text is not well-formed or has another root element.
 Element tree_of_world(std::string_view text, const std::string& file,
                       std::vector<ElementSpan>* spans = nullptr);
+
+/// Gives default ids to the members of lists that may have an id but have none, to any depth.
+/// `spec` describes `element`. A plugin's element gets the plugin's name, the next one of that name
+/// gets the name with _2, and so on. Other elements always get a number. Ids in use are skipped.
+void complete_ids(Element& element, const ElementSpec& spec = vocabulary());
 
 /// Merges templates into all robots of a world.
 ///

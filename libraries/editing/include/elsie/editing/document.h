@@ -11,24 +11,17 @@
 
 namespace elsie::editing {
 
-/// One or more edits, which are made together or not at all.
-class Edits {
- public:
-  Edits() = default;
-  /// Each text is one of ReadOptions::overrides: "robot[r1]/@max_speed=0.3".
-  Edits(std::vector<std::string> texts) : texts_(std::move(texts)) {}  // NOLINT(*-explicit-*)
-  Edits(std::string text) : texts_{std::move(text)} {}                 // NOLINT(*-explicit-*)
-  Edits(const char* text) : texts_{text} {}                            // NOLINT(*-explicit-*)
+/// Leads back from a text to the one before: the piece in which they differ.
+struct Undo {
+  std::size_t hash = 0;  // of the text that it applies to
+  std::size_t begin = 0, end = 0;
+  std::string text;  // what was there before
+};
 
-  const std::vector<std::string>& texts() const { return texts_; }
-
- private:
-  friend class Document;
-  struct Restored;
-
-  std::vector<std::string> texts_;
-  /// For edits that undo others: the earlier piece of text.
-  std::shared_ptr<const Restored> restored_;
+/// Which members of lists keep a name that they have by their position when an edit shifts it.
+enum class Names {
+  used,  // those whose name is used elsewhere in the world
+  all,   // as in a running world, where an object with another name would be another object
 };
 
 /// The text of a world file and the world that it describes, which always agree.
@@ -38,8 +31,8 @@ class Edits {
 /// gets a line of its own, indented like its siblings. The content of a robot's template is
 /// overridden in the robot's own element; other files never change.
 ///
-/// A list member without an id in the text is named by its position. If an edit would change the
-/// name of a member that is used elsewhere in the world, the member keeps it as an attribute `id`.
+/// A list member without an id in the text is named by its position. A member that keeps its name
+/// when an edit shifts it (Names) gets it as an attribute `id`.
 class Document {
  public:
   /// The content of `file` is `text`, whatever is on disk. Templates and data files are searched in
@@ -63,15 +56,19 @@ class Document {
   /// the content of the template. Null if the element is in a template only.
   const world::Element* written(const world::Element& element) const;
 
-  /// Makes the edits, checks the result like a file, and returns the edits that undo them. If these
-  /// are applied next, they restore the text byte for byte; applied to another text, they act like
-  /// other edits. Throws WorldError and changes nothing if the edits are impossible, or if a file
-  /// cannot express their result.
-  Edits apply(const Edits& edits);
+  /// Makes the edits, checks the result like a file, and returns what undoes them. Each is one of
+  /// ReadOptions::overrides: "robot[r1]/@max_speed=0.3". Throws WorldError and changes nothing if
+  /// they are impossible, or if a file cannot express their result.
+  Undo apply(const std::vector<std::string>& edits, Names names = Names::used);
 
-  /// Replaces the whole text of the file, and returns the edits that undo this, as apply() does.
-  /// Throws WorldError and changes nothing if the text is not a valid world.
-  Edits become(std::string text);
+  /// Replaces the whole text of the file, and returns what undoes this. Throws WorldError and
+  /// changes nothing if the text is not a valid world.
+  Undo become(std::string text);
+
+  /// Restores the text from before a change, byte for byte, and returns what makes the change
+  /// again. Throws WorldError and changes nothing if the text is not the one that the change made,
+  /// or if its templates or data files no longer fit.
+  Undo undo(const Undo& change);
 
   /// The text for a file in another folder. It replaces the names of files that would not lead to
   /// the same files from there, including those of ReadOptions::files. Throws WorldError if the
@@ -79,6 +76,7 @@ class Document {
   std::string text_for(const std::string& folder) const;
 
  private:
+  struct State;
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
