@@ -26,20 +26,13 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
   return changes;
 }
 
-bool edits_elements(const std::string& edit) {
-  const simulation::Change change = changes_of({edit}).front();
-  return change.value.starts_with('<') || change.path.ends_with("@remove");
-}
-
 /// Whether these edits of a document have the same meaning in its run, which has neither templates
-/// nor layouts. Made together there, they count removed elements in numbers of paths, too.
+/// nor layouts. In edits made together there, numbers in paths count removed elements, too.
 bool are_of_run(const std::vector<std::string>& edits) {
-  return edits.size() == 1
-             ? world::concern_of(edits.front()) != world::Concern::templates &&
-                   !world::is_about_layouts(edits.front())
-             : !edits.empty() && std::none_of(edits.begin(), edits.end(), [](const auto& edit) {
-                 return edits_elements(edit) || !are_of_run({edit});
-               });
+  return !edits.empty() && std::none_of(edits.begin(), edits.end(), [&](const std::string& edit) {
+    return world::concern_of(edit) == world::Concern::templates || world::is_about_layouts(edit) ||
+           (edits.size() > 1 && changes_of({edit}).front().path.ends_with("@remove"));
+  });
 }
 
 std::filesystem::path folder_of(const std::string& file) {
