@@ -38,11 +38,8 @@ std::vector<AttributePlace> Attributes::find(std::string_view text) const {
     throw std::invalid_argument(
         "an element can be removed before a run only: by --set, or by <set> in an experiment");
   }
-  if (!tree_) {
-    tree_.emplace(world_);
-  }
   std::vector<AttributePlace> places;
-  for (const Place& found : find_places(tree_->root(), path)) {
+  for (const Place& found : find_places(tree().begun(), path)) {
     if (!found.element->object) {  // find_places() made it
       tree_.reset();
       throw std::invalid_argument("there is no such element in this world");
@@ -68,8 +65,11 @@ AttributePlace Attributes::place(const Element& element, const std::string& name
                        .element = element.name,
                        .field = {},
                        .robot = meaning.robot,
+                       .robot_index = meaning.robot_index,
                        .use = meaning.use,
                        .nested = meaning.nested,
+                       .object = meaning.described.object,
+                       .attribute = meaning.spec ? meaning.spec->attribute(name) : nullptr,
                        .live = {}};
   for (const Field& field : fields) {
     if (field.is_live()) {
@@ -102,16 +102,33 @@ ParameterValue Attributes::read(const AttributePlace& place, std::string_view te
   return Files::absolute(*file);
 }
 
-std::vector<std::string> robots_at(const World& world, std::string_view text) {
+void Attributes::set(const AttributePlace& place, std::string_view text) const {
+  const ParameterValue value = read(place, text);
+  if (place.attribute) {
+    place.attribute->set(const_cast<void*>(place.object), value);
+    return;
+  }
+  const auto put = [&](auto& use) {
+    use.parameters[place.field.name] = value;
+    use.file_names.erase(place.field.name);
+    if (place.field.type == ParameterType::file && !text.empty()) {
+      const std::string& path = std::get<std::string>(value);
+      use.file_names[place.field.name] = {path, files_.name_for_world(path, std::string(text))};
+    }
+  };
+  auto& use = const_cast<PluginUse&>(*place.use);
+  place.nested ? put(use.elements[*place.nested]) : put(use);
+}
+
+std::vector<std::string> Attributes::robots_at(std::string_view text) const {
   std::vector<std::string> ids;
   try {
     Path path = parse_path(text);
     if (path.adds()) {
       path.steps.pop_back();
     }
-    WorldTree tree(world);
-    for (const Place& place : find_places(tree.root(), path)) {
-      const Robot* robot = place.element->object ? tree.meaning(*place.element).robot : nullptr;
+    for (const Place& place : find_places(tree().begun(), path)) {
+      const Robot* robot = place.element->object ? tree().meaning(*place.element).robot : nullptr;
       if (robot && (ids.empty() || ids.back() != robot->id)) {
         ids.push_back(robot->id);
       }

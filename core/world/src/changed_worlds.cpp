@@ -6,19 +6,17 @@
 #include <utility>
 
 #include "elsie/base/number_text.h"
-#include "elsie/world/writer.h"
 
 namespace elsie::world {
 
 std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
                                   const ReadOptions& options) {
-  std::vector<TimedEdit> edits = world.changes;
+  std::vector<TimedEdit> edits(world.changes.begin(), world.changes.end());
   std::stable_sort(edits.begin(), edits.end(),
                    [](const TimedEdit& a, const TimedEdit& b) { return a.time < b.time; });
   std::vector<World> worlds;
   Problems problems;
   ReadOptions reading = options;
-  reading.is_running = true;
   const auto refuse = [&](const TimedEdit& edit, const std::string& message, bool plugin_failed) {
     problems.add(edit.location,
                  "at " + base::number_text(edit.time) + " s, " + edit.text() + ": " + message,
@@ -34,7 +32,7 @@ std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
     }
     try {
       const World& was = worlds.empty() ? world : worlds.back();
-      World next = parse_world(write_world(was), world.file, host, reading);
+      World next = edited(was, host, reading);
       if (next.physics.engine != was.physics.engine) {
         const auto culprit = std::find_if(
             first, last, [](const TimedEdit& edit) { return edit.path.starts_with("physics"); });

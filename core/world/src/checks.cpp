@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,32 +37,55 @@ std::string on_line(const Location& where, const Location& from) {
              : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
 }
 
-template <class Object>
-std::vector<std::string> ids_of(const std::vector<Object>& objects) {
+/// The objects to which attributes may refer.
+struct Known {
+  const char* what;
+  bool is_any;
   std::vector<std::string> ids;
-  for (const Object& object : objects) {
-    if (!object.id.empty()) ids.push_back(object.id);
+  std::set<std::string> sorted;
+};
+
+template <class Objects>
+Known known(const char* what, const Objects& objects) {
+  Known found{what, !objects.empty(), {}, {}};
+  for (const auto& object : objects) {
+    if (!object.id.empty()) found.ids.push_back(object.id);
   }
-  return ids;
+  found.sorted.insert(found.ids.begin(), found.ids.end());
+  return found;
 }
 
 void check_mentions(const Reading& reading, Problems& problems) {
   const World& world = reading.world;
-  for (const Mention& mention : reading.mentions) {
-    const auto [what, ids, is_any] =
-        mention.kind == Reference::team
-            ? std::tuple("team", ids_of(world.teams), !world.teams.empty())
-        : mention.kind == Reference::robot
-            ? std::tuple("robot", ids_of(world.robots), !world.robots.empty())
-            : std::tuple("box", ids_of(world.boxes), !world.boxes.empty());
-    if (std::find(ids.begin(), ids.end(), mention.id) == ids.end()) {
-      const std::string list = !ids.empty() ? base::near_or_all(mention.id, ids, "there are")
-                               : is_any     ? "; the world has none with a valid id"
-                                            : "; the world has none";
-      problems.add(mention.where,
-                   mention.in_words +
-                       (mention.id.empty() ? "" : std::string(": there is no such ") + what) +
-                       list);
+  std::map<Reference, Known> all;
+  const auto known_of = [&](Reference kind) -> const Known& {
+    const auto found = all.find(kind);
+    return found != all.end() ? found->second
+                              : all.emplace(kind, kind == Reference::team ? known("team", world.teams)
+                                                  : kind == Reference::robot
+                                                      ? known("robot", world.robots)
+                                                      : known("box", world.boxes))
+                                    .first->second;
+  };
+  const auto check = [&](const Mention& mention) {
+    const Known& there = known_of(mention.kind);
+    if (there.sorted.contains(mention.id)) return;
+    problems.add(mention.where,
+                 mention.in_words +
+                     (mention.id.empty() ? "" : std::string(": there is no such ") + there.what) +
+                     (!there.ids.empty() ? base::near_or_all(mention.id, there.ids, "there are")
+                      : there.is_any     ? "; the world has none with a valid id"
+                                         : "; the world has none"));
+  };
+  std::for_each(reading.mentions.begin(), reading.mentions.end(), check);
+  for (const auto& [spec, object] : reading.untouched) {
+    for (const AttributeSpec& attribute : spec->attributes) {
+      if (attribute.refers_to == Reference::none) continue;
+      const std::string id = std::get<std::string>(*attribute.get(object));
+      if (!id.empty() && !known_of(attribute.refers_to).sorted.contains(id)) {
+        check({attribute.refers_to, id, spec->location(object),
+               attribute.name + "=\"" + id + "\" of <" + spec->name + ">"});
+      }
     }
   }
 }
@@ -340,19 +364,15 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
       if (const Attribute* id = child.find("id")) all.push_back(id);
     }
   }
-  for (auto& [what, all] : ids) {
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto* a, const auto* b) { return a->value < b->value; });
-    const Attribute* first = nullptr;
+  for (const auto& [what, all] : ids) {
+    std::unordered_map<std::string_view, const Attribute*> firsts;
     for (const Attribute* id : all) {
-      if (!first || id->value != first->value) {
-        first = id;
-        continue;
-      }
+      const auto& [first, is_new] = firsts.try_emplace(id->value, id);
+      if (is_new) continue;
       problems.add(id->where, "a second " + std::string(what) +
                                   (spec.root ? "" : " of this " + holder.name) + " with the id '" +
                                   id->value + "'; the first is there already" +
-                                  on_line(first->where, id->where));
+                                  on_line(first->second->where, id->where));
     }
   }
 }
@@ -363,8 +383,8 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);
   check_engine(reading.world, problems);
-  for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
-    check_robot(reading, i, host, is_running, problems);
+  for (const std::size_t robot : reading.read_robots) {
+    check_robot(reading, robot, host, is_running, problems);
   }
   // After a mistake in the file's sizes, the following checks would be about default values.
   const auto is_sound = [&](const char* name) {

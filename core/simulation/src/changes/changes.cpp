@@ -61,8 +61,8 @@ class Plan final : public world::LiveRobot {
       : world_(world), stage_(stage), setups_(setups) {}
 
   /// Starts planning the next attribute; `text` is for messages: "robot[r1]/@x=3".
-  void begin(const world::Robot& robot, std::string text) {
-    index_ = static_cast<std::size_t>(&robot - world_.robots.data());
+  void begin(std::size_t robot, std::string text) {
+    index_ = robot;
     text_ = std::move(text);
   }
 
@@ -98,9 +98,8 @@ class Plan final : public world::LiveRobot {
     }
     settings.push_back([=, &robot = robot()] { robot.set_energy(units); });
   }
-  void set_energy_cost(const world::PluginUse& sensor, double units_per_second) override {
-    settings.push_back(
-        [=, &robot = robot(), &sensor] { robot.set_energy_cost(sensor, units_per_second); });
+  void set_energy_cost(const world::PluginUse& /*sensor*/, double /*units_per_second*/) override {
+    settings.push_back([&robot = robot()] { robot.forget_energy_costs(); });
   }
   void set_priority(const world::PluginUse& behavior, double priority) override {
     settings.push_back(
@@ -176,7 +175,7 @@ Plan plan_of(std::span<const Change> changes, const world::World& world,
       for (const world::AttributePlace& place : attributes.find(change.path)) {
         const ParameterValue value = attributes.read(place, change.value);
         const auto event = events::Changed::of(place.path, change.value);
-        plan.begin(*place.robot, event.detail());
+        plan.begin(place.robot_index, event.detail());
         place.field.change(plan, place, value);
         plan.events.push_back({stage.time_s, place.robot->id, event});
       }
@@ -211,7 +210,7 @@ void set_up(const std::vector<Tuned>& tunings) {
   Undo undo;
   for (const Tuned& tuned : tunings) {
     try {
-      const Setup before = tuned.object->setup();
+      const Setup before = tuned.object->completed(tuned.object->setup(), tuned.setup);
       tuned.robot->set_up(*tuned.object, tuned.setup);
       undo.add([&tuned, before] { tuned.robot->set_up(*tuned.object, before); });
     } catch (const PluginFault&) {
@@ -295,6 +294,14 @@ std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
 
 Changes::Changes(const world::World& world, const plugin::Host& host, const Options& options)
     : world_(world), attributes_(world, host, options.data_directories, options.files) {}
+
+void Changes::describe(std::span<const Change> changes) const {
+  for (const Change& change : changes) {
+    for (const world::AttributePlace& place : places(change)) {
+      attributes_.set(place, change.value);
+    }
+  }
+}
 
 bool Changes::is_live(const Change& change) const {
   const auto places = this->places(change);

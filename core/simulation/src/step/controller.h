@@ -68,8 +68,9 @@ class Controller final : public Coordination, private Member::Runner {
   void become(const world::Coordination& was, const world::Coordination& next,
               const std::string& path, Becoming& becoming);
 
-  /// Sets the priority of a behaviour, at any depth, until the next reset. The trace of the last
-  /// decision stays.
+  /// Takes a copy of its description with the same objects in it.
+  void describe(const world::Coordination& next);
+  /// Sets the priority of a behaviour, at any depth. The trace of the last decision stays.
   void set_priority(const world::PluginUse& use, double priority);
 
   std::span<const Member> members() const { return members_; }

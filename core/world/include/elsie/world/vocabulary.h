@@ -104,6 +104,12 @@ struct ElementSpec {
   std::function<void(void* parent, std::size_t more)> reserve;
   /// Lists all objects of such elements in the parent, in order.
   std::function<std::vector<DescribedObject>(const void* parent)> parts;
+  /// The place of such an object in its file; may be empty.
+  std::function<const Location&(const void* object)> location;
+  /// For members of lists: appends a copy of an object, by its index in the list of another parent.
+  std::function<void(void* parent, const void* from, std::size_t order)> copy;
+  /// Copies the whole list, if copies share its objects; else empty.
+  std::function<void(void* parent, const void* from)> share;
   /// The PluginUse that is the base of an object that uses a plugin.
   std::function<const PluginUse*(const void* object)> use;
   /// For behaviours: the coordination that the behaviour holds, if any. coordination_vocabulary()
