@@ -147,14 +147,23 @@ void Simulation::Impl::change(std::span<const Change> changes) {
 
 /// The fast case: all attributes change in place, and no other objects are needed.
 void Simulation::Impl::set_in_place(std::span<const Change> changes) {
-  changes_->make(changes, stage(), events_);
+  const std::vector<Changes::Placed> places = changes_->make(changes, stage(), events_);
   if (!start_) start_ = std::make_shared<const world::World>(world_);
+  std::map<std::size_t, bool> robots;  // true: its energy is set
   for (const Change& change : changes) {
     for (const world::AttributePlace& place : changes_->places(change)) {
+      robots[place.robot_index] |= place.attribute && place.field.name == "energy";
       own_robot(place.robot_index);
     }
   }
   changes_->describe(changes);
+  for (const auto& [robot, has_new_energy] : robots) {
+    robots_[robot]->take_live(false, has_new_energy);
+  }
+  for (const Changes::Placed& placed : places) {
+    engine_->place_robot(placed.robot, placed.pose, placed.z);
+    robots_[placed.robot]->set_body(engine_->robot(placed.robot), engine_->joints(placed.robot));
+  }
   take_stock();
   log_events();
   // Of edits in place, only those of speeds can cause warnings of the physics.

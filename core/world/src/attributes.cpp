@@ -55,22 +55,15 @@ AttributePlace Attributes::place(const Element& element, const std::string& name
   for (const ParameterDeclaration& parameter : parameters(meaning, host_)) {
     fields.push_back(field_of(parameter));
     if (meaning.kind == PluginKind::measure || meaning.kind == PluginKind::drive) {
-      fields.back().change = nullptr;
+      fields.back().cost = Cost::object;
     }
   }
   if (meaning.spec) {
     fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
   }
-  AttributePlace place{.path = meaning.path + (meaning.path.empty() ? "@" : "/@") + name,
-                       .element = element.name,
-                       .field = {},
-                       .robot = meaning.robot,
-                       .robot_index = meaning.robot_index,
-                       .use = meaning.use,
-                       .nested = meaning.nested,
-                       .object = meaning.described.object,
-                       .attribute = meaning.spec ? meaning.spec->attribute(name) : nullptr,
-                       .live = {}};
+  AttributePlace place{
+      meaning, element.name, {}, meaning.spec ? meaning.spec->attribute(name) : nullptr, {}};
+  place.path += (place.path.empty() ? "@" : "/@") + name;
   for (const Field& field : fields) {
     if (field.is_live()) {
       place.live.push_back(field.name);
@@ -105,7 +98,7 @@ ParameterValue Attributes::read(const AttributePlace& place, std::string_view te
 void Attributes::set(const AttributePlace& place, std::string_view text) const {
   const ParameterValue value = read(place, text);
   if (place.attribute) {
-    place.attribute->set(const_cast<void*>(place.object), value);
+    place.attribute->set(const_cast<void*>(place.described.object), value);
     return;
   }
   const auto put = [&](auto& use) {

@@ -37,58 +37,65 @@ std::string on_line(const Location& where, const Location& from) {
              : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
 }
 
-/// The objects to which attributes may refer.
-struct Known {
-  const char* what;
-  bool is_any;
-  std::vector<std::string> ids;
-  std::set<std::string> sorted;
-};
-
 template <class Objects>
-Known known(const char* what, const Objects& objects) {
-  Known found{what, !objects.empty(), {}, {}};
+std::vector<std::string> ids_of(const Objects& objects) {
+  std::vector<std::string> ids;
   for (const auto& object : objects) {
-    if (!object.id.empty()) found.ids.push_back(object.id);
+    if (!object.id.empty()) ids.push_back(object.id);
   }
-  found.sorted.insert(found.ids.begin(), found.ids.end());
-  return found;
+  return ids;
 }
 
-void check_mentions(const Reading& reading, Problems& problems) {
-  const World& world = reading.world;
-  std::map<Reference, Known> all;
-  const auto known_of = [&](Reference kind) -> const Known& {
-    const auto found = all.find(kind);
-    return found != all.end() ? found->second
-                              : all.emplace(kind, kind == Reference::team ? known("team", world.teams)
-                                                  : kind == Reference::robot
-                                                      ? known("robot", world.robots)
-                                                      : known("box", world.boxes))
-                                    .first->second;
-  };
-  const auto check = [&](const Mention& mention) {
-    const Known& there = known_of(mention.kind);
-    if (there.sorted.contains(mention.id)) return;
-    problems.add(mention.where,
-                 mention.in_words +
-                     (mention.id.empty() ? "" : std::string(": there is no such ") + there.what) +
-                     (!there.ids.empty() ? base::near_or_all(mention.id, there.ids, "there are")
-                      : there.is_any     ? "; the world has none with a valid id"
-                                         : "; the world has none"));
-  };
-  std::for_each(reading.mentions.begin(), reading.mentions.end(), check);
-  for (const auto& [spec, object] : reading.untouched) {
-    for (const AttributeSpec& attribute : spec->attributes) {
+// Checks that what attributes refer to exists.
+class MentionCheck {
+ public:
+  MentionCheck(const World& world, Problems& problems) : world_(world), problems_(problems) {}
+
+  bool exists(Reference kind, const std::string& id) {
+    const auto [known, is_new] = known_.try_emplace(kind);
+    if (is_new) {
+      const std::vector<std::string> ids = this->ids(kind);
+      known->second.insert(ids.begin(), ids.end());
+    }
+    return known->second.contains(id);
+  }
+  void check(const Mention& mention) {
+    if (exists(mention.kind, mention.id)) return;
+    const auto [what, is_any] = mention.kind == Reference::team
+                                    ? std::pair("team", !world_.teams.empty())
+                                : mention.kind == Reference::robot
+                                    ? std::pair("robot", !world_.robots.empty())
+                                    : std::pair("box", !world_.boxes.empty());
+    const std::vector<std::string> all = ids(mention.kind);
+    problems_.add(mention.where,
+                  mention.in_words +
+                      (mention.id.empty() ? "" : std::string(": there is no such ") + what) +
+                      (!all.empty() ? base::near_or_all(mention.id, all, "there are")
+                       : is_any     ? "; the world has none with a valid id"
+                                    : "; the world has none"));
+  }
+  void check(const ElementSpec& spec, const void* object) {
+    for (const AttributeSpec& attribute : spec.attributes) {
       if (attribute.refers_to == Reference::none) continue;
       const std::string id = std::get<std::string>(*attribute.get(object));
-      if (!id.empty() && !known_of(attribute.refers_to).sorted.contains(id)) {
-        check({attribute.refers_to, id, spec->location(object),
-               attribute.name + "=\"" + id + "\" of <" + spec->name + ">"});
+      if (!id.empty() && !exists(attribute.refers_to, id)) {
+        check({attribute.refers_to, id, spec.location(object),
+               attribute.name + "=\"" + id + "\" of <" + spec.name + ">"});
       }
     }
   }
-}
+
+ private:
+  std::vector<std::string> ids(Reference kind) const {
+    return kind == Reference::team    ? ids_of(world_.teams)
+           : kind == Reference::robot ? ids_of(world_.robots)
+                                      : ids_of(world_.boxes);
+  }
+
+  const World& world_;
+  Problems& problems_;
+  std::map<Reference, std::set<std::string>> known_;
+};
 
 void check_physics(const Element& root, const Physics& physics, Problems& problems) {
   const Element* element = root.child("physics");
@@ -379,7 +386,9 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems) {
-  check_mentions(reading, problems);
+  MentionCheck mentions(reading.world, problems);
+  for (const Mention& mention : reading.mentions) mentions.check(mention);
+  for (const auto& [spec, object] : reading.untouched) mentions.check(*spec, object);
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);
   check_engine(reading.world, problems);

@@ -257,8 +257,9 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
   }
 }
 
-/// Takes over attributes that can be changed in place.
 void Robot::take_live(bool has_new_drive, bool has_new_energy) {
+  sensor_cost_.reset();
+  controller_->take_priorities();
   if (has_new_drive || state_.max_speed_m_s != description_->max_speed) {
     set_max_speed(description_->max_speed);
   }

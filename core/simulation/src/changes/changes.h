@@ -69,9 +69,19 @@ class Changes {
     return attributes_.robots_at(change.path);
   }
 
-  /// Makes all changes, or throws ChangeRefused and makes none. Adds an event for each attribute.
-  void make(std::span<const Change> changes, const Stage& stage,
-            std::vector<EventRecord>& events) const;
+  /// A robot's new place.
+  struct Placed {
+    std::size_t robot = 0;
+    Pose pose;
+    double z = 0.0;    // m
+    std::string text;  // of the changes, for messages
+  };
+
+  /// Checks all changes and sets the parameters of plugins, or throws ChangeRefused and changes
+  /// nothing. Adds an event for each attribute. What is left to do: to describe() the changes, let
+  /// the robots take what they then describe, and put robots in these places.
+  std::vector<Placed> make(std::span<const Change> changes, const Stage& stage,
+                           std::vector<EventRecord>& events) const;
   /// Sets the attributes in the world, which must be as world::Attributes::set() demands.
   void describe(std::span<const Change> changes) const;
 

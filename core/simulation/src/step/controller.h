@@ -70,8 +70,8 @@ class Controller final : public Coordination, private Member::Runner {
 
   /// Takes a copy of its description with the same objects in it.
   void describe(const world::Coordination& next);
-  /// Sets the priority of a behaviour, at any depth. The trace of the last decision stays.
-  void set_priority(const world::PluginUse& use, double priority);
+  /// Takes the priorities of the description, at any depth. The trace of the last decision stays.
+  void take_priorities();
 
   std::span<const Member> members() const { return members_; }
   /// Appends the inferences of the last decision. `path` as in list_members().

@@ -78,15 +78,10 @@ class Robot final : private Wishes {
 
   /// m/s; the present motion of the drive is limited at once.
   void set_max_speed(double max_speed);
-  void set_coverage(double metres) { state_.coverage_m = metres; }
-  void set_leader(bool leader) { state_.is_leader = leader; }
   /// Units, at most the battery's capacity; at 0 the robot stops.
   void set_energy(double units);
-  /// Notes that the description gets another energy cost of a sensor.
-  void forget_energy_costs() { sensor_cost_.reset(); }
-  void set_priority(const world::PluginUse& behavior, double priority) {
-    controller_->set_priority(behavior, priority);
-  }
+  /// Takes over attributes of the description that can be changed in place.
+  void take_live(bool has_new_drive, bool has_new_energy);
   /// Visits all its plugin objects: sensors, the drive, then behaviours and coordinators.
   void for_each(Order order, const Visit& visit) const;
   /// The object for a use of a plugin; null when it does not belong to this robot.
@@ -207,7 +202,6 @@ class Robot final : private Wishes {
                    std::vector<base::Problem>& problems) const;
   void take_membership(const world::World& world, std::size_t index, Commons& commons);
   void become_sensors(const world::Robot& was, Becoming& becoming);
-  void take_live(bool has_new_drive, bool has_new_energy);
   void group_readings();
   void group_sensors();
   Example example();

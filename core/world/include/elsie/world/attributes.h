@@ -15,19 +15,12 @@
 
 namespace elsie::world {
 
-/// An attribute that a path leads to.
-struct AttributePlace {
-  std::string path;              // in full: "robot[r1]/behavior[roam]/@speed"
-  std::string element;           // the name of its element: "wander"
-  Field field;                   // its type and range
-  const Robot* robot = nullptr;  // the robot that it belongs to, if any
-  std::size_t robot_index = 0;   // of that robot in the world
-  /// The plugin whose element, or a nested element of it, has the attribute; null if none.
-  const PluginUse* use = nullptr;
-  /// The index in PluginUse::elements, if the attribute is a parameter of a nested element.
-  std::optional<std::size_t> nested;
-  const void* object = nullptr;              // that its element describes, unless nested
-  const AttributeSpec* attribute = nullptr;  // of that object; null for a parameter of a plugin
+/// An attribute that a path leads to:
+/// its element's meaning, with the attribute in the path: "robot[r1]/behavior[roam]/@speed".
+struct AttributePlace : WorldTree::Meaning {
+  std::string element;                       // the name of its element: "wander"
+  Field field;                               // its type and range
+  const AttributeSpec* attribute = nullptr;  // null for a parameter of a plugin
   /// The element's attributes that may change during a run.
   std::vector<std::string> live;
 };

@@ -18,7 +18,6 @@ struct AttributeExtras {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
-  decltype(Field::change) change = nullptr;
   std::optional<Cost> cost = std::nullopt;  // none: the cost of its element
 };
 
@@ -91,8 +90,7 @@ class Describe {
     attribute.form = extras.form;
     attribute.refers_to = extras.refers_to;
     attribute.required = extras.required;
-    attribute.change = extras.change;
-    attribute.cost = extras.change ? Cost::value : extras.cost.value_or(spec_.cost);
+    attribute.cost = extras.cost.value_or(spec_.cost);
     if (type == ParameterType::integer) {
       attribute.lowest = std::numeric_limits<int>::min();
       attribute.highest = std::numeric_limits<int>::max();

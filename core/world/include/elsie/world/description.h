@@ -16,7 +16,7 @@
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/base/problems.h"
-#include "elsie/base/shared_list.h"
+#include "elsie/sharing/list.h"
 
 namespace elsie::world {
 
@@ -303,10 +303,10 @@ struct World {
   std::vector<Team> teams;
   std::vector<Box> boxes;
   std::vector<Charger> chargers;
-  base::SharedList<Robot> robots;
+  sharing::List<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;
-  base::SharedList<TimedEdit> changes;  // in file order
+  sharing::List<TimedEdit> changes;  // in file order
   Limits limits;
   std::optional<Drawn> drawn;  // none: its file has no layouts
 };

@@ -22,11 +22,11 @@ class WorldTree {
     const ElementSpec* spec = nullptr;  // null for an element that a plugin declares
     DescribedObject described;          // its object, and the index of that in its list
     std::string path;                   // without a "/" at its end
-    const Robot* robot = nullptr;
-    std::size_t robot_index = 0;  // of that robot in the world
-    const PluginUse* use = nullptr;
-    std::optional<PluginKind> kind;  // of that plugin
-    std::optional<std::size_t> nested;
+    const Robot* robot = nullptr;       // the robot that it belongs to, if any
+    std::size_t robot_index = 0;        // of that robot in the world
+    const PluginUse* use = nullptr;     // whose element it is, or is nested in; null if none
+    std::optional<PluginKind> kind;     // of that plugin
+    std::optional<std::size_t> nested;  // the index in PluginUse::elements
     bool is_listed = false;  // true: it has a meaning even without attributes
   };
 

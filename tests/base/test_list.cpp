@@ -7,9 +7,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/base/shared_list.h"
+#include "elsie/sharing/list.h"
 
-using List = elsie::base::SharedList<std::string>;
+using List = elsie::sharing::List<std::string>;
 
 namespace {
 std::vector<std::string> content(const List& list) { return {list.begin(), list.end()}; }

@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-namespace elsie::base {
+namespace elsie::sharing {
 
 /// Stands for a std::vector<T>. Copying it takes constant time. Access to an item through a list
 /// that is not const first copies the item, if another list shares it; so an item with the same
 /// address in two lists is the same, and reading should use a const list.
 template <class T>
-class SharedList {
-  template <class List, class Item>
+class List {
+  template <class Owner, class Item>
   class Iterator {
    public:
     using iterator_category = std::random_access_iterator_tag;
@@ -27,7 +27,7 @@ class SharedList {
     using reference = Item&;
 
     Iterator() = default;
-    Iterator(List& list, std::size_t at) : list_(&list), at_(static_cast<std::ptrdiff_t>(at)) {}
+    Iterator(Owner& list, std::size_t at) : list_(&list), at_(static_cast<std::ptrdiff_t>(at)) {}
     Item& operator*() const { return (*list_)[static_cast<std::size_t>(at_)]; }
     Item* operator->() const { return &**this; }
     Item& operator[](std::ptrdiff_t n) const { return *(*this + n); }
@@ -47,20 +47,20 @@ class SharedList {
     friend auto operator<=>(const Iterator&, const Iterator&) = default;
 
    private:
-    List* list_ = nullptr;
+    Owner* list_ = nullptr;
     std::ptrdiff_t at_ = 0;
   };
 
  public:
   using value_type = T;
-  using iterator = Iterator<SharedList, T>;
-  using const_iterator = Iterator<const SharedList, const T>;
+  using iterator = Iterator<List, T>;
+  using const_iterator = Iterator<const List, const T>;
 
-  SharedList() = default;
-  SharedList(const std::vector<T>& items) {  // NOLINT(google-explicit-constructor)
+  List() = default;
+  List(const std::vector<T>& items) {  // NOLINT(google-explicit-constructor)
     for (const T& item : items) push_back(item);
   }
-  SharedList(std::initializer_list<T> items) : SharedList(std::vector<T>(items)) {}
+  List(std::initializer_list<T> items) : List(std::vector<T>(items)) {}
 
   std::size_t size() const { return items_ ? items_->size() : 0; }
   bool empty() const { return size() == 0; }
@@ -72,7 +72,7 @@ class SharedList {
   }
   /// Throws std::out_of_range.
   const T& at(std::size_t i) const {
-    return i < size() ? (*this)[i] : throw std::out_of_range("SharedList::at");
+    return i < size() ? (*this)[i] : throw std::out_of_range("List::at");
   }
   const T& front() const { return (*this)[0]; }
   T& front() { return (*this)[0]; }
@@ -95,10 +95,10 @@ class SharedList {
   }
   void push_back(T item) { emplace_back(std::move(item)); }
   /// Appends an item of another list, which both then share.
-  void share(const SharedList& from, std::size_t i) { own().push_back((*from.items_)[i]); }
+  void share(const List& from, std::size_t i) { own().push_back((*from.items_)[i]); }
 
   /// Whether one is an unchanged copy of the other. If not, both may still have equal items.
-  bool is(const SharedList& other) const { return items_ == other.items_; }
+  bool is(const List& other) const { return items_ == other.items_; }
   /// Whether a change of this item would copy it.
   bool is_shared(std::size_t i) const {
     return items_.use_count() > 1 || (*items_)[i].use_count() > 1;
@@ -119,4 +119,4 @@ class SharedList {
   std::shared_ptr<Items> items_;  // null: none
 };
 
-}  // namespace elsie::base
+}  // namespace elsie::sharing
