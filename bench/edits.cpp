@@ -40,18 +40,20 @@ struct Edit {
 };
 
 std::vector<Edit> edits() {
-  const auto first = [](const Simulation& run) { return "robot[" + run.world().robots[0].id + "]"; };
-  return {{"an attribute in place",
-           [=](Simulation& run, int n) {
-             run.change(first(run) + "/@max_speed", n % 2 == 0 ? "0.3" : "0.4");
-           }},
-          {"a behaviour's element",
-           [=](Simulation& run, int n) {
-             run.change(first(run) + "/behavior[" + run.world().robots[0].behaviors[0].id + "]",
-                        n % 2 == 0 ? "<wander/>" : "<wander restlessness=\"2\"/>");
-           }},
-          {"the world's name",
-           [](Simulation& run, int n) { run.change("@name", std::to_string(n)); }}};
+  const auto first = [](const Simulation& run) {
+    return "robot[" + run.world().robots[0].id + "]";
+  };
+  return {
+      {"an attribute in place",
+       [=](Simulation& run, int n) {
+         run.change(first(run) + "/@max_speed", n % 2 == 0 ? "0.3" : "0.4");
+       }},
+      {"a behaviour's element",
+       [=](Simulation& run, int n) {
+         run.change(first(run) + "/behavior[" + run.world().robots[0].behaviors[0].id + "]",
+                    n % 2 == 0 ? "<wander/>" : "<wander restlessness=\"2\"/>");
+       }},
+      {"the world's name", [](Simulation& run, int n) { run.change("@name", std::to_string(n)); }}};
 }
 
 /// A world of one robot with so many edits, each at its time.
@@ -106,8 +108,8 @@ void print_changes(const elsie::plugin::Host& host) {
   for (const bool in_place : {true, false}) {
     const double few = cost_of_changes(host, kFewChanges, in_place);
     const double many = cost_of_changes(host, kManyChanges, in_place);
-    std::printf("| %d %s | %.3f | %.2f |\n", kManyChanges,
-                in_place ? "in place" : "of behaviours", 1e3 * many, many / few);
+    std::printf("| %d %s | %.3f | %.2f |\n", kManyChanges, in_place ? "in place" : "of behaviours",
+                1e3 * many, many / few);
   }
 }
 

@@ -108,8 +108,7 @@ class Simulation::Impl::Pairs {
   bool is_new(std::size_t robot) const { return places_[robot] == was_.robots.size(); }
   /// Whether the edit leads to nothing that its objects could see when they are equipped.
   bool stays(std::size_t robot) const {
-    return same_around_ && !is_new(robot) &&
-           &was_.robots[places_[robot]] == &next_.robots[robot] &&
+    return same_around_ && !is_new(robot) && &was_.robots[places_[robot]] == &next_.robots[robot] &&
            commons_.number_of(places_[robot]) == next_commons_.number_of(robot);
   }
 
@@ -346,7 +345,8 @@ void Simulation::Impl::become(world::World next, Becoming& becoming) {
   if (!becoming.problems().empty()) return;
   bool moves_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);
   for (std::size_t i = 0; i < robots_.size() && !moves_bodies; ++i) {
-    moves_bodies = !pairs.stays(i) && new_place(was.robots[pairs.place(i)], world_.robots[i], becoming);
+    moves_bodies =
+        !pairs.stays(i) && new_place(was.robots[pairs.place(i)], world_.robots[i], becoming);
   }
   if (moves_bodies) check_room(was, become_bodies(pairs, becoming));
   become_measures(was, becoming);

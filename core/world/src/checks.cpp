@@ -61,11 +61,10 @@ class MentionCheck {
   }
   void check(const Mention& mention) {
     if (exists(mention.kind, mention.id)) return;
-    const auto [what, is_any] = mention.kind == Reference::team
-                                    ? std::pair("team", !world_.teams.empty())
-                                : mention.kind == Reference::robot
-                                    ? std::pair("robot", !world_.robots.empty())
-                                    : std::pair("box", !world_.boxes.empty());
+    const auto [what, is_any] =
+        mention.kind == Reference::team    ? std::pair("team", !world_.teams.empty())
+        : mention.kind == Reference::robot ? std::pair("robot", !world_.robots.empty())
+                                           : std::pair("box", !world_.boxes.empty());
     const std::vector<std::string> all = ids(mention.kind);
     problems_.add(mention.where,
                   mention.in_words +

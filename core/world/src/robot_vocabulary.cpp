@@ -80,8 +80,7 @@ ElementSpec sensor() {
           .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
           .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
           .attribute("energy_cost", &SensorUse::energy_cost,
-                     range("units/s", 0, 1e12, "the energy that it uses"),
-                     kLive));
+                     range("units/s", 0, 1e12, "the energy that it uses"), kLive));
 }
 
 ElementSpec behavior() {
@@ -121,19 +120,15 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
       .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
       .attribute("x", &Robot::x, metres("east"), kLive)
       .attribute("y", &Robot::y, metres("north"), kLive)
-      .attribute("z", &Robot::z, range("m", 0, 100, "the bottom of its wheels"),
-                 kLive)
-      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"),
-                 kLive)
+      .attribute("z", &Robot::z, range("m", 0, 100, "the bottom of its wheels"), kLive)
+      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"), kLive)
       .attribute("max_speed", &Robot::max_speed,
-                 range("m/s", 0, 100, "no wheel rolls faster than this"),
-                 kLive)
+                 range("m/s", 0, 100, "no wheel rolls faster than this"), kLive)
       .attribute(
           "coverage", &Robot::coverage,
           range("m", 0, 1e4, "communication radius, within which robots of its team perceive it"),
           kLive)
-      .attribute("leader", &Robot::leader, fact("whether it leads its team"),
-                 kLive)
+      .attribute("leader", &Robot::leader, fact("whether it leads its team"), kLive)
       .attribute("battery", &Robot::battery, positive("units", 1e12, "its battery when full"),
                  kCheap)
       .attribute("energy", &Robot::energy,

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "elsie/sharing/crew.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/thrown/thrown.h"
 
 #include "memory.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "elsie/sharing/crew.h"
 #include "elsie/physics/engine.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/world/description.h"
 
 #include "box_body.h"

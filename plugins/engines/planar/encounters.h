@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "elsie/sharing/crew.h"
 #include "elsie/physics/engine.h"
+#include "elsie/sharing/crew.h"
 
 #include "clearance.h"
 #include "contact_solver.h"

@@ -4,9 +4,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/sharing/crew.h"
 #include "elsie/base/random.h"
 #include "elsie/physics/failure.h"
+#include "elsie/sharing/crew.h"
 
 #include "conformance.h"
 

@@ -93,7 +93,7 @@ class Becoming {
   std::vector<base::Problem> problems_;
   Statements said_;
   std::set<std::pair<std::string, std::string>> asked_;  // of robots
-  struct Tuned {  // none: the parameters do not change
+  struct Tuned {                                         // none: the parameters do not change
     std::optional<Setup> before, now;
   };
   std::map<const PluginObject*, Tuned> again_with_;

@@ -18,11 +18,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "elsie/sharing/crew.h"
 #include "elsie/base/number_text.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/thrown/thrown.h"
 
 #include "loaded_libraries.h"

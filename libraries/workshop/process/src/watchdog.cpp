@@ -14,11 +14,11 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "elsie/sharing/crew.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
+#include "elsie/sharing/crew.h"
 
 #include "reporting.h"
 

@@ -17,8 +17,8 @@
 #include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/sensor.h"
-#include "elsie/sharing/crew.h"
 #include "elsie/base/fnv1a.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/world/description.h"
 
 namespace elsie::physics {

@@ -28,9 +28,9 @@ struct AttributePlace : WorldTree::Meaning {
 /// Finds attributes, parses values for them, and sets them. Only one thread at a time may use it.
 class Attributes {
  public:
-  /// The world and the host must outlive this object. Only set() may change the world. Data files are
-  /// searched in the folder of the world's file, in the current folder, then in `data_directories`.
-  /// `files` maps names of data files to paths that are used without a search.
+  /// The world and the host must outlive this object. Only set() may change the world. Data files
+  /// are searched in the folder of the world's file, in the current folder, then in
+  /// `data_directories`. `files` maps names of data files to paths that are used without a search.
   Attributes(const World& world, const plugin::Host& host,
              std::vector<std::string> data_directories = {},
              std::map<std::string, std::string> files = {})
@@ -51,8 +51,8 @@ class Attributes {
   /// share the robot with a copy of the world.
   void set(const AttributePlace& place, std::string_view text) const;
 
-  /// The ids of the robots that a path leads to, or whose parts it leads to. Empty if the path leads
-  /// to something else, or to nothing.
+  /// The ids of the robots that a path leads to, or whose parts it leads to. Empty if the path
+  /// leads to something else, or to nothing.
   std::vector<std::string> robots_at(std::string_view path) const;
 
  private:

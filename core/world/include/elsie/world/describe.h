@@ -270,8 +270,8 @@ class Describe {
   template <class Make, class Parts>
   Describe&& child(ElementSpec child, Make make, Parts parts) && {
     using Made = std::remove_pointer_t<decltype(make(std::declval<Object&>()))>;
-    constexpr bool kHasPlace =
-        requires(Made & made) { made.location; } && !std::is_same_v<Made, Object>;
+    constexpr bool kHasPlace = requires(Made & made) { made.location; }
+    &&!std::is_same_v<Made, Object>;
     child.make = [make](void* parent, const Location& where) -> void* {
       Made* const made = make(*static_cast<Object*>(parent));
       if constexpr (kHasPlace) made->location = where;
@@ -290,8 +290,9 @@ class Describe {
   }
 
   template <class List>
-  static constexpr bool kShared =
-      requires(List& list, const List& from) { list.share(from, std::size_t{}); };
+  static constexpr bool kShared = requires(List& list, const List& from) {
+    list.share(from, std::size_t{});
+  };
   template <class List>
   static decltype(ElementSpec::copy) copied(List Object::*list) {
     return [list](void* parent, const void* from, std::size_t order) {

@@ -12,9 +12,9 @@
 
 namespace elsie::world {
 
-/// The tree of a world: every element, with the attributes that differ from their defaults. Lists of
-/// the world and their members are completed when a path leads into them, so that a path among many
-/// robots costs little. The world must outlive the tree, and not change.
+/// The tree of a world: every element, with the attributes that differ from their defaults. Lists
+/// of the world and their members are completed when a path leads into them, so that a path among
+/// many robots costs little. The world must outlive the tree, and not change.
 class WorldTree {
  public:
   /// The meaning of an element.
@@ -27,7 +27,7 @@ class WorldTree {
     const PluginUse* use = nullptr;     // whose element it is, or is nested in; null if none
     std::optional<PluginKind> kind;     // of that plugin
     std::optional<std::size_t> nested;  // the index in PluginUse::elements
-    bool is_listed = false;  // true: it has a meaning even without attributes
+    bool is_listed = false;             // true: it has a meaning even without attributes
   };
 
   explicit WorldTree(const World& world);
@@ -54,7 +54,7 @@ class WorldTree {
   std::string text(Element& element, std::size_t depth);
 
   const World& world_;
-  const Location file_;            // the place of what has none of its own, as in a text of one line
+  const Location file_;  // the place of what has none of its own, as in a text of one line
   std::vector<Meaning> meanings_;  // Element::object is an index into it
   Element root_;
 };
