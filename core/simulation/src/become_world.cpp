@@ -111,6 +111,19 @@ class Simulation::Impl::Pairs {
     return same_around_ && !is_new(robot) && &was_.robots[places_[robot]] == &next_.robots[robot] &&
            commons_.number_of(places_[robot]) == next_commons_.number_of(robot);
   }
+  /// The world before the edit, without the robots that are still in it.
+  std::shared_ptr<const world::World> past() const {
+    std::vector<bool> is_gone(was_.robots.size(), true);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (!is_new(i)) is_gone[places_[i]] = &was_.robots[places_[i]] != &next_.robots[i];
+    }
+    const auto past = std::make_shared<world::World>(was_);
+    past->robots.clear();
+    for (std::size_t k = 0; k < is_gone.size(); ++k) {
+      if (is_gone[k]) past->robots.share(was_.robots, k);
+    }
+    return past;
+  }
 
  private:
   const world::World &was_, &next_;
@@ -322,7 +335,8 @@ void Simulation::Impl::become(world::World next, Becoming& becoming) {
   });
   undo.keep(start_, time_limit_s_, base_time_s_, base_steps_, own_changes_);
   undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_starts_);
-  past_.push_back(before);
+  const Pairs pairs(was, world_);
+  past_.push_back(pairs.past());
   if (!start_) start_ = before;
   renew();
   time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
@@ -340,7 +354,6 @@ void Simulation::Impl::become(world::World next, Becoming& becoming) {
     base_steps_ = steps_;
   }
   become_changes(was);
-  const Pairs pairs(was, world_);
   become_robots(pairs, becoming);
   if (!becoming.problems().empty()) return;
   bool moves_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);

@@ -159,7 +159,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   if (options.check_plugins && !options.is_running) {
-    changed_worlds(world, host, options);
+    visit_changed_worlds(world, host, options);
   }
   return std::move(world);
 }
