@@ -14,7 +14,8 @@ namespace elsie::sharing {
 
 /// Stands for a std::vector<T>. Copying it takes constant time. Access to an item through a list
 /// that is not const first copies the item, if another list shares it; so an item with the same
-/// address in two lists is the same, and reading should use a const list.
+/// address in two lists is the same, and reading should use a const list. A reference to an item
+/// must not be used to change it once the list was copied. Several threads may read copies.
 template <class T>
 class List {
   template <class Owner, class Item>
