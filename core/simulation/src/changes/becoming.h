@@ -60,7 +60,7 @@ class Becoming {
 
   /// Notes that an edit sets this value, even if the description already has it.
   void ask(const world::AttributePlace& place) {
-    if (place.robot) asked_.insert({place.robot->id, place.field.name});
+    if (place.robot && !place.use) asked_.insert({place.robot->id, place.field.name});
   }
   bool asks(const world::Robot& robot, const char* attribute) const {
     return asked_.contains({robot.id, attribute});
