@@ -48,7 +48,7 @@ BROUGHT = {
 
 # The modules of each storey, in the order of docs/internals/architecture.md: none includes a header of a later one.
 MODULES = {
-    "libelsie-base": ["base", "thrown", "files", "space", "output"],
+    "libelsie-base": ["base", "thrown", "sharing", "files", "space", "output"],
     "libelsie": ["api", "plugin", "world", "physics", "simulation"],
     "libelsie-inference": ["fuzzy", "neural"],
     "libelsie-workshop": ["process", "build", "reference"],

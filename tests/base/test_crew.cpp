@@ -10,9 +10,9 @@
 #include <catch2/catch.hpp>
 #include <pthread.h>
 
-#include "elsie/base/crew.h"
+#include "elsie/sharing/crew.h"
 
-using elsie::base::Crew;
+using elsie::sharing::Crew;
 
 TEST_CASE("A crew does each item once, whatever the number of threads") {
   for (const std::size_t threads : {1, 2, 3, 8}) {

@@ -120,7 +120,8 @@ inline bool same(const world::Robot& a, const world::Robot& b) {
          same(static_cast<const world::Coordination&>(a),
               static_cast<const world::Coordination&>(b));
 }
-inline bool same(const std::vector<world::Robot>& a, const std::vector<world::Robot>& b) {
+template <class T>
+bool same(const sharing::List<T>& a, const sharing::List<T>& b) {
   bool equal = a.size() == b.size();
   for (std::size_t i = 0; equal && i < a.size(); ++i) {
     equal = same(a[i], b[i]);

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/world/attributes.h"
-#include "elsie/world/live_robot.h"
 
 #include "fixture.h"
 
@@ -57,33 +56,6 @@ struct Found {
   Attributes attributes;
 };
 
-/// Notes what changes it.
-class NotedRobot final : public world::LiveRobot {
- public:
-  void set_x(double) override { note("x"); }
-  void set_y(double) override { note("y"); }
-  void set_z(double) override { note("z"); }
-  void set_heading_deg(double) override { note("heading_deg"); }
-  void set_max_speed(double) override { note("max_speed"); }
-  void set_coverage(double) override { note("coverage"); }
-  void set_leader(bool) override { note("leader"); }
-  void set_energy(double) override { note("energy"); }
-  void set_energy_cost(const world::PluginUse& sensor, double) override {
-    note("energy_cost of " + sensor.id);
-  }
-  void set_priority(const world::PluginUse& behavior, double) override {
-    note("priority of " + behavior.id);
-  }
-  void set_parameter(const AttributePlace& place, const ParameterValue&) override {
-    note("parameter " + place.field.name + " of " + place.use->id);
-  }
-
-  std::vector<std::string> noted;
-
- private:
-  void note(const std::string& what) { noted.push_back(what); }
-};
-
 }  // namespace
 
 TEST_CASE("A path leads to the attributes that an override of the file would change") {
@@ -132,25 +104,25 @@ TEST_CASE("An attribute says whose it is, what it takes, and whether it may chan
   CHECK(found.one("arena/@length").robot == nullptr);
 }
 
-TEST_CASE("A change of a live attribute does what the attribute's name says") {
-  const Found found;
-  NotedRobot robot;
-  std::vector<std::string> expected;
-  const auto change = [&](const std::string& path, const std::string& what) {
-    const AttributePlace place = found.one(path);
-    CAPTURE(path);
-    REQUIRE(place.field.is_live());
-    const bool is_flag = place.field.type == ParameterType::boolean;
-    place.field.change(robot, place, is_flag ? ParameterValue(true) : ParameterValue(1.0));
-    expected.push_back(what);
-  };
-  for (const std::string& name : found.one("robot[r1]/@x").live) {
-    change("robot[r1]/@" + name, name);
+TEST_CASE("An attribute is set in the world like in its file") {
+  world::World world = Found().world;
+  const world::Attributes attributes(world, host());
+  for (const auto& [path, value] : std::vector<std::pair<std::string, std::string>>{
+           {"robot[r2]/@x", "1.5"},
+           {"robot[r1]/sensor[right]/@energy_cost", "2"},
+           {"robot[r1]/behavior[roam]/@priority", "3"},
+           {"robot[r1]/behavior[roam]/@speed", "4"}}) {
+    for (world::AttributePlace& place : attributes.find(path)) {
+      // No other world shares it.
+      REQUIRE_FALSE(world.robots.is_shared(place.robot_index));
+      attributes.set(place, value);
+    }
   }
-  change("robot[r1]/sensor[right]/@energy_cost", "energy_cost of right");
-  change("robot[r1]/behavior[roam]/@priority", "priority of roam");
-  change("robot[r1]/behavior[roam]/@speed", "parameter speed of roam");
-  CHECK(robot.noted == expected);
+  const world::Robot& r1 = world.robots[0];
+  CHECK(world.robots[1].x == 1.5);
+  CHECK(r1.sensors[1].energy_cost == 2);
+  CHECK(r1.behaviors[1].priority == 3);
+  CHECK(r1.behaviors[1].parameters.at("speed") == ParameterValue(4.0));
 }
 
 TEST_CASE("Only attributes of robots, and of what is on them, are live") {

@@ -113,8 +113,8 @@ class Maker {
  public:
   Maker(const world::World& world, const plugin::Host& host, const LearnerPlace& place)
       : host_(host), place_(place), world_(world) {
-    const world::Robot& robot = robot_of(world_, place.robot);
-    index_ = static_cast<std::size_t>(&robot - world_.robots.data());
+    const std::string& id = robot_of(world, place.robot).id;
+    while (world.robots[index_].id != id) ++index_;
     use_ = &coordinator_at(world_.robots[index_], place.behavior, owner_, stream_);
     described_ = use_->parameters;
     const auto object = host.create<elsie::Coordinator>(PluginKind::coordinator, use_->plugin);

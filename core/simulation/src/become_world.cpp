@@ -4,8 +4,9 @@
 #include <exception>
 #include <functional>
 #include <map>
+#include <set>
 #include <stdexcept>
-#include <tuple>
+#include <string_view>
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
@@ -14,7 +15,6 @@
 #include "elsie/world/changed_worlds.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
-#include "elsie/world/writer.h"
 
 #include "changes/room.h"
 #include "simulation_impl.h"
@@ -24,6 +24,10 @@ namespace {
 
 bool same_part(const char* part, const world::World& a, const world::World& b) {
   return world::same_part(world::vocabulary(), part, &a, &b);
+}
+
+bool same_changes(const world::World& a, const world::World& b) {
+  return a.changes.is(b.changes) || same_part("changes", a, b);
 }
 
 /// The chargers that are boxes, in the order of the engine, which has them after all other boxes.
@@ -78,18 +82,62 @@ ChangeRefused refusal(std::span<const Change> edits, const world::WorldError& er
 
 }  // namespace
 
+/// The robots of a world before and after an edit.
+class Simulation::Impl::Pairs {
+ public:
+  Pairs(const world::World& was, const world::World& next)
+      : was_(was), next_(next), commons_(was), next_commons_(next) {
+    std::map<std::string_view, std::size_t> known;  // made only if robots were added or removed
+    for (std::size_t i = 0; i < next.robots.size(); ++i) {
+      const std::string& id = next.robots[i].id;
+      std::size_t place = places_.empty() ? 0 : places_.back() + 1;
+      if (place >= was.robots.size() || was.robots[place].id != id) {
+        for (std::size_t k = known.size(); k < was.robots.size(); ++k) {
+          known.emplace(was.robots[k].id, k);
+        }
+        const auto found = known.find(id);
+        place = found == known.end() ? was.robots.size() : found->second;
+      }
+      places_.push_back(place);
+    }
+  }
+
+  const world::World& was() const { return was_; }
+  /// The index before the edit; the number of robots then for a new one.
+  std::size_t place(std::size_t robot) const { return places_[robot]; }
+  bool is_new(std::size_t robot) const { return places_[robot] == was_.robots.size(); }
+  /// Whether the edit leads to nothing that its objects could see when they are equipped.
+  bool stays(std::size_t robot) const {
+    return same_around_ && !is_new(robot) && &was_.robots[places_[robot]] == &next_.robots[robot] &&
+           commons_.number_of(places_[robot]) == next_commons_.number_of(robot);
+  }
+  /// The world before the edit, without the robots that are still in it.
+  std::shared_ptr<const world::World> past() const {
+    std::vector<bool> is_gone(was_.robots.size(), true);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (!is_new(i)) is_gone[places_[i]] = &was_.robots[places_[i]] != &next_.robots[i];
+    }
+    const auto past = std::make_shared<world::World>(was_);
+    past->robots.clear();
+    for (std::size_t k = 0; k < is_gone.size(); ++k) {
+      if (is_gone[k]) past->robots.share(was_.robots, k);
+    }
+    return past;
+  }
+
+ private:
+  const world::World &was_, &next_;
+  const Commons commons_, next_commons_;
+  const bool same_around_ = same_part("teams", was_, next_) &&
+                            same_part("resources", was_, next_) &&
+                            same_part("chargers", was_, next_);
+  std::vector<std::size_t> places_;
+};
+
 void Simulation::Impl::change(std::span<const Change> changes) {
   if (std::all_of(changes.begin(), changes.end(),
                   [&](const Change& one) { return changes_->is_live(one); })) {
-    changes_->make(changes, stage(), events_);
-    std::ranges::move(texts_of(changes), std::back_inserter(pending_));
-    take_stock();
-    log_events();
-    // Of edits in place, only those of speeds can cause warnings of the physics.
-    if (std::any_of(changes.begin(), changes.end(),
-                    [](const Change& one) { return one.path.ends_with("@max_speed"); })) {
-      note_new_warnings(present(), time_s(), said_.notes);
-    }
+    set_in_place(changes);
     return;
   }
   Becoming becoming(*host_, seed_, time_s());
@@ -107,6 +155,42 @@ void Simulation::Impl::change(std::span<const Change> changes) {
   settle(becoming);
   take_stock();
   log_events();
+}
+
+/// The fast case: all attributes change in place, and no other objects are needed.
+void Simulation::Impl::set_in_place(std::span<const Change> changes) {
+  const std::vector<Changes::Placed> places = changes_->make(changes, stage(), events_);
+  if (!start_) start_ = std::make_shared<const world::World>(world_);
+  std::map<std::size_t, bool> robots;  // true: its energy is set
+  for (const Change& change : changes) {
+    for (const world::AttributePlace& place : changes_->places(change)) {
+      robots[place.robot_index] |= place.attribute && place.field.name == "energy";
+      own_robot(place.robot_index);
+    }
+  }
+  changes_->describe(changes);
+  for (const auto& [robot, has_new_energy] : robots) {
+    robots_[robot]->take_live(false, has_new_energy);
+  }
+  for (const Changes::Placed& placed : places) {
+    engine_->place_robot(placed.robot, placed.pose, placed.z);
+    robots_[placed.robot]->set_body(engine_->robot(placed.robot), engine_->joints(placed.robot));
+  }
+  take_stock();
+  log_events();
+  // Of edits in place, only those of speeds can cause warnings of the physics.
+  if (std::any_of(changes.begin(), changes.end(),
+                  [](const Change& one) { return one.path.ends_with("@max_speed"); })) {
+    note_new_warnings(world_, time_s(), said_.notes);
+  }
+}
+
+/// Copies the description of a robot, which may then change, if another world shares it.
+void Simulation::Impl::own_robot(std::size_t index) {
+  if (!world_.robots.is_shared(index)) return;
+  past_.push_back(world_.robots.kept(index));
+  robots_[index]->describe(own_world_.robots[index]);
+  changes_.emplace(world_, *host_, options_);
 }
 
 std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> changes,
@@ -150,8 +234,8 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
       if (!refused.empty()) in_place.clear();  // the others are checked without them
     }
     try {
-      world::World next = tried(ahead ? *ahead : edited(present(), in_place, false), due.changes);
-      if (!same_part("changes", then, next)) {
+      world::World next = tried(ahead ? *ahead : edited(world_, in_place, false), due.changes);
+      if (!same_changes(then, next)) {
         coming.resize(i + 1);
         const auto others = by_time(still_to_come(next, given, due.time_s));
         coming.insert(coming.end(), others.begin(), others.end());
@@ -169,19 +253,39 @@ std::vector<DueChanges> Simulation::Impl::checked(std::span<const TimedChange> c
   return made;
 }
 
-/// The world after these edits. Makes all its objects once, because a plugin may not fit its robot.
-/// Throws ChangeRefused or WorldError.
+/// The world after these edits. Makes the objects that they concern once, because a plugin may not
+/// fit its robot. Throws ChangeRefused or WorldError.
 world::World Simulation::Impl::tried(const world::World& from, std::span<const Change> edits) {
   world::World next = edited(from, edits, true);
-  const Impl whole(next, *host_, options_);
+  world::World concerned = next;
+  concerned.robots.clear();
+  concerned.measures.clear();
+  const Pairs pairs(from, next);
+  for (std::size_t i = 0; i < next.robots.size(); ++i) {
+    if (!pairs.stays(i)) concerned.robots.share(next.robots, i);
+  }
+  std::vector<base::Problem> problems;
+  try {
+    const Impl made(std::move(concerned), *host_, options_);
+  } catch (const world::WorldError& error) {
+    problems = error.problems();
+  }
+  const Measuring measuring(next, *host_, options_.budget, problems);
+  if (!problems.empty()) throw world::WorldError(std::move(problems));
   return next;
 }
 
 /// The world after these edits, checked like a file. Throws ChangeRefused.
 world::World Simulation::Impl::edited(const world::World& from, std::span<const Change> edits,
                                       bool check_plugins) {
+  world::ReadOptions options;
+  options.data_directories = options_.data_directories;
+  options.files = options_.files;
+  options.check_plugins = check_plugins;
+  options.overrides = texts_of(edits);
+  options.seed = seed_;
   try {
-    world::World next = reread(from, texts_of(edits), check_plugins);
+    world::World next = world::edited(from, *host_, options);
     if (next.physics.engine == from.physics.engine) return next;
   } catch (const world::WorldError& error) {
     throw refusal(edits, error, from.file);
@@ -189,24 +293,8 @@ world::World Simulation::Impl::edited(const world::World& from, std::span<const 
   throw ChangeRefused(text_of(edits) + ": " + world::kEngineStays);
 }
 
-/// The world with all edits that were made in place.
-world::World Simulation::Impl::present() { return reread(world_, pending_, false); }
-
-world::World Simulation::Impl::reread(const world::World& from,
-                                      const std::vector<std::string>& edits, bool check_plugins) {
-  world::ReadOptions options;
-  options.data_directories = options_.data_directories;
-  options.files = options_.files;
-  options.is_running = true;
-  options.check_plugins = check_plugins;
-  options.overrides = edits;
-  options.seed = seed_;
-  return world::parse_world(world::write_world(from), from.file, *host_, options);
-}
-
 void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming) {
-  const world::World was = present();
-  world::World next = edited(was, edits, false);
+  world::World next = edited(world_, edits, false);
   becoming.undo().add([this, count = events_.size()] { events_.resize(count); });
   for (const Change& edit : edits) {
     for (const world::AttributePlace& place : changes_->places(edit)) {
@@ -218,7 +306,7 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
                                              "starts again."});
       }
     }
-    std::vector<std::string> robots = world::robots_at(was, edit.path);
+    std::vector<std::string> robots = changes_->robots(edit);
     if (robots.empty()) {
       robots.emplace_back();  // an edit of the world
     }
@@ -226,30 +314,31 @@ void Simulation::Impl::become(std::span<const Change> edits, Becoming& becoming)
       events_.push_back({time_s(), std::move(robot), events::Changed::of(edit.path, edit.value)});
     }
   }
-  becoming.undo().keep(pending_);
-  become(was, std::move(next), becoming);
+  become(std::move(next), becoming);
   for (base::Problem& problem : becoming.problems()) {
     throw ChangeRefused(text_of(edits) + ": " + problem.message);
   }
 }
 
-void Simulation::Impl::become(const world::World& was, world::World next, Becoming& becoming) {
+void Simulation::Impl::become(world::World next, Becoming& becoming) {
   Undo& undo = becoming.undo();
-  auto before = std::make_shared<world::World>(std::move(next));
-  std::swap(world_, *before);
+  const auto before = std::make_shared<world::World>(std::exchange(own_world_, std::move(next)));
+  const world::World& was = *before;
   const auto renew = [this] {
     changes_.emplace(world_, *host_, options_);
     neighbours_.emplace(world_.arena);
   };
   undo.add([this, before, renew] {
-    std::swap(world_, *before);
+    own_world_ = *before;
+    past_.pop_back();
     renew();
   });
-  undo.keep(past_, time_limit_s_, base_time_s_, base_steps_, own_changes_);
+  undo.keep(start_, time_limit_s_, base_time_s_, base_steps_, own_changes_);
   undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_starts_);
-  past_.push_back(before);
+  const Pairs pairs(was, world_);
+  past_.push_back(pairs.past());
+  if (!start_) start_ = before;
   renew();
-  pending_.clear();
   time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
   if (options_.time_limit_s && was.limits.time != world_.limits.time) {
     becoming.said().notes.push_back({"", "limits",
@@ -265,17 +354,14 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
     base_steps_ = steps_;
   }
   become_changes(was);
-  become_robots(was, becoming);
+  become_robots(pairs, becoming);
   if (!becoming.problems().empty()) return;
-  const auto is_placed = [&](const world::Robot& robot) {
-    const auto i = static_cast<std::size_t>(&robot - world_.robots.data());
-    const std::size_t place = place_of(was.robots, robot.id, i);
-    return place < was.robots.size() && new_place(was.robots[place], robot, becoming);
-  };
-  if (!world::same(world::vocabulary(), &was, &world_, world::Cost::body) ||
-      std::any_of(world_.robots.begin(), world_.robots.end(), is_placed)) {
-    check_room(was, become_bodies(was, becoming));
+  bool moves_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);
+  for (std::size_t i = 0; i < robots_.size() && !moves_bodies; ++i) {
+    moves_bodies =
+        !pairs.stays(i) && new_place(was.robots[pairs.place(i)], world_.robots[i], becoming);
   }
+  if (moves_bodies) check_room(was, become_bodies(pairs, becoming));
   become_measures(was, becoming);
   become_goals(was);
   cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, becoming.problems());
@@ -283,15 +369,15 @@ void Simulation::Impl::become(const world::World& was, world::World next, Becomi
 
 /// Schedules the world's own changes that are still due.
 void Simulation::Impl::become_changes(const world::World& was) {
-  if (same_part("changes", was, world_)) return;
+  if (same_changes(was, world_)) return;
   ++own_changes_;
+  std::set<std::pair<double, std::string>> known;
+  for (const world::TimedEdit& edit : was.changes) {
+    known.emplace(edit.time, edit.text());
+  }
   std::vector<TimedChange> added;
   for (const world::TimedEdit& edit : world_.changes) {
-    const auto is_same = [&](const world::TimedEdit& known) {
-      return std::tie(known.time, known.path, known.value, known.element) ==
-             std::tie(edit.time, edit.path, edit.value, edit.element);
-    };
-    if (std::none_of(was.changes.begin(), was.changes.end(), is_same)) added.push_back(timed(edit));
+    if (!known.contains({edit.time, edit.text()})) added.push_back(timed(edit));
   }
   for (const DueChanges& due : by_time(added)) {
     const std::string time = "the time of a change is " + base::number_text(due.time_s) + " s";
@@ -307,20 +393,21 @@ void Simulation::Impl::become_changes(const world::World& was) {
   }
 }
 
-void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming) {
+void Simulation::Impl::become_robots(const Pairs& pairs, Becoming& becoming) {
   std::vector<std::shared_ptr<Robot>> gone = std::move(robots_);
   robots_.clear();
   Commons commons(world_);
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
-    const std::size_t place = place_of(was.robots, world_.robots[i].id, i);
-    if (place < was.robots.size()) {
-      robots_.push_back(std::move(gone[place]));
-      robots_.back()->become(was.robots[place], world_, i, commons, becoming);
-    } else {
+    if (pairs.is_new(i)) {
       robots_.push_back(std::make_shared<Robot>(world_, i, commons, *host_, options_));
       robots_.back()->reset(seed_);
       robots_.back()->ask(becoming.said());
+      continue;
     }
+    const std::size_t place = pairs.place(i);
+    robots_.push_back(std::move(gone[place]));
+    if (pairs.stays(i)) continue;
+    robots_.back()->become(pairs.was().robots[place], world_, i, commons, becoming);
   }
   for (const auto& robot : gone) {
     if (robot) {
@@ -332,8 +419,8 @@ void Simulation::Impl::become_robots(const world::World& was, Becoming& becoming
 }
 
 /// Returns the robots that are new, have a new body, or are at a new place.
-std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was,
-                                                         Becoming& becoming) {
+std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs, Becoming& becoming) {
+  const world::World& was = pairs.was();
   std::vector<std::size_t> new_robots;
   std::map<physics::Body, physics::Body> now;  // new bodies by the old ones
   const auto before = engine_;
@@ -370,9 +457,9 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const world::World& was
   }
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     const world::Robot& next = world_.robots[i];
-    const std::size_t place = place_of(was.robots, next.id, i);
+    const std::size_t place = pairs.place(i);
     const BodyPlan plan = world::plan_of(next);
-    if (place == was.robots.size()) {
+    if (pairs.is_new(i)) {
       engine_->add_robot(plan, pose_of(next), next.z);
       new_robots.push_back(i);
     } else {
@@ -443,8 +530,10 @@ void Simulation::Impl::become_measures(const world::World& was, Becoming& becomi
 /// Goals that existed before keep their start.
 void Simulation::Impl::become_goals(const world::World& was) {
   GoalStart now{time_s(), {}};
-  for (const auto& robot : robots_) {
-    now.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
+  if (!same_part("goals", was, world_)) {  // otherwise none is new
+    for (const auto& robot : robots_) {
+      now.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
+    }
   }
   std::vector<GoalStart> starts;
   for (const world::Goal& goal : world_.goals) {
@@ -459,7 +548,6 @@ void Simulation::Impl::become_goals(const world::World& was) {
 }
 
 void Simulation::Impl::settle(Becoming& becoming) {
-  if (!start_) start_ = past_.back();
   const Statements& said = becoming.said();
   said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());

@@ -38,7 +38,7 @@ namespace elsie::simulation {
 class Simulation::Impl {
  public:
   Impl(world::World world, const plugin::Host& host, const Options& options)
-      : world_(std::move(world)),
+      : own_world_(std::move(world)),
         time_limit_s_(options.time_limit_s.value_or(world_.limits.time)),
         seed_(options.seed),
         host_(&host),
@@ -53,8 +53,10 @@ class Simulation::Impl {
     Commons commons(world_);
     for (std::size_t i = 0; i < world_.robots.size(); ++i) {
       try {
+        // Not shared any more, before the object refers to it.
+        world::Robot* const own = world_.robots[i].drive ? &own_world_.robots[i] : nullptr;
         robots_.push_back(std::make_shared<Robot>(world_, i, commons, host, options));
-        world_.robots[i].driven = robots_.back()->take_driven();
+        if (own) own->driven = robots_.back()->take_driven();
       } catch (const world::WorldError& error) {
         problems.insert(problems.end(), error.problems().begin(), error.problems().end());
       }
@@ -78,7 +80,6 @@ class Simulation::Impl {
     engine_ = physics::make_engine(world_.arena, world_.physics);
     engine_->work_with(loop_.crew());
     goal_starts_.assign(world_.goals.size(), {});
-    pending_.clear();
     moving_.clear();
     for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
       add_box(i);
@@ -166,6 +167,9 @@ class Simulation::Impl {
                                   std::vector<UnmadeChanges>& unmade);
 
   Replacement replace_plugins(const plugin::Host& host) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      own_robot(i);  // its description is adapted
+    }
     Swap swap(host, seed_, options_.data_directories);
     for (const auto& robot : robots_) {
       robot->replace(swap, *cameras_);
@@ -192,7 +196,8 @@ class Simulation::Impl {
 
   RunResult figures() const;
 
-  world::World world_;
+  world::World own_world_;
+  const world::World& world_ = own_world_;  // reading must not copy robots that others share
   double time_limit_s_;
   std::uint64_t seed_;
   const plugin::Host* host_;
@@ -220,19 +225,19 @@ class Simulation::Impl {
     double since_s;  // start of its motion
   };
 
-  // Edits that are not made in place: see become_world.cpp.
+  // Edits: see become_world.cpp.
+  class Pairs;
+  void set_in_place(std::span<const Change> edits);
+  void own_robot(std::size_t index);
   void become(std::span<const Change> edits, Becoming& becoming);
-  void become(const world::World& was, world::World next, Becoming& becoming);
-  void become_robots(const world::World& was, Becoming& becoming);
+  void become(world::World next, Becoming& becoming);
+  void become_robots(const Pairs& pairs, Becoming& becoming);
   void become_changes(const world::World& was);
   void become_measures(const world::World& was, Becoming& becoming);
-  std::vector<std::size_t> become_bodies(const world::World& was, Becoming& becoming);
+  std::vector<std::size_t> become_bodies(const Pairs& pairs, Becoming& becoming);
   void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
   world::World tried(const world::World& from, std::span<const Change> edits);
   world::World edited(const world::World& from, std::span<const Change> edits, bool check_plugins);
-  world::World present();
-  world::World reread(const world::World& from, const std::vector<std::string>& edits,
-                      bool check_plugins);
   void become_goals(const world::World& was);
   void settle(Becoming& becoming);
 
@@ -352,9 +357,8 @@ class Simulation::Impl {
 
   std::shared_ptr<Cameras> cameras_;
   std::optional<Changes> changes_;
-  std::vector<std::string> pending_;  // edits made in place since the last description of the world
-  // Kept, because views of their texts may still exist.
-  std::vector<std::shared_ptr<const world::World>> past_;
+  // Worlds and robots that were changed: kept, because views of their texts may still exist.
+  std::vector<std::shared_ptr<const void>> past_;
   // The last change of the length of a step or of a control period.
   std::uint64_t base_steps_ = 0;
   double base_time_s_ = 0.0;

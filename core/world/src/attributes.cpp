@@ -38,11 +38,8 @@ std::vector<AttributePlace> Attributes::find(std::string_view text) const {
     throw std::invalid_argument(
         "an element can be removed before a run only: by --set, or by <set> in an experiment");
   }
-  if (!tree_) {
-    tree_.emplace(world_);
-  }
   std::vector<AttributePlace> places;
-  for (const Place& found : find_places(tree_->root(), path)) {
+  for (const Place& found : find_places(tree().begun(), path)) {
     if (!found.element->object) {  // find_places() made it
       tree_.reset();
       throw std::invalid_argument("there is no such element in this world");
@@ -58,19 +55,15 @@ AttributePlace Attributes::place(const Element& element, const std::string& name
   for (const ParameterDeclaration& parameter : parameters(meaning, host_)) {
     fields.push_back(field_of(parameter));
     if (meaning.kind == PluginKind::measure || meaning.kind == PluginKind::drive) {
-      fields.back().change = nullptr;
+      fields.back().cost = Cost::object;
     }
   }
   if (meaning.spec) {
     fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
   }
-  AttributePlace place{.path = meaning.path + (meaning.path.empty() ? "@" : "/@") + name,
-                       .element = element.name,
-                       .field = {},
-                       .robot = meaning.robot,
-                       .use = meaning.use,
-                       .nested = meaning.nested,
-                       .live = {}};
+  AttributePlace place{
+      meaning, element.name, {}, meaning.spec ? meaning.spec->attribute(name) : nullptr, {}};
+  place.path += (place.path.empty() ? "@" : "/@") + name;
   for (const Field& field : fields) {
     if (field.is_live()) {
       place.live.push_back(field.name);
@@ -102,16 +95,33 @@ ParameterValue Attributes::read(const AttributePlace& place, std::string_view te
   return Files::absolute(*file);
 }
 
-std::vector<std::string> robots_at(const World& world, std::string_view text) {
+void Attributes::set(const AttributePlace& place, std::string_view text) const {
+  const ParameterValue value = read(place, text);
+  if (place.attribute) {
+    place.attribute->set(const_cast<void*>(place.described.object), value);
+    return;
+  }
+  const auto put = [&](auto& use) {
+    use.parameters[place.field.name] = value;
+    use.file_names.erase(place.field.name);
+    if (place.field.type == ParameterType::file && !text.empty()) {
+      const std::string& path = std::get<std::string>(value);
+      use.file_names[place.field.name] = {path, files_.name_for_world(path, std::string(text))};
+    }
+  };
+  auto& use = const_cast<PluginUse&>(*place.use);
+  place.nested ? put(use.elements[*place.nested]) : put(use);
+}
+
+std::vector<std::string> Attributes::robots_at(std::string_view text) const {
   std::vector<std::string> ids;
   try {
     Path path = parse_path(text);
     if (path.adds()) {
       path.steps.pop_back();
     }
-    WorldTree tree(world);
-    for (const Place& place : find_places(tree.root(), path)) {
-      const Robot* robot = place.element->object ? tree.meaning(*place.element).robot : nullptr;
+    for (const Place& place : find_places(tree().begun(), path)) {
+      const Robot* robot = place.element->object ? tree().meaning(*place.element).robot : nullptr;
       if (robot && (ids.empty() || ids.back() != robot->id)) {
         ids.push_back(robot->id);
       }

@@ -4,21 +4,20 @@
 #include <cctype>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "elsie/base/number_text.h"
-#include "elsie/world/writer.h"
 
 namespace elsie::world {
 
-std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
-                                  const ReadOptions& options) {
-  std::vector<TimedEdit> edits = world.changes;
+void visit_changed_worlds(const World& world, const plugin::Host& host, const ReadOptions& options,
+                          const std::function<void(World)>& visit) {
+  std::vector<TimedEdit> edits(world.changes.begin(), world.changes.end());
   std::stable_sort(edits.begin(), edits.end(),
                    [](const TimedEdit& a, const TimedEdit& b) { return a.time < b.time; });
-  std::vector<World> worlds;
+  World was = world;
   Problems problems;
   ReadOptions reading = options;
-  reading.is_running = true;
   const auto refuse = [&](const TimedEdit& edit, const std::string& message, bool plugin_failed) {
     problems.add(edit.location,
                  "at " + base::number_text(edit.time) + " s, " + edit.text() + ": " + message,
@@ -33,14 +32,14 @@ std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
       reading.overrides.push_back(edit.text());
     }
     try {
-      const World& was = worlds.empty() ? world : worlds.back();
-      World next = parse_world(write_world(was), world.file, host, reading);
+      World next = edited(was, host, reading);
       if (next.physics.engine != was.physics.engine) {
         const auto culprit = std::find_if(
             first, last, [](const TimedEdit& edit) { return edit.path.starts_with("physics"); });
         refuse(culprit == last ? *first : *culprit, kEngineStays, false);
       }
-      worlds.push_back(std::move(next));
+      visit(next);
+      was = std::move(next);
     } catch (const WorldError& error) {
       // Each problem gets the place of the edit that causes it, or of the first edit.
       for (const Problem& problem : error.problems()) {
@@ -53,7 +52,6 @@ std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
     }
   }
   problems.raise<WorldError>(world.file);
-  return worlds;
 }
 
 std::string without_lines(std::string message, const std::string& file) {

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,35 +37,64 @@ std::string on_line(const Location& where, const Location& from) {
              : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
 }
 
-template <class Object>
-std::vector<std::string> ids_of(const std::vector<Object>& objects) {
+template <class Objects>
+std::vector<std::string> ids_of(const Objects& objects) {
   std::vector<std::string> ids;
-  for (const Object& object : objects) {
+  for (const auto& object : objects) {
     if (!object.id.empty()) ids.push_back(object.id);
   }
   return ids;
 }
 
-void check_mentions(const Reading& reading, Problems& problems) {
-  const World& world = reading.world;
-  for (const Mention& mention : reading.mentions) {
-    const auto [what, ids, is_any] =
-        mention.kind == Reference::team
-            ? std::tuple("team", ids_of(world.teams), !world.teams.empty())
-        : mention.kind == Reference::robot
-            ? std::tuple("robot", ids_of(world.robots), !world.robots.empty())
-            : std::tuple("box", ids_of(world.boxes), !world.boxes.empty());
-    if (std::find(ids.begin(), ids.end(), mention.id) == ids.end()) {
-      const std::string list = !ids.empty() ? base::near_or_all(mention.id, ids, "there are")
-                               : is_any     ? "; the world has none with a valid id"
-                                            : "; the world has none";
-      problems.add(mention.where,
-                   mention.in_words +
-                       (mention.id.empty() ? "" : std::string(": there is no such ") + what) +
-                       list);
+// Checks that what attributes refer to exists.
+class MentionCheck {
+ public:
+  MentionCheck(const World& world, Problems& problems) : world_(world), problems_(problems) {}
+
+  bool exists(Reference kind, const std::string& id) {
+    const auto [known, is_new] = known_.try_emplace(kind);
+    if (is_new) {
+      const std::vector<std::string> ids = this->ids(kind);
+      known->second.insert(ids.begin(), ids.end());
+    }
+    return known->second.contains(id);
+  }
+  void check(const Mention& mention) {
+    if (exists(mention.kind, mention.id)) return;
+    const auto [what, is_any] =
+        mention.kind == Reference::team    ? std::pair("team", !world_.teams.empty())
+        : mention.kind == Reference::robot ? std::pair("robot", !world_.robots.empty())
+                                           : std::pair("box", !world_.boxes.empty());
+    const std::vector<std::string> all = ids(mention.kind);
+    problems_.add(mention.where,
+                  mention.in_words +
+                      (mention.id.empty() ? "" : std::string(": there is no such ") + what) +
+                      (!all.empty() ? base::near_or_all(mention.id, all, "there are")
+                       : is_any     ? "; the world has none with a valid id"
+                                    : "; the world has none"));
+  }
+  void check(const ElementSpec& spec, const void* object) {
+    for (const AttributeSpec& attribute : spec.attributes) {
+      if (attribute.refers_to == Reference::none) continue;
+      const std::string id = std::get<std::string>(*attribute.get(object));
+      if (!id.empty() && !exists(attribute.refers_to, id)) {
+        check({attribute.refers_to, id, spec.location(object),
+               attribute.name + "=\"" + id + "\" of <" + spec.name + ">"});
+      }
     }
   }
-}
+
+ private:
+  std::vector<std::string> ids(Reference kind) const {
+    return kind == Reference::team    ? ids_of(world_.teams)
+           : kind == Reference::robot ? ids_of(world_.robots)
+                                      : ids_of(world_.boxes);
+  }
+
+  const World& world_;
+  Problems& problems_;
+  std::map<Reference, std::set<std::string>> known_;
+};
 
 void check_physics(const Element& root, const Physics& physics, Problems& problems) {
   const Element* element = root.child("physics");
@@ -340,31 +370,29 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
       if (const Attribute* id = child.find("id")) all.push_back(id);
     }
   }
-  for (auto& [what, all] : ids) {
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto* a, const auto* b) { return a->value < b->value; });
-    const Attribute* first = nullptr;
+  for (const auto& [what, all] : ids) {
+    std::unordered_map<std::string_view, const Attribute*> firsts;
     for (const Attribute* id : all) {
-      if (!first || id->value != first->value) {
-        first = id;
-        continue;
-      }
+      const auto& [first, is_new] = firsts.try_emplace(id->value, id);
+      if (is_new) continue;
       problems.add(id->where, "a second " + std::string(what) +
                                   (spec.root ? "" : " of this " + holder.name) + " with the id '" +
                                   id->value + "'; the first is there already" +
-                                  on_line(first->where, id->where));
+                                  on_line(first->second->where, id->where));
     }
   }
 }
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems) {
-  check_mentions(reading, problems);
+  MentionCheck mentions(reading.world, problems);
+  for (const Mention& mention : reading.mentions) mentions.check(mention);
+  for (const auto& [spec, object] : reading.untouched) mentions.check(*spec, object);
   check_physics(root, reading.world.physics, problems);
   check_changes(reading.world, problems);
   check_engine(reading.world, problems);
-  for (std::size_t i = 0; i < reading.world.robots.size(); ++i) {
-    check_robot(reading, i, host, is_running, problems);
+  for (const std::size_t robot : reading.read_robots) {
+    check_robot(reading, robot, host, is_running, problems);
   }
   // After a mistake in the file's sizes, the following checks would be about default values.
   const auto is_sound = [&](const char* name) {

@@ -56,7 +56,8 @@ void check_default(const Robot& robot, Problems& problems) {
 }  // namespace
 
 void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems) {
-  for (Robot& robot : reading.world.robots) {
+  for (const std::size_t index : reading.read_robots) {
+    Robot& robot = reading.world.robots[index];
     if (reading.has_flaw(robot.location) ||
         (robot.drive && reading.has_flaw(robot.drive->location))) {
       continue;

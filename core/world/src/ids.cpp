@@ -12,6 +12,10 @@ namespace {
 
 // `numbered`: ids always end in a number, which counts all elements of the same name.
 void number(Element& list, bool numbered) {
+  if (std::all_of(list.children.begin(), list.children.end(),
+                  [](const Element& child) { return child.find("id"); })) {
+    return;
+  }
   std::set<std::string> taken;
   for (const Element& child : list.children) {
     if (const Attribute* id = child.find("id")) {
@@ -37,10 +41,15 @@ void number(Element& list, bool numbered) {
 }  // namespace
 
 void yield_ids(Element& world, const ElementSpec& spec) {
-  std::map<std::string, int> count;  // the number of uses of each value
+  std::map<std::string, int> count;  // the number of uses of each completed id, besides these
+  for_each_element(world, [&](const Element& element) {
+    const Attribute* id = element.find("id");
+    if (id && id->completed) count.try_emplace(id->value);
+  });
   for_each_element(world, [&](const Element& element) {
     for (const Attribute& attribute : element.attributes) {
-      count[attribute.value] += attribute.completed ? 0 : 1;
+      const auto known = count.empty() ? count.end() : count.find(attribute.value);
+      if (known != count.end() && !attribute.completed) ++known->second;
     }
   });
   for_each_element(world, [&](Element& list) {

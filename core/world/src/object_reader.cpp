@@ -17,6 +17,7 @@
 #include "elsie/thrown/thrown.h"
 #include "elsie/world/files.h"
 #include "elsie/world/values.h"
+#include "elsie/world/world_tree.h"
 
 #include "reading.h"
 #include "refusals.h"
@@ -97,6 +98,8 @@ class ObjectReader {
         problems_.add(child.where,
                       "<" + element.name + "> holds more than one " +
                           (child_spec->plugins ? child_spec->name : "<" + child_spec->name + ">"));
+      } else if (child.unread) {
+        take_over(*child_spec, child, object);
       } else if (!read_child(*child_spec, child, object) && !child_spec->group && !spec.group) {
         sound_ = false;
       }
@@ -111,11 +114,39 @@ class ObjectReader {
     }
   }
 
+  // Takes over what no edit leads to from a world in memory, which has been checked: a list of the
+  // world, or a member of one.
+  void take_over(const ElementSpec& spec, const Element& element, void* parent) {
+    const World& from = element.unread->world();
+    const auto note = [&](const ElementSpec& member, const DescribedObject& described) {
+      if (refers(member)) reading_.untouched.emplace_back(&member, described.object);
+    };
+    if (!spec.group) {
+      const DescribedObject& described = element.unread->meaning(element).described;
+      spec.copy(parent, &from, described.order);
+      note(spec, described);
+      return;
+    }
+    const ElementSpec& first = spec.children.front();
+    if (first.share) first.share(parent, &from);
+    if (first.share && !refers(first)) return;
+    for (const auto& [part, member] : spec.parts_of(&from)) {
+      if (!first.share) member->copy(parent, &from, part.order);
+      note(*member, part);
+    }
+  }
+  static bool refers(const ElementSpec& spec) {
+    return std::any_of(spec.attributes.begin(), spec.attributes.end(), [](const auto& attribute) {
+      return attribute.refers_to != Reference::none;
+    });
+  }
+
   // Reads a child element; returns whether it has no mistakes.
   template <class AnyElement>
   bool read_child(const ElementSpec& spec, AnyElement& element, void* parent) {
     const bool parent_sound = std::exchange(sound_, true);
     void* object = spec.make(parent, element.where);
+    if (spec.name == "robot") reading_.read_robots.push_back(reading_.world.robots.size() - 1);
     if (element.incomplete) mark_robot_incomplete();
     if (spec.plugins) {
       read_use(spec, element, object);
@@ -200,8 +231,9 @@ class ObjectReader {
           {known.refers_to, attribute.value, attribute.where, in_words(attribute, element)});
     }
     if (known.set) known.set(object, *parsed.value);
+    // A new element of a running world has no meaning in its tree.
     if (known.name == "energy" && element.name == "robot" &&
-        attribute.where.file.text().starts_with("--set ")) {
+        (!element.object || attribute.where.file.text().starts_with("--set "))) {
       reading_.charged_robots.insert(reading_.world.robots.size() - 1);
     }
   }

@@ -6,6 +6,7 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/world/tree.h"
+#include "elsie/world/world_tree.h"
 
 #include "ids.h"
 #include "path.h"
@@ -126,7 +127,7 @@ void take_out(const std::vector<Place>& places, const std::string& attribute,
   if (value == "false" || places.empty()) return;
   std::size_t found = 0;
   for (const Place& place : places) {
-    found += place.element->find(attribute) ? 1 : 0;
+    found += completed(*place.element).find(attribute) ? 1 : 0;
     place.element->erase(attribute);
   }
   const bool has_default = is_running && places.front().spec->attribute(attribute);
@@ -199,7 +200,7 @@ void apply_override(Element& world, const std::string& override, bool is_running
       }
     } else {
       for (const Place& place : find_places(world, path)) {
-        place.element->set(path.attribute, value, where);
+        completed(*place.element).set(path.attribute, value, where);
       }
     }
     if (path.from_attribute || path.attribute.empty() || path.attribute == "id") {

@@ -12,6 +12,7 @@
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/vocabulary.h"
+#include "elsie/world/world_tree.h"
 
 namespace elsie::world {
 
@@ -25,9 +26,15 @@ namespace {
 
 [[noreturn]] void refuse_path(const std::string& message) { throw std::invalid_argument(message); }
 
+// Whether a step of this name may mean members of the group.
+bool may_hold(const ElementSpec& group, const std::string& name) {
+  return name == group.members || group.child(name) || group.children.front().plugins;
+}
+
 // The children that a step of this name means, including those of groups.
 std::vector<Place> children(const Place& place, const std::string& name) {
   std::vector<Place> found;
+  completed(*place.element);
   if (place.spec->group) {
     const ElementSpec& first = place.spec->children.front();
     for (Element& child : place.element->children) {
@@ -43,7 +50,7 @@ std::vector<Place> children(const Place& place, const std::string& name) {
       if (child.name != spec.name) continue;
       if (name == spec.name && name != spec.members) {
         found.push_back({&child, &spec});
-      } else if (spec.group) {
+      } else if (spec.group && may_hold(spec, name)) {
         const auto members = children({&child, &spec}, name);
         found.insert(found.end(), members.begin(), members.end());
       }
@@ -82,9 +89,9 @@ std::vector<std::string> names_at(const Place& place) {
     names.insert(spec.name);
     if (spec.group) names.insert(spec.members);
   }
-  for (const Element& child : place.element->children) {
+  for (Element& child : place.element->children) {
     if (place.spec->plugins) names.insert(child.name);
-    for (const Element& member : child.children) {
+    for (const Element& member : completed(child).children) {
       names.insert(member.name);
     }
   }
@@ -108,12 +115,13 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
   if (step.key == "*") return places;
   std::vector<std::string> ids;
   for (const Place& place : places) {
-    ids.push_back(place.element->value("id"));
-    if (!step.key.empty() && ids.back() == step.key) {
-      return {place};
-    }
+    const Attribute* id = place.element->find("id");
+    if (id && !step.key.empty() && id->value == step.key) return {place};
   }
-  ids.erase(std::remove(ids.begin(), ids.end(), ""), ids.end());
+  for (const Place& place : places) {
+    if (const Attribute* id = place.element->find("id")) ids.push_back(id->value);
+  }
+  std::erase(ids, "");
   const std::string count = std::to_string(places.size());
   if (step.key.empty()) {
     if (places.size() == 1) return places;
@@ -226,6 +234,7 @@ void refuse_second(const Element& there, const std::string& held, const std::str
 // Adds the element if the place may hold what the step names; returns whether it may.
 bool add_to(const Place& place, const PathStep& step, const Element& given) {
   const auto named_alike = [&](const Element& child) { return child.name == step.name; };
+  completed(*place.element);
   if (place.spec->group) {
     const ElementSpec& member = place.spec->children.front();
     const bool is_any = step.name == place.spec->members;

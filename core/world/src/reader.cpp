@@ -16,6 +16,7 @@
 #include "elsie/world/object_reader.h"
 #include "elsie/world/tree.h"
 #include "elsie/world/vocabulary.h"
+#include "elsie/world/world_tree.h"
 
 #include "ids.h"
 #include "reading.h"
@@ -59,12 +60,13 @@ Element tree_of_world(std::string_view text, const std::string& file,
   return root;
 }
 
-World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
+namespace {
+// Applies the overrides to the tree of a world, and reads it.
+World read_edited(Element& root, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options) {
   Problems problems;
   const Files files(file, options.data_directories, options.overrides_from, options.files,
                     options.found);
-  Element root = tree_of_world(text, file);
   std::optional<Drawn> drawn;
   const std::vector<std::string>& overrides = options.overrides;
   std::set<std::size_t> of_drawn;  // edits of what layouts draw
@@ -112,9 +114,28 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
       apply_override(root, overrides[i], options.is_running, made_already);
     }
   }
+  // Boxes of both lists have different ids.
+  Element *const obstacles = root.child("obstacles"), *const resources = root.child("resources");
+  if (obstacles && resources && obstacles->unread != resources->unread) {
+    completed(*obstacles);
+    completed(*resources);
+  }
   World world = world_of_tree(std::move(root), file, host, files, options, problems);
   world.drawn = drawn;
   return world;
+}
+}  // namespace
+
+World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
+                  const ReadOptions& options) {
+  Element root = tree_of_world(text, file);
+  return read_edited(root, file, host, options);
+}
+
+World edited(const World& world, const plugin::Host& host, ReadOptions options) {
+  options.is_running = true;
+  WorldTree tree(world);
+  return read_edited(tree.begun(), world.file, host, options);
 }
 
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
@@ -138,7 +159,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   if (options.check_plugins && !options.is_running) {
-    changed_worlds(world, host, options);
+    visit_changed_worlds(world, host, options);
   }
   return std::move(world);
 }

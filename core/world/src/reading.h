@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "elsie/world/object_reader.h"
@@ -26,11 +27,15 @@ struct Mention {
 struct Reading {
   World world;
   std::vector<Mention> mentions;
+  /// Objects with attributes that refer to others, which were taken over from a world in memory.
+  std::vector<std::pair<const ElementSpec*, const void*>> untouched;
   /// Later checks must ignore the objects of these elements.
   std::vector<Flawed> flawed;
   /// The indices in World::robots of robots whose template or plugin could not be found.
   std::set<std::size_t> incomplete_robots;
   std::set<std::size_t> charged_robots;  // whose `energy` an edit sets
+  /// The others are taken over from a world in memory.
+  std::vector<std::size_t> read_robots;
 
   bool has_flaw(const Location& where, bool of_plugins = true) const {
     return std::any_of(flawed.begin(), flawed.end(), [&](const Flawed& each) {

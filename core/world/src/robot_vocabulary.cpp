@@ -80,8 +80,7 @@ ElementSpec sensor() {
           .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
           .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
           .attribute("energy_cost", &SensorUse::energy_cost,
-                     range("units/s", 0, 1e12, "the energy that it uses"),
-                     kLive<&LiveRobot::set_energy_cost>));
+                     range("units/s", 0, 1e12, "the energy that it uses"), kLive));
 }
 
 ElementSpec behavior() {
@@ -92,7 +91,7 @@ ElementSpec behavior() {
           .holds(&BehaviorUse::inside)
           .attribute("priority", &BehaviorUse::priority,
                      range("", -1e6, 1e6, "its weight or rank; the coordinator decides which"),
-                     kLive<&LiveRobot::set_priority>));
+                     kLive));
 }
 
 // The use of a plugin of which there is at most one.
@@ -119,26 +118,22 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
           "template", ParameterType::file,
           fact("a file with a <robot_template>, whose content this element overrides"))
       .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
-      .attribute("x", &Robot::x, metres("east"), kLive<&LiveRobot::set_x>)
-      .attribute("y", &Robot::y, metres("north"), kLive<&LiveRobot::set_y>)
-      .attribute("z", &Robot::z, range("m", 0, 100, "the bottom of its wheels"),
-                 kLive<&LiveRobot::set_z>)
-      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"),
-                 kLive<&LiveRobot::set_heading_deg>)
+      .attribute("x", &Robot::x, metres("east"), kLive)
+      .attribute("y", &Robot::y, metres("north"), kLive)
+      .attribute("z", &Robot::z, range("m", 0, 100, "the bottom of its wheels"), kLive)
+      .attribute("heading_deg", &Robot::heading_deg, angle("counter-clockwise from east"), kLive)
       .attribute("max_speed", &Robot::max_speed,
-                 range("m/s", 0, 100, "no wheel rolls faster than this"),
-                 kLive<&LiveRobot::set_max_speed>)
+                 range("m/s", 0, 100, "no wheel rolls faster than this"), kLive)
       .attribute(
           "coverage", &Robot::coverage,
           range("m", 0, 1e4, "communication radius, within which robots of its team perceive it"),
-          kLive<&LiveRobot::set_coverage>)
-      .attribute("leader", &Robot::leader, fact("whether it leads its team"),
-                 kLive<&LiveRobot::set_leader>)
+          kLive)
+      .attribute("leader", &Robot::leader, fact("whether it leads its team"), kLive)
       .attribute("battery", &Robot::battery, positive("units", 1e12, "its battery when full"),
                  kCheap)
       .attribute("energy", &Robot::energy,
                  range("units", 0, 1e12, "in the battery at the start; by default it is full"),
-                 kLive<&LiveRobot::set_energy>)
+                 kLive)
       .one(body(), &Robot::body)
       .group(
           Describe<Robot>("drive",

@@ -26,7 +26,12 @@ Cost most(const ElementSpec& spec) {
 
 auto dear_parts(const ElementSpec& spec, const void* object, Cost least) {
   auto parts = spec.parts_of(object);
-  std::erase_if(parts, [&](const auto& part) { return most(*part.second) < least; });
+  const ElementSpec* last = nullptr;
+  bool is_cheap = false;  // of the last one: most parts of a list are of one kind
+  std::erase_if(parts, [&](const auto& part) {
+    if (part.second != last) is_cheap = most(*(last = part.second)) < least;
+    return is_cheap;
+  });
   return parts;
 }
 
@@ -49,6 +54,7 @@ bool same(const PluginUse& a, const PluginUse& b) {
 }
 
 bool same(const ElementSpec& spec, const void* a, const void* b, Cost least) {
+  if (a == b) return true;  // as what copies of a world share
   if (!same_attributes(spec, a, b, least)) return false;
   if (!spec.plugins) return same_parts(spec, a, b, least);
   if (spec.cost >= least && !same(*spec.use(a), *spec.use(b))) return false;

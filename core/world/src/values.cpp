@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
-#include "elsie/world/live_robot.h"
 
 namespace elsie::world {
 
@@ -96,11 +95,7 @@ Field field_of(const ParameterDeclaration& parameter) {
   field.type = parameter.type;
   field.facts = parameter.facts;
   field.required = parameter.facts.required;
-  if (parameter.facts.live) {
-    field.change = [](LiveRobot& robot, const AttributePlace& place, const ParameterValue& value) {
-      robot.set_parameter(place, value);
-    };
-  }
+  field.cost = parameter.facts.live ? Cost::value : Cost::object;
   if (!field.required) {
     field.default_value = parameter.default_value;
   }

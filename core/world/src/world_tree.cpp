@@ -16,51 +16,70 @@ std::string joined(const std::string& path, const std::string& step, const std::
 
 // The parameters that are set for a plugin, or for an element nested in its element.
 template <class Use>
-void add_parameters(Element& element, const Use& use) {
+void add_parameters(Element& element, const Use& use, const Location& where) {
   for (const auto& [name, value] : use.parameters) {
     const auto file = use.file_names.find(name);
     if (file == use.file_names.end() || value != ParameterValue(file->second.path)) {
-      element.attributes.push_back({name, format_value(value), {}});
+      element.attributes.push_back({name, format_value(value), where});
     } else if (!file->second.name.empty()) {
-      element.attributes.push_back({name, file->second.name, {}});
+      element.attributes.push_back({name, file->second.name, where});
     }
   }
 }
-
-// The text of an element; "" if the element can be left out without a change of meaning.
-std::string text_of(const Element& element, const WorldTree& tree, std::size_t depth) {
-  const std::string indent(2 * depth, ' ');
-  std::string content = element.text;
-  for (const Element& child : element.children) {
-    content += text_of(child, tree, depth + 1);
-  }
-  const bool is_needed = depth == 0 || tree.meaning(element).is_listed;
-  if (content.empty() && element.attributes.empty() && !is_needed) return "";
-  return indent + start_tag(element) +
-         (content.empty() ? "/>\n" : ">\n" + content + indent + "</" + element.name + ">\n");
-}
 }  // namespace
 
-Element WorldTree::make(const ElementSpec& spec, const void* object, Meaning meaning) {
+WorldTree::WorldTree(const World& world) : world_(world), file_{world.file, 1} {
+  Meaning whole;
+  whole.described.object = &world;
+  root_ = begin(vocabulary(), whole, "");
+  complete(root_);
+}
+
+Element& WorldTree::root() {
+  for_each_element(root_, completed);
+  return root_;
+}
+
+Element& completed(Element& element) {
+  if (element.unread) element.unread->complete(element);
+  return element;
+}
+
+// An element with its id only.
+Element WorldTree::begin(const ElementSpec& spec, Meaning meaning, const std::string& id) {
+  const auto& [order, object] = meaning.described;
   meaning.spec = &spec;
   if (spec.plugins) {
     meaning.use = spec.use(object);
     meaning.kind = spec.plugins;
   } else if (spec.name == "robot") {
     meaning.robot = static_cast<const Robot*>(object);
+    meaning.robot_index = order;
   }
   Element element;
   element.name = meaning.use ? meaning.use->plugin : spec.name;
+  element.where = spec.location ? spec.location(object) : file_;
+  if (!id.empty()) element.attributes.push_back({"id", id, file_});
   element.object = meanings_.size();
-  meanings_.push_back(meaning);
+  element.unread = this;
+  meanings_.push_back(std::move(meaning));
+  return element;
+}
+
+void WorldTree::complete(Element& element) {
+  element.unread = nullptr;
+  element.attributes.clear();
+  const Meaning meaning = meanings_[*element.object];
+  const ElementSpec& spec = *meaning.spec;
+  const void* const object = meaning.described.object;
   for (const AttributeSpec& attribute : spec.attributes) {
     const auto value = attribute.get ? attribute.get(object) : std::nullopt;
     if (value && value != attribute.default_value) {
-      element.attributes.push_back({attribute.name, format_value(*value), {}});
+      element.attributes.push_back({attribute.name, format_value(*value), file_});
     }
   }
   if (meaning.use) {
-    add_parameters(element, *meaning.use);
+    add_parameters(element, *meaning.use, file_);
     add_declared(element, meaning);
   }
   if (!spec.plugins) {
@@ -68,34 +87,32 @@ Element WorldTree::make(const ElementSpec& spec, const void* object, Meaning mea
   } else if (const Coordination* held = spec.inside ? spec.inside(object) : nullptr) {
     add_children(element, coordination_vocabulary(), held, meaning);
   }
-  return element;
 }
 
 void WorldTree::add_children(Element& element, const ElementSpec& spec, const void* object,
                              const Meaning& meaning) {
+  const bool is_of_world = meaning.path.empty();  // the world, or one of its lists
   std::size_t number = 0;
-  for (const auto& [part, child] : spec.parts_of(object)) {
+  const auto parts = spec.parts_of(object);
+  element.children.reserve(parts.size());
+  for (const auto& [part, child] : parts) {
     Meaning of_child = meaning;
+    of_child.described = part;
     of_child.use = nullptr;
     of_child.kind.reset();
     of_child.is_listed = spec.group || child->at_most > 1;
+    std::string key;
     if (!child->group) {
       const AttributeSpec* id = child->attribute("id");
       const auto name = id && id->get ? id->get(part.object) : std::nullopt;
-      const std::string key = name ? std::get<std::string>(*name) : "";
+      if (name) key = std::get<std::string>(*name);
       of_child.path = joined(meaning.path, spec.group ? spec.members : child->name,
                              child->at_most <= 1 ? ""
                              : key.empty()       ? std::to_string(++number)
                                                  : key);
     }
-    const std::size_t before = meanings_.size();
-    Element made = make(*child, part.object, std::move(of_child));
-    if (as_text_ && spec.group && meaning.path.empty()) {  // of the world: robots, obstacles...
-      element.text += text_of(made, *this, 2);
-      meanings_.resize(before);
-    } else {
-      element.children.push_back(std::move(made));
-    }
+    Element& made = element.children.emplace_back(begin(*child, std::move(of_child), key));
+    if (!is_of_world || !(spec.group || child->group)) complete(made);
   }
 }
 
@@ -105,21 +122,39 @@ void WorldTree::add_declared(Element& element, const Meaning& meaning) {
     const ElementUse& use = meaning.use->elements[i];
     Meaning of_child = meaning;
     of_child.spec = nullptr;
+    of_child.described = {};
     of_child.nested = i;
     of_child.is_listed = true;
     of_child.path = joined(meaning.path, use.element, std::to_string(++count[use.element]));
     Element child;
     child.name = use.element;
+    child.where = use.location;
     child.object = meanings_.size();
-    add_parameters(child, use);
+    add_parameters(child, use, file_);
     meanings_.push_back(std::move(of_child));
     element.children.push_back(std::move(child));
   }
 }
 
+// The text of an element; "" if the element can be left out without a change of meaning.
+std::string WorldTree::text(Element& element, std::size_t depth) {
+  const std::size_t before = meanings_.size();
+  const bool is_needed = depth == 0 || meaning(element).is_listed;
+  completed(element);
+  const std::string indent(2 * depth, ' ');
+  std::string content;
+  for (Element& child : element.children) {
+    content += text(child, depth + 1);
+  }
+  element.children = {};
+  meanings_.resize(before);
+  if (content.empty() && element.attributes.empty() && !is_needed) return "";
+  return indent + start_tag(element) +
+         (content.empty() ? "/>\n" : ">\n" + content + indent + "</" + element.name + ">\n");
+}
+
 std::string write_world(const World& world) {
-  WorldTree tree(world, true);
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + text_of(tree.root(), tree, 0);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + WorldTree(world).text();
 }
 
 }  // namespace elsie::world

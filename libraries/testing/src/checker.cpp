@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "elsie/base/crew.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/thrown/thrown.h"
 
 #include "memory.h"
@@ -332,9 +332,9 @@ class Checker {
         "not share what they change, or it declares elsie::one_thread()";
     Answers ones(first.size()), others(second->size());
     std::latch begun(2);
-    base::Crew crew(2);
+    sharing::Crew crew(2);
     try {
-      crew.divide(2, 1, [&](const base::Crew::Share& share) {
+      crew.divide(2, 1, [&](const sharing::Crew::Share& share) {
         begun.arrive_and_wait();  // neither thread does both
         run_quietly(share.first == 0 ? one : *other, share.first == 0 ? ones : others);
       });

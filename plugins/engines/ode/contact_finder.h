@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "elsie/base/crew.h"
 #include "elsie/physics/engine.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/world/description.h"
 
 #include "box_body.h"
@@ -50,14 +50,14 @@ class ContactFinder {
   /// Bodies in a share of the crew.
   static constexpr std::size_t kBlock = 16;
 
-  void find(const OdeBodies& bodies, base::Crew& crew);
+  void find(const OdeBodies& bodies, sharing::Crew& crew);
 
   std::span<FoundContacts> found() { return std::span(blocks_).first(used_); }
   /// See Engine::touches().
   std::span<const Touch> touches() const { return touches_; }
 
  private:
-  void find_floor(const OdeBodies& bodies, base::Crew& crew);
+  void find_floor(const OdeBodies& bodies, sharing::Crew& crew);
   void find_neighbors(const OdeBodies& bodies, Scene::Id id, FoundContacts& found) const;
 
   world::Physics physics_;

@@ -60,7 +60,7 @@ struct IslandCrew::Blocks {
 
 constinit thread_local IslandCrew::Chain* IslandCrew::present_ = nullptr;
 
-IslandCrew::IslandCrew(base::Crew& crew) : crew_(&crew), chains_(crew.threads()) {}
+IslandCrew::IslandCrew(sharing::Crew& crew) : crew_(&crew), chains_(crew.threads()) {}
 
 IslandCrew::~IslandCrew() {
   Blocks& blocks = Blocks::all();
@@ -72,7 +72,7 @@ IslandCrew::~IslandCrew() {
   });
 }
 
-void IslandCrew::work_with(base::Crew& crew) {
+void IslandCrew::work_with(sharing::Crew& crew) {
   crew_ = &crew;
   chains_ = std::vector<Chain>(crew.threads());
 }
@@ -148,7 +148,7 @@ void IslandCrew::change_waiting(Call& call, std::ptrdiff_t by) {
 
 void IslandCrew::make_all() {
   const std::vector<Call*> first = std::exchange(ready_, {});
-  crew_->divide(first.size(), 1, [&](const base::Crew::Share& share) {
+  crew_->divide(first.size(), 1, [&](const sharing::Crew::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) make(*first[i], share.thread);
   });
   outer_.clear();

@@ -9,7 +9,7 @@
 #include <ode/ode.h>
 #include <ode/threading.h>
 
-#include "elsie/base/crew.h"
+#include "elsie/sharing/crew.h"
 
 namespace elsie::physics {
 
@@ -19,13 +19,13 @@ namespace elsie::physics {
 class IslandCrew {
  public:
   /// The crew must outlive the steps.
-  explicit IslandCrew(base::Crew& crew);
+  explicit IslandCrew(sharing::Crew& crew);
   ~IslandCrew();
   IslandCrew(const IslandCrew&) = delete;
   IslandCrew& operator=(const IslandCrew&) = delete;
 
   /// Takes another crew.
-  void work_with(base::Crew& crew);
+  void work_with(sharing::Crew& crew);
   /// Schedules the steps of this world, which must be destroyed first, and keeps their memory.
   void serve(dWorldID world);
   /// Before a step of a world with so many islands, roughly. Few islands get few threads.
@@ -58,7 +58,7 @@ class IslandCrew {
   // The chain that this thread is making.
   static constinit thread_local Chain* present_;
 
-  base::Crew* crew_;
+  sharing::Crew* crew_;
   std::size_t threads_ = 1;
   std::deque<Call> outer_;     // posted by the thread that steps the world
   std::vector<Call*> ready_;   // of these, the calls that wait for no others

@@ -66,7 +66,7 @@ class OdeEngine final : public Engine {
     return bodies_.robots.at(robot).joints();
   }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
-  void work_with(base::Crew& crew) override {
+  void work_with(sharing::Crew& crew) override {
     crew_ = &crew;
     world_.work_with(crew);
   }
@@ -121,8 +121,8 @@ class OdeEngine final : public Engine {
 
   world::Physics physics_;
   double time_ = 0.0;
-  base::Crew alone_;
-  base::Crew* crew_ = &alone_;
+  sharing::Crew alone_;
+  sharing::Crew* crew_ = &alone_;
   OdeWorld world_;
   // Geometry is destroyed before the world with the bodies that it is attached to.
   ContactJoints joints_;
@@ -347,7 +347,7 @@ void OdeEngine::for_each_robot(const Work& work) {
   constexpr std::size_t size = ContactFinder::kBlock;
   const std::size_t robots = bodies_.robots.size();
   shares_.resize((robots + size - 1) / size);
-  crew_->divide(shares_.size(), 1, [&](const base::Crew::Share& some) {
+  crew_->divide(shares_.size(), 1, [&](const sharing::Crew::Share& some) {
     prepare_ode();
     const std::size_t end = std::min(robots, size * some.end);
     for (std::size_t i = size * some.first; i < end; ++i) work(i, shares_[i / size]);

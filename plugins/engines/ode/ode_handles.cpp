@@ -38,7 +38,7 @@ void prepare_ode() {
   }
 }
 
-OdeWorld::OdeWorld(base::Crew& crew) : islands_(crew) {
+OdeWorld::OdeWorld(sharing::Crew& crew) : islands_(crew) {
   prepare_ode();
   world_ = dWorldCreate();
   islands_.serve(world_);

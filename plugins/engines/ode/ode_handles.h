@@ -27,7 +27,7 @@ class OdeFailure : public std::runtime_error {
 class OdeWorld {
  public:
   /// Steps with the threads of this crew, which must outlive the world.
-  explicit OdeWorld(base::Crew& crew);
+  explicit OdeWorld(sharing::Crew& crew);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
@@ -35,7 +35,7 @@ class OdeWorld {
   dWorldID get() const { return world_; }
 
   /// Takes another crew.
-  void work_with(base::Crew& crew) { islands_.work_with(crew); }
+  void work_with(sharing::Crew& crew) { islands_.work_with(crew); }
 
   /// Takes a step of about so many islands. Returns false if ODE's solver gave up: the world has
   /// moved, but bodies may have passed through their contacts. Throws OdeFailure if it stopped half

@@ -111,7 +111,7 @@ void PlanarEngine::stop_moving_boxes() {
 /// Returns how far two bodies may come nearer in this part of the step, m.
 double PlanarEngine::begin_movers() {
   std::fill(fastest_.begin(), fastest_.end(), 0.0);
-  crew_->divide(moving_.size(), kLeastMovers, [&](const base::Crew::Share& share) {
+  crew_->divide(moving_.size(), kLeastMovers, [&](const sharing::Crew::Share& share) {
     double& fastest = fastest_[share.thread];
     for (std::size_t i = share.first; i < share.end; ++i) {
       Mover& mover = movers_[moving_[i].mover];
@@ -196,7 +196,7 @@ void PlanarEngine::settle() {
       if (!failed) failed = std::current_exception();
     }
   };
-  const auto settle_robots = [&](const base::Crew::Share& share) {
+  const auto settle_robots = [&](const sharing::Crew::Share& share) {
     std::exception_ptr failure;  // the others are moved, too
     for (std::size_t i = share.first; i < share.end; ++i) {
       try {

@@ -4,9 +4,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/base/crew.h"
 #include "elsie/base/random.h"
 #include "elsie/physics/failure.h"
+#include "elsie/sharing/crew.h"
 
 #include "conformance.h"
 
@@ -19,7 +19,7 @@ namespace {
 /// Robots, boxes that they push, a train and a box that moves through them, close enough to meet;
 /// one box is removed on the way. The hash after each step.
 std::vector<std::uint64_t> history(const std::string& engine, std::size_t threads, int steps) {
-  base::Crew crew(threads);
+  sharing::Crew crew(threads);
   PhysicsContext context(with(engine), {.length = 4.0, .width = 4.0});
   context.engine->work_with(crew);
   Random random(3);
@@ -63,7 +63,7 @@ TEST_CASE("Of several robots that are lost, the same one is named with any crew"
   const std::string engine = each_engine();
   CAPTURE(engine);
   const auto lost = [&](std::size_t threads) {
-    base::Crew crew(threads);
+    sharing::Crew crew(threads);
     PhysicsContext context(with(engine));
     context.engine->work_with(crew);
     for (int i = 0; i < 40; ++i) context.robot(0.4 * (i % 8) - 4, 0.4 * (i / 8) - 1);

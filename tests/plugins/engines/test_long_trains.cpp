@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/base/crew.h"
+#include "elsie/sharing/crew.h"
 
 #include "trains.h"
 
@@ -243,7 +243,7 @@ TEST_CASE("A long train that curls up is stopped by its own segments") {
 
 TEST_CASE("Long trains have the same bits with any number of threads") {
   const auto hash = [](std::size_t threads) {
-    base::Crew crew(threads);
+    sharing::Crew crew(threads);
     world::Arena small;
     small.length = small.width = 4.0;
     PhysicsContext context({}, small);

@@ -144,8 +144,7 @@ TEST_CASE("An even line goes from end to end") {
 
 TEST_CASE("Headings follow their rule") {
   const auto headings = [](const std::string& rule) {
-    std::vector<world::Robot> robots =
-        drawn(scattered("count='20'", "<robot id='r'/>" + rule), 3).robots;
+    const auto robots = drawn(scattered("count='20'", "<robot id='r'/>" + rule), 3).robots;
     REQUIRE(robots.size() == 20);
     return robots;
   };

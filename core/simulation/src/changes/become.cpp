@@ -44,7 +44,7 @@ bool Becoming::keeps(PluginObject& object, const world::PluginUse& was,
                      const world::PluginUse& next) {
   if (!world::same(was, next)) {
     const Declaration& declaration = *object.declaration;
-    if (!asked_uses_.contains(object.use) || was.plugin != next.plugin || was.id != next.id ||
+    if (was.plugin != next.plugin || was.id != next.id ||
         differ_for_good(declaration.parameters, was.parameters, next.parameters) ||
         !std::equal(was.elements.begin(), was.elements.end(), next.elements.begin(),
                     next.elements.end(), [&](const ElementValue& one, const ElementValue& other) {
@@ -59,15 +59,6 @@ bool Becoming::keeps(PluginObject& object, const world::PluginUse& was,
   }
   describe(object, next);
   return true;
-}
-
-void Becoming::describe(PluginObject& object, const world::PluginUse& next) {
-  undo_.keep(object.use);
-  object.use = &next;
-  if (object.extras().changed) {
-    undo_.keep(object.own_extras().changed);
-    object.own_extras().changed.reset();
-  }
 }
 
 void Becoming::equip_again(PluginObject& object, const Example& example) {
@@ -101,6 +92,15 @@ void Controller::take_members(std::vector<Member> members) {
   } else {
     members_ = std::move(members);
   }
+}
+
+void Controller::describe(const world::Coordination& next) {
+  description_ = &next;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    slots_[i]->use = &next.behaviors[i];
+    if (slots_[i]->inside) slots_[i]->inside->describe(inside_of(next.behaviors[i]));
+  }
+  if (coordinator_) coordinator_->use = &*next.coordinator;
 }
 
 void Controller::become(const world::Coordination& was, const world::Coordination& next,
@@ -156,6 +156,15 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   if (was.coordinator && next.coordinator) {
     becoming.note_lost(robot, path + next.coordinator->id);
   }
+}
+
+void Robot::describe(const world::Robot& next) {
+  description_ = &next;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    sensors_[i]->use = &next.sensors[i];
+  }
+  if (next.drive) drive_->use = &*next.drive;
+  controller_->describe(next);
 }
 
 void Robot::become(const world::Robot& was, const world::World& world, std::size_t index,
@@ -237,11 +246,7 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
     // The default mounting depends on the body.
     if (is_known && same_body && world::same(was.sensors[place], use, world::Cost::object) &&
         becoming.keeps(*slots[place], was.sensors[place], use)) {
-      SensorSlot& slot = *sensors_.emplace_back(slots[place]);
-      if (slot.extras().energy_cost) {
-        becoming.undo().keep(slot.own_extras().energy_cost);
-        slot.own_extras().energy_cost.reset();
-      }
+      sensors_.push_back(slots[place]);
       continue;
     }
     SensorSlot& made = *sensors_.emplace_back(std::make_shared<SensorSlot>(use, becoming.host()));
@@ -252,8 +257,9 @@ void Robot::become_sensors(const world::Robot& was, Becoming& becoming) {
   }
 }
 
-/// Takes over attributes that can be changed in place.
 void Robot::take_live(bool has_new_drive, bool has_new_energy) {
+  sensor_cost_.reset();
+  controller_->take_priorities();
   if (has_new_drive || state_.max_speed_m_s != description_->max_speed) {
     set_max_speed(description_->max_speed);
   }

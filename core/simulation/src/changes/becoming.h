@@ -60,21 +60,19 @@ class Becoming {
 
   /// Notes that an edit sets this value, even if the description already has it.
   void ask(const world::AttributePlace& place) {
-    if (place.use) {
-      asked_uses_.insert(place.use);
-    } else if (place.robot) {
-      asked_.insert({place.robot->id, place.field.name});
-    }
+    if (place.robot && !place.use) asked_.insert({place.robot->id, place.field.name});
   }
   bool asks(const world::Robot& robot, const char* attribute) const {
     return asked_.contains({robot.id, attribute});
   }
-  /// Returns whether the object stays: `was` and `next` differ only in parameters that an edit puts
-  /// in place. If it stays, `next` becomes its description, and it gets the new parameters when it
-  /// is equipped again.
+  /// Returns whether the object stays: `was` and `next` differ only in parameters that may change
+  /// during a run. If it stays, `next` becomes its description, and it gets the new parameters when
+  /// it is equipped again.
   bool keeps(PluginObject& object, const world::PluginUse& was, const world::PluginUse& next);
-  /// Makes `next` the object's description and drops the parameters that were set during the run.
-  void describe(PluginObject& object, const world::PluginUse& next);
+  void describe(PluginObject& object, const world::PluginUse& next) {
+    undo_.keep(object.use);
+    object.use = &next;
+  }
   /// Notes that the object must be equipped again.
   void note_other_equipment(const PluginObject& object) { again_with_.try_emplace(&object); }
   /// Returns whether the object itself must be equipped again.
@@ -95,8 +93,7 @@ class Becoming {
   std::vector<base::Problem> problems_;
   Statements said_;
   std::set<std::pair<std::string, std::string>> asked_;  // of robots
-  std::set<const world::PluginUse*> asked_uses_;
-  struct Tuned {  // none: the parameters do not change
+  struct Tuned {                                         // none: the parameters do not change
     std::optional<Setup> before, now;
   };
   std::map<const PluginObject*, Tuned> again_with_;

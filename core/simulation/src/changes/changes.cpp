@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <utility>
 
 #include "elsie/base/number_text.h"
 #include "elsie/world/footprint.h"
-#include "elsie/world/live_robot.h"
 
 #include "changes/room.h"
 #include "plugins/guard.h"
@@ -43,70 +41,44 @@ struct Tuned {
   Setup setup;
   std::string text;
 };
-/// A robot's new place.
-struct Placed {
-  std::size_t robot = 0;
-  Pose pose;
-  double z = 0.0;
-  std::string text;
-};
 using Setups = std::map<const PluginObject*, Setup>;
 
 /// Plans changes that are made together, one attribute of a robot at a time, without changing the
 /// robot.
-class Plan final : public world::LiveRobot {
+class Plan {
  public:
   /// `setups`: parameters that earlier changes of the schedule will have set.
   Plan(const world::World& world, const Changes::Stage& stage, const Setups& setups)
       : world_(world), stage_(stage), setups_(setups) {}
 
-  /// Starts planning the next attribute; `text` is for messages: "robot[r1]/@x=3".
-  void begin(const world::Robot& robot, std::string text) {
-    index_ = static_cast<std::size_t>(&robot - world_.robots.data());
+  /// Plans the next attribute; `text` is for messages: "robot[r1]/@x=3".
+  void set(const world::AttributePlace& place, const ParameterValue& value, std::string text) {
+    index_ = place.robot_index;
     text_ = std::move(text);
+    const std::string& name = place.field.name;
+    if (!place.attribute) {
+      set_parameter(place, value);
+    } else if (name == "x") {
+      placed().pose.x = checked_place(name, std::get<double>(value), 0.5 * world_.arena.length);
+    } else if (name == "y") {
+      placed().pose.y = checked_place(name, std::get<double>(value), 0.5 * world_.arena.width);
+    } else if (name == "z") {
+      const double metres = std::get<double>(value);
+      if (const auto fault = stage_.engine.fault_of_height(metres)) refuse(text_, *fault);
+      placed().z = metres;
+    } else if (name == "heading_deg") {
+      placed().pose.heading_rad = wrap_angle(radians(std::get<double>(value)));
+    } else if (name == "energy") {
+      check_energy(std::get<double>(value));
+    }  // of the others, any value can be taken
   }
 
-  void set_x(double metres) override {
-    check_inside("x", metres, 0.5 * world_.arena.length);
-    placed().pose.x = metres;
-  }
-  void set_y(double metres) override {
-    check_inside("y", metres, 0.5 * world_.arena.width);
-    placed().pose.y = metres;
-  }
-  void set_z(double metres) override {
-    if (const auto fault = stage_.engine.fault_of_height(metres)) refuse(text_, *fault);
-    placed().z = metres;
-  }
-  void set_heading_deg(double degrees) override {
-    placed().pose.heading_rad = wrap_angle(radians(degrees));
-  }
-  void set_max_speed(double metres_per_second) override {
-    settings.push_back([=, &robot = robot()] { robot.set_max_speed(metres_per_second); });
-  }
-  void set_coverage(double metres) override {
-    settings.push_back([=, &robot = robot()] { robot.set_coverage(metres); });
-  }
-  void set_leader(bool leader) override {
-    settings.push_back([=, &robot = robot()] { robot.set_leader(leader); });
-  }
-  void set_energy(double units) override {
-    const world::Robot& described = robot().description();
-    if (units > described.battery) {
-      refuse(text_, "the battery of the robot '" + described.id + "' holds " +
-                        number(described.battery) + " units; expected no more than that");
-    }
-    settings.push_back([=, &robot = robot()] { robot.set_energy(units); });
-  }
-  void set_energy_cost(const world::PluginUse& sensor, double units_per_second) override {
-    settings.push_back(
-        [=, &robot = robot(), &sensor] { robot.set_energy_cost(sensor, units_per_second); });
-  }
-  void set_priority(const world::PluginUse& behavior, double priority) override {
-    settings.push_back(
-        [=, &robot = robot(), &behavior] { robot.set_priority(behavior, priority); });
-  }
-  void set_parameter(const world::AttributePlace& place, const ParameterValue& value) override {
+  std::vector<EventRecord> events;
+  std::vector<Tuned> tunings;
+  std::vector<Changes::Placed> places;
+
+ private:
+  void set_parameter(const world::AttributePlace& place, const ParameterValue& value) {
     PluginObject* const object = robot().find_object(*place.use);
     auto tuned = std::find_if(tunings.begin(), tunings.end(),
                               [&](const Tuned& other) { return other.object == object; });
@@ -120,22 +92,24 @@ class Plan final : public world::LiveRobot {
     add_text(tuned->text, text_);
   }
 
-  std::vector<EventRecord> events;
-  std::vector<std::function<void()>> settings;
-  std::vector<Tuned> tunings;
-  std::vector<Placed> places;
-
- private:
   Robot& robot() const { return *stage_.robots[index_]; }
-  void check_inside(const char* axis, double place, double reach) const {
+  double checked_place(const std::string& axis, double place, double reach) const {
     if (std::abs(place) > reach) {
       refuse(text_, "that is outside of the arena, which reaches from " + number(-reach) + " to " +
                         number(reach) + " in " + axis);
     }
+    return place;
   }
-  Placed& placed() {
+  void check_energy(double units) const {
+    const world::Robot& described = robot().description();
+    if (units > described.battery) {
+      refuse(text_, "the battery of the robot '" + described.id + "' holds " +
+                        number(described.battery) + " units; expected no more than that");
+    }
+  }
+  Changes::Placed& placed() {
     auto placed = std::find_if(places.begin(), places.end(),
-                               [&](const Placed& other) { return other.robot == index_; });
+                               [&](const auto& other) { return other.robot == index_; });
     if (placed == places.end()) {
       placed = places.insert(
           placed, {index_, robot().state().pose, height(stage_.engine.robot(index_).frame), ""});
@@ -176,8 +150,7 @@ Plan plan_of(std::span<const Change> changes, const world::World& world,
       for (const world::AttributePlace& place : attributes.find(change.path)) {
         const ParameterValue value = attributes.read(place, change.value);
         const auto event = events::Changed::of(place.path, change.value);
-        plan.begin(*place.robot, event.detail());
-        place.field.change(plan, place, value);
+        plan.set(place, value, event.detail());
         plan.events.push_back({stage.time_s, place.robot->id, event});
       }
     } catch (const ChangeRefused&) {
@@ -192,14 +165,14 @@ Plan plan_of(std::span<const Change> changes, const world::World& world,
   return plan;
 }
 
-void check_room(const std::vector<Placed>& places, const world::World& world,
+void check_room(const std::vector<Changes::Placed>& places, const world::World& world,
                 const physics::Engine& engine) {
   if (places.empty()) return;
   Room room(world, engine);
-  for (const Placed& placed : places) {
+  for (const Changes::Placed& placed : places) {
     room.place(placed.robot, placed.pose, placed.z);
   }
-  for (const Placed& placed : places) {
+  for (const Changes::Placed& placed : places) {
     if (const auto problem = room.problem_of(placed.robot)) {
       refuse(placed.text, *problem + "; expected a free place in the arena");
     }
@@ -211,7 +184,7 @@ void set_up(const std::vector<Tuned>& tunings) {
   Undo undo;
   for (const Tuned& tuned : tunings) {
     try {
-      const Setup before = tuned.object->setup();
+      const Setup before = tuned.object->completed(tuned.object->setup(), tuned.setup);
       tuned.robot->set_up(*tuned.object, tuned.setup);
       undo.add([&tuned, before] { tuned.robot->set_up(*tuned.object, before); });
     } catch (const PluginFault&) {
@@ -296,6 +269,14 @@ std::vector<DueChanges> by_time(std::span<const TimedChange> changes) {
 Changes::Changes(const world::World& world, const plugin::Host& host, const Options& options)
     : world_(world), attributes_(world, host, options.data_directories, options.files) {}
 
+void Changes::describe(std::span<const Change> changes) const {
+  for (const Change& change : changes) {
+    for (const world::AttributePlace& place : places(change)) {
+      attributes_.set(place, change.value);
+    }
+  }
+}
+
 bool Changes::is_live(const Change& change) const {
   const auto places = this->places(change);
   return !edits_element(change) &&
@@ -312,22 +293,14 @@ std::vector<world::AttributePlace> Changes::places(const Change& change) const {
   }
 }
 
-void Changes::make(std::span<const Change> changes, const Stage& stage,
-                   std::vector<EventRecord>& events) const {
+std::vector<Changes::Placed> Changes::make(std::span<const Change> changes, const Stage& stage,
+                                           std::vector<EventRecord>& events) const {
   const Setups none;
-  const Plan plan = plan_of(changes, world_, attributes_, stage, none);
+  Plan plan = plan_of(changes, world_, attributes_, stage, none);
   check_room(plan.places, world_, stage.engine);
   set_up(plan.tunings);
-  // Nothing is refused after this point.
-  for (const auto& set : plan.settings) {
-    set();
-  }
   events.insert(events.end(), plan.events.begin(), plan.events.end());
-  for (const Placed& placed : plan.places) {
-    stage.engine.place_robot(placed.robot, placed.pose, placed.z);
-    stage.robots[placed.robot]->set_body(stage.engine.robot(placed.robot),
-                                         stage.engine.joints(placed.robot));
-  }
+  return std::move(plan.places);
 }
 
 std::vector<ChangeRefused> Changes::refused(std::span<const DueChanges> schedule,

@@ -64,10 +64,26 @@ class Changes {
   bool is_live(const Change& change) const;
   /// The attributes that the change sets; none if it edits an element or matches none.
   std::vector<world::AttributePlace> places(const Change& change) const;
+  /// The ids of the robots that the change leads to.
+  std::vector<std::string> robots(const Change& change) const {
+    return attributes_.robots_at(change.path);
+  }
 
-  /// Makes all changes, or throws ChangeRefused and makes none. Adds an event for each attribute.
-  void make(std::span<const Change> changes, const Stage& stage,
-            std::vector<EventRecord>& events) const;
+  /// A robot's new place.
+  struct Placed {
+    std::size_t robot = 0;
+    Pose pose;
+    double z = 0.0;    // m
+    std::string text;  // of the changes, for messages
+  };
+
+  /// Checks all changes and sets the parameters of plugins, or throws ChangeRefused and changes
+  /// nothing. Adds an event for each attribute. What is left to do: to describe() the changes, let
+  /// the robots take what they then describe, and put robots in these places.
+  std::vector<Placed> make(std::span<const Change> changes, const Stage& stage,
+                           std::vector<EventRecord>& events) const;
+  /// Sets the attributes in the world, which must be as world::Attributes::set() demands.
+  void describe(std::span<const Change> changes) const;
 
   /// The changes that cannot be made, except for lack of room for a robot, which depends on the
   /// run.

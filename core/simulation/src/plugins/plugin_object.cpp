@@ -50,14 +50,9 @@ Setup PluginObject::completed(Setup setup, const Setup& now) const {
   return setup;
 }
 
-void PluginObject::set(Setup setup, const Example& example) {
-  // Stored first, because a plugin that refuses parameters may have set some of them.
-  Extras& own = own_extras();
-  own.changed = std::make_shared<const Setup>(completed(std::move(setup), this->setup()));
-  apply(*held, *own.changed, example);
-  if (own.camera) {
-    own.camera = camera_of(*held);
-  }
+void PluginObject::set(const Setup& setup, const Example& example) {
+  apply(*held, setup, example);
+  if (extras().camera) own_extras().camera = camera_of(*held);
 }
 
 std::optional<Camera> PluginObject::try_out(const Setup& setup, const Example& example) const {
@@ -76,7 +71,6 @@ void PluginObject::reset(std::uint64_t seed, const std::string& path) {
   random = Random(seed, path);
   if (extras_) {
     extras_->picture.reset();
-    extras_->energy_cost.reset();
     extras_->heap = {};
   }
   forget();

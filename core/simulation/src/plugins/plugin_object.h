@@ -22,7 +22,7 @@
 
 namespace elsie::simulation {
 
-/// Parameters of an object, from the world or set during the run. All others have their defaults.
+/// Parameters of an object. All others have their defaults.
 struct Setup {
   std::map<std::string, ParameterValue> parameters;
   std::vector<ElementValue> elements;
@@ -54,12 +54,12 @@ class PluginObject {
   plugin::Object<Component> made(const plugin::Host& host, const Setup& setup);
 
   /// Returns its present parameters.
-  Setup setup() const { return extras().changed ? *extras().changed : as_described(*use); }
+  Setup setup() const { return as_described(*use); }
   /// Returns `setup` plus the default of every parameter that only `now` sets.
   Setup completed(Setup setup, const Setup& now) const;
-  /// Sets the parameters; the object keeps its memory. Passes on exceptions of the plugin; the
-  /// caller must then restore the parameters.
-  void set(Setup setup, const Example& example);
+  /// Sets the parameters, which its description then gets; the object keeps its memory. Passes on
+  /// exceptions of the plugin; the caller must then restore the parameters.
+  void set(const Setup& setup, const Example& example);
   /// Tries the parameters on another object of the plugin. Passes on its exceptions. Returns the
   /// camera that a sensor would then have.
   std::optional<Camera> try_out(const Setup& setup, const Example& example) const;
@@ -74,11 +74,9 @@ class PluginObject {
 
   /// Data that few objects have.
   struct Extras {
-    std::shared_ptr<const Setup> changed;  // its parameters, if they differ from the world's
-    std::optional<Camera> camera;          // of a sensor, if it has one
-    std::unique_ptr<Image> picture;        // of that camera; null: none was taken
-    std::unique_ptr<Pyramid> volume;       // of a sensor's last query; null: none
-    std::optional<double> energy_cost;     // of a sensor, if it differs from the world's
+    std::optional<Camera> camera;     // of a sensor, if it has one
+    std::unique_ptr<Image> picture;   // of that camera; null: none was taken
+    std::unique_ptr<Pyramid> volume;  // of a sensor's last query; null: none
     Heap heap;
   };
   const Extras& extras() const { return extras_ ? *extras_ : kNoExtras; }

@@ -98,11 +98,11 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
   return true;
 }
 
-/// Adapts the parameters, from the world and set later, to the new declaration.
+/// Adapts the parameters to the new declaration.
 void Swap::fit(PluginObject& object, const std::string& path) {
   const Declaration& declaration = *object.declaration;
   const world::Files files("", data_directories_);
-  // The simulation owns the world; all others only read it.
+  // The simulation owns the robot; all others only read it.
   auto& use = const_cast<world::PluginUse&>(*object.use);
   undo_.keep(use.parameters, use.elements, use.file_names);
   strip(declaration, use.parameters, use.elements, [&](const std::string& what) {
@@ -120,16 +120,6 @@ void Swap::fit(PluginObject& object, const std::string& path) {
   for (const ElementValue& element : use.elements) {
     require(find_declared(declaration.elements, element.element)->parameters, element.parameters,
             " of <" + element.element + ">");
-  }
-  if (object.extras().changed) {
-    undo_.keep(object.own_extras().changed);
-    auto fitted = std::make_shared<Setup>(*object.extras().changed);
-    auto& [parameters, elements] = *fitted;
-    strip(declaration, parameters, elements, [](const std::string&) {});
-    for (const auto& [name, file] : default_files(declaration, parameters, files)) {
-      parameters[name] = file;
-    }
-    object.own_extras().changed = std::move(fitted);
   }
 }
 

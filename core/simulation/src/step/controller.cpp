@@ -110,16 +110,16 @@ void Controller::begin_run() {
   command_ = {};
 }
 
-void Controller::set_priority(const world::PluginUse& use, double priority) {
+void Controller::take_priorities() {
   Member::Runner& runner = *this;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (slots_[i]->use == &use) {
+    const double priority = description_->behaviors[i].priority;
+    if (members_[i].priority() != priority) {
       Member changed(members_[i].name(), priority, runner);
       changed.trace = members_[i].trace;
       members_[i] = std::move(changed);
-    } else if (slots_[i]->inside) {
-      slots_[i]->inside->set_priority(use, priority);
     }
+    if (slots_[i]->inside) slots_[i]->inside->take_priorities();
   }
 }
 

@@ -68,9 +68,10 @@ class Controller final : public Coordination, private Member::Runner {
   void become(const world::Coordination& was, const world::Coordination& next,
               const std::string& path, Becoming& becoming);
 
-  /// Sets the priority of a behaviour, at any depth, until the next reset. The trace of the last
-  /// decision stays.
-  void set_priority(const world::PluginUse& use, double priority);
+  /// Takes a copy of its description with the same objects in it.
+  void describe(const world::Coordination& next);
+  /// Takes the priorities of the description, at any depth. The trace of the last decision stays.
+  void take_priorities();
 
   std::span<const Member> members() const { return members_; }
   /// Appends the inferences of the last decision. `path` as in list_members().

@@ -50,7 +50,9 @@ Robot::Robot(const world::World& world, std::size_t index, Commons& commons,
   group_readings();
 
   take_membership(world, index, commons);
-  take_description();
+  state_.max_speed_m_s = description.max_speed;
+  state_.coverage_m = description.coverage;
+  state_.is_leader = description.leader;
   perception_.self = &state_;
   perception_.team = &team_;
   for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
@@ -147,14 +149,6 @@ void Robot::carry_out(const Motion& motion) {
   if (!problem.empty()) guard_.fail(drive_use(), problem);
 }
 
-/// Restores what a user may have changed during the run.
-void Robot::take_description() {
-  state_.max_speed_m_s = description_->max_speed;
-  state_.coverage_m = description_->coverage;
-  state_.is_leader = description_->leader;
-  sensor_cost_.reset();
-}
-
 void Robot::group_readings() {
   // Readings of one kind are adjacent, in file order, so that a behaviour gets them as one view.
   std::vector<ReadingKind> kinds;
@@ -208,13 +202,6 @@ void Robot::group_sensors() {
 void Robot::reset(std::uint64_t seed) {
   guard_.begin_run();
   guard_.begin_step(0, 0.0);
-  take_description();
-  for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
-    if (each.extras().changed) {
-      guard_.run(*each.use, [&] { each.set(as_described(*each.use), example()); });
-      each.own_extras().changed.reset();
-    }
-  });
   for_each(Order::inner_first, [&](PluginObject& each, const std::string& path, const auto&) {
     if (guard_.has_budget()) each.own_extras();  // outside of all calls, to which it would count
     guard_.run(*each.use, [&] { each.reset(seed, "robot[" + description_->id + "]/" + path); });
@@ -323,9 +310,8 @@ void Robot::use_energy(double period_s) {
   if (!empty_) {
     if (!sensor_cost_) {
       sensor_cost_ = 0.0;
-      for (std::size_t i = 0; i < sensors_.size(); ++i) {
-        const double described = description_->sensors[i].energy_cost;
-        *sensor_cost_ += sensors_[i]->extras().energy_cost.value_or(described);
+      for (const world::SensorUse& sensor : description_->sensors) {
+        *sensor_cost_ += sensor.energy_cost;
       }
     }
     const double before = state_.energy;
@@ -359,15 +345,6 @@ void Robot::set_energy(double units) {
   }
 }
 
-void Robot::set_energy_cost(const world::PluginUse& sensor, double cost) {
-  for (const auto& slot : sensors_) {
-    if (slot->use == &sensor) {
-      slot->own_extras().energy_cost = cost;
-      sensor_cost_.reset();
-    }
-  }
-}
-
 PluginObject* Robot::find_object(const world::PluginUse& use) const {
   PluginObject* found = nullptr;
   for_each(Order::outer_first, [&](PluginObject& each, const auto&, const auto&) {
@@ -377,7 +354,7 @@ PluginObject* Robot::find_object(const world::PluginUse& use) const {
 }
 
 void Robot::set_up(PluginObject& object, const Setup& setup) {
-  const Setup before = object.setup();
+  const Setup before = object.completed(object.setup(), setup);
   try {
     object.set(setup, example());
   } catch (...) {

@@ -74,19 +74,14 @@ class Robot final : private Wishes {
   /// Adds the energy of a collected resource, up to the capacity.
   void collect(double energy);
 
-  // Changes by a user between two steps, until the next reset.
+  // Changes by a user between two steps.
 
   /// m/s; the present motion of the drive is limited at once.
   void set_max_speed(double max_speed);
-  void set_coverage(double metres) { state_.coverage_m = metres; }
-  void set_leader(bool leader) { state_.is_leader = leader; }
   /// Units, at most the battery's capacity; at 0 the robot stops.
   void set_energy(double units);
-  /// Units per second, of a sensor of this robot.
-  void set_energy_cost(const world::PluginUse& sensor, double cost);
-  void set_priority(const world::PluginUse& behavior, double priority) {
-    controller_->set_priority(behavior, priority);
-  }
+  /// Takes over attributes of the description that can be changed in place.
+  void take_live(bool has_new_drive, bool has_new_energy);
   /// Visits all its plugin objects: sensors, the drive, then behaviours and coordinators.
   void for_each(Order order, const Visit& visit) const;
   /// The object for a use of a plugin; null when it does not belong to this robot.
@@ -103,8 +98,10 @@ class Robot final : private Wishes {
   /// Replaces the objects whose plugins have changed. Throws ReplacementRefused.
   void replace(Swap& swap, const Cameras& cameras);
 
-  /// Becomes the robot with this index; `was` is its present description, with all changes. Objects
-  /// with unchanged descriptions stay. Adds problems to `becoming`.
+  /// Takes a copy of its description with the same objects in it; the other must live on.
+  void describe(const world::Robot& next);
+  /// Becomes the robot with this index; `was` is its present description. Objects with unchanged
+  /// descriptions stay. Adds problems to `becoming`.
   void become(const world::Robot& was, const world::World& world, std::size_t index,
               Commons& commons, Becoming& becoming);
 
@@ -205,10 +202,8 @@ class Robot final : private Wishes {
                    std::vector<base::Problem>& problems) const;
   void take_membership(const world::World& world, std::size_t index, Commons& commons);
   void become_sensors(const world::Robot& was, Becoming& becoming);
-  void take_live(bool has_new_drive, bool has_new_energy);
   void group_readings();
   void group_sensors();
-  void take_description();
   Example example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);

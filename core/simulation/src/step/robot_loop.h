@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/base/crew.h"
+#include "elsie/sharing/crew.h"
 
 #include "step/robot.h"
 
@@ -20,7 +20,7 @@ class RobotLoop {
  public:
   explicit RobotLoop(std::size_t threads) : crew_(threads) {}
 
-  base::Crew& crew() { return crew_; }
+  sharing::Crew& crew() { return crew_; }
 
   /// Calls work(robot, thread) for each index of `robots`. The work for a robot may change only
   /// that robot. If it throws, all others are done nevertheless, so that their states do not depend
@@ -28,7 +28,7 @@ class RobotLoop {
   template <class Work>
   void each(std::span<const std::shared_ptr<Robot>> robots, const Work& work) {
     failed_at_ = kNone;
-    const auto shared = [&](const base::Crew::Share& share) {
+    const auto shared = [&](const sharing::Crew::Share& share) {
       for (std::size_t i = share.first; i < share.end; ++i) {
         if (crew_.threads() == 1 || robots[i]->may_share_threads()) attempt(i, share.thread, work);
       }
@@ -60,7 +60,7 @@ class RobotLoop {
     }
   }
 
-  base::Crew crew_;
+  sharing::Crew crew_;
   std::mutex failing_;
   std::exception_ptr failure_;
   std::size_t failed_at_ = kNone;

@@ -96,12 +96,15 @@ class Planner {
       name_files(host_.find(kind, plugin.plugin), plugin, names);
     };
     std::map<std::string, std::string> found;
-    std::vector<world::World> ahead = changed_worlds(world, found);
+    world::ReadOptions options;
+    options.data_directories = options_.data_directories;
+    options.found = &found;
+    const world::World start = world;
     experiment::for_each_use(world, see);
-    for (world::World& later : ahead) {
+    world::visit_changed_worlds(start, host_, options, [&](world::World later) {
       add_program(later, planned);
       experiment::for_each_use(later, see);
-    }
+    });
     for (const auto& [name, path] : found) {
       if (names.paths.try_emplace(name, path).first->second != path) {
         throw world::WorldError(
@@ -205,15 +208,6 @@ class Planner {
     world::World world = experiment::read_cell(experiment_, cell, host_, options, seed);
     world.limits.wall_time.reset();
     return world;
-  }
-
-  /// The worlds after each of the world's edits. Adds the files that the edits name to `found`.
-  std::vector<world::World> changed_worlds(const world::World& world,
-                                           std::map<std::string, std::string>& found) const {
-    world::ReadOptions options;
-    options.data_directories = options_.data_directories;
-    options.found = &found;
-    return world::changed_worlds(world, host_, options);
   }
 
   std::size_t add_plugin(PluginKind kind, const std::string& name) {

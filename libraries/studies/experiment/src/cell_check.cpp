@@ -194,7 +194,7 @@ class CellCheck {
       reading.data_directories = running.data_directories = options_.data_directories;
       reading.check_plugins = true;
       reading.found = &running.files;
-      world::changed_worlds(world, host_, reading);
+      world::visit_changed_worlds(world, host_, reading);
     }
     // This asks the plugins whether they fit their robots, and whether they can begin a run: once
     // for the same parameters, because some train a network for it.

@@ -18,11 +18,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "elsie/base/crew.h"
 #include "elsie/base/number_text.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/thrown/thrown.h"
 
 #include "loaded_libraries.h"
@@ -371,20 +371,20 @@ void answer(int, siginfo_t*, void* context) {
     write_report(asked_what, place_of_fault(context));
     end_with(asked_status);
   }
-  sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask, base::Crew::kQuestion);
-  kill(getpid(), base::Crew::kQuestion);
+  sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask, sharing::Crew::kQuestion);
+  kill(getpid(), sharing::Crew::kQuestion);
 }
 
 /// Gives the other threads time to answer. Returns if none of them is in a plugin.
 void ask_other_threads(const char* what, int exit_status) {
   asked_what = what;
   asked_status = exit_status;
-  handle(base::Crew::kQuestion, answer, SA_ONSTACK | SA_RESTART);
+  handle(sharing::Crew::kQuestion, answer, SA_ONSTACK | SA_RESTART);
   sigset_t question;
   sigemptyset(&question);
-  sigaddset(&question, base::Crew::kQuestion);
+  sigaddset(&question, sharing::Crew::kQuestion);
   pthread_sigmask(SIG_BLOCK, &question, nullptr);
-  kill(getpid(), base::Crew::kQuestion);
+  kill(getpid(), sharing::Crew::kQuestion);
   timespec patience{1, 0};
   while (nanosleep(&patience, &patience) != 0) {
   }

@@ -14,11 +14,11 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "elsie/base/crew.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
+#include "elsie/sharing/crew.h"
 
 #include "reporting.h"
 
@@ -28,7 +28,7 @@ using plugin::Call;
 
 namespace {
 
-constexpr int kSignal = base::Crew::kQuestion;  // the question only comes when the process ends
+constexpr int kSignal = sharing::Crew::kQuestion;  // the question only comes when the process ends
 
 // Signal handlers can only reach globals.
 std::atomic<std::int64_t> limit_ns{0};

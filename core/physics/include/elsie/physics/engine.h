@@ -17,8 +17,8 @@
 #include "elsie/api/body.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/sensor.h"
-#include "elsie/base/crew.h"
 #include "elsie/base/fnv1a.h"
+#include "elsie/sharing/crew.h"
 #include "elsie/world/description.h"
 
 namespace elsie::physics {
@@ -126,7 +126,7 @@ class Engine {
 
   /// From now on step() may give parts of its work to this crew, which outlives the engine. The
   /// states are the same with any crew and without one.
-  virtual void work_with(base::Crew& /*crew*/) {}
+  virtual void work_with(sharing::Crew& /*crew*/) {}
   /// One step of the length in world::Physics. Throws PhysicsFailure when the state of a body is no
   /// longer finite, or the body is at a place that nothing in the world could have moved it to
   /// (bounds.h). The state then stays as it is for inspection; further steps are meaningless.

@@ -105,7 +105,7 @@ struct MadeInference {
 
 /// A view of one robot at this instant.
 struct RobotView {
-  const world::Robot* description;  // without edits that were made in place
+  const world::Robot* description;  // as edited
   const OwnState* state;            // as last perceived, or, between steps, the present state
   Motion asked;                     // the last command of its coordinator
   Motion command;                   // the same, as its drive can make it
@@ -184,7 +184,7 @@ class Simulation {
   /// The measures so far, as in result(). Throws as result() does.
   std::vector<MeasuredValue> measures() const;
 
-  /// The edited world, without edits that were made in place.
+  /// The edited world.
   const world::World& world() const;
   /// The world at time zero, with all edits given to run() in World::changes: a run of it with the
   /// same seed and time limit is the same, bit for bit.

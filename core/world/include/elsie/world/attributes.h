@@ -15,26 +15,22 @@
 
 namespace elsie::world {
 
-/// An attribute that a path leads to.
-struct AttributePlace {
-  std::string path;              // in full: "robot[r1]/behavior[roam]/@speed"
-  std::string element;           // the name of its element: "wander"
-  Field field;                   // its type and range
-  const Robot* robot = nullptr;  // the robot that it belongs to, if any
-  /// The plugin whose element, or a nested element of it, has the attribute; null if none.
-  const PluginUse* use = nullptr;
-  /// The index in PluginUse::elements, if the attribute is a parameter of a nested element.
-  std::optional<std::size_t> nested;
+/// An attribute that a path leads to:
+/// its element's meaning, with the attribute in the path: "robot[r1]/behavior[roam]/@speed".
+struct AttributePlace : WorldTree::Meaning {
+  std::string element;                       // the name of its element: "wander"
+  Field field;                               // its type and range
+  const AttributeSpec* attribute = nullptr;  // null for a parameter of a plugin
   /// The element's attributes that may change during a run.
   std::vector<std::string> live;
 };
 
-/// Finds attributes and parses values for them. Only one thread at a time may use it.
+/// Finds attributes, parses values for them, and sets them. Only one thread at a time may use it.
 class Attributes {
  public:
-  /// The world and the host must outlive this object, and the world must not change. Data files are
-  /// searched in the folder of the world's file, in the current folder, then in `data_directories`.
-  /// `files` maps names of data files to paths that are used without a search.
+  /// The world and the host must outlive this object. Only set() may change the world. Data files
+  /// are searched in the folder of the world's file, in the current folder, then in
+  /// `data_directories`. `files` maps names of data files to paths that are used without a search.
   Attributes(const World& world, const plugin::Host& host,
              std::vector<std::string> data_directories = {},
              std::map<std::string, std::string> files = {})
@@ -51,7 +47,16 @@ class Attributes {
   /// Throws std::invalid_argument with a sentence: "expected a number at least 0".
   ParameterValue read(const AttributePlace& place, std::string_view text) const;
 
+  /// Sets an attribute to this value, as read() reads it. The world must not be const, and must not
+  /// share the robot with a copy of the world.
+  void set(const AttributePlace& place, std::string_view text) const;
+
+  /// The ids of the robots that a path leads to, or whose parts it leads to. Empty if the path
+  /// leads to something else, or to nothing.
+  std::vector<std::string> robots_at(std::string_view path) const;
+
  private:
+  WorldTree& tree() const { return tree_ ? *tree_ : tree_.emplace(world_); }
   AttributePlace place(const Element& element, const std::string& name) const;
 
   const World& world_;
@@ -59,9 +64,5 @@ class Attributes {
   Files files_;
   mutable std::optional<WorldTree> tree_;  // made at the first use
 };
-
-/// The ids of the robots that a path leads to, or whose parts it leads to. Empty if the path leads
-/// to something else, or to nothing.
-std::vector<std::string> robots_at(const World& world, std::string_view path);
 
 }  // namespace elsie::world

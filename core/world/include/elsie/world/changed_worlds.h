@@ -1,18 +1,20 @@
 // The states of a world after its own timed edits.
 #pragma once
 
-#include <vector>
+#include <functional>
+#include <string>
 
 #include "elsie/world/reader.h"
 
 namespace elsie::world {
 
-/// The world after the edits of each instant in World::changes, in order of time, without the
-/// effects of the run itself. Each world is checked like a file. Files that an edit names are
-/// searched in the folder of the file with the edit. Throws WorldError with all edits that cannot
-/// be made, each with its file and line.
-std::vector<World> changed_worlds(const World& world, const plugin::Host& host,
-                                  const ReadOptions& options);
+/// Calls `visit` with the world after the edits of each instant in World::changes, in order of
+/// time, without the effects of the run itself. Each world is checked like a file. Files that an
+/// edit names are searched in the folder of the file with the edit. Throws WorldError with all
+/// edits that cannot be made, each with its file and line.
+void visit_changed_worlds(
+    const World& world, const plugin::Host& host, const ReadOptions& options,
+    const std::function<void(World)>& visit = [](const World&) {});
 
 /// Why an edit that sets another physics/@engine is refused during a run.
 inline constexpr const char* kEngineStays =

@@ -18,7 +18,6 @@ struct AttributeExtras {
   TextForm form = TextForm::any;
   Reference refers_to = Reference::none;
   bool required = false;
-  decltype(Field::change) change = nullptr;
   std::optional<Cost> cost = std::nullopt;  // none: the cost of its element
 };
 
@@ -91,8 +90,7 @@ class Describe {
     attribute.form = extras.form;
     attribute.refers_to = extras.refers_to;
     attribute.required = extras.required;
-    attribute.change = extras.change;
-    attribute.cost = extras.change ? Cost::value : extras.cost.value_or(spec_.cost);
+    attribute.cost = extras.cost.value_or(spec_.cost);
     if (type == ParameterType::integer) {
       attribute.lowest = std::numeric_limits<int>::min();
       attribute.highest = std::numeric_limits<int>::max();
@@ -152,13 +150,20 @@ class Describe {
 
   /// Children that each describe one object in a list. If the list also has other objects, `is`
   /// recognizes the objects of these children, and `begin` prepares a new object as one of them.
-  template <class Child>
+  template <class List>
   Describe&& each(
-      ElementSpec child, std::vector<Child> Object::*list,
-      const std::type_identity_t<std::function<bool(const Child&)>>& is =
-          [](const Child&) { return true; },
-      const std::type_identity_t<std::function<void(Child&)>>& begin = [](Child&) {}) && {
+      ElementSpec child, List Object::*list,
+      const std::function<bool(const typename List::value_type&)>& is =
+          [](const auto&) { return true; },
+      const std::function<void(typename List::value_type&)>& begin = [](auto&) {}) && {
+    using Child = typename List::value_type;
     child.at_most = ElementSpec::kAnyNumber;
+    child.copy = copied(list);
+    if constexpr (kShared<List>) {
+      child.share = [list](void* parent, const void* from) {
+        static_cast<Object*>(parent)->*list = static_cast<const Object*>(from)->*list;
+      };
+    }
     child.reserve = [list](void* parent, std::size_t more) {
       auto& all = static_cast<Object*>(parent)->*list;
       all.reserve(all.size() + more);
@@ -181,6 +186,7 @@ class Describe {
   Describe&& each_of(Describe<Alternative> alternative, std::vector<Variant> Object::*list) && {
     ElementSpec child = std::move(alternative);
     child.at_most = ElementSpec::kAnyNumber;
+    child.copy = copied(list);
     return std::move(*this).child(
         std::move(child),
         [list](Object& parent) {
@@ -263,19 +269,41 @@ class Describe {
   /// A child element. `make` makes its object, `parts` lists all; a group's object is the parent.
   template <class Make, class Parts>
   Describe&& child(ElementSpec child, Make make, Parts parts) && {
+    using Made = std::remove_pointer_t<decltype(make(std::declval<Object&>()))>;
+    constexpr bool kHasPlace = requires(Made & made) { made.location; }
+    &&!std::is_same_v<Made, Object>;
     child.make = [make](void* parent, const Location& where) -> void* {
-      auto* const made = make(*static_cast<Object*>(parent));
-      if constexpr (requires { made->location; } &&
-                    !std::is_same_v<decltype(made), Object* const>) {
-        made->location = where;
-      }
+      Made* const made = make(*static_cast<Object*>(parent));
+      if constexpr (kHasPlace) made->location = where;
       return made;
     };
+    if constexpr (kHasPlace) {
+      child.location = [](const void* object) -> const Location& {
+        return static_cast<const Made*>(object)->location;
+      };
+    }
     child.parts = [parts](const void* parent) {
       return parts(*static_cast<const Object*>(parent));
     };
     spec_.children.push_back(std::move(child));
     return std::move(*this);
+  }
+
+  template <class List>
+  static constexpr bool kShared = requires(List& list, const List& from) {
+    list.share(from, std::size_t{});
+  };
+  template <class List>
+  static decltype(ElementSpec::copy) copied(List Object::*list) {
+    return [list](void* parent, const void* from, std::size_t order) {
+      List& to = static_cast<Object*>(parent)->*list;
+      const List& there = static_cast<const Object*>(from)->*list;
+      if constexpr (kShared<List>) {
+        to.share(there, order);
+      } else {
+        to.push_back(there[order]);
+      }
+    };
   }
 
   static std::vector<DescribedObject> only(const void* object) {

@@ -16,6 +16,7 @@
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/base/problems.h"
+#include "elsie/sharing/list.h"
 
 namespace elsie::world {
 
@@ -292,6 +293,7 @@ struct Drawn {
   bool by_run = false;  // it is the run's seed
 };
 
+/// A copy shares the robots and changes, until they are changed.
 struct World {
   std::string name;
   std::string description;
@@ -301,10 +303,10 @@ struct World {
   std::vector<Team> teams;
   std::vector<Box> boxes;
   std::vector<Charger> chargers;
-  std::vector<Robot> robots;
+  sharing::List<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;
-  std::vector<TimedEdit> changes;  // in file order
+  sharing::List<TimedEdit> changes;  // in file order
   Limits limits;
   std::optional<Drawn> drawn;  // none: its file has no layouts
 };

@@ -3,11 +3,8 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 
-#include "elsie/world/attributes.h"
 #include "elsie/world/describe.h"
-#include "elsie/world/live_robot.h"
 
 namespace elsie::world {
 
@@ -18,23 +15,8 @@ inline constexpr AttributeExtras kTeam{
 inline constexpr AttributeExtras kRobot{.form = TextForm::id, .refers_to = Reference::robot};
 inline constexpr AttributeExtras kRequired{.required = true};
 
-template <class Value>
-void change(void (LiveRobot::*set)(Value), LiveRobot& robot, const AttributePlace&,
-            const ParameterValue& value) {
-  (robot.*set)(std::get<Value>(value));
-}
-template <class Value>
-void change(void (LiveRobot::*set)(const PluginUse&, Value), LiveRobot& robot,
-            const AttributePlace& place, const ParameterValue& value) {
-  (robot.*set)(*place.use, std::get<Value>(value));
-}
-/// For an attribute that may change during a run: kLive<&LiveRobot::set_x>.
-template <auto kSet>
-inline constexpr AttributeExtras kLive{
-    .change = [](LiveRobot& robot, const AttributePlace& place, const ParameterValue& value) {
-      world::change(kSet, robot, place, value);
-    }};
-
+/// For an attribute that may change during a run. Simulations know each of these.
+inline constexpr AttributeExtras kLive{.cost = Cost::value};
 /// For an attribute whose change costs nothing, although a change of its element does.
 inline constexpr AttributeExtras kCheap{.cost = Cost::nothing};
 

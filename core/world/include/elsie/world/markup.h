@@ -18,6 +18,8 @@ struct Attribute {
   bool completed = false;  // a default id, which no file contains
 };
 
+class WorldTree;
+
 struct Element {
   std::string name;
   Location where;
@@ -29,6 +31,7 @@ struct Element {
   bool incomplete = false;  // its template could not be read, so elements may be missing
   std::optional<Location> removed_by{};  // the override that removes it
   std::optional<std::size_t> object{};   // a number for its meaning; see tree.h and world_tree.h
+  WorldTree* unread = nullptr;           // not null: has only the id so far; the tree completes it
 
   const Attribute* find(std::string_view attribute) const;
   std::string value(std::string_view attribute) const;  // "" without this attribute

@@ -86,4 +86,8 @@ World read_world(const std::string& file, const plugin::Host& host,
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options = {});
 
+/// A running world after ReadOptions::overrides. Only what they lead to is read and checked like a
+/// file: the other robots are those of `world`, with the same addresses. Throws WorldError.
+World edited(const World& world, const plugin::Host& host, ReadOptions options);
+
 }  // namespace elsie::world

@@ -18,9 +18,6 @@
 
 namespace elsie::world {
 
-class LiveRobot;
-struct AttributePlace;
-
 /// The version of the vocabulary: the attribute `format` of a file.
 inline constexpr int kFormat = 1;
 
@@ -38,7 +35,7 @@ enum class Reference { none, team, robot, box };
 /// over the state of the objects that remain.
 enum class Cost {
   nothing,  // the new value is taken over
-  value,    // the value is changed in place: Field::change
+  value,    // the value is changed in place: Simulation::change()
   object,   // the plugin's object is created again, and loses its memory
   body,     // the body of the robot is created again, and so is the physics engine
   engine,   // the physics engine is created again
@@ -58,10 +55,7 @@ struct Field {
   Reference refers_to = Reference::none;
   bool required = false;
   Cost cost = Cost::nothing;
-  /// The function that changes the value in place during a run (Simulation::change()). Null: the
-  /// object with the attribute is created again.
-  void (*change)(LiveRobot&, const AttributePlace&, const ParameterValue&) = nullptr;
-  bool is_live() const { return change != nullptr; }
+  bool is_live() const { return cost == Cost::value; }
   /// Whether an empty text stands for no file, as the default does.
   bool may_be_no_file() const { return default_value == ParameterValue(std::string()); }
 };
@@ -104,6 +98,12 @@ struct ElementSpec {
   std::function<void(void* parent, std::size_t more)> reserve;
   /// Lists all objects of such elements in the parent, in order.
   std::function<std::vector<DescribedObject>(const void* parent)> parts;
+  /// The place of such an object in its file; may be empty.
+  std::function<const Location&(const void* object)> location;
+  /// For members of lists: appends a copy of an object, by its index in the list of another parent.
+  std::function<void(void* parent, const void* from, std::size_t order)> copy;
+  /// Copies the whole list, if copies share its objects; else empty.
+  std::function<void(void* parent, const void* from)> share;
   /// The PluginUse that is the base of an object that uses a plugin.
   std::function<const PluginUse*(const void* object)> use;
   /// For behaviours: the coordination that the behaviour holds, if any. coordination_vocabulary()

@@ -12,37 +12,54 @@
 
 namespace elsie::world {
 
-/// The tree of a world: every element, with the attributes that differ from their defaults.
+/// The tree of a world: every element, with the attributes that differ from their defaults. Lists
+/// of the world and their members are completed when a path leads into them, so that a path among
+/// many robots costs little. The world must outlive the tree, and not change.
 class WorldTree {
  public:
   /// The meaning of an element.
   struct Meaning {
     const ElementSpec* spec = nullptr;  // null for an element that a plugin declares
+    DescribedObject described;          // its object, and the index of that in its list
     std::string path;                   // without a "/" at its end
-    const Robot* robot = nullptr;
-    const PluginUse* use = nullptr;
-    std::optional<PluginKind> kind;  // of that plugin
-    std::optional<std::size_t> nested;
-    bool is_listed = false;  // true: it has a meaning even without attributes
+    const Robot* robot = nullptr;       // the robot that it belongs to, if any
+    std::size_t robot_index = 0;        // of that robot in the world
+    const PluginUse* use = nullptr;     // whose element it is, or is nested in; null if none
+    std::optional<PluginKind> kind;     // of that plugin
+    std::optional<std::size_t> nested;  // the index in PluginUse::elements
+    bool is_listed = false;             // true: it has a meaning even without attributes
   };
 
-  /// `as_text`: robots and the like are text in their group, which takes a tenth of the memory.
-  explicit WorldTree(const World& world, bool as_text = false)
-      : as_text_(as_text), root_(make(vocabulary(), &world, {})) {}
+  explicit WorldTree(const World& world);
+  WorldTree(const WorldTree&) = delete;
+  WorldTree& operator=(const WorldTree&) = delete;
 
-  Element& root() { return root_; }
+  const World& world() const { return world_; }
+  /// The root of the tree as far as it is complete.
+  Element& begun() { return root_; }
+  /// The root of the complete tree.
+  Element& root();
+  /// Completes an element; not what may be completed later inside it.
+  void complete(Element& element);
+  /// The tree as text. It is taken apart, so that only one robot at a time needs memory.
+  std::string text() && { return text(root_, 0); }
   /// `element` must have an Element::object.
   const Meaning& meaning(const Element& element) const { return meanings_[*element.object]; }
 
  private:
-  Element make(const ElementSpec& spec, const void* object, Meaning meaning);
+  Element begin(const ElementSpec& spec, Meaning meaning, const std::string& id);
   void add_children(Element& element, const ElementSpec& spec, const void* object,
                     const Meaning& meaning);
   void add_declared(Element& element, const Meaning& meaning);
+  std::string text(Element& element, std::size_t depth);
 
-  bool as_text_;
+  const World& world_;
+  const Location file_;  // the place of what has none of its own, as in a text of one line
   std::vector<Meaning> meanings_;  // Element::object is an index into it
   Element root_;
 };
+
+/// The same element, complete if it is one of a WorldTree.
+Element& completed(Element& element);
 
 }  // namespace elsie::world

@@ -60,7 +60,7 @@ void note_throw(const void* exception) noexcept;
 
 /// Ends the process like a crash, from a signal handler. If a plugin is at work, reports `what` it
 /// did: "did not return". Otherwise writes `else_say`. If this thread is in no plugin, the others
-/// are asked by base::Crew::kQuestion, and have a second to answer. Without the stack, none is
+/// are asked by sharing::Crew::kQuestion, and have a second to answer. Without the stack, none is
 /// asked, and only one line is written; while plugins are being loaded, and have been for less than
 /// a second, it says so.
 enum class Stack { shown, left_out };

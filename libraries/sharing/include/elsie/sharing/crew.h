@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace elsie::base {
+namespace elsie::sharing {
 
 /// The thread that owns the crew, and helpers that wait for work. Work must give the same result in
 /// any order: which thread does which items differs from call to call.
@@ -85,4 +85,4 @@ class Crew {
   std::vector<std::thread> helpers_;
 };
 
-}  // namespace elsie::base
+}  // namespace elsie::sharing

@@ -1,4 +1,4 @@
-#include "elsie/base/crew.h"
+#include "elsie/sharing/crew.h"
 
 #include <algorithm>
 #include <csignal>
@@ -8,7 +8,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace elsie::base {
+namespace elsie::sharing {
 namespace {
 
 /// Shares for each thread: few enough to cost nothing, enough that no thread waits long for
@@ -128,4 +128,4 @@ void Crew::take_shares(std::size_t thread) {
   }
 }
 
-}  // namespace elsie::base
+}  // namespace elsie::sharing
