@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "elsie/shapes/outline.h"
 #include "elsie/world/attributes.h"
 #include "elsie/world/describe.h"
 #include "elsie/world/live_robot.h"
@@ -50,9 +51,8 @@ inline ParameterFacts positive(const char* unit, double max, std::string meaning
 inline ParameterFacts metres(std::string meaning) {
   return range("m", -1e4, 1e4, std::move(meaning));
 }
-/// The smallest length and mass; below them, rounding would spoil moments of inertia.
-inline constexpr double kLeastLength = 1e-4;  // m
-inline constexpr double kLeastMass = 1e-6;    // kg
+/// The smallest mass; below it and kLeastLength, rounding would spoil moments of inertia.
+inline constexpr double kLeastMass = 1e-6;  // kg
 inline ParameterFacts mass(std::string meaning, double max = 1e4) {
   return range("kg", kLeastMass, max, std::move(meaning));
 }
