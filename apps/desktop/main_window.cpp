@@ -136,16 +136,16 @@ void MainWindow::show_title() {
 
 void MainWindow::enable_actions() {
   const bool has_world = workbench_.tree().is_object();
-  for (const char* name :
-       {"add_robot",      "add_sensor",   "behaviors",    "coordinator",  "add_static",
-        "add_dynamic",    "add_moving",   "add_cylinder", "add_prism",    "add_resource",
-        "add_charger",    "add_goal",     "add_measure",  "add_team",     "physics",
-        "arena",          "limits",       "measure",      "follow",       "start_pose",
-        "export_picture", "export_film",  "record",       "copy_command", "cut",
-        "copy",           "paste",        "duplicate",    "delete",       "edit",
-        "rename",         "more",         "lock",         "run",          "step",
-        "reset",          "event_before", "event_after",  "now",          "view_all",
-        "view_top",       "view_front",   "view_side",    "clear_trails", "frame"}) {
+  const QStringList others{
+      "add_robot",      "add_sensor",   "behaviors",   "coordinator",  "add_resource",
+      "add_charger",    "add_goal",     "add_measure", "add_team",     "physics",
+      "arena",          "limits",       "measure",     "follow",       "start_pose",
+      "export_picture", "export_film",  "record",      "copy_command", "cut",
+      "copy",           "paste",        "duplicate",   "delete",       "edit",
+      "rename",         "more",         "lock",        "run",          "step",
+      "reset",          "event_before", "event_after", "now",          "view_all",
+      "view_top",       "view_front",   "view_side",   "clear_trails", "frame"};
+  for (const QString& name : others + boxes_actions_) {
     actions_[name]->setEnabled(has_world);
   }
   boxes_->setEnabled(has_world);

@@ -72,7 +72,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  QAction* action(const char* name, const QString& text, const QKeySequence& key,
+  QAction* action(const QString& name, const QString& text, const QKeySequence& key,
                   std::function<void()> does, const QString& tip = {});
   QDockWidget* dock(const char* name, const QString& title, QWidget* widget,
                     Qt::DockWidgetArea area);
@@ -164,6 +164,7 @@ class MainWindow : public QMainWindow {
   FuzzyPanel* fuzzy_;
   SensorsPanel* sensors_;
   QHash<QString, QAction*> actions_;
+  QStringList boxes_actions_{"add_static", "add_dynamic", "add_moving"};  // and other shapes
   QToolButton* boxes_;
   QMenu* recent_;
   QMenu* windows_;

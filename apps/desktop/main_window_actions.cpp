@@ -27,7 +27,7 @@
 
 namespace elsie::desktop {
 
-QAction* MainWindow::action(const char* name, const QString& text, const QKeySequence& key,
+QAction* MainWindow::action(const QString& name, const QString& text, const QKeySequence& key,
                             std::function<void()> does, const QString& tip) {
   auto* made = new QAction(text, this);
   made->setObjectName(name);
@@ -119,12 +119,14 @@ void MainWindow::make_actions() {
   action("add_moving", tr("&Moving box..."), {}, [this] {
     authoring_->add_element({}, "obstacles", {"moving_box", {}, {}});
   });
-  action("add_cylinder", tr("C&ylinder..."), {}, [this] {
-    authoring_->add_element({}, "obstacles", {"static_cylinder", {}, {}});
-  });
-  action("add_prism", tr("&Prism..."), {}, [this] {
-    authoring_->add_element({}, "obstacles", {"static_prism", {}, {}});
-  });
+  for (const auto& [shape, text] : Authoring::other_shapes()) {
+    QString name = text + "...";
+    name[name.startsWith('&') ? 1 : 0] = name[name.startsWith('&') ? 1 : 0].toUpper();
+    action("add_" + shape, name, {}, [this, kind = "static_" + shape] {
+      authoring_->add_element({}, "obstacles", {kind, {}, {}});
+    });
+    boxes_actions_ << "add_" + shape;
+  }
   action("add_resource", tr("R&esource..."), {},
          [this] { authoring_->add_element({}, "resources"); });
   action("add_charger", tr("&Charger..."), {}, [this] { authoring_->add_element({}, "chargers"); });
@@ -288,9 +290,9 @@ void MainWindow::make_menus() {
               "rename", "more", "start_pose", "lock", ""});
   QMenu* add = edit->addMenu(tr("&Add"));
   add->setObjectName("add_menu");
-  fill(add, {"add_robot", "add_sensor", "behaviors", "coordinator", "", "add_static", "add_dynamic",
-             "add_moving", "add_cylinder", "add_prism", "add_resource", "add_charger", "",
-             "add_goal", "add_measure", "add_team"});
+  fill(add,
+       QStringList{"add_robot", "add_sensor", "behaviors", "coordinator", ""} + boxes_actions_ +
+           QStringList{"add_resource", "add_charger", "", "add_goal", "add_measure", "add_team"});
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view,
        {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure", "",
@@ -344,12 +346,9 @@ void MainWindow::make_menus() {
   boxes_ = new QToolButton;
   boxes_->setObjectName("boxes");
   boxes_->setText(tr("Box"));
-  boxes_->setToolTip(tr("Add a static, dynamic or moving box, a cylinder or a prism"));
+  boxes_->setToolTip(tr("Add a static, dynamic or moving box, or another obstacle"));
   boxes_->setPopupMode(QToolButton::InstantPopup);
-  for (const char* name :
-       {"add_static", "add_dynamic", "add_moving", "add_cylinder", "add_prism"}) {
-    boxes_->addAction(actions_[name]);
-  }
+  for (const QString& name : boxes_actions_) boxes_->addAction(actions_[name]);
   environment->addWidget(boxes_);
   for (const char* name : {"add_resource", "add_charger", "measure"}) {
     environment->addAction(actions_[name]);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "elsie/shapes/outline.h"
 #include "elsie/world/error.h"
 #include "elsie/world/parts.h"
 #include "elsie/world/tree.h"
@@ -66,7 +67,7 @@ double covered(const Body& body) {
   double area = 0.0;
   for (const Footprint& each : body) {
     area += !each.outline.empty()
-                ? world::area_of(each.outline)
+                ? area_of(each.outline)
                 : (each.round ? std::numbers::pi : 4.0) * each.half_length * each.half_width;
   }
   return area;

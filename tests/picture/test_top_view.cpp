@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/picture/top_view.h"
+#include "elsie/shapes/box_shapes.h"
 #include "elsie/world/description.h"
 
 #include "support.h"
@@ -365,11 +366,11 @@ TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot"
 TEST_CASE("Cylinders and prisms have their own outlines") {
   Scene scene;
   world::Box& cylinder = scene.add_box(world::BoxKind::fixed, -2.0, 0.0, 0.2);
-  cylinder.shape = world::BoxShape::cylinder;
+  cylinder.shape = BoxShape::cylinder;
   cylinder.radius = 0.8;
   cylinder.colour = Colour{220, 30, 20};
   world::Box& prism = scene.add_box(world::BoxKind::fixed, 2.0, 0.0, 0.2);
-  prism.shape = world::BoxShape::prism;
+  prism.shape = BoxShape::prism;
   prism.points = {{0, 0}, {1.5, 0}, {0, 1.5}};  // its middle is 0.5 m from both legs
   prism.heading_deg = 90.0;                     // the right angle is in the south-east
   prism.colour = Colour{220, 30, 20};

@@ -3,6 +3,7 @@
 #include "elsie/api/measure.h"
 #include "elsie/picture/image_file.h"
 #include "elsie/render/world_cameras.h"
+#include "elsie/shapes/box_shapes.h"
 #include "elsie/world/writer.h"
 
 #include "recorded.h"
@@ -391,10 +392,10 @@ TEST_CASE("Cylinders are cylinders, and prisms are triangles that enclose their 
   McapFile file;
   world::World world;
   world.boxes.push_back(box("drum", world::BoxKind::dynamic, 1, 0));
-  world.boxes.back().shape = world::BoxShape::cylinder;
+  world.boxes.back().shape = BoxShape::cylinder;
   world.boxes.back().radius = 0.3;
   world.boxes.push_back(box("wedge", world::BoxKind::fixed, 0, 1));
-  world.boxes.back().shape = world::BoxShape::prism;
+  world.boxes.back().shape = BoxShape::prism;
   world.boxes.back().points = {{0, 0}, {0, 1}, {1, 1}, {1.5, 0.5}, {1, 0}};
   world.boxes.back().height = 0.4;
   world.limits.time = 0.1;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/render/world_scene.h"
+#include "elsie/shapes/box_shapes.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/parts.h"
 
@@ -231,7 +232,7 @@ TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictur
 namespace {
 
 /// A cylinder, or a triangle with its slope towards the west, 2 m ahead of the camera.
-world::World with_form(world::BoxShape shape) {
+world::World with_form(BoxShape shape) {
   world::World world = empty_world();
   world::Box& box = world.boxes.emplace_back(box_at(2.0, 0.0, world::BoxKind::dynamic));
   box.shape = shape;
@@ -247,8 +248,8 @@ constexpr Camera kWide{400, 300, radians(30.0)};
 }  // namespace
 
 TEST_CASE("A camera sees a cylinder as wide as its tangents") {
-  const Patch seen = find(
-      picture_of(with_form(world::BoxShape::cylinder), view_from({0, 0, 0.15}, 0, 0, kWide)), kRed);
+  const Patch seen =
+      find(picture_of(with_form(BoxShape::cylinder), view_from({0, 0, 0.15}, 0, 0, kWide)), kRed);
   const double half = std::tan(std::asin(0.2 / 2.0));  // for one unit along the axis
   const double pixels = 200.0 / std::tan(radians(15.0));
   CHECK(seen.right - seen.left + 1 == Approx(2.0 * half * pixels).epsilon(0.015));  // 20 sides
@@ -258,7 +259,7 @@ TEST_CASE("A camera sees a cylinder as wide as its tangents") {
 }
 
 TEST_CASE("A camera sees a prism between its outermost corners, and each side in its own light") {
-  const world::World world = with_form(world::BoxShape::prism);
+  const world::World world = with_form(BoxShape::prism);
   const Image picture = picture_of(world, view_from({0, 0, 0.15}, 0, 0, kWide));
   const Patch seen = find(picture, kRed);
   const double pixels = 200.0 / std::tan(radians(15.0));
@@ -273,7 +274,7 @@ TEST_CASE("A camera sees a prism between its outermost corners, and each side in
 }
 
 TEST_CASE("Cylinders and prisms move, and leave, as boxes do") {
-  for (const auto shape : {world::BoxShape::cylinder, world::BoxShape::prism}) {
+  for (const auto shape : {BoxShape::cylinder, BoxShape::prism}) {
     WorldScene scene(with_form(shape));
     const View view = view_from({0, 0, 0.15}, 0, 0, kWide);
     const Patch before = find(take(scene.scene(), view), kRed);

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/outline.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
@@ -128,7 +130,7 @@ TEST_CASE("Discs overlap where their middles are nearer than their radii") {
 TEST_CASE("Prisms overlap where their outlines do, not the boxes around them") {
   const auto prism = [](double x, double y, double heading_deg) {
     world::Box box;
-    box.shape = world::BoxShape::prism;
+    box.shape = BoxShape::prism;
     box.points = {{5.0, 5.0}, {5.0, 5.3}, {5.6, 5.0}};  // clockwise, from another origin
     box.x = x;
     box.y = y;
@@ -142,7 +144,7 @@ TEST_CASE("Prisms overlap where their outlines do, not the boxes around them") {
   CHECK(first.reach(0, 1) == Approx(0.2));
   CHECK(first.reach(0, -1) == Approx(0.1));
   CHECK(first.grown(0.05).reach(-1, 0) == Approx(0.25));
-  CHECK(world::area_of(first.outline) == Approx(0.09));
+  CHECK(area_of(first.outline) == Approx(0.09));
   // Two halves of a rectangle, slope to slope, 0.2 x 0.1 m from its middle.
   CHECK_FALSE(world::overlap(first, prism(0.2, 0.1, 180)));
   CHECK(world::overlap(first, prism(0.199, 0.099, 180)));

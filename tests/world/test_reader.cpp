@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/shapes/box_shapes.h"
 #include "elsie/world/colours.h"
 
 #include "equal.h"
@@ -66,10 +67,10 @@ TEST_CASE("A world says everything") {
   CHECK(w.boxes[2].mass == 0.123456789012345);
   CHECK(w.boxes[3].id == "static_box_2");
   CHECK(w.boxes[4].id == "moving_box_2");
-  CHECK(w.boxes[5].shape == world::BoxShape::cylinder);
+  CHECK(w.boxes[5].shape == BoxShape::cylinder);
   CHECK(w.boxes[5].radius == 0.15);
   CHECK(w.boxes[6].id == "static_prism_1");
-  CHECK(w.boxes[6].shape == world::BoxShape::prism);
+  CHECK(w.boxes[6].shape == BoxShape::prism);
   CHECK(w.boxes[6].points == std::vector<Vector2>{{0, 0}, {0.7, 0.1}, {0.2, 0.5}});
   CHECK(w.boxes[8].kind == world::BoxKind::moving);
   CHECK(w.boxes[10].points.size() == 4);

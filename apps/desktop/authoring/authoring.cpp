@@ -6,10 +6,13 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
 #include "elsie/api/geometry.h"
+#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/shape.h"
 
 #include "authoring/pieces.h"
 #include "engine/workbench.h"
@@ -41,6 +44,24 @@ QPointF free_place(const Stage& stage) {
 }
 
 }  // namespace
+
+std::vector<std::pair<QString, QString>> Authoring::other_shapes() {
+  QString taken = "bcdegmnorstu";
+  std::vector<std::pair<QString, QString>> shapes;
+  for (const char* const each : kBoxShapes) {
+    const QString shape = each;
+    if (shape == "box") continue;
+    const auto letter =
+        std::find_if(shape.begin(), shape.end(), [&](QChar one) { return !taken.contains(one); });
+    QString name = shape;
+    if (letter != shape.end()) {
+      taken += *letter;
+      name.insert(letter - shape.begin(), '&');
+    }
+    shapes.emplace_back(shape, name);
+  }
+  return shapes;
+}
 
 Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
     : QObject(window), workbench_(workbench), stage_(stage), window_(window) {
@@ -253,9 +274,10 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
         "dynamic_box");
   offer(is_here ? tr("Add &moving box here...") : tr("Add &moving box..."), "obstacles",
         "moving_box");
-  offer(is_here ? tr("Add c&ylinder here...") : tr("Add c&ylinder..."), "obstacles",
-        "static_cylinder");
-  offer(is_here ? tr("Add &prism here...") : tr("Add &prism..."), "obstacles", "static_prism");
+  for (const auto& [shape, name] : other_shapes()) {
+    offer((is_here ? tr("Add %1 here...") : tr("Add %1...")).arg(name), "obstacles",
+          "static_" + shape);
+  }
   offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
   offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");
   if (!is_here) {
@@ -345,21 +367,25 @@ void Authoring::resize(const QString& path, double length, double width) {
   if (!solid) {
     return;
   }
-  QStringList edits{path + "/@length=" + number(length), path + "/@width=" + number(width)};
-  if (solid->shape.kind == Shape::Kind::cylinder) {
-    edits = QStringList{path +
-                        "/@radius=" + number(0.5 * with_size(*solid, length, width).shape.size.x)};
-  } else if (!solid->outline.empty()) {
-    edits.clear();
-    const double by_x = length / solid->shape.size.x, by_y = width / solid->shape.size.y;
-    visit_children(place_of(workbench_.tree(), path), [&](const ElementPlace& each) {
-      if (name_of(*each.element) != "point") return;
-      for (const auto& [name, by] : {std::pair("x", by_x), std::pair("y", by_y)}) {
-        const double scaled = by * attribute(*each.element, name).toDouble();
-        edits << attribute_path(each.path, name) + '=' + number(scaled, 1e-5);
-      }
-    });
+  const Shape made = resized(solid->shape, length, width);
+  const ElementPlace place = place_of(workbench_.tree(), path);
+  const std::map<QString, double> values{
+      {"length", made.size.x}, {"radius", 0.5 * made.size.x}, {"width", made.size.y}};
+  QStringList edits;
+  if (const auto kind = workbench_.catalog().kind_of(place)) {
+    for (const Field& field : kind->fields) {
+      const auto value = values.find(field.name);
+      if (value != values.end()) edits << path + "/@" + field.name + '=' + number(value->second);
+    }
   }
+  const double by_x = length / solid->shape.size.x, by_y = width / solid->shape.size.y;
+  visit_children(place, [&](const ElementPlace& each) {
+    if (name_of(*each.element) != "point") return;
+    for (const auto& [name, by] : {std::pair("x", by_x), std::pair("y", by_y)}) {
+      const double scaled = by * attribute(*each.element, name).toDouble();
+      edits << attribute_path(each.path, name) + '=' + number(scaled, 1e-5);
+    }
+  });
   workbench_.edit(edits, tr("resize %1").arg(title(path)), "resize " + path);
 }
 

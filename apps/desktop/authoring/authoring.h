@@ -5,6 +5,8 @@
 #include <QPointF>
 #include <QStringList>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/elements.h"
 
@@ -49,6 +51,9 @@ class Authoring : public QObject {
   void edit_behaviors(const QString& holder);
   /// Opens the editor of the coordinator, or the dialog for a new one.
   void edit_coordinator(const QString& holder);
+  /// The shapes of obstacles besides boxes, each with its text for a menu that adds things: with a
+  /// letter that no other entry has.
+  static std::vector<std::pair<QString, QString>> other_shapes();
   /// Opens the menu of the element, or of the world if the path is "".
   void open_menu(const QString& path, const QPoint& global);
   /// Opens the menu of what can be added `at` that point of the floor, m; none: to the world.

@@ -7,25 +7,12 @@
 #include <array>
 #include <cmath>
 
+#include "elsie/picture/axis.h"
+
 namespace elsie::desktop {
 
-std::vector<double> ticks(const Span& span, int most) {
-  std::vector<double> all;
-  if (!(span.length() > 0.0) || !std::isfinite(span.length()) || most < 1) {
-    return all;
-  }
-  double step = std::pow(10.0, std::floor(std::log10(span.length() / most)));
-  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
-    if (span.length() / step <= most) {
-      break;
-    }
-    step *= factor;
-  }
-  const double first = std::ceil(span.low / step - 1e-9);
-  for (double n = first; n * step <= span.high + 1e-9 * step; ++n) {
-    all.push_back(n == 0.0 ? 0.0 : n * step);
-  }
-  return all;
+std::vector<double> ticks(const Span& span, int about) {
+  return picture::nice_ticks(span.low, span.high, about).at;
 }
 
 QString number_text(double value) {

@@ -19,8 +19,8 @@ struct Span {
   double length() const { return high - low; }
 };
 
-/// Round numbers in the span: steps of 1, 2 or 5 times a power of ten, at most `most` of them.
-std::vector<double> ticks(const Span& span, int most);
+/// Round numbers in the span, about so many: picture::nice_ticks().
+std::vector<double> ticks(const Span& span, int about);
 /// A number as on an axis, with a decimal point in every language.
 QString number_text(double value);
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "elsie/picture/axis.h"
+
 namespace elsie::desktop {
 namespace {
 
@@ -16,14 +18,6 @@ const QColor kGrid(0, 0, 0, 28);
 const QColor kView(0x80, 0x60, 0xb0, 110);
 const QColor kPaper(255, 255, 255, 215);
 const QColor kInk(25, 25, 25);
-
-/// A length that divides a picture into about ten parts: 1, 2 or 5 times a power of ten.
-double grid_step(double length) {
-  const double rough = length / 10.0;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  const double digit = rough / power;
-  return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
-}
 
 }  // namespace
 
@@ -58,11 +52,11 @@ void OverlayPainter::outlines() const {
 void OverlayPainter::grid() const {
   painter_.setPen(QPen(kGrid, 1.0));
   const double x = 0.5 * stage_.length(), y = 0.5 * stage_.width();
-  const double step = grid_step(std::max(stage_.length(), stage_.width()));
-  for (double at = std::ceil(-x / step) * step; at <= x + 1e-9; at += step) {
+  const double step = picture::nice_step(std::max(stage_.length(), stage_.width()), 10);
+  for (const double at : picture::multiples(-x, x, step).at) {
     line({at, -y, 0.0}, {at, y, 0.0});
   }
-  for (double at = std::ceil(-y / step) * step; at <= y + 1e-9; at += step) {
+  for (const double at : picture::multiples(-y, y, step).at) {
     line({-x, at, 0.0}, {x, at, 0.0});
   }
 }

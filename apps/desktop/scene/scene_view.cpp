@@ -394,7 +394,7 @@ void SceneView::paint_ghost(QPainter& painter, const OverlayPainter& over,
   Stage::Solid shown = solid;
   Frame ghost = stage_.frame_of(solid);
   if (ghost_.size) {
-    shown = with_size(solid, ghost_.size->x, ghost_.size->y);
+    shown.shape = elsie::resized(solid.shape, ghost_.size->x, ghost_.size->y);
   }
   if (ghost_.turn != 0.0) {
     if (const Stage::Body* body = stage_.body_of(solid.path)) {

@@ -1,11 +1,11 @@
 #include "scene/stage.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 namespace elsie::desktop {
 namespace {
@@ -24,71 +24,36 @@ Frame frame_from(const Json& json) {
           vector_of(json.at(3))};
 }
 
-Shape::Kind kind_of(const std::string& name) {
-  return name == "box"       ? Shape::Kind::box
-         : name == "sphere"  ? Shape::Kind::sphere
-         : name == "capsule" ? Shape::Kind::capsule
-                             : Shape::Kind::cylinder;
+/// The number of a name in a list.
+template <class Names>
+std::uint8_t place_in(const Names& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::invalid_argument(name);
+  return static_cast<std::uint8_t>(found - names.begin());
 }
 
-Shape::Axis axis_of(const std::string& name) {
-  return name == "forward" ? Shape::Axis::forward
-         : name == "left"  ? Shape::Axis::left
-                           : Shape::Axis::up;
+Shape shape_from(const Json& json) {
+  Shape shape;
+  shape.kind = Shape::Kind{place_in(Shape::kKinds, json.at("shape").get<std::string>())};
+  shape.axis = Shape::Axis{place_in(Shape::kAxes, json.at("axis").get<std::string>())};
+  shape.size = vector_of(json.at("size"));
+  for (const Json& corner : member(json, "outline")) {
+    shape.outline.push_back({corner.at(0).get<double>(), corner.at(1).get<double>()});
+  }
+  return shape;
 }
 
 void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
-  const double radius = shape.radius();
-  if (shape.kind == Shape::Kind::box) {
-    const Frame bottom = frame.frame({.origin = {0.0, 0.0, -0.5 * shape.size.z}});
-    if (solid.outline.empty()) {
-      scene.boxes.push_back({bottom, shape.size, solid.colour});
-    } else {
-      scene.prisms.push_back({bottom, solid.outline, shape.size.z, solid.colour});
-    }
-    return;
-  }
-  if (shape.kind == Shape::Kind::sphere) {
-    scene.balls.push_back({frame.origin, radius, solid.colour});
-    return;
-  }
   if (shape.is_round() && shape.size.z < kDisc) {
-    scene.marks.push_back({{frame.origin.x, frame.origin.y}, radius, solid.colour});
-    return;
-  }
-  const bool is_capsule = shape.kind == Shape::Kind::capsule;
-  const double length = shape.length() - (is_capsule ? 2.0 * radius : 0.0);
-  const Frame along = along_axis(frame, shape.axis);
-  // The scene's cylinders lie along their left axis.
-  scene.cylinders.push_back(
-      {{along.origin, along.forward, along.up, -1.0 * along.left}, radius, length, solid.colour});
-  if (is_capsule) {
-    scene.balls.push_back({along.point({0.0, 0.0, 0.5 * length}), radius, solid.colour});
-    scene.balls.push_back({along.point({0.0, 0.0, -0.5 * length}), radius, solid.colour});
+    scene.marks.push_back({{frame.origin.x, frame.origin.y}, shape.radius(), solid.colour});
+  } else {
+    render::add(scene, shape, frame, solid.colour);
   }
 }
 
+constexpr int kRound = 24;  // corners of a disc
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-/// The corners of a solid's outline seen from above, in its frame: of a prism, of the circle of an
-/// upright cylinder, or of the box of another solid.
-std::vector<Vector2> outline_of(const Stage::Solid& solid) {
-  constexpr int kRound = 24;
-  if (!solid.outline.empty()) {
-    return solid.outline;
-  }
-  const double x = 0.5 * solid.shape.size.x, y = 0.5 * solid.shape.size.y;
-  std::vector<Vector2> corners{{x, y}, {-x, y}, {-x, -y}, {x, -y}};
-  if (solid.shape.kind == Shape::Kind::cylinder && solid.shape.is_round()) {
-    corners.clear();
-    for (int i = 0; i < kRound; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kRound;
-      corners.push_back({x * std::cos(angle), y * std::sin(angle)});
-    }
-  }
-  return corners;
-}
 
 /// Keeps the part of a ray where `at` + way * `per` is at most `most`.
 void clip(double at, double per, double most, double& enters, double& leaves) {
@@ -112,7 +77,7 @@ double way_to(const Stage::Solid& solid, const Frame& frame, const Vector3& from
   double enters = 0.0, leaves = kFar;
   clip(at.z, per.z, 0.5 * solid.shape.size.z, enters, leaves);
   clip(-at.z, -per.z, 0.5 * solid.shape.size.z, enters, leaves);
-  const std::vector<Vector2> corners = outline_of(solid);
+  const std::vector<Vector2> corners = outline_of(solid.shape, kRound);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const double x = b.y - a.y, y = a.x - b.x;  // outwards
@@ -124,21 +89,6 @@ double way_to(const Stage::Solid& solid, const Frame& frame, const Vector3& from
 }  // namespace
 
 double heading_rad(const Frame& frame) { return std::atan2(frame.forward.y, frame.forward.x); }
-
-Stage::Solid with_size(const Stage::Solid& solid, double length, double width) {
-  Stage::Solid made = solid;
-  Vector3& size = made.shape.size;
-  const double x = size.x, y = size.y;
-  size.x = length;
-  size.y = width;
-  if (solid.shape.kind == Shape::Kind::cylinder && solid.shape.is_round()) {
-    size.x = size.y = std::abs(length - x) > std::abs(width - y) ? length : width;
-  }
-  for (Vector2& corner : made.outline) {
-    corner = {corner.x * length / x, corner.y * width / y};
-  }
-  return made;
-}
 
 bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   epoch_ = epoch;
@@ -174,17 +124,13 @@ void Stage::read(const Json& scene) {
   std::set<std::size_t> has_colour;
   for (const Json& each : scene.at("shapes")) {
     Solid solid;
-    solid.shape = {kind_of(each.at("shape").get<std::string>()), vector_of(each.at("size")),
-                   axis_of(each.at("axis").get<std::string>())};
+    solid.shape = shape_from(each);
     solid.frame = frame_from(each.at("frame"));
     const Json& colour = each.at("colour");
     solid.colour = {colour.at(0).get<std::uint8_t>(), colour.at(1).get<std::uint8_t>(),
                     colour.at(2).get<std::uint8_t>()};
     solid.body = each.at("body").get<int>();
     solid.path = text_of(each, "path");
-    for (const Json& corner : member(each, "outline")) {
-      solid.outline.push_back({corner.at(0).get<double>(), corner.at(1).get<double>()});
-    }
     if (solid.body >= 0) {
       const auto number = static_cast<std::size_t>(solid.body);
       Body& body = bodies_.at(number);
@@ -307,7 +253,7 @@ QString Stage::at(const Vector3& from, const Vector3& direction) const {
 
 std::vector<std::pair<Vector3, Vector3>> edges_of(const Stage::Solid& solid, const Frame& frame) {
   constexpr std::size_t kMostUpright = 16;
-  const std::vector<Vector2> corners = outline_of(solid);
+  const std::vector<Vector2> corners = outline_of(solid.shape, kRound);
   const double up = 0.5 * solid.shape.size.z;
   const std::size_t each = corners.size() > kMostUpright ? corners.size() / 4 : 1;
   std::vector<std::pair<Vector3, Vector3>> edges;

@@ -36,7 +36,6 @@ class Stage {
     Colour colour;
     int body = -1;  // -1: the arena's
     QString path;
-    std::vector<Vector2> outline{};  // of a prism, whose shape is the box around it
   };
 
   /// What a camera sees: a pyramid.
@@ -99,12 +98,7 @@ class Stage {
 
 double heading_rad(const Frame& frame);
 
-/// The solid with another length and width, m. An upright cylinder stays round and takes the value
-/// that differs more.
-Stage::Solid with_size(const Stage::Solid& solid, double length, double width);
-
-/// The edges of a prism, of an upright cylinder (with some lines of its side) or of the box of
-/// another solid, as pairs of points.
+/// The edges of a solid over its outline, with some lines of its side, as pairs of points.
 std::vector<std::pair<Vector3, Vector3>> edges_of(const Stage::Solid& solid, const Frame& frame);
 
 }  // namespace elsie::desktop

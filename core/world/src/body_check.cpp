@@ -21,19 +21,6 @@ void require(bool holds, const Part& part, const char* what_it_must) {
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
-/// Whether the box around a shape fits the shape.
-bool is_sound(const Shape& shape) {
-  const Vector3& size = shape.size;
-  if (!is_positive(size.x) || !is_positive(size.y) || !is_positive(size.z)) return false;
-  if (shape.kind == Shape::Kind::box) return true;
-  const std::array sizes{size.x, size.y, size.z};
-  const auto axis = static_cast<std::size_t>(shape.axis);
-  const double across = sizes[(axis + 1) % 3], along = sizes[axis];
-  if (sizes[(axis + 2) % 3] != across) return false;
-  return shape.kind == Shape::Kind::cylinder || along == across ||
-         (shape.kind == Shape::Kind::capsule && along > across);
-}
-
 /// Whether the axes of a frame have length 1 and are at right angles.
 bool is_sound(const Frame& frame) {
   constexpr double kRounding = 1e-6;
@@ -104,6 +91,8 @@ void check(const BodyPlan& plan) {
   std::size_t vehicles = 0;
   for (const Part& part : plan.parts) {
     const Vector3 &at = part.frame.origin, &size = part.shape.size;
+    require(part.shape.kind != Shape::Kind::prism, part,
+            "is a prism; only obstacles can be prisms.");
     require(is_sound(part.shape) && std::isfinite(part.mass) && part.mass >= 0.0, part,
             "must have lengths and a mass that are positive and finite.");
     require(is_sound(part.frame), part, "must have a frame of three unit vectors at right angles.");

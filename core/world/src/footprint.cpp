@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
-#include "elsie/base/words.h"
-#include "elsie/world/facts.h"
 
 namespace elsie::world {
 
@@ -19,9 +17,6 @@ constexpr double kHair = 1e-9;      // m: parts may extend beyond a chassis by r
 
 // A length for a message, rounded to a tenth of a millimetre.
 std::string rounded(double metres) { return number_text(std::round(metres * 1e4) / 1e4); }
-
-Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.x - b.x, a.y - b.y}; }
-double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
 
 /// The corners of a rectangle or an outline, counter-clockwise, from its middle.
 std::vector<Vector2> corners_of(const Footprint& area) {
@@ -98,8 +93,7 @@ double radius_of(std::span<const Part> vehicle) {
   return radius;
 }
 
-Footprint footprint_of(const Shape& shape, const Frame& middle,
-                       const std::vector<Vector2>& outline) {
+Footprint footprint_of(const Shape& shape, const Frame& middle) {
   const Vector3 half = 0.5 * shape.size;
   const auto extent = [&](const Vector3& axis) {
     return half.x * std::abs(dot(middle.forward, axis)) +
@@ -111,13 +105,13 @@ Footprint footprint_of(const Shape& shape, const Frame& middle,
   const double up = extent({0.0, 0.0, 1.0});
   Footprint area{at.x,      at.y,      heading,         extent({c, s, 0.0}), extent({-s, c, 0.0}),
                  at.z - up, at.z + up, shape.is_round()};
-  if (middle.up.z > kUpright) area.outline = outline;
+  if (middle.up.z > kUpright) area.outline = shape.outline;
   return area;
 }
 
 Footprint footprint_of(const Box& box) {
   const Fixture fixture = fixture_of(box);
-  return footprint_of(fixture.shape, fixture.frame, fixture.outline);
+  return footprint_of(fixture.shape, fixture.frame);
 }
 
 Footprint footprint_of(std::span<const Part> vehicle, const Pose& pose, double z) {
@@ -151,64 +145,6 @@ bool overlap(const Footprint& a, const Footprint& b) {
   };
   return std::hypot(b.x - a.x, b.y - a.y) < radius(a) + radius(b) - kTouching &&
          (a.round || !separates(a, b)) && (b.round || !separates(b, a));
-}
-
-std::optional<std::string> problem_of_outline(std::span<const Vector2> points) {
-  const std::size_t n = points.size();
-  if (n < 3 || n > 16) {
-    return "has " + base::counted(n, "point") + "; expected 3 to 16 points around its outline";
-  }
-  const auto nth = [&](std::size_t i) { return points[i % n]; };
-  const auto point = [&](std::size_t i) {
-    return "its point " + std::to_string(i % n + 1) + " at (" + number_text(nth(i).x) + ", " +
-           number_text(nth(i).y) + ")";
-  };
-  double around = 0.0, turned = 0.0;
-  std::vector<double> turns;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vector2 edge = nth(i + 1) - nth(i), next = nth(i + 2) - nth(i + 1);
-    const double length = std::hypot(edge.x, edge.y);
-    if (length < kLeastLength) {
-      return "has " + point(i + 1) + " where the one before it is; take it out";
-    }
-    around += length;
-    turned += turns.emplace_back(std::atan2(cross(edge, next), edge.x * next.x + edge.y * next.y));
-  }
-  const double area = area_of(points);
-  if (std::abs(std::abs(turned) - 2.0 * std::numbers::pi) > 1e-6 ||
-      std::abs(area) < 0.5 * kLeastLength * around) {
-    return "has an outline without area, or one that crosses itself; expected points in the order "
-           "in which they go around it";
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (std::copysign(turns[i], turns[i] * area) < -1e-9) {
-      return "is not convex: its outline turns inwards at " + point(i + 1) +
-             "; make several prisms of it";
-    }
-  }
-  return std::nullopt;
-}
-
-double area_of(std::span<const Vector2> corners) {
-  double twice = 0.0;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    twice += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-  }
-  return 0.5 * twice;
-}
-
-std::vector<Vector2> centered_outline(std::span<const Vector2> points) {
-  std::vector<Vector2> corners(points.begin(), points.end());
-  const double area = area_of(points);
-  if (area < 0.0) std::reverse(corners.begin(), corners.end());
-  Vector2 center = corners[0];
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Vector2 a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
-    const double part = cross(a, b) / (6.0 * std::abs(area));
-    center = {center.x + part * (a.x + b.x), center.y + part * (a.y + b.y)};
-  }
-  for (Vector2& corner : corners) corner = corner - center;
-  return corners;
 }
 
 std::optional<std::string> outside(const Arena& arena, const std::string& what, double x,

@@ -6,6 +6,7 @@
 
 #include "elsie/world/footprint.h"
 
+#include "box_shapes.h"
 #include "differential.h"
 
 namespace elsie::world {
@@ -64,21 +65,8 @@ std::vector<Fixture> walls_of(const Arena& arena) {
 }
 
 Fixture fixture_of(const Box& box, std::size_t index) {
-  Shape shape = box.shape == BoxShape::cylinder ? Shape::pillar(box.radius, box.height)
-                                                : Shape::box({box.length, box.width, box.height});
-  std::vector<Vector2> outline;
-  if (box.shape == BoxShape::prism) {
-    outline = centered_outline(box.points);
-    Vector3& size = shape.size = {0.0, 0.0, box.height};
-    for (const Vector2& corner : outline) {
-      size.x = std::max(size.x, 2.0 * std::abs(corner.x));
-      size.y = std::max(size.y, 2.0 * std::abs(corner.y));
-    }
-  }
-  Fixture fixture =
-      upright(Fixture::Kind::box, index, {box.x, box.y, box.z}, radians(box.heading_deg), shape);
-  fixture.outline = std::move(outline);
-  return fixture;
+  return upright(Fixture::Kind::box, index, {box.x, box.y, box.z}, radians(box.heading_deg),
+                 form_of(box.shape).solid(box));
 }
 
 Fixture fixture_of(const Charger& charger, std::size_t index) {

@@ -128,11 +128,9 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
   };
   for (const Box& box : world.boxes) {
     if (!reading.sound(box.location)) continue;
-    if (box.shape == BoxShape::prism) {
-      if (const auto problem = problem_of_outline(box.points)) {
-        problems.add(box.location, box.in_words() + " " + *problem);
-        continue;
-      }
+    if (const auto problem = problem_of(box)) {
+      problems.add(box.location, box.in_words() + " " + *problem);
+      continue;
     }
     const Block block{footprint_of(box), box.in_words(), box.location};
     check.check_path(box);

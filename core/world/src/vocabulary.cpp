@@ -7,6 +7,8 @@
 #include "elsie/world/facts.h"
 #include "elsie/world/layouts.h"
 
+#include "box_shapes.h"
+
 namespace elsie::world {
 
 namespace {
@@ -56,24 +58,6 @@ ElementSpec team() {
                "in the world"));
 }
 
-ElementSpec point() {
-  return Describe<Vector2>("point", "A corner of a convex outline, seen from above")
-      .costs(Cost::engine)
-      .required()
-      .attribute("x", &Vector2::x, metres("along its own x, from any origin"), kRequired)
-      .attribute("y", &Vector2::y, metres("along its own y"), kRequired);
-}
-
-Describe<Box> with_size(Describe<Box> box, BoxShape shape) {
-  if (shape == BoxShape::cylinder) {
-    return std::move(box).attribute("radius", &Box::radius, size("of its outline"));
-  }
-  if (shape == BoxShape::prism) return std::move(box).each(point(), &Box::points);
-  return std::move(box)
-      .attribute("length", &Box::length, size("along its own x"))
-      .attribute("width", &Box::width, size("along its own y"));
-}
-
 // The attributes that all kinds of boxes have.
 Describe<Box> box(const std::string& name, const std::string& meaning,
                   BoxShape shape = BoxShape::box) {
@@ -85,7 +69,8 @@ Describe<Box> box(const std::string& name, const std::string& meaning,
           .attribute("y", &Box::y, metres("its middle, north"))
           .attribute("z", &Box::z, range("m", 0, 100, "its bottom"))
           .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"));
-  return with_size(std::move(placed), shape)
+  return form_of(shape)
+      .with_size(std::move(placed))
       .attribute("height", &Box::height, size("along z"))
       .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"),
                  {.cost = Cost::nothing})
@@ -105,9 +90,7 @@ ElementSpec obstacle(BoxKind kind, BoxShape shape) {
   Box example;
   example.kind = kind;
   example.shape = shape;
-  const char* const forms[] = {"", ": an upright cylinder",
-                               ": an upright prism, whose outline has 3 to 16 points"};
-  const std::string form = forms[static_cast<int>(shape)];
+  const std::string form = form_of(shape).words;
   if (kind == BoxKind::fixed) {
     return box(example.element(), "An obstacle that never moves" + form, shape);
   }
@@ -247,7 +230,8 @@ Describe<World> boxes(Describe<World> list, ElementSpec box, BoxKind kind,
 
 Describe<World> obstacles() {
   auto list = Describe<World>("obstacles", "What stands in the way").members("obstacle");
-  for (const BoxShape shape : {BoxShape::box, BoxShape::cylinder, BoxShape::prism}) {
+  for (std::size_t i = 0; i < kBoxShapes.size(); ++i) {
+    const auto shape = static_cast<BoxShape>(i);
     for (const BoxKind kind : {BoxKind::fixed, BoxKind::dynamic, BoxKind::moving}) {
       list = boxes(std::move(list), obstacle(kind, shape), kind, shape);
     }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
 namespace elsie::physics {
@@ -41,10 +40,8 @@ void check(const Pose& pose, double z) {
 }
 
 void check(const world::Box& box) {
-  if (box.shape == world::BoxShape::prism) {
-    const auto problem = world::problem_of_outline(box.points);
-    require(!problem, "A prism " + problem.value_or(""));
-  }
+  const auto problem = world::problem_of(box);
+  require(!problem, std::string("A ") + box.shape_name() + " " + problem.value_or(""));
   const Vector3 size = world::fixture_of(box).shape.size;
   require(is_positive(size.x) && is_positive(size.y) && is_positive(size.z),
           "The length, width, radius and height of a box must be positive and finite.");

@@ -1,5 +1,4 @@
-// Geometry of the convex outlines of upright prisms: their corners, counter-clockwise, in the plane
-// (world::Fixture::outline). Lengths in m.
+// What meets the convex outlines of upright prisms. Lengths in m.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +7,9 @@
 #include <limits>
 #include <span>
 
-#include "elsie/api/geometry.h"
+#include "elsie/shapes/outline.h"
 
 namespace elsie::physics {
-
-using Corners = std::span<const Vector2>;
 
 /// A side of an outline.
 struct Side {
@@ -89,26 +86,6 @@ inline bool clip_ray(Corners corners, const Vector2& origin, const Vector2& dire
     if (enter > leave) return false;
   }
   return true;
-}
-
-/// Second moments of an outline's area about the origin, divided by the area, m2 (Steger 1996).
-struct OutlineMoments {
-  double xx = 0.0;  // of x x
-  double yy = 0.0;
-  double xy = 0.0;
-};
-inline OutlineMoments moments_of(Corners corners) {
-  OutlineMoments sum;
-  double area = 0.0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2 &a = corners[i], &b = corners[i + 1 < corners.size() ? i + 1 : 0];
-    const double cross = a.x * b.y - b.x * a.y;
-    area += 0.5 * cross;
-    sum.xx += cross * (a.x * a.x + a.x * b.x + b.x * b.x) / 12.0;
-    sum.yy += cross * (a.y * a.y + a.y * b.y + b.y * b.y) / 12.0;
-    sum.xy += cross * (2.0 * a.x * a.y + a.x * b.y + b.x * a.y + 2.0 * b.x * b.y) / 24.0;
-  }
-  return {sum.xx / area, sum.yy / area, sum.xy / area};
 }
 
 }  // namespace elsie::physics

@@ -10,14 +10,12 @@ namespace elsie::physics {
 BoxBody::BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixture& fixture,
                  double mass)
     : kind(kind_of_box),
-      form(!fixture.outline.empty()                      ? SolidKind::prism
-           : fixture.shape.kind == Shape::Kind::cylinder ? SolidKind::pillar
-                                                         : SolidKind::box),
+      solid_shape(fixture.shape),
+      form(kind_of(solid_shape)),
       shape{fixture.frame.origin,
             {fixture.frame.forward, fixture.frame.left, fixture.frame.up},
-            0.5 * fixture.shape.size},
-      outline(fixture.outline) {
-  make_geom();
+            0.5 * fixture.shape.size} {
+  geom = make_geom(solid_shape, convex_);
   const double heading = std::atan2(shape.axes[0].y, shape.axes[0].x);
   const dQuaternion facing{std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)};
   if (!is_mobile()) {
@@ -27,7 +25,7 @@ BoxBody::BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixtur
   }
   body = dBodyCreate(world);
   if (kind == world::BoxKind::dynamic) {
-    const dMass own = mass_of(mass);
+    const dMass own = mass_of(solid_shape, mass);
     dBodySetMass(body, &own);
     dBodySetFiniteRotationMode(body, 1);
   } else {
@@ -38,37 +36,8 @@ BoxBody::BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixtur
   dBodySetQuaternion(body, facing);
 }
 
-void BoxBody::make_geom() {
-  const Vector3& half = shape.half;
-  if (form == SolidKind::prism) {
-    geom = make_prism(outline, half.z, convex_);
-  } else {
-    geom.reset(form == SolidKind::pillar
-                   ? dCreateCylinder(nullptr, half.x, 2.0 * half.z)
-                   : dCreateBox(nullptr, 2.0 * half.x, 2.0 * half.y, 2.0 * half.z));
-  }
-}
-
-dMass BoxBody::mass_of(double mass) const {
-  const Vector3& half = shape.half;
-  if (form == SolidKind::prism) return prism_mass(outline, 2.0 * half.z, mass);
-  dMass made;
-  if (form == SolidKind::pillar) {
-    dMassSetCylinderTotal(&made, mass, 3, half.x, 2.0 * half.z);
-  } else {
-    dMassSetBoxTotal(&made, mass, 2.0 * half.x, 2.0 * half.y, 2.0 * half.z);
-  }
-  return made;
-}
-
 void BoxBody::meet_floor(OdeContacts& contacts) const {
-  if (form == SolidKind::prism) {
-    contacts.prism_on_floor(body, shape, outline);
-  } else if (form == SolidKind::pillar) {
-    contacts.solid_on_floor(body, Shape::pillar(shape.half.x, 2.0 * shape.half.z), shape);
-  } else {
-    contacts.box_on_floor(body, shape);
-  }
+  contacts.solid_on_floor(body, solid_shape, shape);
 }
 
 void BoxBody::read_shape() {

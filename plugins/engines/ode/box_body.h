@@ -9,7 +9,7 @@
 
 #include "ode_contacts.h"
 #include "ode_handles.h"
-#include "prism.h"
+#include "part_bodies.h"
 #include "scene.h"
 #include "vehicle.h"
 
@@ -23,7 +23,7 @@ struct BoxBody {
   bool is_mobile() const {
     return kind == world::BoxKind::dynamic || kind == world::BoxKind::moving;
   }
-  Solid solid() const { return {body, geom.get(), form, shape, outline}; }
+  Solid solid() const { return {body, geom.get(), form, shape, solid_shape.outline}; }
   /// Its origin is in the middle of its lower side.
   Frame frame() const {
     const auto& [forward, left, up] = shape.axes;
@@ -41,18 +41,15 @@ struct BoxBody {
   Scene::Id id = 0;
   dBodyID body = nullptr;  // null for a fixed body
   OdeGeom geom;
-  SolidKind form = SolidKind::box;  // or pillar, or prism
-  OrientedBox shape;                // bounding box
-  std::vector<Vector2> outline;     // of a prism
-  bool stays_within = false;        // within the arena's walls
+  Shape solid_shape;
+  SolidKind form = SolidKind::box;
+  OrientedBox shape;          // bounding box
+  bool stays_within = false;  // within the arena's walls
   // For a moving box: its place at the end of the next step.
   bool driven = false;
   Vector3 target;
 
  private:
-  void make_geom();
-  dMass mass_of(double mass) const;
-
   ConvexArrays convex_;  // what the geometry of a prism refers to
 };
 

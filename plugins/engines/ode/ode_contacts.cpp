@@ -150,6 +150,7 @@ void OdeContacts::corner_on_floor(dBodyID body, const Vector3& corner, double hi
 
 void OdeContacts::solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box) {
   if (shape.kind == Shape::Kind::box) return box_on_floor(body, box);
+  if (shape.kind == Shape::Kind::prism) return prism_on_floor(body, box, shape.outline);
   const double highest = std::min(floor_reach(body, box.half), box.center.z);
   if (shape.kind == Shape::Kind::cylinder) return rims_on_floor(body, shape, box, highest);
   const double radius = shape.radius();

@@ -43,13 +43,9 @@ class OdeContacts {
                       const WheelJoint& joint, dGeomID floor);
   /// A sphere that slides on the floor without friction.
   void caster_on_floor(dBodyID caster, const Vector3& lowest);
-  /// The corners of a box that are on the floor or about to reach it.
-  void box_on_floor(dBodyID body, const OrientedBox& box);
-  /// The same for a prism in this box.
-  void prism_on_floor(dBodyID body, const OrientedBox& box, Corners outline);
-  /// The same for a body of any other shape, with `box` as its bounding box: the rims of a cylinder
-  /// at their lowest points and at three more each, so that it can stand; the lowest points of
-  /// balls.
+  /// The points of a body that are on the floor or about to reach it; `box` is around it. Corners;
+  /// the rims of a cylinder at their lowest points and at three more each, so that it can stand;
+  /// the lowest points of balls.
   void solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box);
   /// Two bodies, of which `b` is null if it is fixed. `normal` points from b into a.
   void between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal, double gap);
@@ -64,6 +60,8 @@ class OdeContacts {
   static constexpr double kSlack = 1e-4;  // m
 
   double floor_reach(dBodyID body, const Vector3& half) const;
+  void box_on_floor(dBodyID body, const OrientedBox& box);
+  void prism_on_floor(dBodyID body, const OrientedBox& box, Corners outline);
   void rims_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box, double highest);
   void attach(dBodyID a, dBodyID b, dContact& contact, double gap);
   void corner_on_floor(dBodyID body, const Vector3& corner, double highest);

@@ -244,7 +244,7 @@ std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
   const std::size_t index = list.size();
   BoxBody& made = list.emplace_back(world_.get(), box_kind, fixture, mass);
   made.id = bodies_.scene.add({kind, index}, sensed);
-  bodies_.scene.shape_box(made.id, fixture.shape.kind, made.outline);
+  bodies_.scene.shape_box(made.id, fixture.shape);
   if (made.is_mobile()) bodies_.mobile.push_back(made.id);
   bodies_.scene.place_box(made.id, made.shape, made.is_mobile() ? kSlack : 0.0);
   return index;

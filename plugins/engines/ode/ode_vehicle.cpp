@@ -58,8 +58,8 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
   const Part& chassis = parts.front();
   shape_ = chassis.shape;
   middle_ = chassis.frame.origin;
-  chassis_geom_ = make_geom(shape_);
-  chassis_ = make_body(world, chassis_geom_.get(), mass_of(chassis));
+  chassis_geom_ = make_geom(shape_, convex_);
+  chassis_ = make_body(world, chassis_geom_.get(), mass_of(shape_, chassis.mass));
   lay(chassis_geom_.get(), shape_);
   if (const auto* hitch = std::get_if<HitchJoint>(&chassis.joint)) hitch_ = *hitch;
   solids_.chassis = {chassis_, chassis_geom_.get(), kind_of(shape_), {}};

@@ -11,6 +11,7 @@
 #include "lump.h"
 #include "ode_contacts.h"
 #include "ode_handles.h"
+#include "part_bodies.h"
 #include "scene.h"
 #include "vehicle.h"
 
@@ -136,6 +137,7 @@ class OdeVehicle {
   Shape shape_;     // of the chassis
   Vector3 middle_;  // of the chassis, in the vehicle's frame
   dBodyID chassis_ = nullptr;
+  ConvexArrays convex_;  // of the geometry, if it is a prism
   OdeGeom chassis_geom_;
   std::vector<Wheel> wheels_;
   std::vector<Vector3> caster_places_;

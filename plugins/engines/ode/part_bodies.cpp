@@ -3,6 +3,37 @@
 #include <numbers>
 
 namespace elsie::physics {
+namespace {
+
+/// An upright prism about its middle.
+OdeGeom make_prism(Corners outline, double half_height, ConvexArrays& arrays) {
+  const auto n = static_cast<unsigned>(outline.size());
+  // Point 2 i is at the bottom of corner i, and 2 i + 1 at its top.
+  for (const Vector2& corner : outline) {
+    for (const double z : {-half_height, half_height}) {
+      arrays.points.insert(arrays.points.end(), {corner.x, corner.y, z});
+    }
+  }
+  const auto add_plane = [&](double x, double y, double z, double distance) {
+    arrays.planes.insert(arrays.planes.end(), {x, y, z, distance});
+  };
+  for (unsigned i = 0; i < n; ++i) {
+    const unsigned next = (i + 1) % n;
+    const Side side = side_of(outline, i);
+    add_plane(side.normal.x, side.normal.y, 0.0, -side.gap_to({}));
+    arrays.faces.insert(arrays.faces.end(), {4, 2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+  }
+  add_plane(0.0, 0.0, 1.0, half_height);
+  arrays.faces.push_back(n);
+  for (unsigned i = 0; i < n; ++i) arrays.faces.push_back(2 * i + 1);
+  add_plane(0.0, 0.0, -1.0, half_height);
+  arrays.faces.push_back(n);
+  for (unsigned i = n; i-- > 0;) arrays.faces.push_back(2 * i);
+  return OdeGeom(dCreateConvex(nullptr, arrays.planes.data(), n + 2, arrays.points.data(), 2 * n,
+                               arrays.faces.data()));
+}
+
+}  // namespace
 
 dBodyID make_body(dWorldID world, dGeomID geom, const dMass& mass) {
   const dBodyID made = dBodyCreate(world);
@@ -13,7 +44,7 @@ dBodyID make_body(dWorldID world, dGeomID geom, const dMass& mass) {
 }
 
 // ODE's cylinders and capsules lie along their z axis; a capsule's length is without its caps.
-OdeGeom make_geom(const Shape& shape) {
+OdeGeom make_geom(const Shape& shape, ConvexArrays& arrays) {
   const Vector3& size = shape.size;
   const double radius = shape.radius(), length = shape.length();
   switch (shape.kind) {
@@ -23,38 +54,45 @@ OdeGeom make_geom(const Shape& shape) {
       return OdeGeom(dCreateSphere(nullptr, radius));
     case Shape::Kind::cylinder:
       return OdeGeom(dCreateCylinder(nullptr, radius, length));
-    default:
+    case Shape::Kind::capsule:
       return OdeGeom(dCreateCapsule(nullptr, radius, length - 2.0 * radius));
+    default:
+      return make_prism(shape.outline, 0.5 * size.z, arrays);
   }
 }
 
 void lay(dGeomID geom, const Shape& shape) {
-  if (shape.kind == Shape::Kind::box || shape.axis == Shape::Axis::up) return;
+  if (shape.axis == Shape::Axis::up) return;
   const bool is_ahead = shape.axis == Shape::Axis::forward;
   constexpr double kHalf = 0.5 * std::numbers::sqrt2;
   const dQuaternion turned{kHalf, is_ahead ? 0.0 : kHalf, is_ahead ? kHalf : 0.0, 0.0};
   dGeomSetOffsetQuaternion(geom, turned);
 }
 
-dMass mass_of(const Part& part) {
-  const Shape& shape = part.shape;
+dMass mass_of(const Shape& shape, double mass) {
   const double radius = shape.radius(), length = shape.length();
   const int direction = static_cast<int>(shape.axis) + 1;
-  dMass mass;
+  dMass made;
   switch (shape.kind) {
     case Shape::Kind::box:
-      dMassSetBoxTotal(&mass, part.mass, shape.size.x, shape.size.y, shape.size.z);
+      dMassSetBoxTotal(&made, mass, shape.size.x, shape.size.y, shape.size.z);
       break;
     case Shape::Kind::sphere:
-      dMassSetSphereTotal(&mass, part.mass, radius);
+      dMassSetSphereTotal(&made, mass, radius);
       break;
     case Shape::Kind::cylinder:
-      dMassSetCylinderTotal(&mass, part.mass, direction, radius, length);
+      dMassSetCylinderTotal(&made, mass, direction, radius, length);
       break;
-    default:
-      dMassSetCapsuleTotal(&mass, part.mass, direction, radius, length - 2.0 * radius);
+    case Shape::Kind::capsule:
+      dMassSetCapsuleTotal(&made, mass, direction, radius, length - 2.0 * radius);
+      break;
+    default: {
+      const Vector3 moments = inertia_of(shape, mass);
+      dMassSetParameters(&made, mass, 0.0, 0.0, 0.0, moments.x, moments.y, moments.z,
+                         -mass * moments_of(shape.outline).xy, 0.0, 0.0);
+    }
   }
-  return mass;
+  return made;
 }
 
 void set_rotation(dBodyID body, const Frame& frame) {
@@ -76,8 +114,10 @@ SolidKind kind_of(const Shape& shape) {
       return SolidKind::ball;
     case Shape::Kind::cylinder:
       return shape.axis == Shape::Axis::up ? SolidKind::pillar : SolidKind::wheel;
-    default:
+    case Shape::Kind::capsule:
       return SolidKind::capsule;
+    default:
+      return SolidKind::prism;
   }
 }
 

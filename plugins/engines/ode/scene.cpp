@@ -3,43 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pyramid_test.h"
-#include "ray_tests.h"
-
 namespace elsie::physics {
 namespace {
 
 constexpr double kHair = 1e-9;  // m
-
-double distance_to(const Ray& ray, const SensedSolid& solid) {
-  switch (solid.kind) {
-    case Shape::Kind::box:
-      return solid.outline.empty() ? distance_to_box(ray, solid.box)
-                                   : distance_to_prism(ray, solid.box, solid.outline);
-    case Shape::Kind::cylinder:
-      return distance_to_cylinder(ray, solid.round);
-    default:
-      return distance_to_capsule(ray, solid.round);
-  }
-}
-
-double distance_to_robot(const Ray& ray, const SensedSolid& chassis,
-                         const std::vector<Cylinder>& wheels, double wheels_top) {
-  double nearest = distance_to(ray, chassis);
-  // Most beams are level and above the wheels.
-  if (ray.direction.z < 0.0 || ray.origin.z <= wheels_top) {
-    for (const Cylinder& wheel : wheels) {
-      nearest = std::min(nearest, distance_to_cylinder(ray, wheel));
-    }
-  }
-  return nearest;
-}
-
-bool is_in(const PyramidTest& pyramid, const SensedSolid& solid) {
-  return solid.kind == Shape::Kind::cylinder ? pyramid.meets(solid.round)
-         : solid.outline.empty()             ? pyramid.meets(solid.box)
-                                             : pyramid.meets(solid.box, solid.outline);
-}
 
 OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
   const Vector3& up = chassis.axes[2];
@@ -82,17 +49,8 @@ void Scene::enter(Id id) {
   entry.placed = true;
 }
 
-void Scene::shape_box(Id id, Shape::Kind kind, const std::vector<Vector2>& outline) {
-  entries_[id].solid.kind = kind;
-  entries_[id].solid.outline = outline;
-}
-
 void Scene::place_box(Id id, const OrientedBox& box, double reach) {
-  SensedSolid& solid = entries_[id].solid;
-  solid.box = box;
-  if (solid.kind == Shape::Kind::cylinder) {
-    solid.round = {box.center, box.axes[2], box.half.x, box.half.z};
-  }
+  entries_[id].solid.put(box);
   if (place(id, bounds(box), reach)) enter(id);
 }
 
@@ -165,9 +123,7 @@ std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& dire
     for (const Id id : grid_.cell(x, y)) {
       const Entry& entry = entries_[id];
       if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, best.distance)) continue;
-      const double distance =
-          entry.is_robot ? distance_to_robot(ray, entry.solid, entry.wheels, entry.wheels_top)
-                         : distance_to(ray, entry.solid);
+      const double distance = distance_to(ray, entry.solid, entry.wheels, entry.wheels_top);
       if (distance > best.distance) continue;
       const bool wins = distance < best.distance || !found || best.floor || entry.body < best.body;
       if (!wins) continue;

@@ -7,22 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "elsie/api/body.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
 #include "elsie/space/grid.h"
 
-#include "shapes.h"
+#include "sensed_solid.h"
 
 namespace elsie::physics {
-
-/// A chassis, or another body without wheels, as sensors see it.
-struct SensedSolid {
-  Shape::Kind kind = Shape::Kind::box;
-  OrientedBox box;  // bounding box
-  Cylinder round;   // unused for a box; for a ball or capsule, the cylinder around it
-  std::vector<Vector2> outline{};  // of a prism, whose kind is a box
-};
 
 class Scene {
  public:
@@ -33,8 +24,8 @@ class Scene {
   /// Adds a part of a body, still without a place: part 0 is the robot, 1 and above its segments.
   /// Only `sensed` parts take part in rays and pyramids.
   Id add(Body body, bool sensed, std::size_t part = 0);
-  /// Makes a box that was added an upright cylinder, or a prism with this outline.
-  void shape_box(Id id, Shape::Kind kind, const std::vector<Vector2>& outline);
+  /// Gives a box that was added its shape.
+  void shape_box(Id id, const Shape& shape) { entries_[id].solid = SensedSolid(shape); }
   /// Puts a box somewhere. `reach` is how far it may come in the next step, m.
   void place_box(Id id, const OrientedBox& box, double reach);
   /// Puts a robot or a segment somewhere: what sensors see of it (chassis with sensor deck, and

@@ -1,7 +1,6 @@
 #include "vehicle.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace elsie::physics {
@@ -9,21 +8,6 @@ namespace {
 
 // The additional distance that it may move in a step because it is accelerated.
 constexpr double kRobotSlack = 1e-3;  // m
-
-/// The chassis as range sensors see it, with the sensor deck.
-SensedSolid sensed_chassis(const Shape& shape, const OrientedBox& box) {
-  SensedSolid sensed{shape.kind, box, {}};
-  const bool is_flat = shape.kind == Shape::Kind::box ||
-                       (shape.kind == Shape::Kind::cylinder && shape.axis == Shape::Axis::up);
-  if (is_flat) {
-    sensed.box.center = box.center + 0.5 * kSensorDeck * box.axes[2];
-    sensed.box.half.z += 0.5 * kSensorDeck;
-  }
-  const auto axis = static_cast<std::size_t>(shape.axis);
-  const std::array halves{sensed.box.half.x, sensed.box.half.y, sensed.box.half.z};
-  sensed.round = {sensed.box.center, box.axes[axis], shape.radius(), halves[axis]};
-  return sensed;
-}
 
 }  // namespace
 
@@ -55,8 +39,9 @@ bool place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3
   const double size = half.x + half.y + 2.0 * half.z;
   const double speed = std::sqrt(dot(motion.velocity, motion.velocity)) +
                        size * std::sqrt(dot(motion.turning, motion.turning));
-  return scene.place_robot(id, sensed_chassis(shape, chassis), wheels, enclosing,
-                           step * speed + kRobotSlack);
+  SensedSolid sensed(shape);
+  sensed.put(with_deck(shape, chassis));
+  return scene.place_robot(id, sensed, wheels, enclosing, step * speed + kRobotSlack);
 }
 
 }  // namespace elsie::physics

@@ -11,7 +11,8 @@
 
 namespace elsie::physics {
 
-/// A wheel is a cylinder on its side; a pillar is an upright cylinder.
+/// How collision detection treats a shape: kind_of(). A wheel is a cylinder on its side, a pillar
+/// an upright one.
 enum class SolidKind { box, wheel, pillar, ball, capsule, prism };
 
 /// One convex part of a body. `shape` is its bounding box. The axle of a wheel lies along the

@@ -35,8 +35,7 @@ bool same(const Joint& a, const Joint& b) {
 }
 
 bool same(const Part& a, const Part& b) {
-  return a.name == b.name && a.role == b.role && a.shape.kind == b.shape.kind &&
-         a.shape.size == b.shape.size && a.shape.axis == b.shape.axis && same(a.frame, b.frame) &&
+  return a.name == b.name && a.role == b.role && a.shape == b.shape && same(a.frame, b.frame) &&
          a.mass == b.mass && a.vehicle == b.vehicle && same(a.joint, b.joint);
 }
 

@@ -193,6 +193,7 @@ Outline Outline::disc(double radius, double bottom, double top) {
 Outline Outline::of(const Shape& shape, double height) {
   const Vector3& size = shape.size;
   const double bottom = height - 0.5 * size.z, top = height + 0.5 * size.z;
+  if (shape.kind == Shape::Kind::prism) return polygon(shape.outline, 0.0, bottom, top);
   if (shape.is_round()) return disc(shape.radius(), bottom, top);
   if (shape.kind != Shape::Kind::capsule) {
     return rectangle(0.5 * size.x, 0.5 * size.y, bottom, top);

@@ -11,31 +11,12 @@
 #include "elsie/world/parts.h"
 
 #include "checks.h"
-#include "outlines.h"
 #include "planar_vehicle.h"
 
 namespace elsie::physics {
 namespace {
 
 void refuse_if(const std::optional<std::string>& fault) { require(!fault, fault.value_or("")); }
-
-Outline outline_of(const world::Fixture& fixture, double bottom) {
-  const double height = fixture.shape.size.z;
-  return fixture.outline.empty() ? Outline::of(fixture.shape, bottom + 0.5 * height)
-                                 : Outline::polygon(fixture.outline, 0.0, bottom, bottom + height);
-}
-
-/// The moment of inertia about the vertical through its middle, by its mass, m2.
-double second_moment(const world::Fixture& fixture) {
-  const Vector3& size = fixture.shape.size;
-  if (!fixture.outline.empty()) {
-    const OutlineMoments moments = moments_of(fixture.outline);
-    return moments.xx + moments.yy;
-  }
-  return fixture.shape.kind == Shape::Kind::cylinder
-             ? 0.5 * fixture.shape.radius() * fixture.shape.radius()
-             : (size.x * size.x + size.y * size.y) / 12.0;
-}
 
 world::Physics with_step(world::Physics physics, double step) {
   physics.step = step;
@@ -56,7 +37,7 @@ PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& phys
   for (const world::Fixture& wall : world::walls_of(arena)) {
     const Vector3& at = wall.frame.origin;
     const double heading = std::atan2(wall.frame.forward.y, wall.frame.forward.x);
-    add_upright({BodyKind::wall, index++}, wall, at.z - 0.5 * wall.shape.size.z,
+    add_upright({BodyKind::wall, index++}, wall.shape, at.z - 0.5 * wall.shape.size.z,
                 {at.x, at.y, heading}, true, std::nullopt);
   }
 }
@@ -85,12 +66,11 @@ std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
   return id;
 }
 
-std::uint32_t PlanarEngine::add_upright(const Body& body, const world::Fixture& fixture,
-                                        double bottom, const Pose& pose, bool sensed,
-                                        std::optional<Mover> mover) {
+std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, double bottom,
+                                        const Pose& pose, bool sensed, std::optional<Mover> mover) {
   auto solids = std::make_shared<std::vector<Solid>>();
-  solids->push_back({outline_of(fixture, bottom), {}, {}});
-  return add_thing(body, 0, std::move(solids), std::make_shared<Look>(Look::of(fixture, bottom)),
+  solids->push_back({Outline::of(shape, bottom + 0.5 * shape.size.z), {}, {}});
+  return add_thing(body, 0, std::move(solids), std::make_shared<Look>(Look::of(shape, bottom)),
                    sensed, pose, std::move(mover));
 }
 
@@ -155,11 +135,11 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   const bool is_dynamic = box.kind == world::BoxKind::dynamic;
   refuse_if(fault_of(box, "a box"));
   const std::size_t index = boxes_.size();
-  const world::Fixture fixture = world::fixture_of(box);
+  const Shape shape = world::fixture_of(box).shape;
   std::optional<Mover> mover;
   if (is_dynamic) {
-    const Inertia inertia{box.mass, {}, box.mass * second_moment(fixture)};
-    const double lever = physics::lever_of(outline_of(fixture, 0.0));
+    const Inertia inertia{box.mass, {}, box.mass * spread_of(shape)};
+    const double lever = physics::lever_of(Outline::of(shape, 0.0));
     mover.emplace(inertia, FloorFriction(inertia, lever, physics_));
   } else if (box.kind == world::BoxKind::moving) {
     mover.emplace();
@@ -168,7 +148,7 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   made.kind = box.kind;
   made.bottom = box.z;
   made.thing =
-      add_upright({BodyKind::box, index}, fixture, box.z, {box.x, box.y, radians(box.heading_deg)},
+      add_upright({BodyKind::box, index}, shape, box.z, {box.x, box.y, radians(box.heading_deg)},
                   box.seen_by_range_sensors, std::move(mover));
   if (things_[made.thing].mover != Contact::kFixed) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));

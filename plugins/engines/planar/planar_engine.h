@@ -85,8 +85,8 @@ class PlanarEngine final : public Engine {
                           std::shared_ptr<const std::vector<Solid>> solids,
                           std::shared_ptr<const Look> look, bool sensed, const Pose& pose,
                           std::optional<Mover> mover);
-  std::uint32_t add_upright(const Body& body, const world::Fixture& fixture, double bottom,
-                            const Pose& pose, bool sensed, std::optional<Mover> mover);
+  std::uint32_t add_upright(const Body& body, const Shape& shape, double bottom, const Pose& pose,
+                            bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
   void enter_robot(std::size_t robot);
   void fit();

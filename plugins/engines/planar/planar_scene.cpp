@@ -9,7 +9,7 @@
 
 #include "elsie/world/parts.h"
 
-#include "pyramid_test.h"
+#include "outline.h"
 
 namespace elsie::physics {
 namespace {
@@ -44,8 +44,10 @@ class Placing {
     const auto& [a, b, c] = own.axes;
     return {point(own.center), {{direction(a), direction(b), direction(c)}}, own.half};
   }
-  Cylinder cylinder(const Cylinder& own) const {
-    return {point(own.center), direction(own.axis), own.radius, own.half_length};
+  SensedSolid solid(const SensedSolid& own) const {
+    SensedSolid there = own;
+    there.put(box(own.box));
+    return there;
   }
 
  private:
@@ -70,65 +72,31 @@ double distance_to_floor(const Vector3& origin, const Vector3& direction) {
   return direction.z < 0.0 ? std::max(0.0, -origin.z / direction.z) : kMiss;
 }
 
-double distance_to_look(const Ray& ray, const Look& look) {
-  double nearest = !look.corners.empty()           ? distance_to_prism(ray, look.box, look.corners)
-                   : look.kind == Shape::Kind::box ? distance_to_box(ray, look.box)
-                   : look.kind == Shape::Kind::cylinder ? distance_to_cylinder(ray, look.round)
-                                                        : distance_to_capsule(ray, look.round);
-  // Most beams are level and above the wheels.
-  if (ray.direction.z < 0.0 || ray.origin.z <= look.wheels_top) {
-    for (const Cylinder& wheel : look.wheels) {
-      nearest = std::min(nearest, distance_to_cylinder(ray, wheel));
-    }
-  }
-  return nearest;
-}
-
-}  // namespace
-
-namespace {
-
-Look look_of_box(const Vector3& size, double bottom) {
+Look look_of(const Shape& shape, const OrientedBox& box, double reach) {
   Look look;
-  look.box = {{0.0, 0.0, bottom + 0.5 * size.z}, {}, 0.5 * size};
-  look.box.axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  look.reach = std::hypot(look.box.half.x, look.box.half.y);
+  look.solid = SensedSolid(shape);
+  look.solid.put(box);
+  look.reach = reach;
   return look;
+}
+
+/// An upright box of this size around a place above the origin.
+OrientedBox upright_box(const Vector3& size, double bottom) {
+  return {{0.0, 0.0, bottom + 0.5 * size.z}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0.5 * size};
 }
 
 }  // namespace
 
-Look Look::of(const world::Fixture& fixture, double bottom) {
-  const Shape& shape = fixture.shape;
-  Look look = look_of_box(shape.size, bottom);
-  look.kind = shape.kind;
-  look.corners = fixture.outline;
-  if (shape.kind == Shape::Kind::cylinder) {
-    look.round = {look.box.center, {0.0, 0.0, 1.0}, shape.radius(), look.box.half.z};
-    look.reach = shape.radius();
-  } else if (!look.corners.empty()) {
-    look.reach = 0.0;
-    for (const Vector2& corner : look.corners) {
-      look.reach = std::max(look.reach, std::hypot(corner.x, corner.y));
-    }
-  }
-  return look;
+Look Look::of(const Shape& shape, double bottom) {
+  return look_of(shape, upright_box(shape.size, bottom), Outline::of(shape, 0.0).reach);
 }
 
 Look Look::of(std::span<const Part> vehicle) {
   const Part& chassis = vehicle.front();
   const Shape& shape = chassis.shape;
-  Look look = look_of_box(shape.size, chassis.frame.origin.z - 0.5 * shape.size.z);
-  look.kind = shape.kind;
-  const bool is_upright = shape.axis == Shape::Axis::up;
-  if (shape.kind == Shape::Kind::box || (shape.kind == Shape::Kind::cylinder && is_upright)) {
-    look.box.center.z += 0.5 * kSensorDeck;
-    look.box.half.z += 0.5 * kSensorDeck;
-  }
-  const auto axis = static_cast<std::size_t>(shape.axis);
-  const std::array halves{look.box.half.x, look.box.half.y, look.box.half.z};
-  look.round = {look.box.center, look.box.axes[axis], shape.radius(), halves[axis]};
-  look.reach = world::farthest_of(chassis, chassis.frame.origin);
+  const double bottom = chassis.frame.origin.z - 0.5 * shape.size.z;
+  Look look = look_of(shape, with_deck(shape, upright_box(shape.size, bottom)),
+                      world::farthest_of(chassis, chassis.frame.origin));
   for (const Part& part : vehicle) {
     if (!std::holds_alternative<WheelJoint>(part.joint)) continue;
     const double radius = part.shape.radius();
@@ -144,7 +112,7 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
                                  const Direction& ahead) {
   const Look& look = *shared;
   SceneBody& entry = entries_.emplace_back();
-  const OrientedBox& box = look.box;
+  const OrientedBox& box = look.solid.box;
   entry.kind = body.kind;
   entry.index = static_cast<std::uint32_t>(body.index);
   entry.sensed = sensed;
@@ -154,11 +122,11 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
   entry.low = box.center.z - box.half.z;
   entry.high = box.center.z + box.half.z;
   if (!look.wheels.empty()) entry.wheels_top = look.wheels_top;
-  const bool is_disc = look.kind == Shape::Kind::cylinder && look.round.axis.z == 1.0;
-  const bool is_box = look.kind == Shape::Kind::box && look.corners.empty();
-  entry.outside = is_box    ? SceneBody::Outside::box
-                  : is_disc ? SceneBody::Outside::disc
-                            : SceneBody::Outside::other;
+  const Shape::Kind kind = look.solid.kind;
+  const bool is_disc = kind == Shape::Kind::cylinder && look.solid.axis == Shape::Axis::up;
+  entry.outside = kind == Shape::Kind::box ? SceneBody::Outside::box
+                  : is_disc                ? SceneBody::Outside::disc
+                                           : SceneBody::Outside::other;
   entry.place = place;
   entry.ahead = ahead;
   blocks_.emplace_back();
@@ -293,8 +261,9 @@ double PlanarScene::distance_past_circle(const SceneBody& entry, Id id, const Ve
   }
   const Vector2 from = entry.ahead.turn_back(away);
   const Vector2 along = entry.ahead.turn_back(Vector2{direction.x, direction.y});
-  return distance_to_look({{from.x, from.y, origin.z}, {along.x, along.y, direction.z}},
-                          *looks_[id]);
+  const Look& look = *looks_[id];
+  return physics::distance_to({{from.x, from.y, origin.z}, {along.x, along.y, direction.z}},
+                              look.solid, look.wheels, look.wheels_top);
 }
 
 /// From cell to cell along the ray (Amanatides and Woo 1987).
@@ -446,11 +415,7 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
         }
         const Look& look = *looks_[id];
         const Placing placing(entry.place, entry.ahead);
-        if (look.kind == Shape::Kind::cylinder ? test.meets(placing.cylinder(look.round))
-            : look.corners.empty()             ? test.meets(placing.box(look.box))
-                                               : test.meets(placing.box(look.box), look.corners)) {
-          return true;
-        }
+        if (is_in(test, placing.solid(look.solid))) return true;
         const auto is_met = [&](const Cylinder& wheel) {
           return test.meets(placing.box(box_around(wheel)));
         };

@@ -19,26 +19,22 @@
 
 #include "level_rays.h"
 #include "plane.h"
-#include "ray_tests.h"
 #include "scene_body.h"
-#include "shapes.h"
+#include "sensed_solid.h"
 
 namespace elsie::physics {
 
 /// A body as range sensors see it, in its own upright frame.
 struct Look {
-  Shape::Kind kind = Shape::Kind::box;
-  OrientedBox box;  // around it, with the sensor deck of a flat top
-  Cylinder round;   // unused for a box; for a ball or a capsule, the cylinder around it
+  SensedSolid solid;  // with the sensor deck
   std::vector<Cylinder> wheels;
-  double wheels_top = 0.0;       // m
-  double reach = 0.0;            // m, from above: the radius of the circle around it
-  std::vector<Vector2> corners;  // of a prism, from above: counter-clockwise; `box` is around it
+  double wheels_top = 0.0;  // m
+  double reach = 0.0;       // m, from above: the radius of the circle around it
 
   /// `vehicle`: a chassis and the parts below it.
   static Look of(std::span<const Part> vehicle);
   /// An obstacle, charger or wall.
-  static Look of(const world::Fixture& fixture, double bottom);
+  static Look of(const Shape& shape, double bottom);
 };
 
 class PlanarScene {

@@ -11,27 +11,6 @@ constexpr double kFlush = 1e-9;  // m: a wheel that is flush with the side of th
 // This part of the weight makes the loads of wheels in one row definite.
 constexpr double kRegular = 1e-9;
 
-/// The inertia of a part about the vertical axis through its middle, kg m2.
-double about_own_middle(const Part& part) {
-  const Shape& shape = part.shape;
-  const double m = part.mass;
-  if (shape.kind == Shape::Kind::box) {
-    return m / 12.0 * (shape.size.x * shape.size.x + shape.size.y * shape.size.y);
-  }
-  const double r = shape.radius(), l = shape.length();
-  if (shape.kind == Shape::Kind::sphere) return 0.4 * m * r * r;
-  const bool is_upright = shape.axis == Shape::Axis::up;
-  if (shape.kind == Shape::Kind::cylinder) {
-    return is_upright ? 0.5 * m * r * r : m * (3.0 * r * r + l * l) / 12.0;
-  }
-  // A cylinder between two half balls, whose centers of mass are 3/8 r away from it.
-  const double h = l - 2.0 * r;
-  const double balls = m * 4.0 * r / (3.0 * h + 4.0 * r), between = m - balls;
-  return is_upright ? (0.5 * between + 0.4 * balls) * r * r
-                    : between * (3.0 * r * r + h * h) / 12.0 +
-                          balls * (0.4 * r * r + 0.25 * h * h + 0.375 * h * r);
-}
-
 Direction heading_of(const Part& part) {
   return Direction{part.frame.forward.x, part.frame.forward.y};
 }
@@ -80,7 +59,7 @@ Inertia inertia_of(std::span<const Part> vehicle) {
   all.center = {moment.x / all.mass, moment.y / all.mass};
   for (const Part& part : vehicle) {
     const double dx = part.frame.origin.x - all.center.x, dy = part.frame.origin.y - all.center.y;
-    all.about_center += about_own_middle(part) + part.mass * (dx * dx + dy * dy);
+    all.about_center += upright_inertia_of(part.shape, part.mass) + part.mass * (dx * dx + dy * dy);
   }
   return all;
 }

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/outline.h"
 #include "elsie/world/footprint.h"
 
 #include "conformance.h"
@@ -14,8 +16,8 @@
 
 using namespace elsie;
 using namespace elsie::physics;
+using elsie::BoxShape;
 using world::BoxKind;
-using world::BoxShape;
 
 namespace {
 
@@ -85,7 +87,7 @@ double stopped_at(const std::string& engine, const world::Box& obstacle) {
 
 TEST_CASE("Second moments of outlines are those of the textbook") {
   const auto check = [](const std::vector<Vector2>& points, double xx, double yy, double xy) {
-    const OutlineMoments found = moments_of(world::centered_outline(points));
+    const OutlineMoments found = moments_of(centered_outline(points));
     CHECK(found.xx == Approx(xx).margin(1e-12));
     CHECK(found.yy == Approx(yy).margin(1e-12));
     CHECK(found.xy == Approx(xy).margin(1e-12));

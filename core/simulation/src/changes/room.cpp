@@ -17,8 +17,7 @@ Room::Room(const world::World& world, const physics::Engine& engine)
     Frame middle = engine.box(i);
     middle.origin = middle.point({0.0, 0.0, 0.5 * fixture.shape.size.z});
     const world::BoxKind kind = world.boxes[i].kind;
-    blocks_.push_back({world::footprint_of(fixture.shape, middle, fixture.outline),
-                       world.boxes[i].in_words(), i,
+    blocks_.push_back({world::footprint_of(fixture.shape, middle), world.boxes[i].in_words(), i,
                        kind == world::BoxKind::dynamic || kind == world::BoxKind::resource});
   }
   for (std::size_t i = 0; i < world.chargers.size(); ++i) {

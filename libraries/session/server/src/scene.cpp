@@ -22,14 +22,16 @@ Json json(const Frame& frame) {
 }
 
 Json json(const Shape& shape, const Frame& frame, const Colour& colour, int body) {
-  constexpr std::array kKinds{"box", "cylinder", "sphere", "capsule"};
-  constexpr std::array kAxes{"forward", "left", "up"};
-  return {{"shape", kKinds.at(static_cast<std::size_t>(shape.kind))},
-          {"axis", kAxes.at(static_cast<std::size_t>(shape.axis))},
-          {"size", json(shape.size)},
-          {"frame", json(frame)},
-          {"colour", {colour.red, colour.green, colour.blue}},
-          {"body", body}};
+  Json made{{"shape", Shape::kKinds.at(static_cast<std::size_t>(shape.kind))},
+            {"axis", Shape::kAxes.at(static_cast<std::size_t>(shape.axis))},
+            {"size", json(shape.size)},
+            {"frame", json(frame)},
+            {"colour", {colour.red, colour.green, colour.blue}},
+            {"body", body}};
+  for (const Vector2& corner : shape.outline) {
+    made["outline"].push_back(Json::array({corner.x, corner.y}));
+  }
+  return made;
 }
 
 const char* group_of(const world::Box& box) {
@@ -117,14 +119,10 @@ Json scene_json(const simulation::Simulation& simulation) {
     }
   }
   for (const world::Box& box : world.boxes) {
-    const world::Fixture fixture = world::fixture_of(box);
-    const Shape& shape = fixture.shape;
+    const Shape shape = world::fixture_of(box).shape;
     bodies.push_back({{"path", path(group_of(box), box.id)}});
     shapes.push_back(json(shape, {.origin = {0.0, 0.0, 0.5 * shape.size.z}},
                           world::box_colour(world, box, kBoxes), ++body));
-    for (const Vector2& corner : fixture.outline) {
-      shapes.back()["outline"].push_back(Json::array({corner.x, corner.y}));
-    }
   }
   return {{"arena", {world.arena.length, world.arena.width}},
           {"bodies", std::move(bodies)},

@@ -36,10 +36,14 @@ double nice_step(double span, int about) {
 }
 
 Ticks nice_ticks(double low, double high, int about) {
+  return multiples(low, high, nice_step(high - low, about));
+}
+
+Ticks multiples(double low, double high, double step) {
   Ticks ticks;
   if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return ticks;
   if (!std::isfinite(high - low)) return ticks;
-  ticks.step = nice_step(high - low, about);
+  ticks.step = step;
   // Rounding may put a tick slightly beyond the interval.
   constexpr double kHair = 1e-9;
   const double first = std::ceil(low / ticks.step - kHair);

@@ -123,6 +123,8 @@ Canvas::Canvas(FileType type, int width, int height, double zoom)
 
 Canvas::~Canvas() = default;
 
+bool Canvas::in_page() const { return impl_->svg && impl_->svg->in_page(); }
+
 double Canvas::crisp(double coordinate) const {
   return (std::floor(coordinate * zoom_) + 0.5) / zoom_;
 }

@@ -60,6 +60,8 @@ class Canvas {
   Canvas& operator=(const Canvas&) = delete;
 
   double zoom() const { return zoom_; }
+  /// Whether it is drawn for an HTML page.
+  bool in_page() const;
   /// The nearest coordinate at which a line of one pixel is sharp.
   double crisp(double coordinate) const;
 

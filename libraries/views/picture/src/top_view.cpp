@@ -154,7 +154,7 @@ Scene complete(const TopView& view) {
 PlaneMap top_view_map(const TopView& view, const Size& size) {
   check_size(size);
   const Scene scene = complete(view);
-  const Layout layout = lay_out(scene, legend_of(scene), size);
+  const Layout layout = lay_out(scene, legend_of(scene), size, zoom_for_width(size.width));
   PlaneMap map = layout.map;
   map.scale_x *= layout.zoom;
   map.scale_y *= layout.zoom;
@@ -168,7 +168,7 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
   check_size(size);
   const Scene scene = complete(view);
   const std::vector<LegendEntry> legend = legend_of(scene);
-  const Layout layout = lay_out(scene, legend, size);
+  const Layout layout = lay_out(scene, legend, size, zoom_for_width(size.width));
 
   Canvas canvas(type, layout.width, layout.height, layout.zoom);
   LabelPlacer labels(layout.arena);

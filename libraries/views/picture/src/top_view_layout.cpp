@@ -107,25 +107,21 @@ void draw_ticks(Canvas& canvas, const Layout& layout) {
     step = grid * factor;
     if (step * layout.map.scale_x >= 45.0) break;
   }
-  const auto ticks = [&](double from, double to, auto mark) {
-    for (double i = std::ceil(from / step - 1e-9); i <= std::floor(to / step + 1e-9); i += 1.0) {
-      mark(i * step, tick_label(i * step, step));
-    }
-  };
-  ticks(low.x, high.x, [&](double at, const std::string& label) {
+  const Ticks along_x = multiples(low.x, high.x, step), along_y = multiples(low.y, high.y, step);
+  for (const double at : along_x.at) {
     const double x = canvas.crisp(layout.map.pixel({at, 0}).x);
     canvas.line({x, plot.bottom()}, {x, plot.bottom() + 5}).stroke(kFrame, {.width = 1});
-    canvas.text(label, {x, plot.bottom() + 9},
+    canvas.text(along_x.label(at), {x, plot.bottom() + 9},
                 {.size = 12, .across = Across::centre, .down = Down::top});
-  });
+  }
   double widest = 0.0;
-  ticks(low.y, high.y, [&](double at, const std::string& label) {
+  for (const double at : along_y.at) {
     const double y = canvas.crisp(layout.map.pixel({0, at}).y);
     canvas.line({plot.x - 5, y}, {plot.x, y}).stroke(kFrame, {.width = 1});
     const TextStyle style{.size = 12, .across = Across::right, .down = Down::middle};
-    widest = std::max(widest, canvas.text_width(label, style));
-    canvas.text(label, {plot.x - 9, y}, style);
-  });
+    widest = std::max(widest, canvas.text_width(along_y.label(at), style));
+    canvas.text(along_y.label(at), {plot.x - 9, y}, style);
+  }
   canvas.text("x (m)", {plot.centre().x, plot.bottom() + 27},
               {.size = 13, .across = Across::centre, .down = Down::top});
   canvas.text("y (m)", {plot.x - 16 - widest, plot.centre().y},
@@ -134,9 +130,10 @@ void draw_ticks(Canvas& canvas, const Layout& layout) {
 
 }  // namespace
 
-Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size) {
+Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size,
+               double zoom) {
   Layout layout;
-  layout.zoom = zoom_for_width(size.width);
+  layout.zoom = zoom;
   layout.width = size.width;
   const double width = size.width / layout.zoom;
   const double left = scene.bare ? kBare : kLeft;
@@ -208,15 +205,15 @@ void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout) {
   const Vector2 high = layout.map.point({floor.right(), floor.y});
   const auto tone = [&](double at) {
     const bool whole = std::abs(at - std::round(at)) < 1e-9;
-    return step < 1.0 && whole ? hex(0xcfd4d9) : hex(0xe4e7ea);
+    return step < 1.0 && whole ? hex(0xcfd4d9, "line") : hex(0xe4e7ea, "grid");
   };
-  for (double i = std::ceil(low.x / step); i * step <= high.x; i += 1.0) {
-    const double x = canvas.crisp(layout.map.pixel({i * step, 0}).x);
-    canvas.line({x, floor.y}, {x, floor.bottom()}).stroke(tone(i * step), {.width = 1});
+  for (const double at : multiples(low.x, high.x, step).at) {
+    const double x = canvas.crisp(layout.map.pixel({at, 0}).x);
+    canvas.line({x, floor.y}, {x, floor.bottom()}).stroke(tone(at), {.width = 1});
   }
-  for (double i = std::ceil(low.y / step); i * step <= high.y; i += 1.0) {
-    const double y = canvas.crisp(layout.map.pixel({0, i * step}).y);
-    canvas.line({floor.x, y}, {floor.right(), y}).stroke(tone(i * step), {.width = 1});
+  for (const double at : multiples(low.y, high.y, step).at) {
+    const double y = canvas.crisp(layout.map.pixel({0, at}).y);
+    canvas.line({floor.x, y}, {floor.right(), y}).stroke(tone(at), {.width = 1});
   }
 }
 

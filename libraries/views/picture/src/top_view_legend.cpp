@@ -27,11 +27,10 @@ bool any_box(const Scene& scene, world::BoxKind kind, Predicate predicate) {
   return false;
 }
 
-/// What the boxes of a kind are called: some may be cylinders or prisms.
+/// What the boxes of a kind are called: some may have another shape.
 std::string noun_of(const Scene& scene, world::BoxKind kind) {
-  return any_box(
-             scene, kind,
-             [](const world::Box& box, const Pose&) { return box.shape != world::BoxShape::box; })
+  return any_box(scene, kind,
+                 [](const world::Box& box, const Pose&) { return box.shape != BoxShape{}; })
              ? "obstacle"
              : "box";
 }

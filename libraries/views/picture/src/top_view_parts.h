@@ -84,10 +84,12 @@ struct Layout {
   LegendLayout legend;
   Vector2 legend_corner;
 };
-Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size);
+/// `zoom`: pixels per unit.
+Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size,
+               double zoom);
 
-/// The corners of an upright box of this size, seen from above.
-std::vector<Vector2> outline(const PlaneMap& map, const Pose& pose, double length, double width);
+/// The corners of an outline at a place, in the picture.
+std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<Vector2> corners);
 
 // The parts of the picture. Each takes the labels to place, or adds areas that labels should avoid.
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
@@ -107,9 +109,9 @@ void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
 void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
                       LabelPlacer& labels);
 
-/// A line from the edge of a mark to its distant label.
-void draw_leader(Canvas& canvas, const Vector2& middle, double radius, const Rect& label,
-                 const Ink& ink);
+/// Writes a text next to a mark, if there is room, with a line to the mark if it is far away.
+void draw_label(Canvas& canvas, LabelPlacer& labels, const std::string& text, const Vector2& middle,
+                double radius, const TextStyle& style);
 /// The number of labels without a place, in the lower right corner of the arena.
 void draw_left_out(Canvas& canvas, const Layout& layout, const LabelPlacer& labels);
 
@@ -124,18 +126,19 @@ void draw_crowd_touch_symbol(Canvas& canvas, const Vector2& at);
 /// A filled arrow head with its tip at `tip`; `angle` is its direction in the picture.
 void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double length,
                      const Ink& ink);
-/// Fills the current path and hatches it within `box`.
+/// Fills the current path and hatches it within `box`; in a page, which clips to rectangles only,
+/// without the hatching.
 void fill_hatched(Canvas& canvas, const Rect& box, const Ink& ground, const Ink& lines);
 
-inline constexpr Ink kFloor = hex(0xfafaf8);
-inline constexpr Ink kWall = hex(0x4a4f57);
-inline constexpr Ink kFixedBox = hex(0xa89d90);
-inline constexpr Ink kFixedEdge = hex(0x6f655a);
+inline constexpr Ink kFloor = hex(0xfafaf8, "floor");
+inline constexpr Ink kWall = hex(0x4a4f57, "wall");
+inline constexpr Ink kFixedBox = hex(0xa89d90, "box");
+inline constexpr Ink kFixedEdge = hex(0x6f655a, "quiet");
 inline constexpr Ink kDynamicBox = hex(0xf3e3bd);
 inline constexpr Ink kDynamicEdge = hex(0x8a6a14);
 inline constexpr Ink kMovingBox = hex(0xcbb3dd);
 inline constexpr Ink kMovingEdge = hex(0x6b3f8f);
-inline constexpr Ink kGoal = hex(0x00805c);
+inline constexpr Ink kGoal = hex(0x00805c, "good");
 inline constexpr Ink kBeam = hex(0xb07500);
 inline constexpr Ink kTouch = hex(0xc4002f);
 

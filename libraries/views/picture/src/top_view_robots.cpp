@@ -117,8 +117,8 @@ void draw_vehicle(Canvas& canvas, const DrawnRobot& robot, const Layout& layout,
       if (part.shape.is_round()) {
         canvas.circle(layout.map.pixel(middle), layout.map.scale_x * part.shape.radius());
       } else {
-        canvas.polygon(outline(layout.map, {middle.x, middle.y, pose.heading_rad + turned},
-                               part.shape.size.x, part.shape.size.y));
+        canvas.polygon(pixels(layout.map, {middle.x, middle.y, pose.heading_rad + turned},
+                              outline_of(part.shape, 4)));
       }
       if (role == PartRole::wheel) {
         canvas.fill(kText);
@@ -305,23 +305,26 @@ void draw_robot_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
     const Vector2 middle = at(layout, robot.track.now);
     const Ink colour = readable(mix(robot.ink, kText, 0.25));
     const TextStyle style{.size = 13, .bold = true, .ink = colour, .halo = 2.5};
-    const double radius = robot_radius(robot, layout);
-    const auto place = labels.place(middle, radius, canvas.text_width(text, style), 13);
-    if (!place) continue;
-    if (place->apart) draw_leader(canvas, middle, radius, place->rect, colour);
-    canvas.text(text, {place->rect.x, place->rect.bottom() - 1.8}, style);
+    draw_label(canvas, labels, text, middle, robot_radius(robot, layout), style);
   }
 }
 
-void draw_leader(Canvas& canvas, const Vector2& middle, double radius, const Rect& label,
-                 const Ink& ink) {
-  const Vector2 to{std::clamp(middle.x, label.x, label.right()),
-                   std::clamp(middle.y, label.y, label.bottom())};
-  const double off = length(middle, to);
-  const Vector2 from{middle.x + radius * (to.x - middle.x) / off,
-                     middle.y + radius * (to.y - middle.y) / off};
-  canvas.line(from, to).stroke(kPaper.with_alpha(0.8), {.width = 3});
-  canvas.line(from, to).stroke(ink.with_alpha(0.8), {.width = 1});
+void draw_label(Canvas& canvas, LabelPlacer& labels, const std::string& text, const Vector2& middle,
+                double radius, const TextStyle& style) {
+  const auto place = labels.place(middle, radius, canvas.text_width(text, style), style.size);
+  if (!place) return;
+  const Rect& label = place->rect;
+  if (place->apart) {
+    const Vector2 to{std::clamp(middle.x, label.x, label.right()),
+                     std::clamp(middle.y, label.y, label.bottom())};
+    const double off = length(middle, to);
+    const Vector2 from{middle.x + radius * (to.x - middle.x) / off,
+                       middle.y + radius * (to.y - middle.y) / off};
+    canvas.line(from, to).stroke(kPaper.with_alpha(0.8), {.width = 3});
+    canvas.line(from, to).stroke(style.ink.with_alpha(0.8), {.width = 1});
+  }
+  constexpr double kDescent = 0.13;  // of the text's size, below its base line
+  canvas.text(text, {label.x, label.bottom() - kDescent * style.size}, style);
 }
 
 void draw_left_out(Canvas& canvas, const Layout& layout, const LabelPlacer& labels) {

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -31,28 +30,16 @@ Rect bounds_of(const std::vector<Vector2>& corners) {
   return {left, top, right - left, bottom - top};
 }
 
-// A box, cylinder or prism from above, enlarged to the smallest visible size.
+// A box from above, enlarged to the smallest visible size.
 std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, const Pose& pose) {
   constexpr int kRound = 48;  // corners of a circle
   const double least =
       box.kind == world::BoxKind::resource ? kSmallestResource : layout.smallest_box;
-  const double scale = layout.map.scale_x;
-  const world::Fixture fixture = world::fixture_of(box);
-  const Vector3& size = fixture.shape.size;
-  if (box.shape == world::BoxShape::box) {
-    return outline(layout.map, pose, std::max(size.x, least / scale),
-                   std::max(size.y, least / scale));
-  }
-  std::vector<Vector2> corners = fixture.outline;
-  for (int i = 0; i < kRound && box.shape == world::BoxShape::cylinder; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kRound;
-    corners.push_back({box.radius * std::cos(angle), box.radius * std::sin(angle)});
-  }
-  const double larger = std::max(1.0, least / (scale * std::min(size.x, size.y)));
-  for (Vector2& corner : corners) {
-    corner = layout.map.pixel(point_of(pose, {larger * corner.x, larger * corner.y}));
-  }
-  return corners;
+  const double smallest = least / layout.map.scale_x;
+  const Shape shape = world::fixture_of(box).shape;
+  const Shape shown =
+      resized(shape, std::max(shape.size.x, smallest), std::max(shape.size.y, smallest));
+  return pixels(layout.map, pose, outline_of(shown, kRound));
 }
 
 void draw_way(Canvas& canvas, const Layout& layout, const world::Box& box) {
@@ -200,14 +187,8 @@ std::string joined_goals(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-std::vector<Vector2> outline(const PlaneMap& map, const Pose& pose, double length, double width) {
-  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
-  std::vector<Vector2> corners;
-  for (const auto& [along, across] :
-       std::array<std::array<double, 2>, 4>{{{0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}, {0.5, -0.5}}}) {
-    const double x = along * length, y = across * width;
-    corners.push_back(map.pixel({pose.x + c * x - s * y, pose.y + s * x + c * y}));
-  }
+std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<Vector2> corners) {
+  for (Vector2& corner : corners) corner = map.pixel(point_of(pose, corner));
   return corners;
 }
 
@@ -223,6 +204,7 @@ void draw_arrow_head(Canvas& canvas, const Vector2& tip, double angle, double le
 }
 
 void fill_hatched(Canvas& canvas, const Rect& box, const Ink& ground, const Ink& lines) {
+  if (canvas.in_page()) return canvas.fill(ground);
   canvas.fill_keep(ground);
   hatch(canvas, box, 6.0, lines.with_alpha(0.65));
 }
@@ -264,23 +246,21 @@ void draw_goal_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
   }
   for (const MarkedPlace& mark : marks) {
     const std::string text = joined_goals(mark.texts);
-    const auto place = labels.place(mark.at, mark.radius, canvas.text_width(text, style), 12);
-    if (!place) continue;
-    if (place->apart) draw_leader(canvas, mark.at, mark.radius, place->rect, kGoal);
-    canvas.text(text, {place->rect.x, place->rect.bottom() - 1.5}, style);
+    draw_label(canvas, labels, text, mark.at, mark.radius, style);
   }
 }
 
 void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout) {
-  constexpr double kSmallest = 9.0, kSolidEdge = world::Charger::kBoxEdge;
+  constexpr double kSmallest = 9.0;
   for (const world::Charger& charger : scene.world.chargers) {
     const Ink colour = team_ink(scene.world, charger.team);
     const Vector2 at = layout.map.pixel({charger.x, charger.y});
     const double radius = std::max(kSmallest, charger.radius * layout.map.scale_x);
-    canvas.circle(at, radius).fill_keep(mix(kFloor, colour, 0.16));
+    canvas.circle(at, radius).fill_keep(colour.with_alpha(0.16));
     canvas.stroke(colour, {.width = 1.5});
     if (charger.seen_by_range_sensors) {
-      canvas.polygon(outline(layout.map, {charger.x, charger.y, 0.0}, kSolidEdge, kSolidEdge));
+      const Shape box = world::fixture_of(charger).shape;
+      canvas.polygon(pixels(layout.map, {charger.x, charger.y, 0.0}, outline_of(box, 4)));
       canvas.fill_keep(mix(kFloor, colour, 0.4));
       canvas.stroke(colour, {.width = 1});
     }

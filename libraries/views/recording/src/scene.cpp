@@ -33,30 +33,21 @@ Json pose_json(const Frame& frame) {
   return {{"position", position_json(frame.origin)}, {"orientation", rotation_json(frame)}};
 }
 
-Json cube(const Frame& middle, const Vector3& size, const Colour& colour) {
-  return {
-      {"pose", pose_json(middle)}, {"size", position_json(size)}, {"color", colour_json(colour)}};
-}
-
-/// A cylinder around the frame's `up`.
-Json cylinder(const Frame& middle, double radius, double height, const Colour& colour) {
-  return {{"pose", pose_json(middle)},
-          {"size", position_json({2.0 * radius, 2.0 * radius, height})},
-          {"bottom_scale", 1.0},
-          {"top_scale", 1.0},
-          {"color", colour_json(colour)}};
-}
-
-/// A prism around the frame's `up`, as triangles that are counter-clockwise seen from outside.
-Json prism(const Frame& middle, const std::vector<Vector2>& outline, double height,
-           const Colour& colour) {
-  Json points = Json::array(), indices = Json::array();
-  const std::size_t n = outline.size();
-  for (const Vector2& corner : outline) {
-    for (const double z : {-0.5 * height, 0.5 * height}) {
+/// The corners of a prism: of each side of its outline the lower and the upper one.
+Json corners(const Shape& prism) {
+  Json points = Json::array();
+  for (const Vector2& corner : prism.outline) {
+    for (const double z : {-0.5 * prism.size.z, 0.5 * prism.size.z}) {
       points.push_back(position_json({corner.x, corner.y, z}));
     }
   }
+  return points;
+}
+
+/// Its triangles, counter-clockwise seen from outside.
+Json triangles(const Shape& prism) {
+  Json indices = Json::array();
+  const std::size_t n = prism.outline.size();
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     for (const std::size_t corner : {a, b, c}) indices.push_back(corner);
   };
@@ -69,11 +60,31 @@ Json prism(const Frame& middle, const std::vector<Vector2>& outline, double heig
       add(1, 2 * i + 1, 2 * next + 1);
     }
   }
-  return {{"pose", pose_json(middle)},
-          {"points", std::move(points)},
-          {"color", colour_json(colour)},
-          {"colors", Json::array()},
-          {"indices", std::move(indices)}};
+  return indices;
+}
+
+void add_shape(Json& entity, const Shape& shape, const Frame& middle, const Colour& colour) {
+  for (const auto& [piece, frame] : pieces_of(shape, middle)) {
+    const bool is_prism = piece.kind == Shape::Kind::prism;
+    const bool is_cylinder = piece.kind == Shape::Kind::cylinder;
+    Json made{{"pose", pose_json(frame)}};
+    if (is_prism) {
+      made["points"] = corners(piece);
+    } else {
+      made["size"] = position_json(piece.size);
+    }
+    if (is_cylinder) made.update({{"bottom_scale", 1.0}, {"top_scale", 1.0}});
+    made["color"] = colour_json(colour);
+    if (is_prism) {
+      made["colors"] = Json::array();
+      made["indices"] = triangles(piece);
+    }
+    entity[is_prism                         ? "triangles"
+           : is_cylinder                    ? "cylinders"
+           : piece.kind == Shape::Kind::box ? "cubes"
+                                            : "spheres"]
+        .push_back(std::move(made));
+  }
 }
 
 /// An entity to which primitives are added.
@@ -92,23 +103,22 @@ Json entity(std::uint64_t time_ns, const std::string& id, const std::string& fra
 
 Json arena(std::uint64_t time_ns, const world::Arena& arena) {
   Json made = entity(time_ns, "arena", kWorldFrame);
-  made["cubes"].push_back(
-      cube({.origin = {0.0, 0.0, -0.5 * kSheet}}, {arena.length, arena.width, kSheet}, kFloor));
+  add_shape(made, Shape::box({arena.length, arena.width, kSheet}),
+            {.origin = {0.0, 0.0, -0.5 * kSheet}}, kFloor);
   for (const world::Fixture& wall : world::walls_of(arena)) {
-    made["cubes"].push_back(cube(wall.frame, wall.shape.size, kWall));
+    add_shape(made, wall.shape, wall.frame, kWall);
   }
   return made;
 }
 
 Json charger(std::uint64_t time_ns, const world::Charger& charger) {
   Json made = entity(time_ns, "charger/" + charger.id, kWorldFrame);
-  const world::Fixture fixture = world::fixture_of(charger);
-  if (fixture.shape.kind == Shape::Kind::box) {
-    made["cubes"].push_back(cube(fixture.frame, fixture.shape.size, world::kChargerColour));
-  } else {
-    made["cylinders"].push_back(cylinder({.origin = {charger.x, charger.y, 0.5 * kSheet}},
-                                         fixture.shape.radius(), kSheet, world::kChargerColour));
+  world::Fixture fixture = world::fixture_of(charger);
+  if (fixture.shape.size.z == 0.0) {
+    fixture.shape.size.z = kSheet;
+    fixture.frame.origin.z = 0.5 * kSheet;
   }
+  add_shape(made, fixture.shape, fixture.frame, world::kChargerColour);
   return made;
 }
 
@@ -116,47 +126,10 @@ Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
   const bool moves = may_move(box);
   Json made = entity(time_ns, box_frame(box.id), moves ? box_frame(box.id) : kWorldFrame);
   const world::Fixture fixture = world::fixture_of(box);
-  const Vector3& size = fixture.shape.size;
-  const Frame middle = moves ? Frame{.origin = {0.0, 0.0, 0.5 * size.z}} : fixture.frame;
-  const Colour colour = world::box_colour(world, box, kBoxes);
-  if (!fixture.outline.empty()) {
-    made["triangles"].push_back(prism(middle, fixture.outline, size.z, colour));
-  } else if (fixture.shape.kind == Shape::Kind::cylinder) {
-    made["cylinders"].push_back(cylinder(middle, fixture.shape.radius(), size.z, colour));
-  } else {
-    made["cubes"].push_back(cube(middle, size, colour));
-  }
+  add_shape(made, fixture.shape,
+            moves ? Frame{.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}} : fixture.frame,
+            world::box_colour(world, box, kBoxes));
   return made;
-}
-
-Json ball(const Vector3& middle, double radius, const Colour& colour) {
-  const double across = 2.0 * radius;
-  return {{"pose", pose_json({.origin = middle})},
-          {"size", position_json({across, across, across})},
-          {"color", colour_json(colour)}};
-}
-
-void add_part(Json& entity, const Part& part, const Colour& colour) {
-  const Shape& shape = part.shape;
-  const double radius = shape.radius();
-  if (shape.kind == Shape::Kind::box) {
-    entity["cubes"].push_back(cube(part.frame, shape.size, colour));
-    return;
-  }
-  if (shape.kind == Shape::Kind::sphere) {
-    entity["spheres"].push_back(ball(part.frame.origin, radius, colour));
-    return;
-  }
-  const Frame along = along_axis(part.frame, shape.axis);
-  double length = shape.length();
-  if (shape.kind == Shape::Kind::capsule) {
-    length -= 2.0 * radius;
-    for (const double end : {0.5, -0.5}) {
-      const Vector3 middle = along.point({0.0, 0.0, end * length});
-      entity["spheres"].push_back(ball(middle, radius, colour));
-    }
-  }
-  entity["cylinders"].push_back(cylinder(along, radius, length, colour));
 }
 
 /// "wagon" of the part "wagon/chassis".
@@ -177,7 +150,8 @@ void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
     vehicles.push_back(entity(time_ns, frame, frame));
   }
   for (const Part& part : plan.parts) {
-    add_part(vehicles[part.vehicle], part, part.role == PartRole::chassis ? colour : kTyre);
+    add_shape(vehicles[part.vehicle], part.shape, part.frame,
+              part.role == PartRole::chassis ? colour : kTyre);
   }
   vehicles[0]["texts"].push_back(
       {{"pose", pose_json({.origin = {0.0, 0.0, robot.body.top() + 0.08}})},

@@ -101,41 +101,31 @@ void add_wedges(const Prism& prism, const Eye& eye, std::vector<Instance>& wedge
   }
 }
 
-Body flat(double x, double y, double reach) {
-  return {{x, y, 0.0}, {reach, 0.0, 0.0}, {0.0, reach, 0.0}, {0.0, 0.0, 1.0}};
-}
-
 }  // namespace
-
-void DrawList::clear() {
-  floors.clear();
-  marks.clear();
-  boxes.clear();
-  wedges.clear();
-  cylinders.clear();
-  balls.clear();
-}
 
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
               DrawList& list) {
   const Eye eye(view, atlas, tile);
-  list.floors.push_back(
-      eye.instance(flat(eye.origin().x, eye.origin().y, kFloorReach), kFullLight, scene.floor));
+  const auto is_visible = [&](const auto& solid, const Vector3& middle, double radius) {
+    return solid.visible && (solid.carrier != view.carrier || view.carrier == kNobody) &&
+           eye.may_see(middle, radius);
+  };
+  const auto add_flat = [&](MeshKind mesh, double x, double y, double reach, const Colour& colour) {
+    list[mesh].push_back(eye.instance(
+        {{x, y, 0.0}, {reach, 0.0, 0.0}, {0.0, reach, 0.0}, {0.0, 0.0, 1.0}}, kFullLight, colour));
+  };
+  add_flat(kSquare, eye.origin().x, eye.origin().y, kFloorReach, scene.floor);
   for (const Mark& mark : scene.marks) {
     if (eye.may_see({mark.at.x, mark.at.y, 0.0}, mark.radius)) {
-      list.marks.push_back(
-          eye.instance(flat(mark.at.x, mark.at.y, mark.radius), kFullLight, mark.colour));
+      add_flat(kDisc, mark.at.x, mark.at.y, mark.radius, mark.colour);
     }
   }
   for (const Box& box : scene.boxes) {
-    if (!box.visible || (box.carrier == view.carrier && view.carrier != kNobody)) {
-      continue;
-    }
-    const Vector3 up = box.size.z * box.frame.up;
-    if (eye.may_see(box.frame.origin + 0.5 * up, 0.5 * std::sqrt(dot(box.size, box.size)))) {
-      list.boxes.push_back(eye.instance(
-          {box.frame.origin, box.size.x * box.frame.forward, box.size.y * box.frame.left, up},
-          light_in(box.frame), box.colour));
+    const auto& [origin, forward, left, upwards] = box.frame;
+    const Vector3 up = box.size.z * upwards;
+    if (is_visible(box, origin + 0.5 * up, 0.5 * std::sqrt(dot(box.size, box.size)))) {
+      list[kBox].push_back(eye.instance({origin, box.size.x * forward, box.size.y * left, up},
+                                        light_in(box.frame), box.colour));
     }
   }
   for (const Prism& prism : scene.prisms) {
@@ -144,30 +134,23 @@ void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Ti
       radius = std::max(radius, std::hypot(corner.x, corner.y));
     }
     const double up = 0.5 * prism.height;
-    if (prism.visible && eye.may_see(prism.frame.point({0.0, 0.0, up}), std::hypot(radius, up))) {
-      add_wedges(prism, eye, list.wedges);
+    if (is_visible(prism, prism.frame.point({0.0, 0.0, up}), std::hypot(radius, up))) {
+      add_wedges(prism, eye, list[kWedge]);
     }
   }
   for (const Cylinder& cylinder : scene.cylinders) {
-    if (!cylinder.visible || (cylinder.carrier == view.carrier && view.carrier != kNobody)) {
-      continue;
-    }
-    const Frame& frame = cylinder.frame;
-    if (eye.may_see(frame.origin, std::hypot(cylinder.radius, 0.5 * cylinder.length))) {
-      list.cylinders.push_back(
-          eye.instance({frame.origin, cylinder.radius * frame.forward, cylinder.length * frame.left,
-                        cylinder.radius * frame.up},
-                       light_in(frame), cylinder.colour));
+    const auto& [origin, forward, left, up] = cylinder.frame;
+    const double r = cylinder.radius;
+    if (is_visible(cylinder, origin, std::hypot(r, 0.5 * cylinder.length))) {
+      list[kCylinder].push_back(eye.instance({origin, r * forward, cylinder.length * left, r * up},
+                                             light_in(cylinder.frame), cylinder.colour));
     }
   }
   for (const Ball& ball : scene.balls) {
-    if (ball.carrier == view.carrier && view.carrier != kNobody) {
-      continue;
-    }
-    if (eye.may_see(ball.middle, ball.radius)) {
-      const double r = ball.radius;
-      list.balls.push_back(eye.instance({ball.middle, {r, 0.0, 0.0}, {0.0, r, 0.0}, {0.0, 0.0, r}},
-                                        kLight, ball.colour));
+    const double r = ball.radius;
+    if (is_visible(ball, ball.middle, r)) {
+      list[kBall].push_back(eye.instance({ball.middle, {r, 0.0, 0.0}, {0.0, r, 0.0}, {0.0, 0.0, r}},
+                                         kLight, ball.colour));
     }
   }
 }

@@ -1,12 +1,14 @@
 // Turns a scene and its cameras into data for the graphics card.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "elsie/render/scene.h"
 
 #include "atlas.h"
+#include "meshes.h"
 
 namespace elsie::render {
 
@@ -21,12 +23,8 @@ struct Instance {
   std::uint8_t colour[4];
 };
 
-/// What to draw into an atlas, in this order.
-struct DrawList {
-  std::vector<Instance> floors, marks, boxes, wedges, cylinders, balls;
-
-  void clear();
-};
+/// What to draw into an atlas: the instances of each mesh.
+using DrawList = std::array<std::vector<Instance>, kMeshes>;
 
 /// Appends the parts of the scene that the view may see.
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,

@@ -32,8 +32,6 @@ void add_face(Mesh& mesh, const std::vector<int>& corners, double nx, double ny,
 
 double turn(int part, int parts) { return 2.0 * std::numbers::pi * part / parts; }
 
-}  // namespace
-
 Mesh box_mesh() {
   Mesh mesh;
   for (int i = 0; i < 8; ++i) {  // bits of i: x, y, z
@@ -126,6 +124,12 @@ Mesh disc_mesh() {
   }
   add_face(mesh, corners, 0, 0, 1);
   return mesh;
+}
+
+}  // namespace
+
+std::array<Mesh, kMeshes> meshes() {
+  return {square_mesh(), disc_mesh(), box_mesh(), wedge_mesh(), cylinder_mesh(), ball_mesh()};
 }
 
 }  // namespace elsie::render

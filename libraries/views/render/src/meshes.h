@@ -1,6 +1,8 @@
 // The few shapes of which everything consists.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,18 +22,17 @@ struct Mesh {
   std::vector<std::uint16_t> indices;
 };
 
-/// x and y from -1/2 to 1/2, z from 0 to 1.
-Mesh box_mesh();
-/// The part of a prism between its axis, at x = y = 0, and one of its sides, at x = 1 from y = -1/2
-/// to 1/2; z from 0 to 1. Its faces towards other parts are left out.
-Mesh wedge_mesh();
-/// A cylinder of radius 1 about the y axis, from y = -1/2 to 1/2.
-Mesh cylinder_mesh();
-/// A ball of radius 1 around the origin.
-Mesh ball_mesh();
-/// x and y from -1 to 1 at z = 0, facing up.
-Mesh square_mesh();
-/// A disc of radius 1 at z = 0, facing up.
-Mesh disc_mesh();
+/// The meshes, in the order in which they are drawn.
+enum MeshKind : std::size_t {
+  kSquare,    // x and y from -1 to 1 at z = 0, facing up
+  kDisc,      // of radius 1 at z = 0, facing up
+  kBox,       // x and y from -1/2 to 1/2, z from 0 to 1
+  kWedge,     // the part of a prism between its axis, at x = y = 0, and one of its sides, at x = 1
+              // from y = -1/2 to 1/2; z from 0 to 1; without its faces towards other parts
+  kCylinder,  // of radius 1 about the y axis, from y = -1/2 to 1/2
+  kBall,      // of radius 1 around the origin
+  kMeshes
+};
+std::array<Mesh, kMeshes> meshes();
 
 }  // namespace elsie::render

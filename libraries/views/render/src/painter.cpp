@@ -93,12 +93,8 @@ Painter::Painter() : program_(link()) {
   glUseProgram(program_);
   glUniform1f(glGetUniformLocation(program_, "nearest"), static_cast<float>(kNearest));
   glUniform1f(glGetUniformLocation(program_, "darkest"), static_cast<float>(kDarkestShade));
-  box_ = make(box_mesh());
-  wedge_ = make(wedge_mesh());
-  cylinder_ = make(cylinder_mesh());
-  ball_ = make(ball_mesh());
-  square_ = make(square_mesh());
-  disc_ = make(disc_mesh());
+  const std::array<Mesh, kMeshes> all = meshes();
+  for (std::size_t i = 0; i < kMeshes; ++i) shapes_[i] = make(all[i]);
 }
 
 Painter::Shape Painter::make(const Mesh& mesh) {
@@ -173,30 +169,23 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
   const auto bytes = [](const std::vector<Instance>& some) {
     return static_cast<GLsizeiptr>(some.size() * sizeof(Instance));
   };
-  const std::vector<Instance>* const lists[] = {&list.floors, &list.marks,     &list.boxes,
-                                                &list.wedges, &list.cylinders, &list.balls};
   GLsizeiptr total = 0;
-  for (const auto* some : lists) {
-    total += bytes(*some);
-  }
+  for (const auto& some : list) total += bytes(some);
   glBufferData(GL_ARRAY_BUFFER, total, nullptr, GL_STREAM_DRAW);
   GLsizeiptr at = 0;
-  for (const auto* some : lists) {
-    glBufferSubData(GL_ARRAY_BUFFER, at, bytes(*some), some->data());
-    at += bytes(*some);
+  for (const auto& some : list) {
+    glBufferSubData(GL_ARRAY_BUFFER, at, bytes(some), some.data());
+    at += bytes(some);
   }
 
   // Everything else stands on the floor, and marks lie flat on it: they are painted over it without
   // a depth test, in which the two would flicker.
   std::size_t first = 0;
-  glDisable(GL_DEPTH_TEST);
-  draw(square_, first, list.floors.size());
-  draw(disc_, first += list.floors.size(), list.marks.size());
-  glEnable(GL_DEPTH_TEST);
-  draw(box_, first += list.marks.size(), list.boxes.size());
-  draw(wedge_, first += list.boxes.size(), list.wedges.size());
-  draw(cylinder_, first += list.wedges.size(), list.cylinders.size());
-  draw(ball_, first += list.cylinders.size(), list.balls.size());
+  for (std::size_t i = 0; i < kMeshes; ++i) {
+    i <= kDisc ? glDisable(GL_DEPTH_TEST) : glEnable(GL_DEPTH_TEST);
+    draw(shapes_[i], first, list[i].size());
+    first += list[i].size();
+  }
 }
 
 }  // namespace elsie::render

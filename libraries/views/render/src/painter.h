@@ -2,6 +2,8 @@
 // the framebuffer, also calls OpenGL.
 #pragma once
 
+#include <array>
+
 #include <epoxy/gl.h>
 
 #include "elsie/render/scene.h"
@@ -32,7 +34,7 @@ class Painter {
 
   GLuint instances_ = 0;  // buffer
   GLuint program_ = 0;
-  Shape box_, wedge_, cylinder_, ball_, square_, disc_;
+  std::array<Shape, kMeshes> shapes_;
 };
 
 }  // namespace elsie::render

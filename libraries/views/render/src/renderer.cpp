@@ -52,7 +52,7 @@ class Renderer::Impl {
     while (!views.empty()) {
       const Atlas atlas = pack(views, largest_);
       const std::size_t count = atlas.tiles.size();
-      list_.clear();
+      for (auto& instances : list_) instances.clear();
       for (std::size_t i = 0; i < count; ++i) {
         add_view(scene, views[i], atlas, atlas.tiles[i], list_);
       }

@@ -12,62 +12,9 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/shapes/shape.h"
 
 namespace elsie {
-
-/// A solid whose middle is the origin of its frame.
-struct Shape {
-  enum class Kind : std::uint8_t { box, cylinder, sphere, capsule };
-  enum class Axis : std::uint8_t { forward, left, up };
-
-  Kind kind = Kind::box;
-  Vector3 size;          // of its bounding box, along the axes of its frame
-  Axis axis = Axis::up;  // of a cylinder or capsule
-
-  static Shape box(const Vector3& size) { return {Kind::box, size}; }
-  static Shape sphere(double radius) {
-    return {Kind::sphere, {2.0 * radius, 2.0 * radius, 2.0 * radius}};
-  }
-  /// A cylinder that stands upright.
-  static Shape pillar(double radius, double height) {
-    return {Kind::cylinder, {2.0 * radius, 2.0 * radius, height}};
-  }
-  /// A cylinder about the left axis.
-  static Shape wheel(double radius, double width) {
-    return {Kind::cylinder, {2.0 * radius, width, 2.0 * radius}, Axis::left};
-  }
-  /// A cylinder with half a ball on each end; `length` includes both, at least twice the radius.
-  static Shape capsule(double radius, double length, Axis axis = Axis::up) {
-    const double across = 2.0 * radius;
-    return {Kind::capsule,
-            {axis == Axis::forward ? length : across, axis == Axis::left ? length : across,
-             axis == Axis::up ? length : across},
-            axis};
-  }
-
-  /// Returns whether it is a disc seen from above: a ball, or an upright cylinder or capsule.
-  bool is_round() const { return kind != Kind::box && axis == Axis::up; }
-
-  /// The radius of a cylinder, capsule or sphere.
-  double radius() const { return 0.5 * (axis == Axis::forward ? size.y : size.x); }
-  /// The length of a cylinder, or of a capsule with its caps, along its axis.
-  double length() const {
-    return axis == Axis::forward ? size.x : axis == Axis::left ? size.y : size.z;
-  }
-};
-
-/// The frame of a cylinder or capsule, turned so that its axis is `up`.
-inline Frame along_axis(const Frame& frame, Shape::Axis axis) {
-  const auto& [origin, forward, left, up] = frame;
-  switch (axis) {
-    case Shape::Axis::forward:
-      return {origin, -1.0 * up, left, forward};
-    case Shape::Axis::left:
-      return {origin, forward, -1.0 * up, left};
-    default:
-      return frame;
-  }
-}
 
 /// The role of a part, for drawing.
 enum class PartRole : std::uint8_t { chassis, wheel, caster };

@@ -18,6 +18,12 @@
 #include "elsie/base/problems.h"
 #include "elsie/sharing/list.h"
 
+namespace elsie {
+
+enum class BoxShape : std::uint8_t;  // shapes/box_shapes.h
+
+}  // namespace elsie
+
 namespace elsie::world {
 
 using base::Location;
@@ -62,19 +68,18 @@ struct Team {
 
 enum class BoxKind { fixed, dynamic, moving, resource };  // `fixed` is "static" in the file
 inline constexpr const char* kBoxKinds[] = {"static", "dynamic", "moving", "resource"};
-enum class BoxShape { box, cylinder, prism };
-inline constexpr const char* kBoxShapes[] = {"box", "cylinder", "prism"};
 
-/// An upright box, cylinder or prism that stands on the floor, or floats when z is positive.
+/// An upright solid that stands on the floor, or floats when z is positive; see fixture_of().
 struct Box {
   std::string id;
   BoxKind kind = BoxKind::fixed;
-  BoxShape shape = BoxShape::box;    // always a box for a resource
+  BoxShape shape{};                  // a box; other obstacles may have others
   double x = 0.0, y = 0.0, z = 0.0;  // m, the middle of its bottom: of a prism, the center of area
   double heading_deg = 0.0;
-  double length = 0.2;  // m, along its own x; of a box
-  double width = 0.2;   // m; of a box
-  double radius = 0.1;  // m; of a cylinder
+  // Those that its shape has:
+  double length = 0.2;  // m, along its own x
+  double width = 0.2;   // m
+  double radius = 0.1;  // m
   std::vector<Vector2>
       points;           // m, around the outline of a prism, from any origin; see footprint.h
   double height = 0.2;  // m
@@ -91,7 +96,7 @@ struct Box {
   double energy = 1000.0;  // units
   Location location;
 
-  const char* shape_name() const { return kBoxShapes[static_cast<int>(shape)]; }
+  const char* shape_name() const;
   /// "the cylinder 'c1'"
   std::string in_words() const { return std::string("the ") + shape_name() + " '" + id + "'"; }
   /// The name of its element: "static_cylinder", "resource".

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "elsie/shapes/outline.h"
 #include "elsie/world/describe.h"
 
 namespace elsie::world {
@@ -32,9 +33,8 @@ inline ParameterFacts positive(const char* unit, double max, std::string meaning
 inline ParameterFacts metres(std::string meaning) {
   return range("m", -1e4, 1e4, std::move(meaning));
 }
-/// The smallest length and mass; below them, rounding would spoil moments of inertia.
-inline constexpr double kLeastLength = 1e-4;  // m
-inline constexpr double kLeastMass = 1e-6;    // kg
+/// The smallest mass; below it and kLeastLength, rounding would spoil moments of inertia.
+inline constexpr double kLeastMass = 1e-6;  // kg
 inline ParameterFacts mass(std::string meaning, double max = 1e4) {
   return range("kg", kLeastMass, max, std::move(meaning));
 }

@@ -19,7 +19,7 @@ struct Footprint {
   double half_length = 0.0, half_width = 0.0;  // m, along the heading and across
   double bottom = 0.0, top = 0.0;              // m
   bool round = false;                          // true: a disc; its radius is half its length
-  std::vector<Vector2> outline{};              // of a prism: Fixture::outline; else empty
+  std::vector<Vector2> outline{};              // of a prism; else empty
   double margin = 0.0;                         // m, around the outline
 
   /// Its extent from its middle in the direction of a unit vector, m.
@@ -36,21 +36,12 @@ double radius_of(std::span<const Part> vehicle);
 
 /// The footprint of a solid with this frame of its middle. A box or prism that has tipped over gets
 /// the smallest rectangle around its box, aligned with its heading.
-Footprint footprint_of(const Shape& shape, const Frame& middle,
-                       const std::vector<Vector2>& outline = {});
+Footprint footprint_of(const Shape& shape, const Frame& middle);
 Footprint footprint_of(const Box& box);
 /// The footprint of a vehicle whose wheels are `z` m above the floor: a disc for a round chassis.
 Footprint footprint_of(std::span<const Part> vehicle, const Pose& pose, double z);
 /// The footprints of a robot and of its segments in line behind it.
 std::vector<Footprint> footprints_of(const BodyPlan& plan, const Pose& pose, double z);
-
-/// What is wrong with points as the outline of a prism, to follow its name: "is not convex: ...".
-/// None if they go around it once, either way.
-std::optional<std::string> problem_of_outline(std::span<const Vector2> points);
-/// The corners of points without a problem, counter-clockwise, the center of area at the origin.
-std::vector<Vector2> centered_outline(std::span<const Vector2> points);
-/// m2; negative if the corners go clockwise.
-double area_of(std::span<const Vector2> corners);
 
 /// Whether two footprints overlap by more than a micrometre, both in height and seen from above
 /// (by the separating axis theorem).

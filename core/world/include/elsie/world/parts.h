@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "elsie/api/body.h"
@@ -21,8 +23,6 @@ struct Fixture {
   std::size_t index = 0;
   Shape shape;  // a disc without height for a charger that range sensors do not see
   Frame frame;  // of its middle, at the start
-  /// Of a prism, whose shape is the box around it: the corners, counter-clockwise, in its frame.
-  std::vector<Vector2> outline{};
 };
 
 /// The walls, which stand outside of the arena's area. Those along x are long enough to close the
@@ -30,6 +30,8 @@ struct Fixture {
 std::vector<Fixture> walls_of(const Arena& arena);
 Fixture fixture_of(const Box& box, std::size_t index = 0);
 Fixture fixture_of(const Charger& charger, std::size_t index = 0);
+/// What is wrong with the attributes of its shape, to follow its name: "is not convex: ...".
+std::optional<std::string> problem_of(const Box& box);
 
 /// The data about a body that its drive receives.
 Chassis chassis_of(const RobotBody& body);

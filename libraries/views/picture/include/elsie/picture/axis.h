@@ -37,6 +37,8 @@ struct Ticks {
 /// positive and finite.
 double nice_step(double span, int about);
 
+/// The multiples of a step in [low, high]. None for an interval that is empty or not finite.
+Ticks multiples(double low, double high, double step);
 /// The multiples of a nice step in [low, high], about `about` of them. None for an interval that is
 /// empty or not finite.
 Ticks nice_ticks(double low, double high, int about);

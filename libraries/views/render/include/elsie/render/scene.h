@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
+#include "elsie/shapes/shape.h"
 
 namespace elsie::render {
 
@@ -32,6 +34,7 @@ struct Prism {
   std::vector<Vector2> outline;  // corners, counter-clockwise; the origin is inside
   double height = 0.0;
   Colour colour;
+  std::size_t carrier = kNobody;
   bool visible = true;
 };
 
@@ -50,6 +53,7 @@ struct Ball {
   double radius = 0.0;
   Colour colour;
   std::size_t carrier = kNobody;
+  bool visible = true;
 };
 
 /// A disc on the floor; later marks cover earlier ones.
@@ -68,6 +72,20 @@ struct Scene {
   std::vector<Ball> balls;
   std::vector<Mark> marks;
 };
+
+/// The place of a shape's piece in one of a scene's lists, and the frame of its middle in its body.
+struct Placed {
+  Shape::Kind kind;
+  std::size_t index = 0;
+  Frame frame;
+};
+
+/// Adds the pieces of a shape, whose middle has this frame in its body, with the body at the
+/// origin.
+std::vector<Placed> add(Scene& scene, const Shape& shape, const Frame& middle, const Colour& colour,
+                        std::size_t carrier = kNobody);
+/// Moves a body. None: it becomes invisible.
+void put(Scene& scene, const std::vector<Placed>& body, const std::optional<Frame>& frame);
 
 /// A camera with its pose.
 struct View {

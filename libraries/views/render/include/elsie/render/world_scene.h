@@ -40,23 +40,13 @@ class WorldScene {
   const Scene& scene() const { return scene_; }
 
  private:
-  /// A solid of a vehicle: its place in one of the scene's lists, and its frame in the vehicle's.
-  struct Placed {
-    enum class List { boxes, prisms, cylinders, balls };
-    List list;
-    std::size_t index;
-    Frame frame;
-  };
-  using Vehicle = std::vector<Placed>;
+  using Body = std::vector<Placed>;
 
-  void add_box(const world::Fixture& fixture, const Colour& colour);
   void add_robot(const world::Robot& robot, const Colour& colour);
-  void add_part(Vehicle& vehicle, const Part& part, const Colour& colour, std::size_t carrier);
-  void place(const Vehicle& vehicle, const Frame& frame);
 
   Scene scene_;
-  std::vector<Placed> boxes_;                 // the world's
-  std::vector<std::vector<Vehicle>> robots_;  // each with its segments
+  std::vector<Body> boxes_;                // the world's
+  std::vector<std::vector<Body>> robots_;  // each with its segments
 };
 
 }  // namespace elsie::render
