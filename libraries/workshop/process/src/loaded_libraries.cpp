@@ -1,12 +1,8 @@
 #include "loaded_libraries.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
-#include <cstring>
-#include <mutex>
-#include <set>
 #include <string>
 
 #include <link.h>
@@ -19,20 +15,19 @@ namespace {
 struct Range {
   std::uintptr_t begin = 0;
   std::uintptr_t end = 0;
+
+  bool has(std::uintptr_t address) const { return address >= begin && address < end; }
 };
 
-/// A library and its addresses. Signal handlers read it at any time, so the name is set last and
-/// cleared first.
-struct Slot {
-  std::atomic<const char*> file{nullptr};  // a copy, which is never freed
-  std::atomic<std::uintptr_t> begin{0};
-  std::atomic<std::uintptr_t> end{0};
-  std::atomic<bool> is_loaded{false};
+/// A library that was loaded. Never freed: a signal handler reads it at any time, and a thread that
+/// a library left behind crashes after it was unloaded.
+struct Loaded {
+  std::string file;
+  Range range;
+  const Loaded* before;
 };
 
-// Signal handlers can only reach globals. If there are more libraries than slots, later ones are
-// not named when their threads crash.
-std::array<Slot, 256> slots;
+std::atomic<const Loaded*> last{nullptr};
 
 /// The address range of the library that the code belongs to.
 Range range_of(const void* code) noexcept {
@@ -52,71 +47,34 @@ Range range_of(const void* code) noexcept {
             range.end = std::max(range.end, begin + segment.p_memsz);
           }
         }
-        const bool is_it = wanted.address >= range.begin && wanted.address < range.end;
-        if (is_it) {
-          wanted.found = range;
+        if (!range.has(wanted.address)) {
+          return 0;
         }
-        return is_it ? 1 : 0;
+        wanted.found = range;
+        return 1;
       },
       &search);
   return search.found;
 }
 
-/// A copy that is never freed, because a handler may be reading it; each name once.
-const char* kept(const char* file) {
-  static std::mutex mutex;
-  static auto& names = *new std::set<std::string>;
-  const std::lock_guard lock(mutex);
-  return names.emplace(file).first->c_str();
-}
-
-void note_loaded(const void* code, const char* file) noexcept {
-  const Range range = range_of(code);
-  for (Slot& slot : slots) {
-    const char* const known = slot.file;
-    // Reuses slots of libraries that were unloaded from here, or from the same file.
-    const bool is_free =
-        !known || (!slot.is_loaded && (std::strcmp(known, file) == 0 ||
-                                       (slot.begin < range.end && range.begin < slot.end)));
-    if (is_free) {
-      slot.file = nullptr;
-      slot.begin = range.begin;
-      slot.end = range.end;
-      slot.is_loaded = true;
-      slot.file = kept(file);
-      return;
-    }
-  }
-}
-
-/// Keeps the addresses of an unloaded library, because a thread that it left behind crashes there.
-void note_unloaded(const char* file) noexcept {
-  for (Slot& slot : slots) {
-    const char* const known = slot.file;
-    if (known && slot.is_loaded && std::strcmp(known, file) == 0) {
-      slot.is_loaded = false;
-      return;
-    }
+void note(const void* code, const char* file) noexcept {
+  auto* const loaded = new Loaded{file, range_of(code), last};
+  while (!last.compare_exchange_weak(loaded->before, loaded)) {
   }
 }
 
 }  // namespace
 
-void watch_libraries() noexcept { plugin::watch_libraries({note_loaded, note_unloaded}); }
+void watch_libraries() noexcept { plugin::watch_libraries(note); }
 
 const char* plugin_library_at(const void* address) noexcept {
-  const auto at = reinterpret_cast<std::uintptr_t>(address);
-  const char* gone = nullptr;
-  for (const Slot& slot : slots) {
-    const char* const file = slot.file;
-    if (file && at >= slot.begin && at < slot.end) {
-      if (slot.is_loaded) {
-        return file;
-      }
-      gone = file;
+  // The newest first: it may be where an older one was.
+  for (const Loaded* each = last; each; each = each->before) {
+    if (each->range.has(reinterpret_cast<std::uintptr_t>(address))) {
+      return each->file.c_str();
     }
   }
-  return gone;
+  return nullptr;
 }
 
 }  // namespace elsie::process
