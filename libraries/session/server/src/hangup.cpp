@@ -6,6 +6,9 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include "elsie/base/error.h"
+#include "elsie/process/process_end.h"
+
 namespace elsie::server {
 namespace {
 
@@ -16,7 +19,9 @@ void watch(int socket, int over) {
   while (poll(both, 2, -1) < 0) {
   }
   if (both[0].revents == 0 && poll(both, 1, kPatience_ms) == 0) {
-    kill(getpid(), SIGQUIT);  // the thread that serves names the plugin
+    kill(getpid(), SIGQUIT);  // the thread that serves names the plugin, unless it ignores this
+    poll(both, 1, kPatience_ms);
+    process::end_with(base::kPluginFailed);
   }
 }
 
