@@ -3,8 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elsie RUNTIME)
-install(TARGETS elsie_program elsie_commands RUNTIME DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie" LIBRARY DESTINATION
-                                                                    "${CMAKE_INSTALL_LIBDIR}/elsie")
+install(TARGETS elsie_commands LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie")
 
 # All plugins in the build folder, so that a folder dropped into plugins/ is installed, too.
 foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
@@ -60,7 +59,7 @@ add_custom_command(
   COMMAND elsie manual > "${help}/elsie.1"
   COMMAND elsie completion bash > "${help}/elsie.bash"
   COMMAND elsie completion zsh > "${help}/_elsie"
-  DEPENDS elsie_complete elsie_program elsie_commands
+  DEPENDS elsie_complete elsie_commands
   VERBATIM)
 add_custom_target(elsie_help ALL DEPENDS "${help}/elsie.1")
 install(FILES "${help}/elsie.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")

@@ -16,7 +16,7 @@
 #include "elsie/simulation/simulation.h"
 
 #include "progress.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

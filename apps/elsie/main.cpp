@@ -23,10 +23,11 @@
 #include "elsie/process/process_end.h"
 #include "elsie/thrown/thrown.h"
 
+#include "arithmetic.h"
 #include "command.h"
 #include "command_module.h"
 #include "progress.h"
-#include "supervised.h"
+#include "streams.h"
 #include "usage.h"
 
 namespace elsie::program {
@@ -129,7 +130,7 @@ int work(int argc, char** argv) {
 
 /// The whole program.
 [[noreturn]] void perform(int argc, char** argv) {
-  meet_supervisor();
+  fix_arithmetic(argv);
   // A file that grows beyond its limit is an error of writing, as on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   set_up_log();
@@ -145,7 +146,6 @@ int work(int argc, char** argv) {
       }));
     }
   }
-  set_program_path(argv[0]);
   keep_output(argc, argv);
   process::report_crashes(kPluginFailed);
   end_at_once_when_interrupted();

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "elsie/base/number_text.h"
@@ -29,10 +28,8 @@ constexpr std::uint64_t kStepsBetweenLooks = 64;  // between looks at the clock
 // A signal handler can only reach a global of this kind.
 volatile std::sig_atomic_t interrupted = 0;
 RepeatedRequest request;
-sigset_t blocked_at_start;  // blocked by the parent process
 
-void interrupt(int signal, siginfo_t* info, void* context) {
-  process::report_own_signal(signal, *info, context);
+void interrupt(int) {
   const RepeatedRequest::Kind kind = request.come();
   interrupted = 1;
   if (kind == RepeatedRequest::Kind::second) {
@@ -50,23 +47,20 @@ constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
 /// Sets a handler, or leaves the signal ignored if it is and `unless_ignored`. Returns what was set
 /// before.
-struct sigaction set_handler(int signal, void (*handler)(int, siginfo_t*, void*),
-                             bool unless_ignored) {
+struct sigaction set_handler(int signal, void (*handler)(int), bool unless_ignored) {
   struct sigaction before {};
   sigaction(signal, nullptr, &before);
-  const bool is_ignored = (before.sa_flags & SA_SIGINFO) == 0 && before.sa_handler == SIG_IGN;
-  if (!is_ignored || !unless_ignored) {
+  if (before.sa_handler != SIG_IGN || !unless_ignored) {
     struct sigaction action {};
-    action.sa_sigaction = handler;
-    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
   }
   return before;
 }
 
-void end_at_once(int signal, siginfo_t* info, void* context) {
-  process::report_own_signal(signal, *info, context);
+void end_at_once(int) {
   if (check_is_drawn != 0) {
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kWipe.data(), kWipe.size());
   }
@@ -137,7 +131,6 @@ void CheckProgress::draw(std::size_t checked, std::size_t all) {
 }
 
 void end_at_once_when_interrupted() {
-  pthread_sigmask(SIG_BLOCK, nullptr, &blocked_at_start);
   for (const int signal : kSignals) {
     set_handler(signal, end_at_once, true);
   }
@@ -158,28 +151,9 @@ InterruptGuard::~InterruptGuard() {
   }
 }
 
-void InterruptGuard::stepped(const simulation::Simulation& simulation) {
-  if (simulation.steps() % kStepsBetweenLooks == 0) {
-    let_signals_in();
-  }
+void InterruptGuard::stepped(const simulation::Simulation&) {
   if (is_interrupted()) {
     throw Interrupted();
-  }
-}
-
-void InterruptGuard::let_signals_in() {
-  sigset_t ours;
-  sigset_t before;
-  sigemptyset(&ours);
-  for (const int signal : kSignals) {
-    if (sigismember(&blocked_at_start, signal) == 0) {
-      sigaddset(&ours, signal);
-    }
-  }
-  pthread_sigmask(SIG_UNBLOCK, &ours, &before);
-  if (sigismember(&ours, SIGINT) == 1 && sigismember(&before, SIGINT) == 1 && !has_warned_) {
-    has_warned_ = true;
-    spdlog::warn("a plugin has blocked Ctrl-C; this was undone");
   }
 }
 

@@ -62,11 +62,7 @@ class InterruptGuard final : public simulation::Observer {
   static bool is_interrupted();
 
  private:
-  /// Unblocks the signals, because a plugin may have blocked them.
-  void let_signals_in();
-
   std::array<struct sigaction, 3> before_;
-  bool has_warned_ = false;
 };
 
 /// Thrown when the user ended the run.

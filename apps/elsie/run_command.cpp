@@ -24,7 +24,7 @@
 #include "progress.h"
 #include "run_report.h"
 #include "run_views.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -26,11 +26,10 @@ MAY_NEED = {
     "lib/elsie/layouts.so": {"libelsie-base", "libelsie", "libpng16"},
     "lib/elsie/engines/ode.so": {"libelsie-base", "libelsie", "libode"},
     "lib/elsie/engines/planar.so": {"libelsie-base", "libelsie"},
-    "lib/elsie/elsie-program": {"libelsie-base", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
     "lib/elsie/elsie-commands.so": {"libelsie-base", "libelsie", "libelsie-inference", "libelsie-workshop", "libelsie-editing", "libelsie-render",
                                     "libelsie-views", "libelsie-testing", "libelsie-server", "libelsie-experiments", "libelsie-studies", "libspdlog",
                                     "libfmt"},
-    "bin/elsie": set(),
+    "bin/elsie": {"libelsie-base", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
     "bin/elsie-desktop": {"libelsie-base", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
 }
 OPTIONAL = {"bin/elsie-desktop"}

@@ -16,18 +16,10 @@ using Catch::Contains;
 
 namespace {
 
-/// A shell that runs a script. A worker begins with SIGTERM blocked, and a shell cannot change
-/// that.
-std::vector<std::string> shell(const std::string& script) {
-  return {"/usr/bin/perl", "-MPOSIX", "-e",
-          "sigprocmask(SIG_UNBLOCK, POSIX::SigSet->new(SIGTERM)); exec '/bin/sh', '-c', @ARGV",
-          script};
-}
-
 /// Does `count` jobs with a script, which gets the job on its standard input.
 std::map<std::int64_t, batch::RunRecord> results_of(const std::string& script, std::int64_t count,
                                                     batch::PoolOptions options = {}) {
-  options.command = shell(script);
+  options.command = {"/bin/sh", "-c", script};
   batch::WorkerPool pool(std::move(options));
   std::map<std::int64_t, batch::RunRecord> results;
   std::int64_t next = 0;
@@ -185,7 +177,7 @@ TEST_CASE("Only the tail of a worker's output is kept, as readable text") {
 TEST_CASE("A worker that takes too long reports the plugin at work, and is ended") {
   // A shell runs its trap when its child has ended, so it waits for the child in the background.
   const auto asked = result_of(
-      "trap 'printf \"\\n!looping\\tlooping\\tr1\\t50\\t\\t0.5\\n\" >&3; exit 3' TERM; sleep 60 & "
+      "trap 'printf \"\\n!looping\\tlooping\\tr1\\t50\\t\\t0.5\\n\" >&3; exit 3' XCPU; sleep 60 & "
       "wait",
       {.wall_limit_s = 0.3});
   CHECK(asked.state == batch::RunState::hang);
@@ -198,7 +190,7 @@ TEST_CASE("A worker that takes too long reports the plugin at work, and is ended
 
 TEST_CASE("A slow run is reported by its step: no plugin is to blame") {
   const auto slow =
-      result_of("trap 'printf \"\\n!\\t\\t\\t626\\t\\t6.26\\n\" >&3; exit 3' TERM; sleep 60 & wait",
+      result_of("trap 'printf \"\\n!\\t\\t\\t626\\t\\t6.26\\n\" >&3; exit 3' XCPU; sleep 60 & wait",
                 {.wall_limit_s = 0.3});
   CHECK(slow.state == batch::RunState::hang);
   CHECK(slow.step == 626);
@@ -212,7 +204,7 @@ TEST_CASE("A slow run is reported by its step: no plugin is to blame") {
 TEST_CASE("A worker that ignores the request is killed with its children") {
   const test::Folder folder;
   const auto start = std::chrono::steady_clock::now();
-  const auto deaf = result_of("trap '' TERM; sleep 60 & echo $! > '" + folder.file("child") +
+  const auto deaf = result_of("trap '' XCPU; sleep 60 & echo $! > '" + folder.file("child") +
                                   "'; echo waiting; while :; do sleep 60; done",
                               {.wall_limit_s = 0.3, .grace_s = 0.2});
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));

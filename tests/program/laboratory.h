@@ -54,9 +54,12 @@ class Laboratory : public Workplace {
     write("faulty.xml", experiment(worlds, "", seeds, limits));
   }
 
-  /// A function of the shell: the processes that do the runs of the batch with this number.
+  /// Functions of the shell: the processes that the batch with this number has started, and those
+  /// of them that do runs.
   static inline const std::string kWorkersOf =
-      "workers_of() { for p in $(cat /proc/$1/task/$1/children); do\n"
+      "processes_of() { for p in $(cat /proc/$1/task/$1/children 2>/dev/null); do\n"
+      "  echo $p; processes_of $p; done; }\n"
+      "workers_of() { for p in $(processes_of $1); do\n"
       "  if [ \"$(cat /proc/$p/comm 2>/dev/null)\" = elsie-run ]; then echo $p; fi; done; }\n";
 
   /// For the shell: dawdled steps wait until `pass_one` lets one go on, or `pass_all` all. On a

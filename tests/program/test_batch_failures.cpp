@@ -86,29 +86,11 @@ TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported
 
 TEST_CASE("A run that fails in a copy of a process leaves the same results as in its own program") {
   const Laboratory here;
-  here.write_faulty({"segfaulting",
-                     "overflowing",
-                     "exiting",
-                     "throwing",
-                     "calling_nowhere",
-                     "thrifty",
-                     "leaving",
-                     "leaving_in_c",
-                     "leaving_quickly",
-                     "leaving_by_system_call",
-                     "leaving_at_the_end",
-                     "leaving_elsewhere",
-                     "becoming_another",
-                     "killing",
-                     "forking",
-                     "forking_and_crashing",
-                     "handling_its_crash",
-                     "forgetting_handlers",
-                     "writing_to_a_broken_pipe",
-                     "printing",
-                     "blocking",
-                     "rounding"},
-                    "<limits time=\"2\" wall_time=\"60\"/>", 2);
+  here.write_faulty(
+      {"segfaulting", "overflowing", "exiting", "throwing", "calling_nowhere", "thrifty", "leaving",
+       "leaving_in_c", "leaving_quickly", "leaving_at_the_end", "leaving_elsewhere", "killing",
+       "forking", "forking_and_crashing", "writing_to_a_broken_pipe", "printing", "rounding"},
+      "<limits time=\"2\" wall_time=\"60\"/>", 2);
   for (const std::string database : {"copies", "programs"}) {
     const auto run = here.batch("faulty.xml --workers 2 --database " + database + ".sqlite" +
                                 (database == "programs" ? " --fresh-processes" : ""));
@@ -144,8 +126,7 @@ TEST_CASE("A worker that is killed from outside costs its run only") {
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 3);
   const auto run =
       here.sh(Laboratory::kWorkersOf + Laboratory::kDawdlesOnRequest +
-              "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
-              Laboratory::plugins() +
+              "elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
               " & batch=$!\n"
               "while ! worker=$(workers_of $batch) || [ -z \"$worker\" ]; do sleep "
               "0.02; done\n"
@@ -165,8 +146,7 @@ TEST_CASE("A worker leaves a request to end to its batch: a run has no result be
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 4);
   const auto run =
       here.sh(Laboratory::kWorkersOf + Laboratory::kDawdlesOnRequest +
-              "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
-              Laboratory::plugins() +
+              "elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
               " & batch=$!\n"
               "while ! worker=$(workers_of $batch) || [ -z \"$worker\" ]; do sleep "
               "0.002; done\n"
@@ -190,7 +170,7 @@ TEST_CASE("A batch that is killed continues where it was: no run is lost, none d
     // At any point of its work, and later each time, so that slow machines also finish runs.
     const int milliseconds = 30 + std::rand() % (100 + 30 * kills);
     const auto run = here.sh(
-        "elsie --one-process batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
+        "elsie batch many.xml --quiet --database killed.sqlite --resume & batch=$!\n"
         "sleep " +
         std::to_string(milliseconds / 1000.0) +
         "\n"
@@ -233,11 +213,8 @@ TEST_CASE("The workers of a batch that is killed end with it") {
       here.sh(Laboratory::kWorkersOf + "elsie batch faulty.xml --workers 2 --quiet --plugin-path " +
               Laboratory::plugins() +
               " & batch=$!\n"
-              "until program=$(cat /proc/$batch/task/$batch/children) && [ -n \"$program\" ]; do "
-              "sleep 0.02; done; program=${program% }\n"
-              "while [ $(workers_of $program | wc -w) -lt 2 ]; do sleep 0.02; "
-              "done\n"
-              "workers=\"$program $(cat /proc/$program/task/$program/children)\"\n"
+              "while [ $(workers_of $batch | wc -w) -lt 2 ]; do sleep 0.02; done\n"
+              "workers=$(processes_of $batch)\n"
               "kill -9 $batch; wait $batch || true\n"
               "i=0; while [ $i -lt 600 ]; do i=$((i+1))\n"
               "  left=0; for w in $workers; do\n"
@@ -313,7 +290,7 @@ TEST_CASE("A signal that comes twice at once is one request to stop") {
   for (int tries = 0; tries < 20 && !in_time; ++tries) {
     run = here.sh(Laboratory::kWorkersOf + Laboratory::kDawdlesOnRequest +
                   "rm -f faulty.sqlite* late\n"
-                  "elsie --one-process batch faulty.xml --workers 1 --plugin-path " +
+                  "elsie batch faulty.xml --workers 1 --plugin-path " +
                   Laboratory::plugins() +
                   " & batch=$!\n"
                   "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
@@ -337,11 +314,10 @@ TEST_CASE("Two batches do not write one database") {
   here.write_faulty({"dawdling"}, Laboratory::kTwoDawdledSteps, 2);
   const auto run =
       here.sh(Laboratory::kWorkersOf + Laboratory::kDawdlesOnRequest +
-              "elsie --one-process batch faulty.xml --workers 1 --quiet --plugin-path " +
-              Laboratory::plugins() +
+              "elsie batch faulty.xml --workers 1 --quiet --plugin-path " + Laboratory::plugins() +
               " & batch=$!\n"
               "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
-              "elsie --one-process batch faulty.xml --resume --plugin-path " +
+              "elsie batch faulty.xml --resume --plugin-path " +
               Laboratory::plugins() +
               " && code=$? || code=$?\n"
               "pass_all; wait $batch\n"
@@ -375,17 +351,16 @@ TEST_CASE("A batch notices files that change, even during its last run") {
   here.write("small_experiment.xml", Laboratory::experiment("<world file=\"small.xml\"/>", "", 3,
                                                             Laboratory::kTwoDawdledSteps));
   const std::string content = here.read(model);
-  const auto run =
-      here.sh(Laboratory::kWorkersOf + Laboratory::kDawdlesOnRequest +
-              "elsie --one-process batch small_experiment.xml --workers 1 --plugin-path " +
-              Laboratory::plugins() +
-              " & batch=$!\n"
-              "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
-              "echo >> " +
-              model +
-              "\n"
-              "pass_all; wait $batch && code=$? || code=$?\n"
-              "exit $code");
+  const auto run = here.sh(Laboratory::kWorkersOf + Laboratory::kDawdlesOnRequest +
+                           "elsie batch small_experiment.xml --workers 1 --plugin-path " +
+                           Laboratory::plugins() +
+                           " & batch=$!\n"
+                           "while [ -z \"$(workers_of $batch)\" ]; do sleep 0.02; done\n"
+                           "echo >> " +
+                           model +
+                           "\n"
+                           "pass_all; wait $batch && code=$? || code=$?\n"
+                           "exit $code");
   CHECK(run.exit_code == 4);
   // The active run is not written: it may have read the file before or after the change.
   CHECK_THAT(run.err, Contains(model + "' has changed since the batch began"));

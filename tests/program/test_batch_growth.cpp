@@ -105,7 +105,7 @@ TEST_CASE("A batch that is killed while it extends its database loses nothing") 
   const std::string done = "SELECT count(*) FROM runs WHERE state = 'done' AND id <= 24";
   for (const std::string after_s : {"0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.8"}) {
     here.sh(
-        "elsie --one-process batch small_experiment.xml --extend --workers 1 & batch=$!\n"
+        "elsie batch small_experiment.xml --extend --workers 1 & batch=$!\n"
         "sleep " +
         after_s + "; kill -KILL $batch; wait $batch");
     CAPTURE(after_s);

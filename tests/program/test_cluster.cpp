@@ -27,7 +27,7 @@ class Cluster : public Laboratory {
               plugins() +
               "'; }\n"
               // To be started with &: signals reach the program itself.
-              "follow() { exec elsie --one-process batch \"$@\" --plugin-path '" +
+              "follow() { exec elsie batch \"$@\" --plugin-path '" +
               plugins() +
               "'; }\n"
               // The processes of this test's tasks only: their databases are in this folder.

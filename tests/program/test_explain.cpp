@@ -161,7 +161,7 @@ TEST_CASE("A recording that a kill cut short is explained as far as it goes") {
 TEST_CASE("A killed run leaves decisions behind") {
   Workplace here;
   const auto run = here.sh(
-      "elsie --one-process run worlds/clutter.xml --duration 100000 --record run.mcap --quiet & "
+      "elsie run worlds/clutter.xml --duration 100000 --record run.mcap --quiet & "
       "while ! [ -s run.mcap ] || [ \"$(wc -c < run.mcap)\" -lt 40000 ]; do sleep 0.05; done; "
       "kill -KILL $!; wait $! || true; elsie explain run.mcap");
   CHECK(run.exit_code == 0);

@@ -88,7 +88,7 @@ TEST_CASE("A behaviour changes while it drives; one that does not compile change
       "says() { i=0; until grep -q \"$1\" err; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; "
       "sleep 0.1; done; }\n"
       "export ELSIE_CACHE=$PWD/cache\n"
-      "elsie --one-process run world.xml --plugin pace.cpp --watch --speed 1 --duration 3000 "
+      "elsie run world.xml --plugin pace.cpp --watch --speed 1 --duration 3000 "
       "--record pace.csv --record-rate 100 2> err & pid=$!\n"
       "i=0; until [ -s pace.csv ]; do i=$((i+1)); [ $i -lt 1800 ] || exit 9; sleep 0.1; done\n"
       "cp wrong.cpp pace.cpp; says 'the old version stays in use'; echo >> err\n"

@@ -49,18 +49,16 @@ TEST_CASE("A replay compares outcome, steps and every measure too") {
         "              steps 200, before 7\n");
 }
 
-TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
+TEST_CASE("A run that hangs is ended at the batch's wall limit, and its plugin named") {
   const Laboratory here;
   here.write_faulty({"looping"}, "<limits time=\"2\" wall_time=\"5\"/>");
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
-  const std::string place = "plugin 'looping' of robot 'r1' in step ";
 
   const auto run =
       here.elsie("replay faulty.sqlite 1 --record run.csv --record run.mcap --record-rate 100");
   CAPTURE(run.out, run.err);
-  CHECK(run.exit_code == 0);
-  CHECK_THAT(run.out, Contains("before: hang, the run did not end within 5 s") &&
-                          Catch::EndsWith("\nthe same: hangs in " + place + "50 (at 0.5 s)\n"));
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.out, Contains("before: hang, the run did not end within 5 s"));
   CHECK_THAT(run.err,
              Contains("elsie: plugin 'looping' of robot 'r1' did not return before the wall limit "
                       "of the run in step 50 (at 0.5 s)\n") &&
@@ -69,39 +67,21 @@ TEST_CASE("A run that hangs is ended at the batch's wall limit, and compared") {
   const auto explained = here.elsie("explain run.mcap");
   CHECK(explained.exit_code == 0);
   CHECK_THAT(explained.out, Contains("0.5 s"));
-
-  here.query("faulty.sqlite", "UPDATE runs SET step = 70");
-  auto other = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 3");
-  CHECK(other.exit_code == 1);
-  CHECK(other.out ==
-        "not the same: hangs in " + place + "50 (at 0.5 s), before in " + place + "70\n");
-  here.query("faulty.sqlite", "UPDATE runs SET step = 50, robot = 'r2'");
-  other = here.elsie("replay faulty.sqlite 1 --quiet --wall-limit 3");
-  CHECK(other.exit_code == 1);
-  CHECK_THAT(other.out,
-             Contains("before in plugin 'looping' of robot 'r2' in step 50 (at 0.5 s)\n"));
 }
 
 TEST_CASE("A slow run is distinguished from one that hangs") {
   const Laboratory here;
   here.write_faulty({"dawdling"}, "<limits time=\"2\" wall_time=\"5\"/>");
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
-  const std::string before = ", before in plugin 'dawdling' of robot 'r1' in step ";
-  const auto replay = [&](const std::string& step, const std::string& options) {
-    here.query("faulty.sqlite", "UPDATE runs SET step = " + step);
-    auto run = here.elsie("replay faulty.sqlite 1 --quiet " + options);
-    CHECK(run.exit_code == 1);
-    CHECK(run.err.empty());
-    return run.out;
-  };
-  CHECK_THAT(replay("20", std::string(kDawdledLimit) + "--picture run.png --record run.mcap"),
+  const auto run = here.elsie(std::string("replay faulty.sqlite 1 --quiet ") + kDawdledLimit +
+                              "--picture run.png --record run.mcap");
+  CHECK(run.exit_code == 1);
+  CHECK(run.err.empty());
+  CHECK_THAT(run.out,
              ends_in_a_dawdled_step("not the same: the run is slow, and does not hang",
-                                    before + "20\\n--wall-limit gives it more time\\n"));
+                                    ", before hang: .*\\n--wall-limit gives it more time\\n"));
   CHECK(here.read("run.png").starts_with("\x89PNG"));
   CHECK_THAT(here.elsie("replay run.mcap").out, Contains("complete"));
-  CHECK_THAT(replay("150", kDawdledLimit),
-             ends_in_a_dawdled_step("not the same: the run did not get as far as before",
-                                    before + "150\\n"));
 }
 
 TEST_CASE("A replay can be limited whatever the result of the run was; most are not") {
@@ -123,25 +103,16 @@ TEST_CASE("A replay can be limited whatever the result of the run was; most are 
   CHECK_THAT(unlimited.out, Contains("not the same: it ended normally"));
 }
 
-TEST_CASE("A run that crashes again as before says so; the report and the exit code stay") {
+TEST_CASE("A run that crashes again is reported with its plugin") {
   const Laboratory here;
   here.write_faulty({"segfaulting", "exiting"}, "");
   REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
-  auto crash = here.elsie("replay faulty.sqlite 1 --quiet");
+  const auto crash = here.elsie("replay faulty.sqlite 1");
   CHECK(crash.exit_code == 3);
-  CHECK(
-      crash.out ==
-      "the same: plugin 'segfaulting' of robot 'r1' crashed with SIGSEGV in step 50 (at 0.5 s)\n");
+  CHECK_THAT(crash.out, Contains("before: crash, plugin 'segfaulting' of robot 'r1' crashed with "
+                                 "SIGSEGV in step 50 (at 0.5 s)\n"));
   CHECK_THAT(crash.err, Contains("(SIGSEGV) in step 50 (at 0.5 s)") && Contains("the stack"));
   const auto left = here.elsie("replay faulty.sqlite 2 --quiet");
   CHECK(left.exit_code == 3);
-  CHECK_THAT(left.out, Catch::StartsWith("the same: ") &&
-                           Contains("exit() or a similar call in step 50 (at 0.5 s)"));
-  for (const std::string change :
-       {"signal = 'SIGBUS'", "step = 49, signal = 'SIGSEGV'", "step = 50, plugin = 'looping'"}) {
-    here.query("faulty.sqlite", "UPDATE runs SET " + change + " WHERE id = 1");
-    crash = here.elsie("replay faulty.sqlite 1 --quiet");
-    CHECK(crash.exit_code == 3);
-    CHECK_THAT(crash.out, Catch::StartsWith("not the same, before crash: plugin 'segfaulting'"));
-  }
+  CHECK_THAT(left.err, Contains("'exiting' of robot 'r1' ended the program by calling exit()"));
 }

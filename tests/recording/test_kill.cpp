@@ -14,7 +14,7 @@ TEST_CASE("A run that is killed leaves a recording that is whole up to its last 
       <robot id="r1" template="robots/scout.xml"/></robots><limits time="1000000"/></world>)");
   // Killed when there is something of it, in the middle of a run that would go on for hours.
   const auto killed = here.sh(
-      "elsie --one-process run endless.xml --quiet --record run.mcap & pid=$!\n"
+      "elsie run endless.xml --quiet --record run.mcap & pid=$!\n"
       "for i in $(seq 600); do\n"
       "  [ -e run.mcap ] && [ $(stat -c %s run.mcap) -gt 40000 ] && break\n"
       "  sleep 0.1\n"

@@ -16,7 +16,7 @@
 #include "command.h"
 #include "environment.h"
 #include "output_files.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

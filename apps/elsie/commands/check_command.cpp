@@ -21,7 +21,7 @@
 #include "doubts.h"
 #include "environment.h"
 #include "progress.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -12,7 +12,7 @@
 
 #include "command.h"
 #include "command_tree.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

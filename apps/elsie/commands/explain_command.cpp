@@ -22,7 +22,7 @@
 #include "environment.h"
 #include "explain_report.h"
 #include "output_files.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -8,7 +8,7 @@
 
 #include "command.h"
 #include "command_tree.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -10,7 +10,7 @@
 
 #include "command.h"
 #include "environment.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -26,7 +26,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

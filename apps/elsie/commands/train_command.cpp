@@ -25,7 +25,7 @@
 #include "learning_curve.h"
 #include "output_files.h"
 #include "progress.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -23,7 +23,7 @@
 #include "command.h"
 #include "output_files.h"
 #include "stop_signals.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

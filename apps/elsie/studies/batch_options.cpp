@@ -9,7 +9,7 @@
 #include "command.h"
 #include "output_files.h"
 #include "progress.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

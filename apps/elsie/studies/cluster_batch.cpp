@@ -21,7 +21,7 @@
 #include "command.h"
 #include "status_line.h"
 #include "stop_signals.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

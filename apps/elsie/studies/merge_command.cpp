@@ -14,7 +14,7 @@
 #include "command.h"
 #include "environment.h"
 #include "output_files.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -42,9 +42,8 @@ Examples:
   elsie replay speed.sqlite 18 --wall-limit 60
   elsie replay speed.sqlite --where "max_speed=0.2; outcome=failure" --record failures
 
-Exit codes for a run of a database: 0 the same result, or it hangs in the same plugin, robot and
-step; 1 another result; 2 bad input; 3 a plugin failed in another way than before, or it ended the
-program, as before or not; 4 anything else. For a recording: 0, or 2 when it cannot be read or is
+Exit codes for a run of a database: 0 the same result; 1 another result; 2 bad input; 3 a plugin
+failed in another way than before, or it crashed or hung, as before or not; 4 anything else. For a recording: 0, or 2 when it cannot be read or is
 damaged.
 )";
 

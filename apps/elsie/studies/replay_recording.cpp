@@ -19,7 +19,7 @@
 #include "output_files.h"
 #include "run_report.h"
 #include "start_world.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -17,14 +17,14 @@
 #include "elsie/world/reader.h"
 
 #include "command.h"
-#include "end_again.h"
 #include "make_views.h"
 #include "progress.h"
 #include "restored_run.h"
 #include "run_report.h"
 #include "same_run.h"
 #include "start_world.h"
-#include "supervised.h"
+#include "streams.h"
+#include "wall_limit.h"
 
 namespace elsie::program {
 
@@ -52,15 +52,13 @@ StoredRun stored_run(const RunAgainOptions& options) {
 /// All observers of the run.
 class Watchers {
  public:
-  Watchers(const RunAgainOptions& options, std::unique_ptr<RunViews> views, EndAgain* end)
+  Watchers(const RunAgainOptions& options, std::unique_ptr<RunViews> views, WallLimit& limit)
       : views_(std::move(views)), all_(views_->observers().begin(), views_->observers().end()) {
     if (!options.quiet && isatty(STDERR_FILENO)) {
       all_.push_back(&progress_.emplace());
     }
     all_.push_back(&interrupt_);
-    if (end) {
-      all_.push_back(end);
-    }
+    all_.push_back(&limit);
   }
   Watchers(const Watchers&) = delete;
   Watchers& operator=(const Watchers&) = delete;
@@ -114,13 +112,18 @@ bool is_as_before(const StoredRun& run, const PluginFault& fault) {
          run.record.robot == fault.robot && run.record.step == fault.step;
 }
 
-/// Prepares for a run that may not end; other runs are not observed.
-void expect_end(std::optional<EndAgain>& end, const StoredRun& run,
-                const RunAgainOptions& options) {
+/// The wall limit of the replay, s; 0: none. A run that hung has that of its batch.
+double wall_limit_of(const StoredRun& run, const RunAgainOptions& options) {
+  return options.wall_limit_s.value_or(run.record.state == RunState::hang ? run.wall_limit_s : 0.0);
+}
+
+/// Says how a run that did not reach its end differs from the one before.
+void tell_of_limit(const StoredRun& run, const WallLimit& limit) {
   const bool hung = run.record.state == RunState::hang;
-  if (hung || options.wall_limit_s || run.record.state == RunState::crash) {
-    end.emplace(run.record, options.wall_limit_s.value_or(hung ? run.wall_limit_s : 0.0));
-  }
+  out() << "not the same: the run " << (hung ? "is slow, and does not hang: " : "has not ended: ")
+        << limit.what_happened() << ", before " << to_string(run.record.state) << ": "
+        << run.record.message << '\n'
+        << (hung ? "--wall-limit gives it more time\n" : "");
 }
 
 /// Writes the world of the run. Data files that have changed since are written next to it.
@@ -163,16 +166,13 @@ int replay_run(const RunAgainOptions& options) {
   if (options.world) {
     return write_world(run, options);
   }
-  std::optional<EndAgain> end;
-  expect_end(end, run, options);
   RestoredRun restored(run, options.plugins);
   for (const std::string& difference : restored.differences()) {
     err() << "elsie: " << difference << '\n';
   }
   tell_of(run, options);
-  if (end) {
-    end->start_clock();
-  }
+  WallLimit limit(wall_limit_of(run, options));
+  limit.start_clock();
   Simulation simulation(restored.world(), restored.host(),
                         {.seed = run.job.seed,
                          .measure_time = options.views.record.times,
@@ -180,7 +180,7 @@ int replay_run(const RunAgainOptions& options) {
                          .files = restored.files(),
                          .cameras = render::world_cameras});
   views->open(simulation, read_files(options.database, restored.files(), options.plugins));
-  const Watchers watchers(options, std::move(views), end ? &*end : nullptr);
+  const Watchers watchers(options, std::move(views), limit);
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   try {
     const RunResult result = simulation.run(watchers.all());
@@ -207,7 +207,7 @@ int replay_run(const RunAgainOptions& options) {
     return kSuccess;
   } catch (const WallLimitMet&) {
     draw_as("ended at its wall limit");
-    out() << "not the same: " << end->slow();
+    tell_of_limit(run, limit);
     return kGoalMissed;
   } catch (const Interrupted&) {
     draw_as("interrupted");

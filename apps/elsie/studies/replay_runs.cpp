@@ -23,7 +23,7 @@
 #include "batch_options.h"
 #include "command.h"
 #include "stop_signals.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

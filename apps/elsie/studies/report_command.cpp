@@ -25,7 +25,7 @@
 #include "environment.h"
 #include "output_files.h"
 #include "status_line.h"
-#include "supervised.h"
+#include "streams.h"
 
 namespace elsie::program {
 

@@ -1,5 +1,6 @@
 #include "elsie/plugin/call.h"
 
+#include <array>
 #include <atomic>
 
 #include <pthread.h>
@@ -15,6 +16,16 @@ std::int64_t now_ns() noexcept {
 }
 
 std::atomic<void (*)() noexcept> at_end_of_copy{nullptr};
+
+/// Where each shown thread has its innermost call. Threads beyond this number are not shown.
+std::array<std::atomic<Call* const*>, 256> shown;
+
+void replace_shown(Call* const* old, Call* const* now) noexcept {
+  for (auto& place : shown) {
+    Call* const* expected = old;
+    if (place.compare_exchange_strong(expected, now)) return;
+  }
+}
 
 }  // namespace
 
@@ -41,6 +52,21 @@ void Call::watch_for_copies(void (*end_copy)() noexcept) {
 const char* Call::restore_from(const Arithmetic& now) noexcept {
   before_.restore();
   return now.difference_from(before_);
+}
+
+void Call::show_thread() {
+  struct Shown {
+    Shown() noexcept { replace_shown(nullptr, &innermost_); }
+    ~Shown() { replace_shown(&innermost_, nullptr); }
+  };
+  thread_local const Shown until_it_ends;
+}
+
+Call* Call::of_shown_threads() noexcept {
+  for (Call* const* const place : shown) {
+    if (place && *place) return *place;
+  }
+  return nullptr;
 }
 
 void Call::start_clock() noexcept { start_ns_ = now_ns(); }

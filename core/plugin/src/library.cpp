@@ -20,11 +20,13 @@
 namespace elsie::plugin {
 namespace {
 
-LibraryWatch watching{[](const void*, const char*) noexcept {}, [](const char*) noexcept {}};
+void (*tell_loaded)(const void*, const char*) noexcept = [](const void*, const char*) noexcept {};
 
 }  // namespace
 
-void watch_libraries(const LibraryWatch& watch) noexcept { watching = watch; }
+void watch_libraries(void (*loaded)(const void*, const char*) noexcept) noexcept {
+  tell_loaded = loaded;
+}
 
 struct Library::System {
   boost::dll::shared_library library;
@@ -33,10 +35,9 @@ struct Library::System {
 Library::Library(std::unique_ptr<System> system, std::string file,
                  std::shared_ptr<const std::filesystem::path> copy)
     : copy_(std::move(copy)), system_(std::move(system)), file_(std::move(file)) {
-  watching.loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
+  tell_loaded(dlsym(system_->library.native(), ELSIE_PLUGIN_ENTRY), file_.c_str());
 }
 Library::~Library() {
-  watching.unloading(file_.c_str());
   Call call({.library = file_.c_str(), .doing = "while it was unloaded"});
   call.start_clock();
   system_.reset();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <memory>
 #include <utility>
 
 #include <pthread.h>
@@ -40,23 +41,15 @@ std::uint32_t next_value(const std::atomic<std::uint32_t>& value, std::uint32_t 
 
 }  // namespace
 
-/// A stack for signal handlers of a thread that has used up its own.
-struct Crew::Stack {
-  alignas(16) char bytes[64 * 1024];
-};
-
 Crew::Crew(std::size_t threads) {
   sigset_t others;
   sigset_t before;
   sigfillset(&others);
-  for (const int own : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS, kQuestion}) {
+  for (const int own : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS}) {
     sigdelset(&others, own);
   }
   pthread_sigmask(SIG_SETMASK, &others, &before);
   for (std::size_t i = 1; i < threads; ++i) {
-    stacks_.push_back(std::make_unique<Stack>());
-  }
-  for (std::size_t i = 1; i < threads; ++i) {  // after stacks_, which they read, is complete
     helpers_.emplace_back([this, i] { help(i); });
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
@@ -94,9 +87,12 @@ void Crew::run(std::size_t items, std::size_t least, const void* work, Call call
 }
 
 void Crew::help(std::size_t thread) {
+  // For signal handlers, if this thread uses up its own.
+  constexpr std::size_t kStackSize = 64 * 1024;
+  const auto stack = std::make_unique_for_overwrite<char[]>(kStackSize);
   stack_t second{};
-  second.ss_sp = stacks_[thread - 1]->bytes;
-  second.ss_size = sizeof(Stack::bytes);
+  second.ss_sp = stack.get();
+  second.ss_size = kStackSize;
   stack_t before{};
   sigaltstack(&second, &before);
   for (std::uint32_t calls = next_value(calls_, 0); !over_; calls = next_value(calls_, calls)) {

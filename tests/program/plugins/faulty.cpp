@@ -18,7 +18,6 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 #include <elsie/api/behavior.h>
@@ -35,10 +34,10 @@ namespace {
     std::this_thread::sleep_for(std::chrono::milliseconds(1200));
   }
   if (wish && std::string_view(wish) == "at once") {
-    return raise(SIGTERM) == 0;
+    std::exit(0);
   }
   while (wish) {
-    kill(getppid(), SIGTERM);  // the supervisor hands it on, as if a user had sent it
+    raise(SIGTERM);  // as if a user had sent it
     pause();
   }
   return true;
@@ -112,19 +111,6 @@ struct Raises {
   elsie::Motion operator()() {
     raise(kSignal);
     return {};
-  }
-};
-struct RaisesRealTime {
-  elsie::Motion operator()() {
-    raise(SIGRTMIN + 3);
-    return {};
-  }
-};
-struct SetsTimer {
-  elsie::Motion operator()() {
-    const itimerval soon{{0, 0}, {0, 1000}};
-    setitimer(ITIMER_REAL, &soon, nullptr);
-    for (;;) hidden(0);
   }
 };
 struct Aborts {
@@ -354,9 +340,6 @@ using SegfaultsLate = Failing<Segfaults>;
 using DividesLate = Failing<Divides>;
 using AbortsLate = Failing<Aborts>;
 using TrapsLate = Failing<Raises<SIGTRAP>>;
-using TerminatesLate = Failing<Raises<SIGTERM>>;
-using RealTimeLate = Failing<RaisesRealTime>;
-using TimedLate = Failing<SetsTimer>;
 using ThrowsWhereNoneMayLate = Failing<ThrowsWhereNoneMay>;
 using IllegalInstructionLate = Failing<IllegalInstruction>;
 using BusErrorLate = Failing<BusError>;
@@ -383,9 +366,6 @@ ELSIE_BEHAVIOR(SegfaultsLate, "segfaulting", "Reads from nowhere after half a se
 ELSIE_BEHAVIOR(DividesLate, "dividing", "Divides by zero after half a second");
 ELSIE_BEHAVIOR(AbortsLate, "aborting", "Calls abort() after half a second");
 ELSIE_BEHAVIOR(TrapsLate, "trapping", "Raises SIGTRAP after half a second");
-ELSIE_BEHAVIOR(TerminatesLate, "terminating", "Raises SIGTERM after half a second");
-ELSIE_BEHAVIOR(RealTimeLate, "real_time", "Raises a real-time signal after half a second");
-ELSIE_BEHAVIOR(TimedLate, "timed", "Sets a timer after half a second");
 ELSIE_BEHAVIOR(ThrowsWhereNoneMayLate, "throwing_through",
                "Throws through a noexcept after half a second");
 ELSIE_BEHAVIOR(IllegalInstructionLate, "illegal",

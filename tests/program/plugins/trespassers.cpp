@@ -12,7 +12,6 @@
 #include <thread>
 #include <vector>
 
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <elsie/api/behavior.h>
@@ -74,24 +73,10 @@ struct LeavesInC {
 struct LeavesQuickly {
   void operator()() { std::quick_exit(0); }
 };
-struct HandlesItsCrash {
-  void operator()() {
-    struct sigaction action {};
-    action.sa_handler = [](int) { _exit(0); };
-    sigaction(SIGSEGV, &action, nullptr);
-    *hidden<int*>(nullptr) = 1;
-  }
-};
 struct LeavesAtTheEnd {
   void operator()() {
     std::atexit([] { _exit(0); });
   }
-};
-struct LeavesBySystemCall {
-  void operator()() { syscall(SYS_exit_group, 0); }
-};
-struct BecomesAnother {
-  void operator()() { execl("/bin/true", "true", nullptr); }
 };
 struct KillsTheProgram {
   void operator()() { raise(SIGKILL); }
@@ -130,14 +115,6 @@ struct Forks {
 struct StartsAProgram {
   void operator()() { static_cast<void>(std::system("true")); }
 };
-struct ForgetsHandlersAndCrashes {
-  void operator()() {
-    for (int number = 1; number < 32; ++number) {
-      signal(number, SIG_DFL);
-    }
-    *hidden<int*>(nullptr) = 1;
-  }
-};
 struct WritesToABrokenPipe {
   void operator()() {
     int ends[2];
@@ -156,22 +133,6 @@ struct Prints {
 };
 struct Rounds {
   void operator()() { std::fesetround(FE_UPWARD); }
-};
-struct BlocksSignals {
-  void operator()() {
-    sigset_t all;
-    sigfillset(&all);
-    sigprocmask(SIG_SETMASK, &all, nullptr);
-    static_cast<void>(write(STDERR_FILENO, "blocked\n", 8));
-  }
-};
-struct BlocksSignalsAndLoops {
-  void operator()() {
-    BlocksSignals()();
-    static_cast<void>(write(STDERR_FILENO, "for ever\n", 9));
-    while (hidden(true)) {
-    }
-  }
 };
 struct CrashesInElsie {
   void operator()() {
@@ -263,10 +224,7 @@ class Gulps final : public elsie::Behavior {
 using LeavesLate = Trespassing<Leaves>;
 using LeavesInCLate = Trespassing<LeavesInC>;
 using LeavesQuicklyLate = Trespassing<LeavesQuickly>;
-using HandlesItsCrashLate = Trespassing<HandlesItsCrash>;
 using LeavesAtTheEndLate = Trespassing<LeavesAtTheEnd>;
-using LeavesBySystemCallLate = Trespassing<LeavesBySystemCall>;
-using BecomesAnotherLate = Trespassing<BecomesAnother>;
 using KillsTheProgramLate = Trespassing<KillsTheProgram>;
 using LeavesElsewhereLate = Trespassing<LeavesElsewhere>;
 using CrashesBesideLate = Trespassing<CrashesBeside>;
@@ -274,12 +232,9 @@ using LeavesAThreadLate = Trespassing<LeavesAThread>;
 using ForksAndCrashesThereLate = Trespassing<ForksAndCrashesThere>;
 using ForksLate = Trespassing<Forks>;
 using StartsAProgramLate = Trespassing<StartsAProgram>;
-using ForgetsHandlersLate = Trespassing<ForgetsHandlersAndCrashes>;
 using WritesToABrokenPipeLate = Trespassing<WritesToABrokenPipe>;
 using PrintsLate = Trespassing<Prints>;
 using RoundsLate = Trespassing<Rounds>;
-using BlocksSignalsLate = Trespassing<BlocksSignals>;
-using BlocksSignalsAndLoopsLate = Trespassing<BlocksSignalsAndLoops>;
 using CrashesInElsieLate = Trespassing<CrashesInElsie>;
 
 }  // namespace
@@ -287,14 +242,8 @@ using CrashesInElsieLate = Trespassing<CrashesInElsie>;
 ELSIE_BEHAVIOR(LeavesLate, "leaving", "Calls _exit(0) after half a second");
 ELSIE_BEHAVIOR(LeavesInCLate, "leaving_in_c", "Calls _Exit(0) after half a second");
 ELSIE_BEHAVIOR(LeavesQuicklyLate, "leaving_quickly", "Calls quick_exit(0) after half a second");
-ELSIE_BEHAVIOR(HandlesItsCrashLate, "handling_its_crash",
-               "Crashes after half a second, and ends the program in a handler of its own");
 ELSIE_BEHAVIOR(LeavesAtTheEndLate, "leaving_at_the_end",
                "Has _exit(0) called when its library goes");
-ELSIE_BEHAVIOR(LeavesBySystemCallLate, "leaving_by_system_call",
-               "Ends the process without the C library after half a second");
-ELSIE_BEHAVIOR(BecomesAnotherLate, "becoming_another",
-               "Puts another program in the place of this one after half a second");
 ELSIE_BEHAVIOR(KillsTheProgramLate, "killing", "Kills the process after half a second");
 ELSIE_BEHAVIOR(LeavesElsewhereLate, "leaving_elsewhere",
                "Calls _exit(0) in a thread of its own after half a second");
@@ -305,15 +254,10 @@ ELSIE_BEHAVIOR(ForksAndCrashesThereLate, "forking_and_crashing",
                "Copies the process after half a second, and the copy crashes");
 ELSIE_BEHAVIOR(ForksLate, "forking", "Copies the process after half a second");
 ELSIE_BEHAVIOR(StartsAProgramLate, "starting", "Starts a program after half a second");
-ELSIE_BEHAVIOR(ForgetsHandlersLate, "forgetting_handlers",
-               "Takes back all handlers of signals, and crashes");
 ELSIE_BEHAVIOR(WritesToABrokenPipeLate, "writing_to_a_broken_pipe",
                "Writes to a pipe that nobody reads");
 ELSIE_BEHAVIOR(PrintsLate, "printing", "Prints after half a second");
 ELSIE_BEHAVIOR(RoundsLate, "rounding", "Has numbers rounded upward after half a second");
-ELSIE_BEHAVIOR(BlocksSignalsLate, "blocking", "Blocks all signals after half a second");
-ELSIE_BEHAVIOR(BlocksSignalsAndLoopsLate, "blocking_and_looping",
-               "Blocks all signals and does not return after half a second");
 ELSIE_BEHAVIOR(CrashesInElsieLate, "smashing_heap", "Damages the heap after half a second");
 ELSIE_BEHAVIOR(LeavesWhenMade, "leaving_when_made", "Calls _exit(0) when it is made");
 ELSIE_BEHAVIOR(RoundsWhenMade, "rounding_when_made", "Has numbers rounded upward when it is made");

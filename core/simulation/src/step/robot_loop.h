@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/plugin/call.h"
 #include "elsie/sharing/crew.h"
 
 #include "step/robot.h"
@@ -29,6 +30,7 @@ class RobotLoop {
   void each(std::span<const std::shared_ptr<Robot>> robots, const Work& work) {
     failed_at_ = kNone;
     const auto shared = [&](const sharing::Crew::Share& share) {
+      plugin::Call::show_thread();
       for (std::size_t i = share.first; i < share.end; ++i) {
         if (crew_.threads() == 1 || robots[i]->may_share_threads()) attempt(i, share.thread, work);
       }

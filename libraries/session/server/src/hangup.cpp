@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "elsie/base/error.h"
-#include "elsie/process/crash_report.h"
+#include "elsie/process/process_end.h"
 
 namespace elsie::server {
 namespace {
@@ -19,8 +19,9 @@ void watch(int socket, int over) {
   while (poll(both, 2, -1) < 0) {
   }
   if (both[0].revents == 0 && poll(both, 1, kPatience_ms) == 0) {
-    process::end_process("did not return after the window was gone",
-                         "the session did not end after its window was gone", base::kPluginFailed);
+    kill(getpid(), SIGQUIT);  // the thread that serves names the plugin, unless it ignores this
+    poll(both, 1, kPatience_ms);
+    process::end_with(base::kPluginFailed);
   }
 }
 

@@ -10,8 +10,7 @@
 namespace elsie::batch {
 namespace {
 
-constexpr std::size_t kLeast = 2;
-constexpr std::size_t kMost = 3;
+constexpr std::size_t kMost = 3;  // descriptors of a request
 
 /// A message with one request and room for descriptors.
 struct Message {
@@ -35,25 +34,27 @@ bool send_request(int to, const CopyRequest& request, const std::vector<int>& de
   CopyRequest sent = request;
   Message message(sent);
   const std::size_t size = descriptors.size() * sizeof(int);
-  message.header.msg_controllen = CMSG_SPACE(size);
-  cmsghdr* const attached = CMSG_FIRSTHDR(&message.header);
-  attached->cmsg_level = SOL_SOCKET;
-  attached->cmsg_type = SCM_RIGHTS;
-  attached->cmsg_len = CMSG_LEN(size);
-  std::memcpy(CMSG_DATA(attached), descriptors.data(), size);
+  message.header.msg_controllen = size > 0 ? CMSG_SPACE(size) : 0;
+  if (cmsghdr* const attached = CMSG_FIRSTHDR(&message.header)) {
+    attached->cmsg_level = SOL_SOCKET;
+    attached->cmsg_type = SCM_RIGHTS;
+    attached->cmsg_len = CMSG_LEN(size);
+    std::memcpy(CMSG_DATA(attached), descriptors.data(), size);
+  }
   return sendmsg(to, &message.header, MSG_NOSIGNAL | MSG_DONTWAIT) == sizeof(sent);
 }
 
-ReceivedRequest next_request(int from) {
+std::optional<ReceivedRequest> next_request(int from) {
   ReceivedRequest received;
   Message message(received.request);
   ssize_t size = 0;
   do {
     size = recvmsg(from, &message.header, MSG_CMSG_CLOEXEC);
   } while (size < 0 && errno == EINTR);
-  const cmsghdr* const attached =
-      size == sizeof(CopyRequest) ? CMSG_FIRSTHDR(&message.header) : nullptr;
-  if (attached && attached->cmsg_len >= CMSG_LEN(kLeast * sizeof(int))) {
+  if (size != sizeof(CopyRequest)) {
+    return std::nullopt;
+  }
+  if (const cmsghdr* const attached = CMSG_FIRSTHDR(&message.header)) {
     received.descriptors.resize((attached->cmsg_len - CMSG_LEN(0)) / sizeof(int));
     std::memcpy(received.descriptors.data(), CMSG_DATA(attached),
                 received.descriptors.size() * sizeof(int));

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <utility>
 
 #include <poll.h>
@@ -14,8 +13,9 @@
 namespace elsie::batch {
 namespace {
 
-/// The longest time for a copy, far more than it takes on a busy machine: the template was stopped.
-constexpr int kCopyTime = 3'000;  // ms
+/// The longest time for an answer, far more than it takes on a busy machine: the template was
+/// stopped.
+constexpr int kAnswerTime = 10'000;  // ms
 
 /// The two ends of the connection with a template.
 struct SocketPair {
@@ -44,19 +44,17 @@ Descriptor file_for_output() {
 
 RunTemplate::RunTemplate(const std::vector<std::string>& command, const Job& example) {
   SocketPair line;
-  // All addresses are looked up once, not in each copy; see kBindNow.
-  const bool is_set = std::getenv(kBindNow) != nullptr;
-  const std::string variable = std::string(kBindNow) + '=' + kBoundForCopies;
-  process_ = start_process(command, file_of(example), file_for_output(), line.other,
-                           is_set ? nullptr : variable.c_str());
+  process_ = start_process(command, file_of(example), file_for_output(), line.other, Binding::now);
   socket_ = std::move(line.own);
 }
 
-RunTemplate::RunTemplate(RunTemplate& loaded, const Job& example) : has_read_world_(true) {
+RunTemplate::RunTemplate(std::shared_ptr<RunTemplate> loaded, const Job& example)
+    : loaded_(std::move(loaded)) {
   SocketPair line;
   const Descriptor output = file_for_output();
   const Descriptor job = file_of(example);
-  process_ = loaded.copy({.is_template = true}, {output.get(), line.other.get(), job.get()});
+  process_ = loaded_->answer_to({.is_template = true}, {output.get(), line.other.get(), job.get()})
+                 .value_or(-1);
   socket_ = std::move(line.own);
   if (process_ < 0) {
     state_ = State::gone;
@@ -64,8 +62,10 @@ RunTemplate::RunTemplate(RunTemplate& loaded, const Job& example) : has_read_wor
 }
 
 void RunTemplate::end() {
-  if (process_ > 0) {
-    end_process_group(std::exchange(process_, -1));
+  if (const pid_t process = std::exchange(process_, -1); process > 0 && loaded_) {
+    loaded_->end_copy(process);
+  } else if (process > 0) {
+    end_process_group(process);
   }
   socket_.reset();
 }
@@ -98,38 +98,32 @@ void RunTemplate::refuse(std::string why) {
 }
 
 pid_t RunTemplate::copy(const Job& job, const Descriptor& output, const Descriptor& answer) {
-  if (has_read_world_) {
-    return copy({.run = job.run, .seed = job.seed}, {output.get(), answer.get()});
+  if (loaded_) {
+    return answer_to({.run = job.run, .seed = job.seed}, {output.get(), answer.get()}).value_or(-1);
   }
   const Descriptor file = file_of(job);
-  return copy(CopyRequest{}, {output.get(), answer.get(), file.get()});
+  return answer_to({}, {output.get(), answer.get(), file.get()}).value_or(-1);
 }
 
-pid_t RunTemplate::copy(const CopyRequest& request, const std::vector<int>& descriptors) {
+std::optional<int> RunTemplate::end_copy(pid_t worker) { return answer_to({.ended = worker}, {}); }
+
+std::optional<int> RunTemplate::answer_to(const CopyRequest& request,
+                                          const std::vector<int>& descriptors) {
   if (state_ != State::ready) {
-    return -1;
+    return std::nullopt;
   }
-  pid_t copy = -1;
-  const auto receive = [&] {
-    // Other lengths: a sentence, because there is no copy.
-    return recv(socket_.get(), &copy, sizeof(copy), MSG_DONTWAIT | MSG_TRUNC) == sizeof(copy) &&
-           copy > 0;
-  };
   if (send_request(socket_.get(), request, descriptors)) {
     pollfd answered{socket_.get(), POLLIN, 0};
-    while (poll(&answered, 1, kCopyTime) < 0 && errno == EINTR) {
+    while (poll(&answered, 1, kAnswerTime) < 0 && errno == EINTR) {
     }
-    if (receive()) {
-      return copy;
-    }
-    shutdown(socket_.get(), SHUT_RDWR);  // a copy cannot answer any more; one has perhaps done so
-    if (receive()) {
-      return copy;
+    int answer = 0;
+    if (recv(socket_.get(), &answer, sizeof(answer), MSG_DONTWAIT) == sizeof(answer)) {
+      return answer;
     }
   }
   state_ = State::gone;
   end();
-  return -1;
+  return std::nullopt;
 }
 
 }  // namespace elsie::batch

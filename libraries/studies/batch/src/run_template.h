@@ -4,14 +4,11 @@
 // process that has also read a world and made the objects of its plugins: its runs differ in their
 // seeds only. The pool starts each with a job as an example of its runs. The process reports that
 // it is ready, or why it makes no copies; see kReady and kRefused. Then it waits for requests; see
-// copy_request.h. It makes a copy with CLONE_PARENT, so that the copy is a child of the pool like
-// any other worker.
-//
-// The copy itself answers with its process number, before it does anything else, and ends if nobody
-// waits for it any more. A run that was given up before, because its template was killed or took
-// too long, is therefore not done twice.
+// copy_request.h. It makes copies by fork(), and is asked to wait for them when they have ended.
+// They end with it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,17 +27,13 @@ namespace elsie::batch {
 inline constexpr char kReady = '+';
 inline constexpr char kRefused = '-';
 
-/// A variable of the environment for the system's loader. A template has it while it starts.
-inline constexpr const char* kBindNow = "LD_BIND_NOW";
-inline constexpr const char* kBoundForCopies = "copies";
-
 class RunTemplate {
  public:
   /// Starts a program that loads the libraries of the example. Throws std::runtime_error.
   RunTemplate(const std::vector<std::string>& command, const Job& example);
   /// Copies a process that has loaded them. The copy also reads the world of the example. Throws
   /// std::runtime_error.
-  RunTemplate(RunTemplate& loaded, const Job& example);
+  RunTemplate(std::shared_ptr<RunTemplate> loaded, const Job& example);
   ~RunTemplate() { end(); }
   RunTemplate(const RunTemplate&) = delete;
   RunTemplate& operator=(const RunTemplate&) = delete;
@@ -59,14 +52,17 @@ class RunTemplate {
   std::string take_refusal() { return std::exchange(refusal_, {}); }
   /// Returns the number of a worker that has begun this job; -1 if there is none.
   pid_t copy(const Job& job, const Descriptor& output, const Descriptor& answer);
+  /// Kills a worker, if it still runs, and its process group. Returns its status as waitpid(2)
+  /// does; none: the template has ended, and the worker with it.
+  std::optional<int> end_copy(pid_t worker);
 
  private:
   enum class State { loading, ready, refused, gone };
-  pid_t copy(const CopyRequest& request, const std::vector<int>& descriptors);
+  std::optional<int> answer_to(const CopyRequest& request, const std::vector<int>& descriptors);
   void end();
 
   State state_ = State::loading;
-  bool has_read_world_ = false;
+  std::shared_ptr<RunTemplate> loaded_;  // of which this is a copy that has read a world
   pid_t process_ = -1;
   Descriptor socket_;
   std::string refusal_;

@@ -64,7 +64,7 @@ RunTemplates::Original RunTemplates::original_for(const Job& job) {
     return loaded;
   }
   const Original with_world =
-      kept(by_cell_, cell, [&] { return std::make_shared<RunTemplate>(*loaded, job); });
+      kept(by_cell_, cell, [&] { return std::make_shared<RunTemplate>(loaded, job); });
   if (!with_world) {
     return loaded;
   }

@@ -9,13 +9,13 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,6 +28,7 @@
 #include "elsie/process/process_end.h"
 
 #include "run_template.h"
+#include "start_process.h"
 #include "worker_run.h"
 
 namespace elsie::batch {
@@ -63,12 +64,6 @@ void close_all(const std::vector<int>& descriptors) {
   }
 }
 
-/// SIGTERM is blocked, in contrast to a worker that loads libraries.
-bool was_asked_to_end() {
-  sigset_t waiting;
-  return sigpending(&waiting) == 0 && sigismember(&waiting, SIGTERM) == 1;
-}
-
 bool has_children() {
   siginfo_t child{};
   return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
@@ -78,33 +73,13 @@ bool has_children() {
 /// done with the libraries.
 std::string obstacle(const Ties& before, const std::string& when) {
   const Ties now;
-  return now.threads > 1      ? "one of them started a thread when it was " + when
-         : was_asked_to_end() ? "SIGTERM came while they were " + when
-         : has_children()     ? "one of them started a process when it was " + when
+  return now.threads > 1  ? "one of them started a thread when it was " + when
+         : has_children() ? "one of them started a process when it was " + when
          : now.descriptors != before.descriptors
              ? "one of them opened or closed a file when it was " + when
          : now.shared_memory != before.shared_memory
              ? "one of them shared memory when it was " + when
              : "";
-}
-
-/// The place where the C library keeps the number of this process's only thread; null if the
-/// system does not say.
-int* place_of_thread_number() {
-  int* place = nullptr;
-  return prctl(PR_GET_TID_ADDRESS, &place) == 0 && place && *place == getpid() ? place : nullptr;
-}
-
-/// As fork(), but the copy is a child of this process's parent, and functions registered with
-/// pthread_atfork() are not called: plugins must not notice.
-pid_t copy_beside(int* thread_number) {
-  constexpr unsigned long kFlags =
-      CLONE_PARENT | CLONE_CHILD_SETTID | CLONE_CHILD_CLEARTID | SIGCHLD;
-#if defined(__x86_64__)
-  return static_cast<pid_t>(syscall(SYS_clone, kFlags, nullptr, nullptr, thread_number, 0));
-#else
-  return static_cast<pid_t>(syscall(SYS_clone, kFlags, nullptr, nullptr, 0, thread_number));
-#endif
 }
 
 /// What libraries printed while they were loaded.
@@ -125,24 +100,21 @@ void tell(const std::string& text) {
   ::send(kResultDescriptor, text.data(), text.size(), MSG_NOSIGNAL);
 }
 
+/// Answers a request.
+void answer(int number) { ::send(kResultDescriptor, &number, sizeof(number), MSG_NOSIGNAL); }
+
 [[noreturn]] void refuse_copies(const std::string& why) {
   tell(kRefused + why);
   process::end_with(base::kOtherFailure);
 }
 
-/// Whether the pool waits for this process, of which it now knows.
-bool is_awaited() {
-  const pid_t own = getpid();
-  return ::send(kResultDescriptor, &own, sizeof(own), MSG_NOSIGNAL) == sizeof(own);
-}
-
 /// In the copy: takes the place of a program that the pool has started.
-void take_place(const ReceivedRequest& received, pid_t pool, const std::string& printed) {
+void take_place(const ReceivedRequest& received, pid_t original, const std::string& printed) {
   prctl(PR_SET_NAME, received.request.is_template ? kName : kNameOfRuns);
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != pool || !is_awaited()) {
-    process::end_with(base::kOtherFailure);  // the pool has ended, or does without this process
+  if (getppid() != original) {
+    process::end_with(base::kOtherFailure);  // it has ended already
   }
   const std::vector<int>& given = received.descriptors;
   dup2(given[0], STDOUT_FILENO);
@@ -174,12 +146,6 @@ std::unique_ptr<simulation::CameraRenderer> cameras_without_copies(const world::
 /// A process that is copied.
 class Original {
  public:
-  explicit Original(pid_t pool) : pool_(pool), thread_number_(place_of_thread_number()) {
-    if (!thread_number_) {
-      refuse_copies("this system does not say what a copy of a process needs");
-    }
-  }
-
   void load(const Job& example) {
     const Ties before;
     prepared_ = std::make_unique<Preparation>(example);
@@ -188,30 +154,25 @@ class Original {
 
   /// Returns only in a copy that is a template itself.
   void serve() {
-    for (;;) {
-      const ReceivedRequest received = next_request(kResultDescriptor);
-      if (received.descriptors.empty()) {
-        process::end_with(base::kSuccess);
+    const pid_t own = getpid();
+    while (const std::optional<ReceivedRequest> received = next_request(kResultDescriptor)) {
+      if (received->request.ended > 0) {
+        answer(end_process_group(received->request.ended));
+        continue;
       }
-      const pid_t copy = copy_beside(thread_number_);
+      const pid_t copy = fork();
       if (copy == 0) {
-        take_place(received, pool_, printed_);
-        if (received.request.is_template) {
+        take_place(*received, own, printed_);
+        if (received->request.is_template) {
           return;
         }
-        if (received.descriptors.size() > 2) {
-          job_ = job_on_input();
-        } else {
-          job_.run = received.request.run;
-          job_.seed = received.request.seed;
-        }
-        do_run(job_, std::move(prepared_));
+        run(*received);
       }
-      close_all(received.descriptors);
-      if (copy < 0) {
-        tell("no copy");
-      }
+      setpgid(copy, copy);  // in the copy too; the first call counts
+      close_all(received->descriptors);
+      answer(copy);
     }
+    process::end_with(base::kSuccess);
   }
 
   /// Reads the world of an example, and makes its objects.
@@ -229,6 +190,16 @@ class Original {
   }
 
  private:
+  [[noreturn]] void run(const ReceivedRequest& received) {
+    if (received.descriptors.size() > 2) {
+      job_ = job_on_input();
+    } else {
+      job_.run = received.request.run;
+      job_.seed = received.request.seed;
+    }
+    do_run(job_, std::move(prepared_));
+  }
+
   void become_ready(const Ties& before, const std::string& when) {
     std::cout.flush();
     std::fflush(nullptr);
@@ -239,8 +210,6 @@ class Original {
     tell({kReady});
   }
 
-  pid_t pool_;
-  int* thread_number_;
   std::unique_ptr<Preparation> prepared_;
   Job job_;
   std::string printed_;
@@ -251,11 +220,11 @@ class Original {
 void stand_by() {
   prctl(PR_SET_NAME, kName);
   if (const char* const set = std::getenv(kBindNow); set && set == std::string(kBoundForCopies)) {
-    unsetenv(kBindNow);  // plugins and their children must not find it
+    unsetenv(kBindNow);  // children of plugins must not find it
   }
   process::report_crashes(base::kPluginFailed);
-  handle_requests_to_end();  // SIGTERM stays blocked, here and in copies until they begin a run
-  Original original(getppid());
+  handle_requests_to_end();
+  Original original;
   const Job example = job_on_input();
   load_engines();
   rehearse();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <stdexcept>
 #include <system_error>
 
@@ -17,49 +18,25 @@
 namespace elsie::batch {
 namespace {
 
-/// Runs in the child between vfork and exec, where only these calls are allowed. All signals are
-/// blocked, and the memory is the parent's.
-[[noreturn]] void become_worker(char* const* command, char* const* environment, int job, int output,
-                                int answer, pid_t parent) {
-  setpgid(0,
-          0);  // its own group: killed with its children, and not reached by the terminal's Ctrl-C
+/// In the child: becomes the program.
+[[noreturn]] void become(char* const* command, int input, int output, int answer, pid_t parent) {
+  // Its own group: killed with its children, and not reached by the terminal's Ctrl-C.
+  setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) {
-    _exit(127);  // the parent has ended already
+  if (getppid() == parent) {  // it has not ended already
+    for (const int number : {SIGINT, SIGHUP, SIGPIPE}) {
+      std::signal(number, SIG_DFL);
+    }
+    std::signal(SIGTERM, SIG_IGN);  // until the program handles it
+    // The sources never overlap the targets: 0 to 2 are in use, and 3 is kept free.
+    dup2(input, STDIN_FILENO);
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+    dup2(answer, kResultDescriptor);
+    execv(command[0], command);
   }
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
-    std::signal(number, SIG_DFL);
-  }
-  // Not earlier, because the parent's handlers must not run here. SIGTERM waits for the worker's
-  // handler.
-  sigset_t blocked;
-  sigemptyset(&blocked);
-  sigaddset(&blocked, SIGTERM);
-  sigprocmask(SIG_SETMASK, &blocked, nullptr);
-  // The sources never overlap the targets: 0 to 2 are in use, and 3 is kept free.
-  dup2(job, STDIN_FILENO);
-  dup2(output, STDOUT_FILENO);
-  dup2(output, STDERR_FILENO);
-  dup2(answer, kResultDescriptor);
-  execve(command[0], command, environment);
   _exit(127);
 }
-
-/// Blocks all signals in this thread during its lifetime.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 }  // namespace
 
@@ -86,18 +63,12 @@ Descriptor file_of(const Job& job) {
 }
 
 pid_t start_process(const std::vector<std::string>& command, const Descriptor& input,
-                    const Descriptor& output, const Descriptor& answer, const char* variable) {
+                    const Descriptor& output, const Descriptor& answer, Binding binding) {
   std::vector<char*> words;
   for (const std::string& word : command) {
     words.push_back(const_cast<char*>(word.c_str()));
   }
   words.push_back(nullptr);
-  std::vector<char*> variables;
-  for (char** each = environ; *each; ++each) {
-    variables.push_back(*each);
-  }
-  variables.push_back(const_cast<char*>(variable));
-  variables.push_back(nullptr);
   // Copies above the numbers that the child assigns.
   const Descriptor high_input(fcntl(input.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
   const Descriptor high_output(fcntl(output.get(), F_DUPFD_CLOEXEC, kResultDescriptor + 1));
@@ -106,18 +77,15 @@ pid_t start_process(const std::vector<std::string>& command, const Descriptor& i
     cannot_start("fcntl");
   }
   const pid_t parent = getpid();
-  pid_t child = -1;
-  {
-    const SignalsBlocked blocked;
-    // fork() copies the page tables of this process, which costs a twentieth of a short run.
-    child = vfork();
-    if (child == 0) {
-      become_worker(words.data(), variables.data(), high_input.get(), high_output.get(),
-                    high_answer.get(), parent);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (binding == Binding::now) {
+      setenv(kBindNow, kBoundForCopies, 0);
     }
+    become(words.data(), high_input.get(), high_output.get(), high_answer.get(), parent);
   }
   if (child < 0) {
-    cannot_start("vfork");
+    cannot_start("fork");
   }
   setpgid(child, child);  // in the child too; the first call counts
   return child;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -34,32 +35,21 @@ constexpr int kOtherFailure = 4;
 
 // Used in signal handlers: only write(2), and memory that is allocated already.
 
-/// Builds a line without heap memory.
+/// A line that is built without heap memory.
 class Line {
  public:
-  Line() { raw('\n').raw('!'); }  // the answer before it may be incomplete
-  Line& text(std::string_view text) {
-    for (const char c : text) {
-      if (size_ < text_.size()) {
-        text_[size_++] = c == '\t' || c == '\n' ? '?' : c;
+  Line() { raw("\n!"); }  // the answer before it may be incomplete
+  /// Adds a part; what separates parts and lines is replaced.
+  Line& part(std::string_view text, std::string_view more = "") {
+    for (const std::string_view each : {text, more}) {
+      for (const char c : each) {
+        raw(c == '\t' || c == '\n' ? "?" : std::string_view(&c, 1));
       }
     }
-    return *this;
-  }
-  Line& part() { return raw('\t'); }
-  Line& number(std::uint64_t number) {
-    std::array<char, 20> digits;
-    std::size_t count = 0;
-    do {
-      digits[count++] = static_cast<char>('0' + number % 10);
-      number /= 10;
-    } while (number != 0);
-    std::reverse(digits.begin(), digits.begin() + static_cast<std::ptrdiff_t>(count));
-    return text({digits.data(), count});
+    return raw("\t");
   }
   void send(int to) {
-    size_ = std::min(size_, text_.size() - 1);
-    raw('\n');
+    text_[size_ - 1] = '\n';  // after the last part
     for (std::size_t sent = 0; sent < size_;) {
       const ssize_t written = write(to, text_.data() + sent, size_ - sent);
       if (written <= 0 && errno != EINTR) {
@@ -70,10 +60,8 @@ class Line {
   }
 
  private:
-  Line& raw(char c) {
-    if (size_ < text_.size()) {
-      text_[size_++] = c;
-    }
+  Line& raw(std::string_view text) {
+    size_ += text.copy(text_.data() + size_, text_.size() - size_);
     return *this;
   }
 
@@ -85,15 +73,17 @@ class Line {
 void send_last_words() {
   const plugin::CallFacts known = process::facts_at_work();
   const auto text = [](const std::string* maybe) { return maybe ? std::string_view(*maybe) : ""; };
-  Line line;
-  line.text(text(known.plugin)).part().text(text(known.id)).part().text(text(known.robot)).part();
   const bool is_known = known.step != plugin::CallFacts::kNoStep;
   const Moment now = is_known ? Moment{known.step, known.time_s} : moment_at_work();
-  line.number(now.step).part();
   const int caught = process::signal_of_crash();
   const char* const name = caught != 0 ? sigabbrev_np(caught) : nullptr;
-  line.text(name ? "SIG" : "").text(name ? name : "").part();
-  line.text(base::NumberText(now.time_s).view()).send(kResultDescriptor);
+  char step[20];
+  Line line;
+  line.part(text(known.plugin)).part(text(known.id)).part(text(known.robot));
+  line.part({step, std::to_chars(step, step + sizeof(step), now.step).ptr});
+  line.part(name ? "SIG" : "", name ? name : "")
+      .part(base::NumberText(now.time_s).view())
+      .send(kResultDescriptor);
 }
 
 class LastWordsWriter final : public files::EmergencyWriter {
@@ -105,31 +95,12 @@ class LastWordsWriter final : public files::EmergencyWriter {
   }
 };
 
-void asked_to_end(int, siginfo_t* request, void*) {
-  const pid_t sender = request->si_pid;
-  if (sender == getpid()) {  // a plugin sends it to its own process
-    send_last_words();
-    std::signal(SIGTERM, SIG_DFL);
-    raise(SIGTERM);  // when this handler has returned
-    return;
-  }
-  if (sender != getppid()) {
-    // A cluster that ends a task sends SIGTERM to all of its processes. The pool also gets it, ends
-    // its workers, and stores no results of their runs. A result from here would be wrong.
-    return;
-  }
+void limit_is_met(int) {
   if (!plugin::Call::innermost()) {
     send_last_words();
   }
   process::end_process("did not return before the wall limit of the run",
                        "the run did not end before its wall limit", kPluginFailed);
-}
-
-void let_requests_come() {
-  sigset_t waiting;  // blocked since the worker started
-  sigemptyset(&waiting);
-  sigaddset(&waiting, SIGTERM);
-  sigprocmask(SIG_UNBLOCK, &waiting, nullptr);
 }
 
 [[noreturn]] void end(int exit_code) {
@@ -179,14 +150,15 @@ Job job_on_input() {
 
 void handle_requests_to_end() {
   struct sigaction action {};
-  action.sa_sigaction = asked_to_end;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  action.sa_handler = limit_is_met;
+  action.sa_flags = SA_ONSTACK;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGXCPU, &action, nullptr);
+  // Has no effect. Not ignored, because children of plugins would ignore it, too.
+  std::signal(SIGTERM, [](int) {});
 }
 
 void do_run(const Job& job, std::unique_ptr<Preparation> prepared) {
-  let_requests_come();
   LastWordsWriter last_words;
   fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
   const RunRecord record = perform(job, std::move(prepared));

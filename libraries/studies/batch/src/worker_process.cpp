@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <optional>
 #include <utility>
 
 #include <fcntl.h>
@@ -64,16 +65,17 @@ void WorkerPool::Worker::set_due(double in_s) {
 }
 
 void WorkerPool::Worker::proceed() {
-  original_ = originals_.original_for(job_);
+  original_ = has_begun_again_ ? nullptr : originals_.original_for(job_);
   if (original_ && original_->is_loading()) {
     return;
   }
   Pipe output;
   Pipe answer;
-  if (const auto original = std::exchange(original_, nullptr)) {
-    process_ = original->copy(job_, output.to, answer.to);
+  if (original_) {
+    process_ = original_->copy(job_, output.to, answer.to);
   }
   if (process_ < 0) {
+    original_ = nullptr;
     process_ = start_process(options_.command, file_of(job_), output.to, answer.to);
   }
   set_due(options_.wall_limit_s);  // a copy that was not made may have taken time
@@ -90,15 +92,28 @@ void WorkerPool::Worker::proceed() {
   answer_ = std::move(answer.from);
 }
 
+void WorkerPool::Worker::begin_again() {
+  has_begun_again_ = true;
+  log_.clear();
+  log_is_cut_ = false;
+  answered_.clear();
+  too_long_ = false;
+  hangs_ = false;
+  proceed();
+}
+
 WorkerPool::Worker::~Worker() {
   if (process_ > 0) {
     reap();
   }
 }
 
-void WorkerPool::Worker::reap() {
-  status_ = end_process_group(process_);
-  process_ = -1;
+bool WorkerPool::Worker::reap() {
+  const pid_t process = std::exchange(process_, -1);
+  const std::optional<int> status =
+      original_ ? original_->end_copy(process) : end_process_group(process);
+  status_ = status.value_or(0);
+  return status.has_value();
 }
 
 void WorkerPool::Worker::list(std::vector<pollfd>& polled) const {
@@ -140,12 +155,12 @@ void WorkerPool::Worker::read(const pollfd* polled) {
     return;
   }
   if (polled[0].revents != 0) {
-    // The process has ended, but its number is still reserved: no other group is killed. Children
-    // that it left behind must not keep the pipes open.
-    siginfo_t info{};
-    waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT);
     wall_s_ = std::chrono::duration<double>(Clock::now() - begun_).count();
-    reap();
+    // Children that it left behind must not keep the pipes open.
+    if (!reap()) {
+      begin_again();
+      return;
+    }
     ended_ = true;
     process_end_.reset();
   }
@@ -169,7 +184,7 @@ void WorkerPool::Worker::overdue(Clock::time_point now) {
     return;
   }
   hangs_ = true;
-  kill(process_, SIGTERM);
+  kill(process_, SIGXCPU);
   due_ = now + std::chrono::duration_cast<Clock::duration>(
                    std::chrono::duration<double>(options_.grace_s));
 }

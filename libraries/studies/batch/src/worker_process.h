@@ -45,19 +45,22 @@ class WorkerPool::Worker {
   RunRecord record();
 
  private:
-  bool is_waiting() const { return static_cast<bool>(original_); }
+  bool is_waiting() const { return original_ && process_ < 0 && !ended_; }
   void set_due(double in_s);
   /// Starts the process as soon as it does not have to wait.
   void proceed();
-  /// Kills the process, if it still runs, and its children.
-  void reap();
+  /// Does so after the process has ended with its template.
+  void begin_again();
+  /// Kills the process, if it still runs, and its children. Returns whether its status is known.
+  bool reap();
   void read_output();
   void read_answer();
 
   const PoolOptions& options_;
   const Job job_;
   RunTemplates& originals_;
-  std::shared_ptr<RunTemplate> original_;  // that the worker waits for
+  std::shared_ptr<RunTemplate> original_;  // of which the process is or will be a copy
+  bool has_begun_again_ = false;
   Clock::time_point begun_;
   Clock::time_point due_;
   pid_t process_ = -1;

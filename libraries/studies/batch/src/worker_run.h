@@ -14,7 +14,8 @@ inline constexpr const char* kNameOfRuns = "elsie-run";
 /// The job on standard input. Ends the process if there is none.
 Job job_on_input();
 
-/// From now on the process knows what to do when the pool asks it to end, by SIGTERM.
+/// From now on the process reports the plugin at work and ends when the pool asks it to, by
+/// SIGXCPU.
 void handle_requests_to_end();
 
 /// As work(), for this job, of which something may be prepared; see perform(). Crashes and requests

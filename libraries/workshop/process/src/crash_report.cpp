@@ -2,27 +2,23 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <mutex>
-#include <stdexcept>
 #include <string_view>
 
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <pthread.h>
 #include <sys/syscall.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "elsie/base/number_text.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
-#include "elsie/sharing/crew.h"
 #include "elsie/thrown/thrown.h"
 
 #include "loaded_libraries.h"
@@ -43,6 +39,7 @@ std::atomic<pid_t> own_process{0};  // not that of its children
 std::atomic<int> crash_signal{0};
 std::atomic<const char*> unsaid{nullptr};  // what happened, until the report says it
 std::atomic<bool> names_were_read{false};  // of the plugin, the robot and so on
+std::atomic<bool> is_elsewhere{false};     // the call that is reported is of another thread
 
 constexpr std::size_t kStackSize = 262'144;
 
@@ -63,23 +60,12 @@ constexpr Crash kCrashes[] = {
     {SIGSYS, "ended the program with a system call that is forbidden (SIGSYS)"},
 };
 
-/// Whether the signal also ends a process, but without a fault. Programs handle requests to end
-/// themselves.
-bool is_other_end(int signal) {
-  constexpr int kOthers[] = {SIGKILL, SIGSTOP, SIGINT,  SIGTERM, SIGHUP, SIGCHLD,
-                             SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH};
-  return std::find(std::begin(kOthers), std::end(kOthers), signal) == std::end(kOthers);
-}
+/// Signals that end a process without a fault of its own, and that the program does not handle.
+constexpr int kOtherEnds[] = {SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU};
 
 void write_number(std::uint64_t number) {
   char digits[20];
-  std::size_t count = 0;
-  do {
-    digits[count++] = static_cast<char>('0' + number % 10);
-    number /= 10;
-  } while (number != 0);
-  std::reverse(digits, digits + count);
-  write_error({digits, count});
+  write_error({digits, std::to_chars(digits, digits + sizeof(digits), number).ptr});
 }
 
 void write_quoted(const char* before, std::string_view text) {
@@ -97,6 +83,20 @@ bool is_plugin_at_work() {
     }
   }
   return false;
+}
+
+/// Whether a plugin is at work in this thread or, if not, in one that shares its work: then this
+/// thread takes its call, for the report.
+bool find_plugin_at_work() {
+  if (is_plugin_at_work()) {
+    return true;
+  }
+  Call* const other = Call::of_shown_threads();
+  is_elsewhere = other != nullptr;
+  if (other) {
+    Call::adopt(other);
+  }
+  return is_plugin_at_work();
 }
 
 void write_culprit(const CallFacts& facts) {
@@ -223,8 +223,10 @@ bool write_report(const char* what, const Fault& place) {
   if (files::write_in_emergency()) {
     write_error("what was recorded until then is kept\n");
   }
-  write_error("the stack, from the inside out:\n");
-  write_stack_trace(place);
+  if (!is_elsewhere) {
+    write_error("the stack, from the inside out:\n");
+    write_stack_trace(place);
+  }
   files::clean_up_in_emergency();
   return at_work || library;
 }
@@ -262,7 +264,6 @@ namespace {
   sigset_t only;
   sigemptyset(&only);
   sigaddset(&only, signal);
-  announce_end(128 + signal);
   raise(signal);
   pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
   end_with(128 + signal);
@@ -297,53 +298,17 @@ void crashed(int signal, siginfo_t* info, void* context) {
   end_by(signal);
 }
 
-/// Whether a timer of this process, or a descriptor whose signals it asked for, caused the signal.
-/// The program itself has none.
-bool is_by_timer(int signal, const siginfo_t& info) {
-  switch (info.si_code) {
-    case SI_TIMER:
-    case SI_ASYNCIO:
-    case SI_MESGQ:
-    case SI_SIGIO:
-      return true;
-    case SI_KERNEL:
-      return signal == SIGALRM || signal == SIGVTALRM || signal == SIGPROF;
-    default:
-      return signal == SIGPOLL && info.si_code > 0;
-  }
-}
-
-/// Whether this process sent the signal. A pipe that nobody reads any more is no plugin's fault
-/// unless one writes to it.
-bool is_by_itself(int signal, const siginfo_t& info) {
-  const bool is_sent =
-      info.si_code == SI_USER || info.si_code == SI_TKILL || info.si_code == SI_QUEUE;
-  return is_sent && info.si_pid == getpid() && (signal != SIGPIPE || is_plugin_at_work());
-}
-
-/// The end of a process by its own signal, if the plugins are to blame.
-void report_if_own(int signal, const siginfo_t& info, const void* context) {
-  if ((is_by_timer(signal, info) || is_by_itself(signal, info)) && may_report()) {
-    char what[64] = "ended the program with the signal ";
-    const char* const name = sigabbrev_np(signal);
-    const int above = signal - SIGRTMIN;
-    const char number[] = {static_cast<char>('0' + above / 10), static_cast<char>('0' + above % 10),
-                           '\0'};
-    std::strncat(what, name ? "SIG" : "SIGRTMIN+", sizeof(what) - std::strlen(what) - 1);
-    std::strncat(what, name ? name : number + (above < 10 ? 1 : 0),
-                 sizeof(what) - std::strlen(what) - 1);
-    write_report(what, place_of_fault(context));
-    end_with(status_of_crash);
-  }
-}
-
 void ended(int signal, siginfo_t* info, void* context) {
   if (getpid() != own_process) {
     end_by(signal);
   }
-  report_if_own(signal, *info, context);
-  if (signal == SIGQUIT && is_plugin_at_work() && may_report()) {
-    write_report("was at work when the program was told to quit (SIGQUIT)", {});
+  if (signal == SIGQUIT && find_plugin_at_work()) {
+    end_process("was at work when the program was told to quit (SIGQUIT)", "", status_of_crash);
+  }
+  // Otherwise whoever reads the program's output has ended.
+  const bool is_of_plugin = signal == SIGPIPE && info->si_pid == getpid() && is_plugin_at_work();
+  if (is_of_plugin && may_report()) {
+    write_report("ended the program with the signal SIGPIPE", place_of_fault(context));
     end_with(status_of_crash);
   }
   if (is_plugin_at_work()) {
@@ -351,43 +316,6 @@ void ended(int signal, siginfo_t* info, void* context) {
   }
   files::clean_up_in_emergency();
   end_by(signal);
-}
-
-void left_by_exit() {
-  if (is_plugin_at_work() && getpid() == own_process && may_report()) {
-    write_report("ended the program by calling exit()", {});
-    end_with(status_of_crash);
-  }
-}
-
-/// What end_process() wants reported, by the thread that is in a plugin.
-std::atomic<const char*> asked_what{nullptr};
-std::atomic<int> asked_status{0};
-
-/// Ends the process if this thread is in a plugin. Else blocks the question in this thread and asks
-/// again, so that the system chooses another one.
-void answer(int, siginfo_t*, void* context) {
-  if (is_plugin_at_work() && may_report()) {
-    write_report(asked_what, place_of_fault(context));
-    end_with(asked_status);
-  }
-  sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask, sharing::Crew::kQuestion);
-  kill(getpid(), sharing::Crew::kQuestion);
-}
-
-/// Gives the other threads time to answer. Returns if none of them is in a plugin.
-void ask_other_threads(const char* what, int exit_status) {
-  asked_what = what;
-  asked_status = exit_status;
-  handle(sharing::Crew::kQuestion, answer, SA_ONSTACK | SA_RESTART);
-  sigset_t question;
-  sigemptyset(&question);
-  sigaddset(&question, sharing::Crew::kQuestion);
-  pthread_sigmask(SIG_BLOCK, &question, nullptr);
-  kill(getpid(), sharing::Crew::kQuestion);
-  timespec patience{1, 0};
-  while (nanosleep(&patience, &patience) != 0) {
-  }
 }
 
 /// In a copy of the process, when the plugin that made it returns: two processes would continue one
@@ -404,13 +332,6 @@ void report_crashes(int exit_status) {
   prepare_stack_trace();
   thrown::watch_throws(place_of_throw);
   alignas(16) static char stack[kStackSize];
-  // Each thread that calls exit() takes one off the list. Without one it would end the process at
-  // once, before another's has reported.
-  constexpr int kMostThreads = 257;
-  static std::once_flag once;
-  std::call_once(once, [] {
-    for (int i = 0; i < kMostThreads; ++i) std::atexit(left_by_exit);
-  });
   stack_t second{};
   second.ss_sp = stack;
   second.ss_size = kStackSize;
@@ -419,22 +340,15 @@ void report_crashes(int exit_status) {
     // Not blocked in the handler: a fault in it would end the process at once.
     handle(crash.signal, crashed, SA_ONSTACK | SA_NODEFER);
   }
-  for (int signal = 1; signal <= SIGRTMAX; ++signal) {
-    struct sigaction action {};
-    if (is_other_end(signal) && sigaction(signal, nullptr, &action) == 0 &&
-        !(action.sa_flags & SA_SIGINFO) && action.sa_handler == SIG_DFL) {
+  for (const int signal : kOtherEnds) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL) {
       handle(signal, ended, 0);
     }
   }
 }
 
 void report_crashes_of_copy() { own_process = getpid(); }
-
-void report_own_signal(int signal, const siginfo_t& info, const void* context) noexcept {
-  if (getpid() == own_process) {
-    report_if_own(signal, info, context);
-  }
-}
 
 void report_exit(const char* function, int exit_code, const void* caller) noexcept {
   if (getpid() != own_process) {
@@ -451,22 +365,19 @@ void report_exit(const char* function, int exit_code, const void* caller) noexce
 }
 
 void end_process(const char* what, const char* else_say, int exit_status, Stack stack) {
-  if (stack == Stack::shown && !is_plugin_at_work()) {
-    ask_other_threads(what, exit_status);
-  }
-  // Outside of plugins, a recorder may be writing a line: its buffer is not touched.
-  if (stack == Stack::left_out && is_just_loading() && may_report()) {
-    write_error("elsie: interrupted while plugins were loaded\n");
-  } else if (may_report() && is_plugin_at_work()) {
-    if (stack == Stack::shown) {
+  const bool at_work = find_plugin_at_work();
+  if (may_report()) {
+    if (stack == Stack::left_out && is_just_loading()) {
+      write_error("elsie: interrupted while plugins were loaded\n");
+    } else if (at_work && stack == Stack::shown) {
       write_report(what, {});
-    } else {
+    } else if (at_work) {
       write_culprit_and(what, nullptr);
+    } else {  // a recorder may be writing a line: its buffer is not touched
+      write_error("elsie: ");
+      write_error(else_say);
+      write_error("\n");
     }
-  } else if (!is_plugin_at_work()) {
-    write_error("elsie: ");
-    write_error(else_say);
-    write_error("\n");
   }
   files::clean_up_in_emergency();
   end_with(exit_status);

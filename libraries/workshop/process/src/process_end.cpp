@@ -11,8 +11,6 @@
 namespace elsie::process {
 namespace {
 
-// Signal handlers can only reach globals.
-std::atomic<Announcer> announcer{nullptr};
 std::atomic<pid_t> ender{0};  // the thread that ends the process, with a report or without
 
 pid_t this_thread() { return static_cast<pid_t>(syscall(SYS_gettid)); }
@@ -40,17 +38,8 @@ bool may_report() noexcept {
   return false;
 }
 
-void set_announcer(Announcer of_program) { announcer = of_program; }
-
-void announce_end(int exit_code) noexcept {
-  if (const Announcer announce = announcer) {
-    announce(exit_code);
-  }
-}
-
 void end_with(int exit_code) noexcept {
   may_end();  // from here on, other crashes are not reported: the exit code is fixed
-  announce_end(exit_code);
   // Not _exit(): the program may define its own.
   for (;;) {
     syscall(SYS_exit_group, exit_code);

@@ -85,8 +85,6 @@ class Call {
   void start_clock() noexcept;
   /// The time of the call without the calls inside it, s. Zero without start_clock().
   double own_time_s() const noexcept;
-  /// When its clock was started, ns on the steady clock; 0: never.
-  std::int64_t begun_ns() const noexcept { return start_ns_; }
   /// Memory that was measured in this call, bytes, for measured calls around it.
   std::int64_t inner_bytes = 0;
 
@@ -96,6 +94,12 @@ class Call {
   static Call* innermost() noexcept { return innermost_; }
   /// Where other threads find this thread's innermost call, which may end at any time.
   static Call* const* place_of_innermost() noexcept { return &innermost_; }
+  /// Lets other threads see the calls of this one, until it ends. For threads that share the work
+  /// of a run.
+  static void show_thread();
+  /// The call that some shown thread is in, and may leave at any time; null: none is in a call. For
+  /// signal handlers.
+  static Call* of_shown_threads() noexcept;
   /// Gives this thread, which is about to end the process, the call of another thread.
   static void adopt(Call* innermost) noexcept { innermost_ = innermost; }
 

@@ -3,13 +3,8 @@
 
 namespace elsie::plugin {
 
-/// Called for each library. `file`: its name in crash reports, valid until `unloading`.
-struct LibraryWatch {
-  void (*loaded)(const void* code, const char* file) noexcept;  // `code`: any address in it
-  void (*unloading)(const char* file) noexcept;
-};
-
-/// Starts to call these functions. A program calls this once, early.
-void watch_libraries(const LibraryWatch& watch) noexcept;
+/// Calls this function for each library that is loaded from now on. `code`: any address in it;
+/// `file`: its name in crash reports. A program calls this once, early.
+void watch_libraries(void (*loaded)(const void* code, const char* file) noexcept) noexcept;
 
 }  // namespace elsie::plugin

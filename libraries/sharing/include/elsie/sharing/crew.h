@@ -2,11 +2,9 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -25,16 +23,13 @@ class Crew {
     std::size_t thread;
   };
 
-  /// `threads` counts the owner's thread; it is at least 1. Helpers block all signals except
-  /// kQuestion and their own faults, which they handle on a second stack. Throws std::system_error
-  /// if the system has no more threads.
+  /// `threads` counts the owner's thread; it is at least 1. Helpers block all signals except their
+  /// own faults, which they handle on a second stack. Throws std::system_error if the system has no
+  /// more threads.
   explicit Crew(std::size_t threads = 1);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
-
-  /// The signal by which the end of the process asks all threads what they are doing.
-  static constexpr int kQuestion = SIGVTALRM;
 
   std::size_t threads() const { return helpers_.size() + 1; }
 
@@ -61,7 +56,6 @@ class Crew {
   void help(std::size_t thread);
   void take_shares(std::size_t thread);
 
-  struct Stack;
   static constexpr std::uint32_t kClosed = 1u << 31;
 
   // The present work. Written by the owner before it opens the gate.
@@ -81,7 +75,6 @@ class Crew {
   std::exception_ptr failure_;
   std::size_t failed_at_ = 0;
 
-  std::vector<std::unique_ptr<Stack>> stacks_;
   std::vector<std::thread> helpers_;
 };
 

@@ -5,7 +5,7 @@ namespace elsie::batch {
 
 /// Reads the job from standard input, does it, answers on kResultDescriptor, and ends the process.
 /// Exit codes: 0 the run ended, 2 there was no job, 3 a plugin failed, 4 another failure. The
-/// process must do nothing else. If a plugin ends the process, or SIGTERM arrives because the run
+/// process must do nothing else. If a plugin ends the process, or SIGXCPU arrives because the run
 /// takes too long, the worker still reports which plugin was running.
 [[noreturn]] void work();
 

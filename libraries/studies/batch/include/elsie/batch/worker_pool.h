@@ -1,7 +1,7 @@
 // Worker processes: each does one run and ends.
 //
 // Starting a program, loading libraries and reading a world takes longer than a short run.
-// Therefore workers are copies (as by fork(2)) of a process that has done so; see run_template.h.
+// Therefore workers are copies (by fork(2)) of a process that has done so; see run_template.h.
 // Runs whose libraries cannot be loaded in this way, for example because one starts a thread while
 // it is loaded, have a worker that is a program of its own.
 //
@@ -33,14 +33,14 @@ inline constexpr int kResultDescriptor = 3;
 inline constexpr std::size_t kLogTail = 16'384;
 
 struct PoolOptions {
-  /// The worker's program and its arguments. It starts with SIGTERM blocked, until it can
-  /// distinguish the pool's SIGTERM from one of another process.
+  /// The worker's program and its arguments. It ignores SIGTERM, which schedulers send to all
+  /// processes of a task: the pool ends its workers.
   std::vector<std::string> command{};
   /// The same for the process of which workers are copies; empty: each is a program of its own.
   std::vector<std::string> template_command{};
   std::size_t workers = 1;
   double wall_limit_s = 600.0;  // of one run
-  /// After the wall limit a worker gets SIGTERM, and after this time SIGKILL.
+  /// After the wall limit a worker gets SIGXCPU, and after this time SIGKILL.
   double grace_s = 2.0;
   /// When this descriptor becomes readable, workers are killed and run() returns. -1: none.
   int stop_descriptor = -1;

@@ -6,7 +6,6 @@
 // loader.
 #pragma once
 
-#include <csignal>
 #include <thread>
 
 namespace elsie::plugin {
@@ -20,17 +19,16 @@ namespace elsie::process {
 /// and a stack trace with lines of the source if available. Data in files::EmergencyWriters is
 /// written to its files. Then:
 ///
-/// - in a plugin's code, also in a thread that a plugin has started, and when a plugin calls
-///   exit(), the process ends with `exit_status`, whatever the signal;
+/// - in a plugin's code, also in a thread that a plugin has started, the process ends with
+///   `exit_status`, whatever the signal;
 /// - elsewhere the process ends by the signal, as without this function.
 ///
 /// The same holds when the report itself crashes, as on an overwritten stack. Another thread that
 /// crashes meanwhile waits for the end. A copy of the process that a plugin makes with fork() ends
-/// silently when the plugin returns in it (Call::has_forked()). Any other signal that ends a
-/// process (SIGUSR1, SIGALRM, SIGXCPU, SIGRTMIN...) is reported in the same way if this process
-/// sent it, or one of its timers did, as only plugins do; from elsewhere it still ends the process,
-/// but after a clean-up. Requests to end it (SIGINT, SIGTERM, SIGHUP) are left to the program,
-/// which may ask report_own_signal().
+/// silently when the plugin returns in it (Call::has_forked()). SIGQUIT is reported likewise if a
+/// plugin is at work, and SIGPIPE if a plugin has written to a pipe that nobody reads. Otherwise
+/// these signals and SIGALRM, SIGUSR1, SIGUSR2 and SIGXCPU end the process after a clean-up.
+/// Requests to end it (SIGINT, SIGTERM, SIGHUP) are left to the program.
 ///
 /// Exceptions that note_throw() sees are reported with the line of the plugin that threw them
 /// (thrown::place_of_throw()).
@@ -43,26 +41,21 @@ void report_crashes(int exit_status);
 /// original. To be called by a program that has copied itself on purpose.
 void report_crashes_of_copy();
 
-/// For programs that define the C library's functions that end a process (_exit(), _Exit(),
+/// For programs that define the C library's functions that end a process (exit(), _exit(), _Exit(),
 /// quick_exit()) themselves, so that a plugin which calls one is named. Reports the call of
 /// `function` ("_exit()") like a crash, and ends the process with the exit status of crashes.
 /// `caller`: an address in the calling code, which names the library when no plugin is known to be
 /// at work. In a child made by fork(), it ends the child with `exit_code` and reports nothing.
 [[noreturn]] void report_exit(const char* function, int exit_code, const void* caller) noexcept;
 
-/// For handlers of signals that the program sets itself: ends the process with a report, like a
-/// crash, if the process sent the signal to itself, as only plugins do. Gets what the handler gets.
-void report_own_signal(int signal, const siginfo_t& info, const void* context) noexcept;
-
 /// For programs that define __cxa_throw() themselves: notes the calls that led to the exception, if
 /// a plugin is at work. Takes some microseconds then.
 void note_throw(const void* exception) noexcept;
 
-/// Ends the process like a crash, from a signal handler. If a plugin is at work, reports `what` it
-/// did: "did not return". Otherwise writes `else_say`. If this thread is in no plugin, the others
-/// are asked by sharing::Crew::kQuestion, and have a second to answer. Without the stack, none is
-/// asked, and only one line is written; while plugins are being loaded, and have been for less than
-/// a second, it says so.
+/// Ends the process like a crash, from a signal handler. If a plugin is at work in this thread, or
+/// in one that shares its work (Call::show_thread()), reports `what` it did: "did not return".
+/// Otherwise writes `else_say`. The stack is that of this thread; without it, only one line is
+/// written, and while plugins are being loaded, and have been for less than a second, it says so.
 enum class Stack { shown, left_out };
 [[noreturn]] void end_process(const char* what, const char* else_say, int exit_status,
                               Stack stack = Stack::shown);
@@ -73,9 +66,8 @@ enum class Stack { shown, left_out };
 class Watchdog {
  public:
   /// `limit_s`: the limit of a call's own time, s; positive. `exit_status`: of the process. The
-  /// report comes from the thread itself, by a signal. If a plugin has blocked all signals in it,
-  /// the process is ended without a stack trace, one second later. `what` follows the plugin's name
-  /// in the report, and must live as long as this.
+  /// report comes from the thread itself, by a signal. `what` follows the plugin's name in the
+  /// report, and must live as long as this.
   Watchdog(double limit_s, int exit_status,
            const char* what = "did not return within its time budget and was stopped");
   ~Watchdog();

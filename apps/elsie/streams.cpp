@@ -1,11 +1,5 @@
-#include "supervised.h"
+#include "streams.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <locale>
@@ -20,45 +14,12 @@
 #include <unistd.h>
 
 #include "elsie/output/clean_text.h"
-#include "elsie/process/process_end.h"
-
-#include "../supervisor/channel.h"
 
 namespace elsie::program {
 
 namespace {
 
-using elsie::supervisor::Message;
-
-// A signal handler can only reach globals.
-int channel = -1;
-Message final_message;
 int kept_output = STDOUT_FILENO;
-
-/// The first number for descriptors that plugins should not find.
-constexpr int kHigh = 200;
-
-void announce(int exit_code) noexcept {
-  final_message.process = getpid();  // different in a copy of the process
-  final_message.exit_code = exit_code;
-  while (write(channel, &final_message, sizeof(final_message)) < 0 && errno == EINTR) {
-  }
-}
-
-/// "DESCRIPTOR:TOKEN".
-bool read_variable(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) {
-    return false;
-  }
-  const auto whole = [](std::string_view part, auto& number) {
-    const auto read = std::from_chars(part.data(), part.data() + part.size(), number);
-    return read.ec == std::errc() && read.ptr == part.data() + part.size();
-  };
-  return whole(text.substr(0, colon), channel) &&
-         whole(text.substr(colon + 1), final_message.token) &&
-         fcntl(channel, F_SETFD, FD_CLOEXEC) == 0;
-}
 
 std::ostream* made_stream(std::streambuf* buffer) {
   auto* const made = new std::ostream(buffer);
@@ -109,21 +70,7 @@ class CleanBuffer final : public std::streambuf {
   std::string text_;
 };
 
-std::string& path() {
-  static std::string program;
-  return program;
-}
-
 }  // namespace
-
-void meet_supervisor() {
-  char* const variable = std::getenv(elsie::supervisor::kVariable);
-  if (variable && read_variable(variable)) {
-    process::set_announcer(announce);
-    std::fill_n(variable, std::strlen(variable), ' ');  // /proc/self/environ would show it for ever
-  }
-  unsetenv(elsie::supervisor::kVariable);
-}
 
 std::ostream& out() {
   // Never destroyed: it is used until the process ends, and flushed before.
@@ -148,10 +95,7 @@ std::ostream& data_out() {
 int out_descriptor() { return kept_output; }
 
 void keep_output(int count, char** arguments) {
-  int kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, kHigh);
-  if (kept < 0) {
-    kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  }
+  const int kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   if (kept < 0) {
     return;  // closed: writing will fail and report it
   }
@@ -175,14 +119,6 @@ void keep_output(int count, char** arguments) {
   }
 }
 
-const std::string& program_path() { return path(); }
-
-void set_program_path(const char* first_argument) {
-  std::error_code error;
-  // Without the supervisor, the path of the program itself.
-  path() = std::string_view(first_argument).starts_with('/')
-               ? first_argument
-               : std::filesystem::read_symlink("/proc/self/exe", error).string();
-}
+std::string program_path() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace elsie::program

@@ -1,15 +1,10 @@
-// The program under its supervisor (apps/supervisor): announces its exit code, and keeps plugins'
-// output apart from its answers.
+// The program's answers, kept apart from what plugins print.
 #pragma once
 
 #include <iosfwd>
 #include <string>
 
 namespace elsie::program {
-
-/// Finds the supervisor's pipe, if there is one, and announces the exit codes of this process on
-/// it. Must be called first, before anything is loaded.
-void meet_supervisor();
 
 /// The stream for the program's answers in words: the original standard output. It cleans them by
 /// output::clean(), because names and messages may come from files of any origin. Plugins that
@@ -20,7 +15,7 @@ std::ostream& out();
 std::ostream& data_out();
 /// Standard error, cleaned likewise.
 std::ostream& err();
-/// The descriptor of out(), for signal handlers and terminal queries.
+/// The descriptor of out(), for terminal queries.
 int out_descriptor();
 
 /// Keeps standard output for out(), and redirects its number to standard error. Changes `arguments`
@@ -28,9 +23,7 @@ int out_descriptor();
 /// plugins are loaded.
 void keep_output(int count, char** arguments);
 
-/// The path of the program that the user started, which is the supervisor's.
-const std::string& program_path();
-/// Must be called with argv[0] before plugins are loaded.
-void set_program_path(const char* first_argument);
+/// The file of this program.
+std::string program_path();
 
 }  // namespace elsie::program
