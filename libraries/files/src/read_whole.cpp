@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <unistd.h>
+
 namespace elsie::files {
 namespace {
 
@@ -44,6 +46,9 @@ std::string why_unreadable(const fs::path& file, std::uintmax_t most) {
   const std::uintmax_t size = fs::file_size(file, error);
   if (!error && size > most) {
     return "is " + megabytes(size) + " long; files of up to " + megabytes(most) + " are read";
+  }
+  if (access(file.c_str(), R_OK) != 0) {
+    return "cannot be read: " + std::generic_category().message(errno);
   }
   return "";
 }
