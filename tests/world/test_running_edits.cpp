@@ -62,7 +62,7 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
            {{"robot[r2]/@remove=true"}, {true, true}},
            {{"robot[+1]=<robot id=\"r0\" x=\"4\"/>"}, {false, true, true, true}},
            {{"robot[*]/@max_speed=0.1"}, {false, false, false}},
-           {{"coordinator/@weighted/@remove=true"}, {false, true, true}},
+           {{"coordinator/@weighted/@remove=true"}, {false, false, false}},
            {{"obstacle[+]=<static_box x=\"3\" y=\"3\"/>"}, {true, true, true}},
            {{"obstacle[1]/@x=4", "resource[+]=<resource x=\"-3\"/>"}, {true, true, true}},
            {{"physics/@step=0.02", "@name=other", "goal[2]/@time=7"}, {true, true, true}},
@@ -87,7 +87,7 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
 
 TEST_CASE("What no edit leads to must still have what it refers to") {
   CHECK(why_not({"robot[r3]/@remove=true"}) ==
-        "robot=\"r3\" of <reach>: there is no such robot; there are: r1, r2");
+        "robot=\"r3\" of <reach>: there is no such robot; did you mean 'r1'?");
   CHECK(why_not({"team[green]/@remove=true"}).find("there is no such team") != std::string::npos);
   CHECK(why_not({"obstacle[dynamic_box_1]/@id=other"}).find("there is no such box") !=
         std::string::npos);
