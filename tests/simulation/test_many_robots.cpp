@@ -129,7 +129,7 @@ TEST_CASE("Each edit makes the objects of the robots that it leads to, and no ot
 }
 
 TEST_CASE("A robot's energy is no more than its battery holds, whatever else is edited") {
-  Simulation simulation = of("");
+  Simulation simulation = test::of("");
   using Edits = std::vector<simulation::Change>;
   const auto is_refused = [&](const Edits& edits) {
     return !why_not([&] { simulation.change(edits); }).empty();
