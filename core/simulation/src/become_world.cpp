@@ -361,9 +361,9 @@ void Simulation::Impl::become(world::World next, Becoming& becoming) {
   becoming.may_cause_warnings = has_new_bodies;
   for (std::size_t i = 0; i < robots_.size() && !has_new_bodies; ++i) {
     if (pairs.stays(i)) continue;
-    const world::Robot &old = was.robots[pairs.place(i)], &next = world_.robots[i];
-    is_placed = is_placed || new_place(old, next, becoming);
-    becoming.may_cause_warnings |= old.max_speed != next.max_speed;
+    const world::Robot &old = was.robots[pairs.place(i)], &robot = world_.robots[i];
+    is_placed = is_placed || new_place(old, robot, becoming);
+    becoming.may_cause_warnings |= old.max_speed != robot.max_speed;
   }
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, becoming));
   become_measures(was, becoming);
