@@ -193,8 +193,11 @@ TEST_CASE("A behaviour that was added acts, and the others keep their objects") 
   advance(simulation, 5);
   CHECK(simulation.robot(1).trace[0].member->trace.asked);
   CHECK(notes_of_r2() == 0);
-  // One that is replaced under its id says that it has lost its memory.
+  // One of the same plugin stays. One that is replaced under its id says that it has lost its
+  // memory.
   simulation.change("robot[r2]/behavior[second]", "<wander restlessness=\"4\"/>");
+  CHECK(notes_of_r2() == 0);
+  simulation.change("robot[r2]/behavior[second]", "<go_to_point x=\"1\" y=\"1\"/>");
   REQUIRE(notes_of_r2() == 1);
   CHECK(std::any_of(simulation.notes().begin(), simulation.notes().end(),
                     [](const simulation::Note& note) { return note.plugin == "second"; }));

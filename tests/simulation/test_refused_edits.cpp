@@ -85,9 +85,9 @@ TEST_CASE("A change for later of a world that no file could hold is refused in a
   world.boxes[0].id = "two words";
   const Simulation simulation(world, shipped());
   const std::string why = why_not([&] {
-    simulation.check(std::vector<TimedChange>{{1.0, {"arena/@length", "7"}}});
+    simulation.check(std::vector<TimedChange>{{1.0, {"obstacle[1]/@y", "2"}}});
   });
-  CHECK(why.starts_with("at 1 s, arena/@length=7: "));
+  CHECK(why.starts_with("at 1 s, obstacle[1]/@y=2: "));
 }
 
 TEST_CASE("Observers hear of an edit that was made before another one is refused") {

@@ -1,6 +1,7 @@
 #include "authoring/authoring.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QClipboard>
 #include <QInputDialog>
 #include <QMenu>
@@ -51,12 +52,13 @@ std::vector<std::pair<QString, QString>> Authoring::other_shapes() {
   for (const char* const each : kBoxShapes) {
     const QString shape = each;
     if (shape == "box") continue;
-    const auto letter =
-        std::find_if(shape.begin(), shape.end(), [&](QChar one) { return !taken.contains(one); });
-    QString name = shape;
-    if (letter != shape.end()) {
+    QString name = QCoreApplication::translate("Shapes", each);
+    const auto letter = std::find_if(name.begin(), name.end(), [&](QChar one) {
+      return one.isLower() && !taken.contains(one);
+    });
+    if (letter != name.end()) {
       taken += *letter;
-      name.insert(letter - shape.begin(), '&');
+      name.insert(letter - name.begin(), '&');
     }
     shapes.emplace_back(shape, name);
   }

@@ -356,12 +356,16 @@ void Simulation::Impl::become(world::World next, Becoming& becoming) {
   become_changes(was);
   become_robots(pairs, becoming);
   if (!becoming.problems().empty()) return;
-  bool moves_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);
-  for (std::size_t i = 0; i < robots_.size() && !moves_bodies; ++i) {
-    moves_bodies =
-        !pairs.stays(i) && new_place(was.robots[pairs.place(i)], world_.robots[i], becoming);
+  const bool has_new_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);
+  bool is_placed = false;
+  becoming.may_cause_warnings = has_new_bodies;
+  for (std::size_t i = 0; i < robots_.size() && !has_new_bodies; ++i) {
+    if (pairs.stays(i)) continue;
+    const world::Robot &old = was.robots[pairs.place(i)], &robot = world_.robots[i];
+    is_placed = is_placed || new_place(old, robot, becoming);
+    becoming.may_cause_warnings |= old.max_speed != robot.max_speed;
   }
-  if (moves_bodies) check_room(was, become_bodies(pairs, becoming));
+  if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, becoming));
   become_measures(was, becoming);
   become_goals(was);
   cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, becoming.problems());
@@ -551,7 +555,7 @@ void Simulation::Impl::settle(Becoming& becoming) {
   const Statements& said = becoming.said();
   said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());
-  note_new_warnings(world_, time_s(), said_.notes);
+  if (becoming.may_cause_warnings) note_new_warnings(world_, time_s(), said_.notes);
   ++renewals_;
   becoming.undo().settle();
 }

@@ -52,6 +52,9 @@ class Becoming {
   std::vector<base::Problem>& problems() { return problems_; }
   Statements& said() { return said_; }
 
+  /// Whether the physics may have something new to warn of: it looks at bodies and speeds.
+  bool may_cause_warnings = false;
+
   /// Notes that a new object replaces the one with this id.
   void note_lost(const std::string& robot, const std::string& id) {
     said_.notes.push_back(
