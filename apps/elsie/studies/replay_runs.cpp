@@ -31,6 +31,7 @@ namespace fs = std::filesystem;
 using experiment::Labels;
 using report::Results;
 using report::Run;
+using report::RunState;
 
 namespace {
 
@@ -186,6 +187,17 @@ std::vector<std::string> command_for(const Repeated& one, const RunsAgainOptions
   return words;
 }
 
+/// Whether a run that crashed or hung was reported to do so again: in the same step of the same
+/// plugin, by the same signal. The replay itself cannot compare, because its process ended.
+bool fails_again(const Run& run, const std::string& output) {
+  const auto says = [&](const std::string& text) { return output.find(text) != output.npos; };
+  return run.plugin && (run.state == RunState::crash || run.state == RunState::hang) &&
+         says("elsie: plugin '" + *run.plugin + "'") &&
+         (!run.robot || says(" of robot '" + *run.robot + "'")) &&
+         (!run.step || says(" in step " + std::to_string(*run.step) + " (")) &&
+         (!run.signal || says("(" + *run.signal + ")"));
+}
+
 /// The line of a replay's output that says whether the result is the same; else its first line.
 std::string verdict_in(const std::string& output) {
   for (const char* const begin : {"the same: ", "not the same"}) {
@@ -212,7 +224,9 @@ bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
       Repeated& one = all[i];
       const auto result = process::run_process(command_for(one, options), stop.get_token());
       one.exit_code = result ? result->exit_code : kOtherFailure;
-      one.verdict = result ? verdict_in(result->output) : "the program cannot be started again";
+      one.verdict = !result                                 ? "the program cannot be started again"
+                    : fails_again(*one.run, result->output) ? "the same: " + one.run->message
+                                                            : verdict_in(result->output);
       if (!options.quiet && !stop.stop_requested()) {
         const std::lock_guard<std::mutex> lock(printing);
         out() << "run " << one.run->id << ", " << one.name << ": " << one.verdict << '\n'
