@@ -11,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/colours.h"
 #include "elsie/api/measure.h"
 #include "elsie/simulation/measures.h"
 #include "elsie/world/error.h"
@@ -70,6 +71,7 @@ struct Run {
       : scripted([this](const Perception& now) { return Response(drive(now)); }) {
     scripted.host.add(measure_declaration(script));
     world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+    world.teams = {{"red", world::kRedTeam}, {"blue", world::kBlueTeam}};  // as every file has
     world.limits.time = 1.0;
     world.measures = std::move(measures);
   }

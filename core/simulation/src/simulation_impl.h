@@ -174,6 +174,7 @@ class Simulation::Impl {
     for (const auto& robot : robots_) {
       robot->replace(swap, *cameras_);
     }
+    if (start_) start_ = std::make_shared<const world::World>(swap.adapted(*start_));
     Replacement replacement = swap.settle();
     changes_.emplace(world_, host, options_);
     host_ = &host;

@@ -50,6 +50,8 @@ addEventListener("load", () => {
     .map((v) => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
     .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
   const ground = (element) => {
+    // A label in a map has its own ground around its letters.
+    if (element.getAttribute("paint-order") === "stroke") return parts(getComputedStyle(element).stroke);
     // A tile's text comes after its tile.
     const tile = element.tagName === "text" ? element.previousElementSibling?.getAttribute("fill") : null;
     if (tile?.startsWith("#")) return [1, 3, 5].map((at) => parseInt(tile.slice(at, at + 2), 16));

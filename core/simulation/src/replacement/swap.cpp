@@ -70,7 +70,41 @@ std::map<std::string, std::string> default_files(const Declaration& declaration,
   return found;
 }
 
+/// Removes what is not declared, and adds default files; calls `removed` for each thing that goes.
+void adapt(world::PluginUse& use, const Declaration& declaration, const world::Files& files,
+           const std::function<void(const std::string&)>& removed) {
+  strip(declaration, use.parameters, use.elements, removed);
+  std::erase_if(use.file_names,
+                [&](const auto& named) { return !use.parameters.contains(named.first); });
+  for (const auto& [name, file] : default_files(declaration, use.parameters, files)) {
+    use.parameters[name] = file;
+    use.file_names[name] = {file, ""};
+  }
+}
+
 }  // namespace
+
+world::World Swap::adapted(world::World world) const {
+  const world::Files files("", data_directories_);
+  const auto fit = [&](PluginKind kind, world::PluginUse& use) {
+    if (const Declaration* const fresh = host_.find(kind, use.plugin)) {
+      adapt(use, *fresh, files, [](const std::string&) {});
+    }
+  };
+  const std::function<void(world::Coordination&)> fit_all = [&](world::Coordination& all) {
+    for (world::BehaviorUse& use : all.behaviors) {
+      fit(PluginKind::behavior, use);
+      for (world::Coordination& inside : use.inside) fit_all(inside);
+    }
+    if (all.coordinator) fit(PluginKind::coordinator, *all.coordinator);
+  };
+  for (world::Robot& robot : world.robots) {
+    for (world::SensorUse& use : robot.sensors) fit(PluginKind::sensor, use);
+    fit_all(robot);
+    if (robot.drive) fit(PluginKind::drive, *robot.drive);
+  }
+  return world;
+}
 
 bool Swap::exchange(PluginObject& object, const std::string& path) {
   const Declaration* const fresh = host_.find(object.kind, object.use->plugin);
@@ -101,21 +135,14 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
 /// Adapts the parameters to the new declaration.
 void Swap::fit(PluginObject& object, const std::string& path) {
   const Declaration& declaration = *object.declaration;
-  const world::Files files("", data_directories_);
   // The simulation owns the robot; all others only read it.
   auto& use = const_cast<world::PluginUse&>(*object.use);
   undo_.keep(use.parameters, use.elements, use.file_names);
-  strip(declaration, use.parameters, use.elements, [&](const std::string& what) {
+  adapt(use, declaration, world::Files("", data_directories_), [&](const std::string& what) {
     replacement_.notes.push_back("robot '" + robot_ + "', " + path + ": " + what +
                                  " is no longer declared by " + declaration.name +
                                  " and was left out");
   });
-  std::erase_if(use.file_names,
-                [&](const auto& named) { return !use.parameters.contains(named.first); });
-  for (const auto& [name, file] : default_files(declaration, use.parameters, files)) {
-    use.parameters[name] = file;
-    use.file_names[name] = {file, ""};
-  }
   require(declaration.parameters, use.parameters, "");
   for (const ElementValue& element : use.elements) {
     require(find_declared(declaration.elements, element.element)->parameters, element.parameters,

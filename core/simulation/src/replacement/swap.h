@@ -39,6 +39,9 @@ class Swap {
   /// ReplacementRefused.
   bool exchange(PluginObject& object, const std::string& path);
 
+  /// The world with the parameters that the plugins of the new host still declare.
+  world::World adapted(world::World world) const;
+
   /// Runs code of an exchanged object; its exceptions become a ReplacementRefused.
   template <class Action>
   void run(const PluginObject& object, const std::string& path, Action action) const {
