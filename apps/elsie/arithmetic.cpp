@@ -19,6 +19,9 @@ namespace elsie::program {
 namespace {
 
 constexpr const char* kTunables = "GLIBC_TUNABLES";
+/// The process that was started again, in case the system takes the settings away, as it does from
+/// programs with special rights.
+constexpr const char* kTried = "ELSIE_ARITHMETIC";
 constexpr std::string_view kFeatures = "glibc.cpu.hwcaps=";
 constexpr std::string_view kOurs = "-AVX,-AVX2,-FMA,-FMA4";
 
@@ -45,10 +48,15 @@ std::string with_ours(std::string_view all) {
 void fix_arithmetic(char** arguments) {
   const char* const given = std::getenv(kTunables);
   const std::string settings = with_ours(given ? given : "");
-  if (given && given == settings) {
+  const std::string self_number = std::to_string(getpid());
+  const char* const tried = std::getenv(kTried);
+  const bool is_second = tried && tried == self_number;
+  unsetenv(kTried);
+  if ((given && given == settings) || is_second) {
     return;
   }
   setenv(kTunables, settings.c_str(), 1);
+  setenv(kTried, self_number.c_str(), 1);
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   execv(self.c_str(), arguments);
   std::cerr << "elsie: '" << self

@@ -23,3 +23,11 @@ __attribute__((noreturn, visibility("default"))) void quick_exit(int exit_code) 
   report_exit("quick_exit()", exit_code, __builtin_return_address(0));
 }
 }
+
+namespace {
+
+/// errx() and others of the C library call its own exit(), which runs this. The program itself
+/// always ends by process::end_with().
+__attribute__((destructor)) void leave() { report_exit("exit()", 0, nullptr); }
+
+}  // namespace

@@ -228,7 +228,7 @@ TEST_CASE("Names are only text, whatever they contain") {
 
 TEST_CASE("Worlds are drawn without their plugins") {
   const std::string html = Made(made_from({{1, 2}})).html();
-  CHECK(count(html, "<g><title>run ") == 2);  // paths
+  CHECK(count(html, "</title><path") >= 2);
   CHECK_THAT(html, Contains("10 m \xc3\x97 10 m"));
 }
 

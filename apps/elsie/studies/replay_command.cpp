@@ -43,8 +43,8 @@ Examples:
   elsie replay speed.sqlite --where "max_speed=0.2; outcome=failure" --record failures
 
 Exit codes for a run of a database: 0 the same result; 1 another result; 2 bad input; 3 a plugin
-failed in another way than before, or it crashed or hung, as before or not; 4 anything else. For a recording: 0, or 2 when it cannot be read or is
-damaged.
+failed in another way than before, or the run crashed or hung; 4 anything else. For a recording:
+0, or 2 when it cannot be read or is damaged.
 )";
 
 // Help groups the options for one kind of file under these words.

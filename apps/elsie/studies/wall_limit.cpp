@@ -1,5 +1,6 @@
 #include "wall_limit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 
@@ -21,9 +22,11 @@ volatile std::sig_atomic_t is_met = 0;
 
 /// Sends SIGALRM after this time (s), to the thread of the run: helpers block signals.
 void set_timer(double seconds) {
+  constexpr long kMicro = 1'000'000;
+  const long micros = seconds > 0.0 ? std::max(1L, std::lround(kMicro * seconds)) : 0L;
   itimerval times{};
-  times.it_value.tv_sec = static_cast<time_t>(seconds);
-  times.it_value.tv_usec = std::lround(1e6 * (seconds - std::floor(seconds)));
+  times.it_value.tv_sec = micros / kMicro;
+  times.it_value.tv_usec = micros % kMicro;
   setitimer(ITIMER_REAL, &times, nullptr);
 }
 

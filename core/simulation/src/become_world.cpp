@@ -111,18 +111,17 @@ class Simulation::Impl::Pairs {
     return same_around_ && !is_new(robot) && &was_.robots[places_[robot]] == &next_.robots[robot] &&
            commons_.number_of(places_[robot]) == next_commons_.number_of(robot);
   }
-  /// The world before the edit, without the robots that are still in it.
-  std::shared_ptr<const world::World> past() const {
+  /// The robots of the world before that are not in the next one as they were.
+  sharing::List<world::Robot> gone() const {
     std::vector<bool> is_gone(was_.robots.size(), true);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (!is_new(i)) is_gone[places_[i]] = &was_.robots[places_[i]] != &next_.robots[i];
     }
-    const auto past = std::make_shared<world::World>(was_);
-    past->robots.clear();
+    sharing::List<world::Robot> gone;
     for (std::size_t k = 0; k < is_gone.size(); ++k) {
-      if (is_gone[k]) past->robots.share(was_.robots, k);
+      if (is_gone[k]) gone.share(was_.robots, k);
     }
-    return past;
+    return gone;
   }
 
  private:
@@ -329,14 +328,17 @@ void Simulation::Impl::become(world::World next, Becoming& becoming) {
     neighbours_.emplace(world_.arena);
   };
   undo.add([this, before, renew] {
-    own_world_ = *before;
+    std::swap(own_world_, *before);  // what the old objects look at has its place again
     past_.pop_back();
     renew();
   });
   undo.keep(start_, time_limit_s_, base_time_s_, base_steps_, own_changes_);
   undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_starts_);
   const Pairs pairs(was, world_);
-  past_.push_back(pairs.past());
+  past_.push_back(before);
+  becoming.settling([this, before, gone = pairs.gone()] {
+    if (start_ != before) before->robots = gone;  // the others are in the new world
+  });
   if (!start_) start_ = before;
   renew();
   time_limit_s_ = options_.time_limit_s.value_or(world_.limits.time);
@@ -557,7 +559,7 @@ void Simulation::Impl::settle(Becoming& becoming) {
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());
   if (becoming.may_cause_warnings) note_new_warnings(world_, time_s(), said_.notes);
   ++renewals_;
-  becoming.undo().settle();
+  becoming.settle();
 }
 
 }  // namespace elsie::simulation

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "elsie/world/error.h"
 #include "elsie/world/markup.h"
 #include "elsie/world/world_tree.h"
 
@@ -41,7 +42,12 @@ class Between {
  private:
   void differ(const Element& a, const Element& b) {
     const std::string& path = from_.meaning(a).path;
-    if (!path.empty() && !have_same_parts(a, b)) {
+    if (path.empty() && !have_same_parts(a, b)) {
+      throw world::WorldError({{"", 0,
+                                "no edits lead from the running world to this one; reset the run "
+                                "to begin with this one"}});
+    }
+    if (!have_same_parts(a, b)) {
       edits.push_back(path + "=" + markup_of(pruned(b)));
       return;
     }

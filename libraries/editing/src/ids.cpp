@@ -40,7 +40,7 @@ class GivenIds {
   /// Gives ids to those that would lose their name (`is_taken`: would get one that is used for
   /// another); returns whether there were any.
   bool give(Element& element, const Element& next, bool has_template, bool is_taken) {
-    has_template |= element.find("template") != nullptr;
+    has_template |= element.name == "robot" && element.find("template");
     Attribute* const id = const_cast<Attribute*>(element.find("id"));
     bool gives = false;
     if (id && id->completed && id->value != next.value("id")) {

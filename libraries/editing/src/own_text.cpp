@@ -101,7 +101,7 @@ Element OwnText::of(Element& wanted, const Element* before, const Element* raw, 
   if (raw && before && alike(wanted, *before) && same_with_ids(wanted, *before)) {
     return *raw;
   }
-  if (raw && !base && raw->find("template")) {
+  if (raw && !base && raw->name == "robot" && raw->find("template")) {
     const Element inherited = template_of(*raw);
     return of(wanted, before, raw, &inherited, meaning);
   }

@@ -49,6 +49,13 @@ class Becoming {
   /// The time of the edit: "2.5 s".
   const std::string& time() const { return time_; }
   Undo& undo() { return undo_; }
+  /// Sets what settle() does besides.
+  void settling(std::function<void()> action) { settling_ = std::move(action); }
+  /// Keeps the edit.
+  void settle() {
+    undo_.settle();
+    if (settling_) settling_();
+  }
   std::vector<base::Problem>& problems() { return problems_; }
   Statements& said() { return said_; }
 
@@ -93,6 +100,7 @@ class Becoming {
   std::uint64_t seed_;
   std::string time_;
   Undo undo_;
+  std::function<void()> settling_;
   std::vector<base::Problem> problems_;
   Statements said_;
   std::set<std::pair<std::string, std::string>> asked_;  // of robots

@@ -26,13 +26,15 @@ std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits
   return changes;
 }
 
-/// Whether these edits of a document have the same meaning in its run, which has neither templates
-/// nor layouts. In edits made together there, numbers in paths count removed elements, too.
-bool are_of_run(const std::vector<std::string>& edits) {
-  return !edits.empty() && std::none_of(edits.begin(), edits.end(), [&](const std::string& edit) {
-    return world::concern_of(edit) == world::Concern::templates || world::is_about_layouts(edit) ||
-           (edits.size() > 1 && changes_of({edit}).front().path.ends_with("@remove"));
-  });
+/// Whether these edits of a document have the same meaning in its run, which has no templates, and
+/// what layouts draw instead of these. In edits made together there, numbers in paths count removed
+/// elements, too.
+bool are_of_run(const std::vector<std::string>& edits, const world::World& world) {
+  return !edits.empty() && !world.drawn &&
+         std::none_of(edits.begin(), edits.end(), [&](const std::string& edit) {
+           return world::concern_of(edit) == world::Concern::templates ||
+                  (edits.size() > 1 && changes_of({edit}).front().path.ends_with("@remove"));
+         });
 }
 
 std::filesystem::path folder_of(const std::string& file) {
@@ -155,7 +157,7 @@ void Server::Impl::change(const std::function<editing::Undo()>& make,
       restart(seed_);
     } else {
       const std::vector<std::string> made =
-          are_of_run(edits) ? edits : editing::edits_between(*before, document_->world());
+          are_of_run(edits, *before) ? edits : editing::edits_between(*before, document_->world());
       change_run(before_there ? editing::edits_between(*before_there, *world_of_run()) : made,
                  made);
     }

@@ -83,6 +83,11 @@ void WorkerPool::Worker::proceed() {
   process_end_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   if (!process_end_) {
     const int error = errno;
+    if (error == ESRCH && original_) {  // the template ended, and its copy with it
+      process_ = -1;
+      begin_again();
+      return;
+    }
     reap();
     errno = error;
     cannot_start("pidfd_open");

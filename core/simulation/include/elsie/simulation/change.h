@@ -3,7 +3,7 @@
 // A user may make any edit of the world between two steps, with the same paths and texts as
 // world::ReadOptions::overrides, except for `format`.
 //
-// Some edits are made in place: attributes with a function in world::LiveRobot, and parameters of
+// Some edits are made in place: attributes that the vocabulary marks as live, and parameters of
 // plugins unless their declaration forbids it (ParameterFacts::live). The plugin then keeps what it
 // remembers, and its random stream continues. For all other edits, the new world is read and
 // checked like a file, and the simulation becomes that world: it recreates what the edit affects,
