@@ -155,13 +155,13 @@ TEST_CASE("A copy of the process that crashes does not speak for the program") {
 TEST_CASE("A crash outside of plugins, after one has damaged the heap, says where to look") {
   TrespassersWorld world;
   const auto run = world.run("smashing_heap");
-  // The damage shows, depending on the allocator, in the plugin's next call or outside.
+  // The damage shows, depending on the allocator, in the next call of a plugin or outside.
   const bool is_noticed_outside = run.exit_code >= 128;
   CHECK((run.exit_code == 3 || is_noticed_outside));
   CHECK(run.out.empty());
-  CHECK_THAT(run.err, Contains(is_noticed_outside
-                                   ? "if a plugin has written over memory that is not its own"
-                                   : "plugin 'smashing_heap' of robot 'r1' ended the program"));
+  CHECK_THAT(run.err,
+             Contains(is_noticed_outside ? "if a plugin has written over memory that is not its own"
+                                         : "' of robot 'r1' ended the program"));
 }
 
 TEST_CASE("A copy of the process ends, and the plugin that made it has failed") {

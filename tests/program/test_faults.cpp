@@ -109,10 +109,8 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
                Contains("elsie: plugin '" + expected.plugin + "' of robot 'r1' ended the program"));
     CHECK_THAT(run.err, Contains(expected.what) && Contains(" in step 50 (at 0.5 s)\n"));
     CHECK_THAT(run.err, Contains("the stack, from the inside out:\n") && Contains("faulty.so+0x"));
-    // It ends where Elsie's code begins, which called the plugin; the program also sees throws.
+    // It ends where Elsie's code begins, which called the plugin.
     CHECK_THAT(run.err, !Contains("libelsie.so"));
-    const std::size_t own = run.err.rfind("  elsie+0x");
-    CHECK((own == std::string::npos || own < run.err.rfind("faulty.so+0x")));
     CHECK_THAT(run.err, Contains("what was recorded until then is kept\nthe stack"));
     CHECK(world.rows() == 51);
     CHECK_THAT(world.here.read("run.mcap"),

@@ -115,6 +115,7 @@ void take_place(const ReceivedRequest& received, pid_t original, const std::stri
   if (getppid() != original) {
     process::end_with(base::kOtherFailure);  // it has ended already
   }
+  answer(getpid());  // only now, so that the pool knows no process without its name and its group
   const std::vector<int>& given = received.descriptors;
   dup2(given[0], STDOUT_FILENO);
   dup2(given[0], STDERR_FILENO);
@@ -170,9 +171,10 @@ class Original {
         run(*received);
       }
       prctl(PR_SET_NAME, kName);
-      setpgid(copy, copy);  // in the copy too; the first call counts
       close_all(received->descriptors);
-      answer(copy);
+      if (copy < 0) {
+        answer(copy);
+      }
     }
     process::end_with(base::kSuccess);
   }
