@@ -110,6 +110,7 @@ void answer(int number) { ::send(kResultDescriptor, &number, sizeof(number), MSG
 
 /// In the copy: takes the place of a program that the pool has started.
 void take_place(const ReceivedRequest& received, pid_t original, const std::string& printed) {
+  prctl(PR_SET_NAME, received.request.is_template ? kName : kNameOfRuns);
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != original) {
@@ -160,8 +161,6 @@ class Original {
         answer(end_process_group(received->request.ended));
         continue;
       }
-      // A copy has its own name from the beginning.
-      prctl(PR_SET_NAME, received->request.is_template ? kName : kNameOfRuns);
       const pid_t copy = fork();
       if (copy == 0) {
         take_place(*received, own, printed_);
@@ -170,7 +169,6 @@ class Original {
         }
         run(*received);
       }
-      prctl(PR_SET_NAME, kName);
       close_all(received->descriptors);
       if (copy < 0) {
         answer(copy);
