@@ -82,6 +82,10 @@ TEST_CASE("What comes from a template is overridden in the robot's own element")
   CHECK(files.change("robot[r1]/sensor[bumper]/@remove=true") ==
         in_r1("+      <sensors>\n+        <bumper id=\"bumper\" remove=\"true\"/>\n"
               "+      </sensors>\n"));
+  CHECK(files.change("robot[r2]/sensor[left]/@id=l2") ==
+        "-        <beam id=\"left\" yaw_deg=\"30\"/>\n"
+        "+        <beam id=\"l2\" yaw_deg=\"30\" max_range=\"2\"/>\n"
+        "+        <beam id=\"left\" remove=\"true\"/>\n");
   CHECK(files.change("robot[r2]/sensor[left]/@remove=true") ==
         "-        <beam id=\"left\" yaw_deg=\"30\"/>\n"
         "+        <beam id=\"left\" remove=\"true\"/>\n");

@@ -1,7 +1,6 @@
 #include "authoring/authoring.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QClipboard>
 #include <QInputDialog>
 #include <QMenu>
@@ -52,10 +51,9 @@ std::vector<std::pair<QString, QString>> Authoring::other_shapes() {
   for (const char* const each : kBoxShapes) {
     const QString shape = each;
     if (shape == "box") continue;
-    QString name = QCoreApplication::translate("Shapes", each);
-    const auto letter = std::find_if(name.begin(), name.end(), [&](QChar one) {
-      return one.isLower() && !taken.contains(one);
-    });
+    QString name = tr(each);
+    const auto letter = std::find_if(
+        name.begin(), name.end(), [&](QChar one) { return one.isLower() && !taken.contains(one); });
     if (letter != name.end()) {
       taken += *letter;
       name.insert(letter - name.begin(), '&');

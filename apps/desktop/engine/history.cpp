@@ -16,7 +16,7 @@ void History::push(Entry entry) {
         last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < kMerging_ms) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
-      last.inverse = 0;  // the text leads back
+      last.undo_number = 0;  // the text leads back
       if (last.after == last.before) {
         entries_.pop_back();
         --place_;
@@ -34,9 +34,9 @@ void History::stop_merging() {
   }
 }
 
-void History::drop_inverses() {
+void History::drop_undo_numbers() {
   for (Entry& each : entries_) {
-    each.inverse = 0;
+    each.undo_number = 0;
   }
 }
 
@@ -48,16 +48,16 @@ const History::Entry* History::next_redo() const {
   return place_ < entries_.size() ? &entries_[place_] : nullptr;
 }
 
-void History::undone(std::uint64_t inverse, int engine) {
+void History::undone(std::uint64_t undo_number, int engine) {
   Entry& entry = entries_[--place_];
-  entry.inverse = inverse;
+  entry.undo_number = undo_number;
   entry.engine = engine;
   entry.merge.clear();
 }
 
-void History::redone(std::uint64_t inverse, int engine) {
+void History::redone(std::uint64_t undo_number, int engine) {
   Entry& entry = entries_[place_++];
-  entry.inverse = inverse;
+  entry.undo_number = undo_number;
   entry.engine = engine;
 }
 

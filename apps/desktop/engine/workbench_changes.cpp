@@ -191,8 +191,8 @@ void Workbench::lead(const History::Entry& entry, const QString& text,
     open_in_engine(text);
     return;
   }
-  Json way{{"do", "undo"}, {"edit", entry.inverse}};
-  if (entry.inverse == 0 || entry.engine != engine_.generation()) {
+  Json way{{"do", "undo"}, {"edit", entry.undo_number}};
+  if (entry.undo_number == 0 || entry.engine != engine_.generation()) {
     // Without a file, names of files start at the present folder.
     const QString file = entry.file.isEmpty() && !file_.isEmpty()
                              ? QDir::current().filePath("world.xml")
@@ -230,8 +230,9 @@ void Workbench::undo() {
           Q_EMIT described();
           end_change();
         } else if (entry) {
-          lead(*entry, entry->before,
-               [this](std::uint64_t inverse) { history_.undone(inverse, engine_.generation()); });
+          lead(*entry, entry->before, [this](std::uint64_t undo_number) {
+            history_.undone(undo_number, engine_.generation());
+          });
         } else {
           end_change();
         }
@@ -246,8 +247,9 @@ void Workbench::redo() {
       [this] {
         const History::Entry* entry = history_.next_redo();
         if (entry && text_ == history_text_) {
-          lead(*entry, entry->after,
-               [this](std::uint64_t inverse) { history_.redone(inverse, engine_.generation()); });
+          lead(*entry, entry->after, [this](std::uint64_t undo_number) {
+            history_.redone(undo_number, engine_.generation());
+          });
         } else {
           end_change();
         }

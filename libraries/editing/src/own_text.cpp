@@ -193,7 +193,10 @@ void OwnText::override_children(Element& wanted, const Element* before, const El
     }
     Element removal = removal_of(inherited);
     for (const Element& child : raw ? raw->children : std::vector<Element>()) {
-      if (child.value("id") == inherited.value("id")) removal.object = child.object;
+      const bool is_free = std::none_of(placed.begin(), placed.end(), [&](const auto& other) {
+        return other.second.object == child.object;  // it has another id now
+      });
+      if (is_free && child.value("id") == inherited.value("id")) removal.object = child.object;
     }
     placed.emplace_back(place_of(raw, removal), std::move(removal));
   }
