@@ -82,10 +82,6 @@ TEST_CASE("What comes from a template is overridden in the robot's own element")
   CHECK(files.change("robot[r1]/sensor[bumper]/@remove=true") ==
         in_r1("+      <sensors>\n+        <bumper id=\"bumper\" remove=\"true\"/>\n"
               "+      </sensors>\n"));
-  CHECK(files.change("robot[r2]/sensor[left]/@id=l2") ==
-        "-        <beam id=\"left\" yaw_deg=\"30\"/>\n"
-        "+        <beam id=\"l2\" yaw_deg=\"30\" max_range=\"2\"/>\n"
-        "+        <beam id=\"left\" remove=\"true\"/>\n");
   CHECK(files.change("robot[r2]/sensor[left]/@remove=true") ==
         "-        <beam id=\"left\" yaw_deg=\"30\"/>\n"
         "+        <beam id=\"left\" remove=\"true\"/>\n");
@@ -127,6 +123,9 @@ TEST_CASE("What the robot's element cannot say is refused") {
   const Templated files;
   CHECK_THAT(files.refusal("robot[r1]/sensor[left]=<bumper/>"),
              Catch::Contains("'left' is a <beam> in the template"));
+  // It would come after the other sensors of the template.
+  CHECK_THAT(files.refusal("robot[r2]/sensor[left]/@id=l2"),
+             Catch::Contains("a file cannot express this"));
   CHECK_THAT(files.refusal("robot[r1]/sensor[+1]=<beam/>"),
              Catch::Contains("a file cannot express this"));
 }

@@ -96,6 +96,7 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
       {"illegal", "illegal instruction (SIGILL)"},
       {"bus_error", "bus error (SIGBUS)"},
       {"exiting", "by calling exit()"},
+      {"erring", "by calling exit()"},
       {"calling_nowhere", "segmentation fault (SIGSEGV)"},
       {"trapping", "trap (SIGTRAP)"},
   };

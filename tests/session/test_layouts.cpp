@@ -57,6 +57,20 @@ TEST_CASE("A run that is under way becomes what an edited layout draws") {
   CHECK(more["scene"].dump().find("c6") != std::string::npos);
 }
 
+TEST_CASE("What is added beside layouts while a run is under way is edited and undone there") {
+  Session session;
+  session.open(kScattered);
+  session.ask({{"do", "step"}});
+  const Json added = session.edit({"obstacle[+]=<static_box x=\"4.9\" y=\"4.9\" length=\"0.1\"/>"});
+  INFO(added.dump());
+  REQUIRE_FALSE(added.contains("refused"));
+  const Json moved = session.edit({"obstacle[1]/@y=4.8"});
+  INFO(moved.dump());
+  REQUIRE_FALSE(moved.contains("refused"));
+  CHECK_FALSE(session.ask({{"do", "undo"}, {"edit", moved["undo"]}}).contains("refused"));
+  CHECK(session.ask({{"do", "undo"}, {"edit", added["undo"]}})["text"] == kScattered);
+}
+
 TEST_CASE("A layout that is added later follows the seed of the run, not that of the opening") {
   const std::string scatter = "<scatter id=\"c\" count=\"4\"><static_box/></scatter>";
   const auto place_of_c1 = [&](std::uint64_t opened, std::uint64_t reset) {

@@ -11,6 +11,17 @@ using namespace elsie;
 using namespace elsie::test;
 using simulation::TimedChange;
 
+TEST_CASE("After a refused edit, measures look at the same world as before") {
+  Simulation simulation(lively(), shipped(), {7});
+  Simulation undisturbed(lively(), shipped(), {7});
+  advance(simulation, 40);
+  CHECK_FALSE(refusal(simulation, "robot[+]", "<robot id=\"r9\" x=\"3\"/>").empty());
+  advance(simulation, 20);
+  advance(undisturbed, 60);
+  CHECK(simulation.result().measures.at(0).value == undisturbed.result().measures.at(0).value);
+  CHECK(simulation.state_hash() == undisturbed.state_hash());
+}
+
 TEST_CASE("A coordinator is asked whether it can do without a behaviour") {
   Simulation simulation =
       of("",

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <dlfcn.h>
+#include <err.h>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -127,6 +128,10 @@ struct BusError {
     raise(SIGBUS);
     return {};
   }
+};
+/// The C library ends the process by its own exit().
+struct Errs {
+  elsie::Motion operator()() { errx(0, "it gave up"); }
 };
 struct Exits {
   elsie::Motion operator()() { std::exit(0); }
@@ -343,6 +348,7 @@ using TrapsLate = Failing<Raises<SIGTRAP>>;
 using ThrowsWhereNoneMayLate = Failing<ThrowsWhereNoneMay>;
 using IllegalInstructionLate = Failing<IllegalInstruction>;
 using BusErrorLate = Failing<BusError>;
+using ErrsLate = Failing<Errs>;
 using ExitsLate = Failing<Exits>;
 using OverflowsLate = Failing<Overflows>;
 using SleepsLate = Failing<Sleeps>;
@@ -371,6 +377,7 @@ ELSIE_BEHAVIOR(ThrowsWhereNoneMayLate, "throwing_through",
 ELSIE_BEHAVIOR(IllegalInstructionLate, "illegal",
                "Runs an illegal instruction after half a second");
 ELSIE_BEHAVIOR(BusErrorLate, "bus_error", "Gets a bus error after half a second");
+ELSIE_BEHAVIOR(ErrsLate, "erring", "Calls errx() after half a second");
 ELSIE_BEHAVIOR(ExitsLate, "exiting", "Calls exit() after half a second");
 ELSIE_BEHAVIOR(OverflowsLate, "overflowing", "Overflows its stack after half a second");
 ELSIE_BEHAVIOR(SleepsLate, "sleeping",

@@ -33,6 +33,7 @@ bool are_of_run(const std::vector<std::string>& edits, const world::World& world
   return !edits.empty() && !world.drawn &&
          std::none_of(edits.begin(), edits.end(), [&](const std::string& edit) {
            return world::concern_of(edit) == world::Concern::templates ||
+                  world::is_about_layouts(edit) ||
                   (edits.size() > 1 && changes_of({edit}).front().path.ends_with("@remove"));
          });
 }
