@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table weigh coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -99,6 +99,10 @@ world-hashes: all
 # Lines, sizes and needs of the libraries: docs/internals/architecture.md.
 library-table: all
 	scripts/library-table $(BUILD)
+
+# How much there is to read, and to touch for a change.
+weigh: all
+	scripts/weigh . $(BUILD)
 
 # How often the intervals of reports hold the true value: docs/research/statistics.md.
 coverage: configure
