@@ -11,9 +11,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/world/colours.h"
 #include "elsie/api/measure.h"
 #include "elsie/simulation/measures.h"
+#include "elsie/world/colours.h"
 #include "elsie/world/error.h"
 #include "elsie/world/reader.h"
 
