@@ -1,6 +1,5 @@
 #include "elsie/physics/failure.h"
 
-#include <utility>
 
 #include "elsie/base/number_text.h"
 
@@ -44,6 +43,6 @@ std::string Failure::in_words() const {
 }
 
 PhysicsFailure::PhysicsFailure(Failure failed)
-    : std::runtime_error(sentence(failed)), failure(std::move(failed)) {}
+    : std::runtime_error(sentence(failed)), failure(failed) {}
 
 }  // namespace elsie::physics
