@@ -1,6 +1,5 @@
 #include "elsie/physics/failure.h"
 
-
 #include "elsie/base/number_text.h"
 
 namespace elsie::physics {
