@@ -97,6 +97,9 @@ TEST_CASE("A plugin that crashes is named with robot, step and stack, and the re
       {"bus_error", "bus error (SIGBUS)"},
       {"exiting", "by calling exit()"},
       {"erring", "by calling exit()"},
+      {"user_signal", "with the signal SIGUSR1"},
+      {"real_time", "with the signal SIGRTMIN+3"},
+      {"timed", "with the signal SIGALRM"},
       {"calling_nowhere", "segmentation fault (SIGSEGV)"},
       {"trapping", "trap (SIGTRAP)"},
   };

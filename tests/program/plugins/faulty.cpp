@@ -19,6 +19,7 @@
 #include <err.h>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <elsie/api/behavior.h>
@@ -112,6 +113,19 @@ struct Raises {
   elsie::Motion operator()() {
     raise(kSignal);
     return {};
+  }
+};
+struct RaisesRealTime {
+  elsie::Motion operator()() {
+    raise(SIGRTMIN + 3);
+    return {};
+  }
+};
+struct SetsTimer {
+  elsie::Motion operator()() {
+    const itimerval soon{{0, 0}, {0, 1000}};
+    setitimer(ITIMER_REAL, &soon, nullptr);
+    for (;;) hidden(0);
   }
 };
 struct Aborts {
@@ -345,6 +359,9 @@ using SegfaultsLate = Failing<Segfaults>;
 using DividesLate = Failing<Divides>;
 using AbortsLate = Failing<Aborts>;
 using TrapsLate = Failing<Raises<SIGTRAP>>;
+using UserSignalLate = Failing<Raises<SIGUSR1>>;
+using RealTimeLate = Failing<RaisesRealTime>;
+using TimedLate = Failing<SetsTimer>;
 using ThrowsWhereNoneMayLate = Failing<ThrowsWhereNoneMay>;
 using IllegalInstructionLate = Failing<IllegalInstruction>;
 using BusErrorLate = Failing<BusError>;
@@ -372,6 +389,9 @@ ELSIE_BEHAVIOR(SegfaultsLate, "segfaulting", "Reads from nowhere after half a se
 ELSIE_BEHAVIOR(DividesLate, "dividing", "Divides by zero after half a second");
 ELSIE_BEHAVIOR(AbortsLate, "aborting", "Calls abort() after half a second");
 ELSIE_BEHAVIOR(TrapsLate, "trapping", "Raises SIGTRAP after half a second");
+ELSIE_BEHAVIOR(UserSignalLate, "user_signal", "Raises SIGUSR1 after half a second");
+ELSIE_BEHAVIOR(RealTimeLate, "real_time", "Raises a real-time signal after half a second");
+ELSIE_BEHAVIOR(TimedLate, "timed", "Sets a timer after half a second");
 ELSIE_BEHAVIOR(ThrowsWhereNoneMayLate, "throwing_through",
                "Throws through a noexcept after half a second");
 ELSIE_BEHAVIOR(IllegalInstructionLate, "illegal",

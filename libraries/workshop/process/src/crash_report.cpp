@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
+#include <span>
 #include <string_view>
 
 #include <dlfcn.h>
@@ -60,8 +62,13 @@ constexpr Crash kCrashes[] = {
     {SIGSYS, "ended the program with a system call that is forbidden (SIGSYS)"},
 };
 
-/// Signals that end a process without a fault of its own, and that the program does not handle.
-constexpr int kOtherEnds[] = {SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU};
+/// Whether the signal ends a process that does not handle it, without a fault of its own. Requests
+/// to end are left to the program.
+bool is_other_end(int signal) {
+  constexpr int kOthers[] = {SIGKILL, SIGSTOP, SIGINT,  SIGTERM, SIGHUP, SIGCHLD,
+                             SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH};
+  return std::find(std::begin(kOthers), std::end(kOthers), signal) == std::end(kOthers);
+}
 
 void write_number(std::uint64_t number) {
   char digits[20];
@@ -298,17 +305,51 @@ void crashed(int signal, siginfo_t* info, void* context) {
   end_by(signal);
 }
 
+/// Whether a timer of this process caused the signal, or the process sent it to itself, as only
+/// plugins do. Of pipes whose reader has ended only a plugin's are its fault.
+bool is_by_plugin(int signal, const siginfo_t& info) {
+  switch (info.si_code) {
+    case SI_TIMER:
+      return true;
+    case SI_KERNEL:
+      return signal == SIGALRM || signal == SIGVTALRM || signal == SIGPROF;
+    case SI_USER:
+    case SI_TKILL:
+    case SI_QUEUE:
+      return info.si_pid == getpid() && (signal != SIGPIPE || is_plugin_at_work());
+    default:
+      return false;
+  }
+}
+
+/// Writes "ended the program with the signal SIGALRM", or "... SIGRTMIN+3".
+void name_end(int signal, std::span<char> what) {
+  const char* const name = sigabbrev_np(signal);
+  const std::string_view words = "ended the program with the signal SIG";
+  char* end = std::copy(words.begin(), words.end(), what.data());
+  if (name) {
+    end = std::copy(name, name + std::strlen(name), end);
+  } else {
+    constexpr std::string_view kRealTime = "RTMIN+";
+    end = std::copy(kRealTime.begin(), kRealTime.end(), end);
+    end = std::to_chars(end, what.data() + what.size() - 1, signal - SIGRTMIN).ptr;
+  }
+  *end = '\0';
+}
+
 void ended(int signal, siginfo_t* info, void* context) {
   if (getpid() != own_process) {
     end_by(signal);
   }
-  if (signal == SIGQUIT && find_plugin_at_work()) {
-    end_process("was at work when the program was told to quit (SIGQUIT)", "", status_of_crash);
+  // A session sends it to itself when its window is gone.
+  if (signal == SIGQUIT && (find_plugin_at_work() || info->si_pid == getpid())) {
+    end_process("was running when the program received SIGQUIT",
+                "the program received SIGQUIT while no plugin was running", status_of_crash);
   }
-  // Otherwise whoever reads the program's output has ended.
-  const bool is_of_plugin = signal == SIGPIPE && info->si_pid == getpid() && is_plugin_at_work();
-  if (is_of_plugin && may_report()) {
-    write_report("ended the program with the signal SIGPIPE", place_of_fault(context));
+  if (is_by_plugin(signal, *info) && may_report()) {
+    char what[64];
+    name_end(signal, what);
+    write_report(what, place_of_fault(context));
     end_with(status_of_crash);
   }
   if (is_plugin_at_work()) {
@@ -340,9 +381,10 @@ void report_crashes(int exit_status) {
     // Not blocked in the handler: a fault in it would end the process at once.
     handle(crash.signal, crashed, SA_ONSTACK | SA_NODEFER);
   }
-  for (const int signal : kOtherEnds) {
+  for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     struct sigaction before {};
-    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL) {
+    if (is_other_end(signal) && sigaction(signal, nullptr, &before) == 0 &&
+        before.sa_handler == SIG_DFL) {
       handle(signal, ended, 0);
     }
   }

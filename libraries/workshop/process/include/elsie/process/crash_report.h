@@ -25,10 +25,11 @@ namespace elsie::process {
 ///
 /// The same holds when the report itself crashes, as on an overwritten stack. Another thread that
 /// crashes meanwhile waits for the end. A copy of the process that a plugin makes with fork() ends
-/// silently when the plugin returns in it (Call::has_forked()). SIGQUIT is reported likewise if a
-/// plugin is at work, and SIGPIPE if a plugin has written to a pipe that nobody reads. Otherwise
-/// these signals and SIGALRM, SIGUSR1, SIGUSR2 and SIGXCPU end the process after a clean-up.
-/// Requests to end it (SIGINT, SIGTERM, SIGHUP) are left to the program.
+/// silently when the plugin returns in it (Call::has_forked()). Any other signal that ends a
+/// process (SIGUSR1, SIGALRM, SIGRTMIN...) is reported likewise if this process sent it, or one of
+/// its timers did, as only plugins do, and SIGQUIT if a plugin is at work. From elsewhere it still
+/// ends the process, but after a clean-up. Requests to end it (SIGINT, SIGTERM, SIGHUP) are left to
+/// the program.
 ///
 /// Exceptions that note_throw() sees are reported with the line of the plugin that threw them
 /// (thrown::place_of_throw()).
