@@ -235,7 +235,10 @@ TEST_CASE("Names are only text, whatever they contain") {
 
 TEST_CASE("Worlds are drawn without their plugins") {
   const std::string html = Made(made_from({{1, 2}})).html();
-  CHECK(count(map_in(html), "<g><title>run ") == 2);
+  const std::string map = map_in(html);
+  CHECK(count(map, "<g><title>run ") == 2);
+  CHECK(count(map, "fill=\"#2e9e4f\"") == 4);  // resources
+  CHECK(count(map, "fill=\"#f7dede\"") == 1);  // the robot
   CHECK_THAT(html, Contains("10 m \xc3\x97 10 m"));
 }
 
