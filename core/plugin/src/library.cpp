@@ -20,13 +20,11 @@
 namespace elsie::plugin {
 namespace {
 
-void (*tell_loaded)(const void*, const char*) noexcept = [](const void*, const char*) noexcept {};
+void (*tell_loaded)(const void*, const char*) = [](const void*, const char*) {};
 
 }  // namespace
 
-void watch_libraries(void (*loaded)(const void*, const char*) noexcept) noexcept {
-  tell_loaded = loaded;
-}
+void watch_libraries(void (*loaded)(const void*, const char*)) noexcept { tell_loaded = loaded; }
 
 struct Library::System {
   boost::dll::shared_library library;

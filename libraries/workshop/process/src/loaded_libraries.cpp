@@ -21,7 +21,7 @@ struct Loaded {
 
 std::atomic<const Loaded*> newest{nullptr};
 
-void note(const void* code, const char* file) noexcept {
+void note(const void* code, const char* file) {
   dl_find_object found{};
   if (_dl_find_object(const_cast<void*>(code), &found) == 0) {
     auto* const loaded = new Loaded{file, found.dlfo_map_start, found.dlfo_map_end, newest};
