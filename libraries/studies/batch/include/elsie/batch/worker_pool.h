@@ -44,7 +44,7 @@ struct PoolOptions {
   double grace_s = 2.0;
   /// When this descriptor becomes readable, workers are killed and run() returns. -1: none.
   int stop_descriptor = -1;
-  /// Gets a sentence when the workers of some runs cannot be copies. None: nobody wants to know.
+  /// Gets a sentence when the workers of some runs cannot be copies. Empty: no notes.
   std::function<void(const std::string&)> note{};
 };
 

@@ -22,8 +22,8 @@ struct MapPath {
   std::string name{};           // written at its end if there is room
 };
 
-/// The world at its start as an element of an HTML page, with the paths, which together get about
-/// `most_points` points at most. The page's style defines the colours of page_chart() and --c,
+/// The world at its start as an element of an HTML page, with the paths, simplified to about
+/// `most_points` points in total. The page's style defines the colours of page_chart() and --c,
 /// --bad, --good, --floor, --wall and --box. `label`: for readers who do not see it.
 std::string page_map(const world::World& world, const std::vector<MapPath>& paths,
                      std::size_t most_points, const std::string& label);
