@@ -48,6 +48,12 @@ std::vector<Edit> edits() {
        [=](Simulation& run, int n) {
          run.change(first(run) + "/@max_speed", n % 2 == 0 ? "0.3" : "0.4");
        }},
+      {"one of each robot in turn, in place",
+       [=](Simulation& run, int n) {
+         const auto& robots = run.world().robots;
+         const auto robot = static_cast<std::size_t>(n) % robots.size();
+         run.change("robot[" + robots[robot].id + "]/@coverage", "0.7");
+       }},
       {"a behaviour's element",
        [=](Simulation& run, int n) {
          run.change(first(run) + "/behavior[" + run.world().robots[0].behaviors[0].id + "]",

@@ -226,7 +226,7 @@ class Simulation::Impl {
     double since_s;  // start of its motion
   };
 
-  // Edits: see become_world.cpp.
+  // Edits: see changes/edits.cpp and become_world.cpp.
   class Pairs;
   void set_in_place(std::span<const Change> edits);
   void own_robot(std::size_t index);

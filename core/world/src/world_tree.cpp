@@ -136,6 +136,15 @@ void WorldTree::add_declared(Element& element, const Meaning& meaning) {
   }
 }
 
+void WorldTree::renew_robot(std::size_t index) {
+  Element* const robots = root_.child("robots");
+  if (!robots || robots->unread) return;
+  Meaning meaning = meanings_[*robots->children[index].object];
+  meaning.described.object = &world_.robots[index];
+  const ElementSpec& spec = *meaning.spec;
+  robots->children[index] = begin(spec, std::move(meaning), world_.robots[index].id);
+}
+
 // The text of an element; "" if the element can be left out without a change of meaning.
 std::string WorldTree::text(Element& element, std::size_t depth) {
   const std::size_t before = meanings_.size();

@@ -69,6 +69,9 @@ class Changes {
     return attributes_.robots_at(change.path);
   }
 
+  /// To be called when the description of a robot has moved in memory.
+  void renew_robot(std::size_t index) { attributes_.renew_robot(index); }
+
   /// A robot's new place.
   struct Placed {
     std::size_t robot = 0;

@@ -51,6 +51,11 @@ class Attributes {
   /// share the robot with a copy of the world.
   void set(const AttributePlace& place, std::string_view text) const;
 
+  /// To be called when a robot of the world has moved in memory.
+  void renew_robot(std::size_t index) {
+    if (tree_) tree_->renew_robot(index);
+  }
+
   /// The ids of the robots that a path leads to, or whose parts it leads to. Empty if the path
   /// leads to something else, or to nothing.
   std::vector<std::string> robots_at(std::string_view path) const;

@@ -41,6 +41,8 @@ class WorldTree {
   Element& root();
   /// Completes an element; not what may be completed later inside it.
   void complete(Element& element);
+  /// Begins a robot anew, whose object has moved.
+  void renew_robot(std::size_t index);
   /// The tree as text. It is taken apart, so that only one robot at a time needs memory.
   std::string text() && { return text(root_, 0); }
   /// `element` must have an Element::object.
