@@ -2,7 +2,7 @@
 //
 //   coordination_figures WORLD.xml [--seeds N] --variant LABEL [PATH=VALUE...] [--variant ...]
 //
-// Seeds 1 to N (20). A variant is the world with these overrides, as in `elsie run --set`. Prints
+// Seeds 1 to N (20). A variant is the world with these edits, as in `elsie run --set`. Prints
 // rows of a table in Markdown: variant, number of runs that reached the goals, resources collected,
 // distance (m) and time (s) as mean and standard deviation over all runs, the same over successful
 // runs, and contacts.
@@ -28,7 +28,7 @@ using elsie::bench::mean_and_deviation;
 
 struct Variant {
   std::string label;
-  std::vector<std::string> overrides;
+  std::vector<std::string> edits;
 };
 
 struct Order {
@@ -49,7 +49,7 @@ Order order_of(int argc, char** argv) {
     } else if (order.world.empty()) {
       order.world = words[i];
     } else if (!order.variants.empty()) {
-      order.variants.back().overrides.push_back(words[i]);
+      order.variants.back().edits.push_back(words[i]);
     }
   }
   return order;
@@ -99,7 +99,7 @@ int main(int argc, char** argv) try {
   for (const Variant& variant : order.variants) {
     elsie::world::ReadOptions options;
     options.data_directories = {ELSIE_SOURCE_DIR};
-    options.overrides = variant.overrides;
+    options.edits = variant.edits;
     const Figures figures =
         run(elsie::world::read_world(order.world, host, options), host, order.seeds);
     std::printf("| %s | %zu of %d | %.2f | %s | %s | %s | %s | %.2f |\n", variant.label.c_str(),

@@ -46,20 +46,20 @@ std::vector<Edit> edits() {
   return {
       {"an attribute in place",
        [=](Simulation& run, int n) {
-         run.change(first(run) + "/@max_speed", n % 2 == 0 ? "0.3" : "0.4");
+         run.edit(first(run) + "/@max_speed", n % 2 == 0 ? "0.3" : "0.4");
        }},
       {"one of each robot in turn, in place",
        [=](Simulation& run, int n) {
          const auto& robots = run.world().robots;
          const auto robot = static_cast<std::size_t>(n) % robots.size();
-         run.change("robot[" + robots[robot].id + "]/@coverage", "0.7");
+         run.edit("robot[" + robots[robot].id + "]/@coverage", "0.7");
        }},
       {"a behaviour's element",
        [=](Simulation& run, int n) {
-         run.change(first(run) + "/behavior[" + run.world().robots[0].behaviors[0].id + "]",
-                    n % 2 == 0 ? "<wander/>" : "<wander restlessness=\"2\"/>");
+         run.edit(first(run) + "/behavior[" + run.world().robots[0].behaviors[0].id + "]",
+                  n % 2 == 0 ? "<wander/>" : "<wander restlessness=\"2\"/>");
        }},
-      {"the world's name", [](Simulation& run, int n) { run.change("@name", std::to_string(n)); }}};
+      {"the world's name", [](Simulation& run, int n) { run.edit("@name", std::to_string(n)); }}};
 }
 
 /// A world of one robot with so many edits, each at its time.

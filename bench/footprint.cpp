@@ -62,8 +62,7 @@ Footprint measure(const elsie::plugin::Host& host, const std::string& engine, in
   elsie::world::ReadOptions options;
   options.data_directories = {ELSIE_SOURCE_DIR};
   const std::string side = std::to_string(std::sqrt(robots));  // m: one robot for each m^2
-  options.overrides = {"arena/@length=" + side, "arena/@width=" + side,
-                       "physics/@engine=" + engine};
+  options.edits = {"arena/@length=" + side, "arena/@width=" + side, "physics/@engine=" + engine};
   Footprint found;
   const double before = bytes_in_use();
   std::clock_t start = std::clock();

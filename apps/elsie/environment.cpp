@@ -187,10 +187,10 @@ std::unique_ptr<build::Watch> watch_plugins(const PluginOptions& options) {
 
 std::vector<std::string> data_directories() { return world::default_data_directories(); }
 
-world::ReadOptions read_options(const std::vector<std::string>& overrides, std::uint64_t seed) {
+world::ReadOptions read_options(const std::vector<std::string>& edits, std::uint64_t seed) {
   world::ReadOptions options;
   options.seed = seed;
-  options.overrides = overrides;
+  options.edits = edits;
   options.data_directories = data_directories();
   options.check_plugins = true;
   return options;

@@ -66,8 +66,7 @@ std::vector<std::string> data_directories();
 
 /// The options with which the program reads worlds: with the data directories, and with every
 /// plugin asked about its parameters. `seed` is the run's, for layouts.
-world::ReadOptions read_options(const std::vector<std::string>& overrides = {},
-                                std::uint64_t seed = 1);
+world::ReadOptions read_options(const std::vector<std::string>& edits = {}, std::uint64_t seed = 1);
 
 /// What a subcommand with a world reads, for files::require_apart(): the world's file, the files
 /// that it names (`found`: see ReadOptions), and the plugins given by name.

@@ -17,11 +17,11 @@
 #include <spdlog/spdlog.h>
 
 #include "elsie/base/error.h"
+#include "elsie/base/thrown.h"
 #include "elsie/build/source_build.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
-#include "elsie/thrown/thrown.h"
 
 #include "arithmetic.h"
 #include "command.h"
@@ -53,7 +53,7 @@ class CleanMessage final : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&,
               spdlog::memory_buf_t& to) override {
-    const std::string text = output::clean({message.payload.data(), message.payload.size()});
+    const std::string text = files::clean({message.payload.data(), message.payload.size()});
     to.append(text.data(), text.data() + text.size());
   }
   std::unique_ptr<spdlog::custom_flag_formatter> clone() const override {
@@ -82,7 +82,7 @@ int finish(const Job& job) {
     err() << error.message() << '\n';
     return error.exit_code();
   } catch (...) {
-    err() << "elsie: " << thrown::what_was_thrown() << '\n';
+    err() << "elsie: " << base::what_was_thrown() << '\n';
     return kOtherFailure;
   }
 }

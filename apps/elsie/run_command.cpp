@@ -35,7 +35,7 @@ struct RunOptions {
   std::string world;
   std::uint64_t seed = 1;
   std::optional<double> duration;
-  std::vector<std::string> overrides;
+  std::vector<std::string> edits;
   std::vector<std::string> changes;
   ViewOptions views;
   bool watch = false;
@@ -97,7 +97,7 @@ class Watchers {
 };
 
 /// TIME:EDIT. Throws BadInput.
-simulation::TimedChange change_of(const std::string& text) {
+simulation::TimedEdit change_of(const std::string& text) {
   const auto fail = [&](const std::string& problem) {
     throw BadInput("--at " + text + ": " + problem +
                    "; expected TIME:EDIT, as in '5:robot[r1]/@max_speed=0.2'");
@@ -117,8 +117,8 @@ simulation::TimedChange change_of(const std::string& text) {
   return {*time, {text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)}};
 }
 
-std::vector<simulation::TimedChange> changes_of(const RunOptions& options) {
-  std::vector<simulation::TimedChange> changes;
+std::vector<simulation::TimedEdit> edits_of(const RunOptions& options) {
+  std::vector<simulation::TimedEdit> changes;
   for (const std::string& text : options.changes) {
     changes.push_back(change_of(text));
   }
@@ -148,9 +148,9 @@ std::unique_ptr<simulation::CameraRenderer> cameras(const world::World& world) {
 /// The simulation of a valid world, with changes that can be made. `found` gets the files that the
 /// world names.
 simulation::Simulation simulation_of(const RunOptions& options, const plugin::Host& host,
-                                     std::span<const simulation::TimedChange> changes,
+                                     std::span<const simulation::TimedEdit> changes,
                                      std::map<std::string, std::string>& found) {
-  world::ReadOptions reading = read_options(options.overrides, options.seed);
+  world::ReadOptions reading = read_options(options.edits, options.seed);
   reading.found = &found;
   world::World world = world::read_world(options.world, host, reading);
   simulation::Simulation simulation(std::move(world), host,
@@ -163,7 +163,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
                                      .cameras = cameras});
   try {
     simulation.check(changes);
-  } catch (const simulation::ChangeRefused& refused) {
+  } catch (const simulation::EditRefused& refused) {
     throw BadInput(refused.report());
   }
   return simulation;
@@ -176,7 +176,7 @@ int run(const RunOptions& options) {
         ": a budget of a plugin is measured in one thread; leave out --threads or the budget");
   }
   auto views = options.views.any() ? command_module().make_views(options.views) : nullptr;
-  const auto changes = changes_of(options);
+  const auto changes = edits_of(options);
   if (options.quiet) {
     spdlog::set_level(spdlog::level::err);
   }
@@ -216,7 +216,7 @@ int run(const RunOptions& options) {
   } catch (const simulation::PhysicsFault& fault) {
     draw_as(fault.what());
     throw;
-  } catch (const simulation::ChangeRefused& refused) {
+  } catch (const simulation::EditRefused& refused) {
     draw_as(refused.what());
     throw BadInput(refused.report() +
                    "\nthe run ended there; what was recorded until then is kept");
@@ -244,7 +244,7 @@ void add_run_command(CLI::App& program, Job& job) {
       ->check(positive_number(1e9));  // as limits/@time
   command
       ->add_option(
-          "--set", options->overrides,
+          "--set", options->edits,
           "Change an attribute of the world, e.g. 'robot[r1]/@max_speed=0.3'; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);

@@ -13,7 +13,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 namespace elsie::program {
 
@@ -52,14 +52,14 @@ class CleanBuffer final : public std::streambuf {
     text_.append(bytes, static_cast<std::size_t>(count));
     if (text_.size() > kFull) {
       if (const std::size_t end = text_.rfind('\n'); end != std::string::npos) {
-        to_ << output::clean(std::string_view(text_).substr(0, end + 1));
+        to_ << files::clean(std::string_view(text_).substr(0, end + 1));
         text_.erase(0, end + 1);
       }
     }
     return to_ ? count : 0;
   }
   int sync() override {
-    to_ << output::clean(std::exchange(text_, {})) << std::flush;
+    to_ << files::clean(std::exchange(text_, {})) << std::flush;
     return to_ ? 0 : -1;
   }
 

@@ -7,7 +7,7 @@
 namespace elsie::program {
 
 /// The stream for the program's answers in words: the original standard output. It cleans them by
-/// output::clean(), because names and messages may come from files of any origin. Plugins that
+/// files::clean(), because names and messages may come from files of any origin. Plugins that
 /// print write to standard error instead, so that their output does not mix with a table or JSON
 /// object. See keep_output().
 std::ostream& out();

@@ -35,7 +35,7 @@ Body body_of(const world::Robot& robot) {
 /// Reads the world of a tree. Bodies need not be at the places that it gives.
 std::optional<world::World> read(const Drawing& drawing, Element tree, Problems& mistakes) {
   world::ReadOptions options = drawing.options;
-  options.overrides.clear();
+  options.edits.clear();
   options.is_running = true;
   Problems problems;
   try {
@@ -122,14 +122,14 @@ bool Occupied::add_world(const Drawing& drawing) {
   return true;
 }
 
-space::Grid::Block Occupied::cells(const Footprint& area) const {
+base::Grid::Block Occupied::cells(const Footprint& area) const {
   return grid_.block(area.x - area.reach(-1.0, 0.0), area.y - area.reach(0.0, -1.0),
                      area.x + area.reach(1.0, 0.0), area.y + area.reach(0.0, 1.0));
 }
 
 void Occupied::add(const Body& body) {
   for (const Footprint& each : body) {
-    grid_.insert(static_cast<space::Grid::Id>(there_.size()), cells(each));
+    grid_.insert(static_cast<base::Grid::Id>(there_.size()), cells(each));
     there_.push_back(each);
   }
 }
@@ -140,10 +140,10 @@ bool Occupied::has_room_for(const Body& body, double gap) const {
     if (world::outside(arena_, "", area)) {
       return false;
     }
-    const space::Grid::Block block = cells(area);
+    const base::Grid::Block block = cells(area);
     for (int y = block.y0; y <= block.y1; ++y) {
       for (int x = block.x0; x <= block.x1; ++x) {
-        for (const space::Grid::Id other : grid_.cell(x, y)) {
+        for (const base::Grid::Id other : grid_.cell(x, y)) {
           if (world::overlap(area, there_[other])) return false;
         }
       }

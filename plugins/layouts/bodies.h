@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "elsie/space/grid.h"
+#include "elsie/base/grid.h"
 #include "elsie/world/footprint.h"
 
 #include "drawing.h"
@@ -39,10 +39,10 @@ class Occupied {
   bool has_room_for(const Body& body, double gap) const;
 
  private:
-  space::Grid::Block cells(const Footprint& area) const;
+  base::Grid::Block cells(const Footprint& area) const;
 
   world::Arena arena_;
-  space::Grid grid_;
+  base::Grid grid_;
   std::vector<Footprint> there_;
 };
 

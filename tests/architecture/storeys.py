@@ -10,27 +10,28 @@ RUNTIME = {"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64", "ld-linux
 MAY_NEED = {
     "lib/libelsie-base.so": set(),
     "lib/libelsie.so": {"libelsie-base", "libtinyxml2"},
-    "lib/libelsie-inference.so": {"libelsie-base"},
-    "lib/libelsie-workshop.so": {"libelsie-base", "libelsie", "libelsie-inference"},
+    "lib/libelsie-files.so": {"libelsie-base"},
+    "lib/libelsie-inference.so": {"libelsie-base", "libelsie-files"},
+    "lib/libelsie-workshop.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-inference"},
     "lib/libelsie-editing.so": {"libelsie-base", "libelsie"},
     "lib/libelsie-render.so": {"libelsie-base", "libelsie", "libepoxy"},
-    "lib/libelsie-views.so": {"libelsie-base", "libelsie", "libcairo", "libzstd", "libz"},
-    "lib/libelsie-testing.so": {"libelsie-base", "libelsie", "libelsie-render", "libelsie-workshop"},
+    "lib/libelsie-views.so": {"libelsie-base", "libelsie-files", "libelsie", "libcairo", "libzstd", "libz"},
+    "lib/libelsie-testing.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-render", "libelsie-workshop"},
     "lib/libelsie-session.so": {"libelsie-base"},
-    "lib/libelsie-server.so": {"libelsie-base", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-render", "libelsie-views",
+    "lib/libelsie-server.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-editing", "libelsie-session", "libelsie-render", "libelsie-views",
                                 "libelsie-workshop"},
     "lib/libelsie-experiments.so": {"libelsie-base", "libelsie", "libelsie-render", "libelsie-workshop", "libmuparser"},
-    "lib/libelsie-studies.so": {"libelsie-base", "libelsie", "libelsie-render", "libelsie-views", "libelsie-workshop", "libelsie-experiments", "libsqlite3",
+    "lib/libelsie-studies.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-render", "libelsie-views", "libelsie-workshop", "libelsie-experiments", "libsqlite3",
                                  "libcrypto"},
     "lib/libelsie-vision.so": {"libelsie-base", "libelsie", "libopencv_core", "libopencv_imgproc"},
     "lib/elsie/layouts.so": {"libelsie-base", "libelsie", "libpng16"},
     "lib/elsie/engines/ode.so": {"libelsie-base", "libelsie", "libode"},
     "lib/elsie/engines/planar.so": {"libelsie-base", "libelsie"},
-    "lib/elsie/elsie-commands.so": {"libelsie-base", "libelsie", "libelsie-inference", "libelsie-workshop", "libelsie-editing", "libelsie-render",
+    "lib/elsie/elsie-commands.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-inference", "libelsie-workshop", "libelsie-editing", "libelsie-render",
                                     "libelsie-views", "libelsie-testing", "libelsie-server", "libelsie-experiments", "libelsie-studies", "libspdlog",
                                     "libfmt"},
-    "bin/elsie": {"libelsie-base", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
-    "bin/elsie-desktop": {"libelsie-base", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
+    "bin/elsie": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-workshop", "libspdlog", "libfmt"},
+    "bin/elsie-desktop": {"libelsie-base", "libelsie-files", "libelsie-inference", "libelsie-render", "libelsie-views", "libelsie-session", "libQt6Widgets", "libQt6Gui", "libQt6Core"},
 }
 OPTIONAL = {"bin/elsie-desktop"}
 PLUGINS = {"libelsie-base", "libelsie", "libelsie-inference"}
@@ -47,8 +48,9 @@ BROUGHT = {
 
 # The modules of each storey, in the order of docs/internals/architecture.md: none includes a header of a later one.
 MODULES = {
-    "libelsie-base": ["base", "thrown", "sharing", "files", "space", "shapes", "output"],
+    "libelsie-base": ["base", "shapes"],
     "libelsie": ["api", "plugin", "world", "physics", "simulation"],
+    "libelsie-files": ["files"],
     "libelsie-inference": ["fuzzy", "neural"],
     "libelsie-workshop": ["process", "build", "reference"],
     "libelsie-editing": ["editing"],

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/space/grid.h"
+#include "elsie/base/grid.h"
 
-using elsie::space::Grid;
+using elsie::base::Grid;
 
 TEST_CASE("A grid finds what was put into the cells of a rectangle") {
   Grid grid(4.0, 4.0);

@@ -7,9 +7,9 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/sharing/list.h"
+#include "elsie/base/list.h"
 
-using List = elsie::sharing::List<std::string>;
+using List = elsie::base::List<std::string>;
 
 namespace {
 std::vector<std::string> content(const List& list) { return {list.begin(), list.end()}; }

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/thrown/thrown.h"
+#include "elsie/base/thrown.h"
 
 using namespace elsie;
 
@@ -18,7 +18,7 @@ std::string said_of(const Exception& exception) {
   try {
     throw exception;
   } catch (...) {
-    return thrown::what_was_thrown();
+    return base::what_was_thrown();
   }
 }
 
@@ -33,8 +33,8 @@ TEST_CASE("An exception says its text, or else its type") {
 }
 
 TEST_CASE("The place of a throw is that which the program knows, if it watches") {
-  CHECK(thrown::place_of_throw().empty());
-  thrown::watch_throws([] { return std::string("respond() at shy.cpp:7"); });
-  CHECK(thrown::place_of_throw() == "respond() at shy.cpp:7");
-  thrown::watch_throws(nullptr);
+  CHECK(base::place_of_throw().empty());
+  base::watch_throws([] { return std::string("respond() at shy.cpp:7"); });
+  CHECK(base::place_of_throw() == "respond() at shy.cpp:7");
+  base::watch_throws(nullptr);
 }

@@ -40,7 +40,7 @@ TEST_CASE("A job gives the same result as the same world and seed alone") {
 
   world::ReadOptions options;
   options.data_directories = {test::source_path("")};
-  options.overrides = {"robot[r1]/@max_speed=0.4"};
+  options.edits = {"robot[r1]/@max_speed=0.4"};
   simulation::Simulation alone(
       world::read_world(folder.file("small.xml"), test::shipped(), options), test::shipped(),
       {.seed = 2});
@@ -320,11 +320,11 @@ TEST_CASE("A job makes the edits of its cell, also with plugins and files that t
 
   world::ReadOptions options;
   options.data_directories = {test::source_path("")};
-  options.overrides = {"robot[r1]/@max_speed=0.4"};
+  options.edits = {"robot[r1]/@max_speed=0.4"};
   simulation::Simulation alone(
       world::read_world(folder.file("small.xml"), test::shipped(), options), test::shipped(),
       {.seed = 2, .data_directories = options.data_directories});
-  std::vector<simulation::TimedChange> edits;
+  std::vector<simulation::TimedEdit> edits;
   for (const experiment::Setting& setting : experiment.settings) {
     edits.push_back({*setting.at_s, {setting.path, setting.value}});
   }

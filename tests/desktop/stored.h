@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "elsie/output/base64.h"
+#include "elsie/files/base64.h"
 
 #include "engine/past.h"
 
@@ -15,14 +15,14 @@ namespace elsie::desktop {
 inline Json stored(const std::vector<double>& times,
                    const std::map<std::string, std::vector<float>>& values,
                    double period_s = 0.05) {
-  Json answer{{"period_s", period_s}, {"more", false}, {"times", output::packed(times)}};
+  Json answer{{"period_s", period_s}, {"more", false}, {"times", files::packed(times)}};
   std::vector<float> all;
   answer["curves"] = Json::array();
   for (const auto& [name, curve] : values) {
     answer["curves"].push_back(name);
     all.insert(all.end(), curve.begin(), curve.end());
   }
-  answer["values"] = output::packed(all);
+  answer["values"] = files::packed(all);
   return answer;
 }
 

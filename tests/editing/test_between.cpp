@@ -17,7 +17,7 @@ Several between(const std::string& from, const std::string& to) {
   const Several edits = editing::edits_between(start, end);
   world::ReadOptions running = options();
   running.is_running = true;
-  running.overrides = edits;
+  running.edits = edits;
   CHECK(world::write_world(world::parse_world(world::write_world(start), start.file, host(),
                                               running)) == world::write_world(end));
   return edits;

@@ -19,10 +19,10 @@ using namespace elsie::test;
 
 namespace {
 
-world::ReadOptions shipped_options(std::vector<std::string> overrides = {}) {
+world::ReadOptions shipped_options(std::vector<std::string> edits = {}) {
   world::ReadOptions options;
   options.data_directories = {source_path("")};
-  options.overrides = std::move(overrides);
+  options.edits = std::move(edits);
   return options;
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
       if (!random.happens(0.2)) {
         continue;
       }
-      // The text says what the edit says when it overrides the old text.
+      // The text says what the edit says when it edits the old text.
       CAPTURE(document.text());
       REQUIRE(same(reduced(document.world()),
                    reduced(world::parse_world(before, file, shipped(), shipped_options({edit})))));
@@ -146,7 +146,7 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
     const world::World end = document.world();
     world::ReadOptions running = shipped_options(editing::edits_between(start, end));
     running.is_running = true;
-    CAPTURE(running.overrides);
+    CAPTURE(running.edits);
     CHECK(world::write_world(world::parse_world(world::write_world(start), file, shipped(),
                                                 running)) == world::write_world(end));
     while (!undos.empty()) {

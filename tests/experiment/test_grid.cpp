@@ -81,9 +81,9 @@ TEST_CASE("What is set in a cell: for all, then for its world, then for its leve
       "<vary path='robot[r1]/coordinator'><level><pick/></level></vary>"
       "<vary path='robot[r1]/@max_speed' values='0.1'/>");
   const std::vector<Cell> grid = experiment::cells(e);
-  CHECK(grid.at(0).overrides == Texts{"limits/@time=30", "robot[r1]/@max_speed=0.9",
-                                      "@description=of the world", "robot[r1]/coordinator=<pick/>",
-                                      "robot[r1]/@max_speed=0.1"});
+  CHECK(grid.at(0).edits == Texts{"limits/@time=30", "robot[r1]/@max_speed=0.9",
+                                  "@description=of the world", "robot[r1]/coordinator=<pick/>",
+                                  "robot[r1]/@max_speed=0.1"});
   const world::World world = experiment::read_cell(e, grid[0], host(), options());
   CHECK(world.limits.time == 30);
   CHECK(world.robots[0].max_speed == 0.1);

@@ -149,7 +149,7 @@ TEST_CASE("What is set while a world runs is a change of the cell's world") {
   const auto changes_of = [&](std::size_t cell) {
     Texts texts;
     const auto world = experiment::read_cell(e, experiment::cells(e).at(cell), host(), options());
-    for (const world::TimedEdit& change : world.changes) {
+    for (const world::TimedEdit& change : world.edits) {
       texts.push_back(std::to_string(change.time).substr(0, 3) + " " + change.text());
     }
     return texts;
@@ -158,7 +158,7 @@ TEST_CASE("What is set while a world runs is a change of the cell's world") {
                                "1.0 obstacle[+]=<static_box id=\"wall\" x=\"2\"/>",
                                "3.0 robot[r1]/@max_speed=0.1"});
   CHECK(changes_of(1).back() == "3.5 robot[r1]/@remove=true");
-  CHECK(experiment::cells(e)[1].overrides.empty());
+  CHECK(experiment::cells(e)[1].edits.empty());
 }
 
 TEST_CASE("The levels of a range are the decimal numbers that a reader expects") {

@@ -92,7 +92,7 @@ TEST_CASE("A robot keeps its channels when an edit removes another, and the crow
   Simulation simulation(column(4), shipped());
   recording::McapRecorder recorder(file.path, {.robots = {"r3"}});
   simulation::Observer* const observers[] = {&recorder};
-  const simulation::TimedChange changes[] = {{0.25, {"robot[r1]/@remove", "true"}}};
+  const simulation::TimedEdit changes[] = {{0.25, {"robot[r1]/@remove", "true"}}};
   const auto result = simulation.run(observers, changes);
   const auto run = read_recorded_run(file.path);
   CHECK(run.crowd == std::vector<std::string>{"r2", "r4"});

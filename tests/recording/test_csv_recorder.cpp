@@ -190,8 +190,8 @@ TEST_CASE("Tracks tell which poses a robot did not drive to") {
   world.limits.time = 2;
   traces::TrackRecorder tracks(0.25);
   simulation::Observer* const observers[] = {&tracks};
-  const simulation::TimedChange changes[] = {{1.1, {"robot[r1]/@x", "-3"}},
-                                             {1.1, {"robot[r2]/@max_speed", "0.1"}}};
+  const simulation::TimedEdit changes[] = {{1.1, {"robot[r1]/@x", "-3"}},
+                                           {1.1, {"robot[r2]/@max_speed", "0.1"}}};
   Simulation(world, shipped()).run(observers, changes);
   CHECK(tracks.tracks()[0].placed == std::vector<std::size_t>{5});
   CHECK(tracks.tracks()[0].path[5].x == Approx(-3).margin(0.1));

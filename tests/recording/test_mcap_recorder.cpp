@@ -221,7 +221,7 @@ TEST_CASE("Events are written when they happen, with the robot's place") {
   world.boxes.push_back(box("b", world::BoxKind::fixed, 0.5, 0));
   world.limits.time = 2;
   Simulation simulation(world, shipped());
-  const simulation::TimedChange changes[] = {{1.5, {"robot[r1]/@max_speed", "0.3"}}};
+  const simulation::TimedEdit changes[] = {{1.5, {"robot[r1]/@max_speed", "0.3"}}};
   recording::McapRecorder recorder(file.path);
   simulation::Observer* const observers[] = {&recorder};
   const auto result = simulation.run(observers, changes);

@@ -82,7 +82,7 @@ TEST_CASE("A robot that was put elsewhere is drawn without a line to there, from
   {
     recording::McapRecorder recorder(file.path);
     simulation::Observer* const observers[] = {&tracks, &recorder};
-    const simulation::TimedChange changes[] = {{2.0, {"robot[r1]/@x", "-1.5"}}};
+    const simulation::TimedEdit changes[] = {{2.0, {"robot[r1]/@x", "-1.5"}}};
     simulation.run(observers, changes);
   }
   const auto run = recording::read_recorded_run(file.path);
@@ -105,7 +105,7 @@ TEST_CASE("Robots that an edit removed or added are drawn as they are, from a re
   recording::McapRecorder recorder(file.path, {});
   traces::TrackRecorder tracks;
   simulation::Observer* const observers[] = {&tracks, &recorder};
-  simulation.run(observers, std::vector<simulation::TimedChange>{
+  simulation.run(observers, std::vector<simulation::TimedEdit>{
                                 {1.0, {"robot[" + first + "]/@remove", "true"}},
                                 {1.5, {"physics/@step", "0.003"}},
                                 {2.03, {"robot[+]", "<robot id=\"late\" x=\"0.1\" y=\"0.1\"/>"}},

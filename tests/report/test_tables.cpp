@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "hostile.h"
 
@@ -83,7 +83,7 @@ TEST_CASE("CSV distinguishes two columns of one name, and quotes what it must") 
   const auto rows = parsed_csv(csv_report(Made(made_up).findings()));
   CHECK(std::count(rows[0].begin(), rows[0].end(), "seed") == 1);
   CHECK(std::count(rows[0].begin(), rows[0].end(), "factor:seed") == 1);
-  CHECK(rows[1][1] == elsie::output::clean(kHostile));
+  CHECK(rows[1][1] == elsie::files::clean(kHostile));
 }
 
 TEST_CASE("Runs that are still to be done have a row of CSV, too") {

@@ -3,7 +3,7 @@
 #include <map>
 #include <sstream>
 
-#include "elsie/output/base64.h"
+#include "elsie/files/base64.h"
 
 #include "session.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 template <class Number>
 std::vector<Number> unpacked(const Json& text) {
-  const auto numbers = output::unpacked<Number>(text.get<std::string>());
+  const auto numbers = files::unpacked<Number>(text.get<std::string>());
   REQUIRE(numbers);
   return *numbers;
 }

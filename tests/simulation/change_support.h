@@ -13,7 +13,7 @@
 
 namespace elsie::test {
 
-using simulation::ChangeRefused;
+using simulation::EditRefused;
 using simulation::Simulation;
 
 inline void advance(Simulation& simulation, int steps) {
@@ -34,21 +34,21 @@ inline Simulation run_of(const ScriptedHost& scripted, std::vector<world::Robot>
   return Simulation(world, scripted.host);
 }
 
-inline simulation::Change change_of(std::size_t robot, const char* attribute,
-                                    const ParameterValue& value) {
+inline simulation::Edit change_of(std::size_t robot, const char* attribute,
+                                  const ParameterValue& value) {
   return {"robot[" + std::to_string(robot + 1) + "]/@" + attribute, plugin::format_value(value)};
 }
 
 /// Changes an attribute of the robot of this index.
 inline void set(Simulation& simulation, std::size_t robot, const char* attribute,
                 const ParameterValue& value) {
-  const simulation::Change one = change_of(robot, attribute, value);
-  simulation.change(one.path, one.value);
+  const simulation::Edit one = change_of(robot, attribute, value);
+  simulation.edit(one.path, one.value);
 }
 
 /// Puts it at a pose on the floor.
 inline void place(Simulation& simulation, std::size_t robot, const Pose& pose) {
-  simulation.change(std::vector<simulation::Change>{
+  simulation.edit(std::vector<simulation::Edit>{
       change_of(robot, "x", pose.x), change_of(robot, "y", pose.y), change_of(robot, "z", 0.0),
       change_of(robot, "heading_deg", degrees(pose.heading_rad))});
 }
@@ -65,7 +65,7 @@ std::string why_not(Change change) {
   try {
     change();
     return "";
-  } catch (const ChangeRefused& refused) {
+  } catch (const EditRefused& refused) {
     return refused.what();
   }
 }

@@ -49,16 +49,16 @@ inline Simulation of(const std::string& content, const std::string& robot = "") 
 
 inline std::string refusal(Simulation& simulation, const std::string& path,
                            const std::string& value) {
-  return why_not([&] { simulation.change(path, value); });
+  return why_not([&] { simulation.edit(path, value); });
 }
 
 inline std::uint64_t hash_after(int steps,
-                                const std::vector<std::pair<int, simulation::Change>>& edits) {
+                                const std::vector<std::pair<int, simulation::Edit>>& edits) {
   Simulation simulation(lively(), shipped(), {7});
   for (int step = 0; step < steps; ++step) {
     for (const auto& [when, edit] : edits) {
       if (when == step) {
-        simulation.change(edit.path, edit.value);
+        simulation.edit(edit.path, edit.value);
       }
     }
     simulation.step();

@@ -90,8 +90,8 @@ TEST_CASE("An edit that is refused does not hide a leak") {
   const auto run = [&] {
     for (int step = 0; step < 60; ++step) {
       // A wall through the robot.
-      CHECK_THROWS_AS(simulation.change("obstacle[+]", "<static_box length=\"1\"/>"),
-                      simulation::ChangeRefused);
+      CHECK_THROWS_AS(simulation.edit("obstacle[+]", "<static_box length=\"1\"/>"),
+                      simulation::EditRefused);
       simulation.step();
     }
   };

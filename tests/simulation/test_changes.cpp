@@ -47,14 +47,14 @@ TEST_CASE("One coordinate may be changed by itself; the others stay") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   Simulation simulation = run_of(scripted, {robot("r1", 1, 2, 30, behavior("scripted"))});
   advance(simulation, 10);
-  simulation.change("robot[r1]/@x", "-3");
-  simulation.change("robot[r1]/@heading_deg", "-350");
+  simulation.edit("robot[r1]/@x", "-3");
+  simulation.edit("robot[r1]/@heading_deg", "-350");
   const Pose& pose = simulation.robot(0).state->pose;
   CHECK(pose.x == Approx(-3).margin(1e-9));
   CHECK(pose.y == Approx(2).margin(1e-4));
   CHECK(degrees(pose.heading_rad) == Approx(10).margin(1e-4));
   // From a height it falls.
-  simulation.change("robot[r1]/@z", "0.5");
+  simulation.edit("robot[r1]/@z", "0.5");
   CHECK(simulation.sensor_frame(0, 0).origin.z == Approx(0.5 + 0.09).margin(1e-6));
   advance(simulation, 200);
   CHECK(simulation.sensor_frame(0, 0).origin.z == Approx(0.09).margin(1e-3));
@@ -133,19 +133,19 @@ TEST_CASE("What is changed together is judged together") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   Simulation simulation = run_of(scripted, {robot("a", -1, 0, 0, behavior("scripted")),
                                             robot("b", 1, 0, 0, behavior("scripted"))});
-  CHECK_THAT(why_not([&] { simulation.change("robot[a]/@x", "1"); }),
+  CHECK_THAT(why_not([&] { simulation.edit("robot[a]/@x", "1"); }),
              Catch::Contains("robot[a]/@x=1: the robot 'a' overlaps the robot 'b'"));
-  const simulation::Change swap[] = {{"robot[a]/@x", "1"}, {"robot[b]/@x", "-1"}};
-  simulation.change(swap);
+  const simulation::Edit swap[] = {{"robot[a]/@x", "1"}, {"robot[b]/@x", "-1"}};
+  simulation.edit(swap);
   CHECK(simulation.robot(0).state->pose.x == Approx(1));
   CHECK(simulation.robot(1).state->pose.x == Approx(-1));
   // Both to one place.
-  CHECK_THAT(why_not([&] { simulation.change("robot[*]/@x", "0"); }),
+  CHECK_THAT(why_not([&] { simulation.edit("robot[*]/@x", "0"); }),
              Catch::Contains("the robot 'a' overlaps the robot 'b'"));
   // One wrong value among good ones.
-  const simulation::Change mixed[] = {
+  const simulation::Edit mixed[] = {
       {"robot[a]/@max_speed", "0.1"}, {"robot[b]/@leader", "true"}, {"robot[b]/@max_speed", "x"}};
-  CHECK_THAT(why_not([&] { simulation.change(mixed); }), Catch::Contains("robot[b]/@max_speed=x"));
+  CHECK_THAT(why_not([&] { simulation.edit(mixed); }), Catch::Contains("robot[b]/@max_speed=x"));
   CHECK(simulation.robot(0).state->max_speed_m_s == 0.5);
   CHECK_FALSE(simulation.robot(1).state->is_leader);
 }
@@ -189,7 +189,7 @@ TEST_CASE("Coverage decides who is in reach") {
   set(simulation, 2, "coverage", 2.0);  // that of the one who is to be heard
   simulation.step();
   CHECK(reached == std::vector<std::string>{"near", "far"});
-  simulation.change("robot[*]/@coverage", "0.3");
+  simulation.edit("robot[*]/@coverage", "0.3");
   simulation.step();
   CHECK(reached.empty());
 }
@@ -208,9 +208,9 @@ TEST_CASE("Followers turn to whoever has the leader's flag") {
   simulation.step();
   CHECK(rates(simulation.robot(0).command).right ==
         Approx(9.0).epsilon(0.01));  // 0.10 x 90 deg, left
-  const simulation::Change handover[] = {{"robot[north]/@leader", "false"},
-                                         {"robot[south]/@leader", "true"}};
-  simulation.change(handover);
+  const simulation::Edit handover[] = {{"robot[north]/@leader", "false"},
+                                       {"robot[south]/@leader", "true"}};
+  simulation.edit(handover);
   simulation.step();
   CHECK(rates(simulation.robot(0).command).left == Approx(9.0).epsilon(0.02));
   advance(simulation, 2000);
@@ -226,7 +226,7 @@ TEST_CASE("Energy can be taken and given: an empty robot stops, with power it go
   CHECK(simulation.robot(0).empty);
   advance(simulation, 10);
   CHECK(rates(simulation.robot(0).command) == WheelRates{0, 0});
-  simulation.change("robot[r1]/@energy", "2500");
+  simulation.edit("robot[r1]/@energy", "2500");
   CHECK_FALSE(simulation.robot(0).empty);
   CHECK(simulation.robot(0).state->energy == 2500.0);
   simulation.step();
@@ -252,7 +252,7 @@ TEST_CASE("What a path does not lead to is refused") {
   const std::uint64_t before = simulation.state_hash();
   const auto refused = [&](const std::string& path, const std::string& value,
                            const std::string& problem) {
-    CHECK(why_not([&] { simulation.change(path, value); }) == path + "=" + value + ": " + problem);
+    CHECK(why_not([&] { simulation.edit(path, value); }) == path + "=" + value + ": " + problem);
   };
   refused("robot[r2]/@x", "1", "there is no robot[r2]; there are: r1");
   refused("robot[r1]/@max_sped", "1",
@@ -286,7 +286,7 @@ TEST_CASE("Changes are forgotten by a reset") {
   set(simulation, 0, "coverage", 3);
   set(simulation, 0, "leader", true);
   set(simulation, 0, "energy", 77);
-  simulation.change("sensor[left]/@energy_cost", "50");
+  simulation.edit("sensor[left]/@energy_cost", "50");
   place(simulation, 0, {1, 1, 1});
   CHECK(simulation.run().state_hash != unchanged);
   simulation.reset();

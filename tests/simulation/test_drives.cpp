@@ -292,7 +292,7 @@ TEST_CASE("A drive that takes the place of another begins with its own joints, a
   Simulation simulation(world, scripted.host);
   for (int i = 0; i < 50; ++i) simulation.step();
   Noting::rates.clear();
-  simulation.change("robot[r1]/drive", "<noting/>");
+  simulation.edit("robot[r1]/drive", "<noting/>");
   REQUIRE_FALSE(Noting::rates.empty());
   CHECK(Noting::rates.front() == 0.0);
 }
@@ -304,8 +304,8 @@ TEST_CASE("A drive that fails at an edit of its robot ends the run, with whateve
     world::World world;
     world.robots.push_back(driven("fast"));
     Simulation simulation(world, scripted.host);
-    std::vector<simulation::Change> edits{{"robot[r1]/@max_speed", "0.05"}};
+    std::vector<simulation::Edit> edits{{"robot[r1]/@max_speed", "0.05"}};
     if (!is_alone) edits.push_back({"@name", "slow"});
-    CHECK_THROWS_AS(simulation.change(edits), simulation::PluginFault);
+    CHECK_THROWS_AS(simulation.edit(edits), simulation::PluginFault);
   }
 }

@@ -50,9 +50,9 @@ std::vector<std::string> members_of(const Simulation& simulation) {
   return paths;
 }
 
-const std::vector<simulation::Change> kRemoval{{"robot[r1]/behavior[go]/@remove", "true"}};
-const std::vector<simulation::Change> kAddition{{"robot[r1]/behavior[+1]", "<wander/>"}};
-const std::vector<simulation::Change> kReordering{
+const std::vector<simulation::Edit> kRemoval{{"robot[r1]/behavior[go]/@remove", "true"}};
+const std::vector<simulation::Edit> kAddition{{"robot[r1]/behavior[+1]", "<wander/>"}};
+const std::vector<simulation::Edit> kReordering{
     {"robot[r1]/behavior[avoid]/@remove", "true"},
     {"robot[r1]/behavior[+]", "<wander id=\"avoid\"/>"}};
 
@@ -65,7 +65,7 @@ TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses th
     const bool is_network = coordinator.ends_with("neural_network");
     for (const bool is_nested : {false, true}) {
       const std::string path = is_nested ? "nest/" : "";
-      const auto run = [&](const std::vector<simulation::Change>& edits) {
+      const auto run = [&](const std::vector<simulation::Edit>& edits) {
         Simulation simulation =
             is_nested
                 ? of("<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
@@ -75,11 +75,11 @@ TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses th
                      "</coordinator></robot></robots>")
                 : of(robot_of(coordinator, kBoth));
         advance(simulation, 5);
-        std::vector<simulation::Change> all = edits;
-        for (simulation::Change& edit : all) {
+        std::vector<simulation::Edit> all = edits;
+        for (simulation::Edit& edit : all) {
           if (is_nested) edit.path.insert(std::string("robot[r1]/").size(), "behavior[nest]/");
         }
-        const std::string refused = why_not([&] { simulation.change(all); });
+        const std::string refused = why_not([&] { simulation.edit(all); });
         advance(simulation, 5);
         return std::pair(members_of(simulation), refused);
       };
@@ -100,15 +100,15 @@ TEST_CASE("A network for the first behaviours of a robot has to be trained") {
   for (const char* const coordinator : {"arbiter_neural_network", "fusion_neural_network"}) {
     Simulation simulation = of(robot_of(coordinator, ""));
     advance(simulation, 3);
-    std::vector<simulation::Change> edits{{"robot[r1]/behavior[+]", "<wander id=\"avoid\"/>"},
-                                          {"robot[r1]/behavior[+]", "<wander id=\"go\"/>"}};
-    const std::string refused = why_not([&] { simulation.change(edits); });
+    std::vector<simulation::Edit> edits{{"robot[r1]/behavior[+]", "<wander id=\"avoid\"/>"},
+                                        {"robot[r1]/behavior[+]", "<wander id=\"go\"/>"}};
+    const std::string refused = why_not([&] { simulation.edit(edits); });
     CAPTURE(refused);
     CHECK(refused.find("put a coordinator with another id in its place") != std::string::npos);
     advance(simulation, 3);
     edits.push_back({"robot[r1]/coordinator", "<" + std::string(coordinator) + " id=\"new\"" +
                                                   needs_of(coordinator) + "/>"});
-    simulation.change(edits);
+    simulation.edit(edits);
     advance(simulation, 3);
     CHECK(simulation.robot(0).trace[0].member->trace.asked);
   }
@@ -120,18 +120,17 @@ TEST_CASE("A winner that holds on stays the same behaviour at another place") {
       of("<robots><robot id=\"r1\"><behaviors><wander id=\"a\"/><wander id=\"b\"/></behaviors>"
          "<coordinator><arbiter_action_selection hold=\"100\"/></coordinator></robot></robots>");
   advance(simulation, 3);
-  simulation.change("robot[r1]/behavior[+1]", "<wander id=\"c\"/>");
+  simulation.edit("robot[r1]/behavior[+1]", "<wander id=\"c\"/>");
   simulation.step();
   REQUIRE(members_of(simulation) == std::vector<std::string>{"c", "a", "b"});
   CHECK(simulation.robot(0).trace[1].member->trace.weight == 1.0);
 }
 
 TEST_CASE("A robot on a synchro drive keeps its heading over edits of its body") {
-  for (const simulation::Change& edit :
-       {simulation::Change{"robot[r1]/body/@mass", "3"},
-        simulation::Change{"robot[r1]/drive/@steer_rate_deg_s", "200"},
-        simulation::Change{"robot[r1]/segment[+]", "<segment/>"},
-        simulation::Change{"robot[r1]/drive/@remove", "true"}}) {
+  for (const simulation::Edit& edit : {simulation::Edit{"robot[r1]/body/@mass", "3"},
+                                       simulation::Edit{"robot[r1]/drive/@steer_rate_deg_s", "200"},
+                                       simulation::Edit{"robot[r1]/segment[+]", "<segment/>"},
+                                       simulation::Edit{"robot[r1]/drive/@remove", "true"}}) {
     CAPTURE(edit.text());
     Simulation simulation = of(
         "<robots><robot id=\"r1\"><drive><synchro/></drive><behaviors><go_to_point x=\"-2\" "
@@ -139,7 +138,7 @@ TEST_CASE("A robot on a synchro drive keeps its heading over edits of its body")
     advance(simulation, 200);
     const Pose before = simulation.robot(0).state->pose;
     REQUIRE(before.heading_rad > 1.0);  // the chassis points to the east as ever
-    simulation.change(edit.path, edit.value);
+    simulation.edit(edit.path, edit.value);
     const Pose& now = simulation.robot(0).state->pose;
     CHECK(now.heading_rad == Approx(before.heading_rad).margin(1e-9));
     CHECK(now.x == before.x);
@@ -163,9 +162,9 @@ TEST_CASE("There is room beside the chassis of a robot, wherever its turret poin
            "\" y=\"" + std::to_string(pose.y + left) + "\"/>";
   };
   CHECK(why_not([&] {
-          simulation.change("obstacle[+]", box_at(0.25, 0));
+          simulation.edit("obstacle[+]", box_at(0.25, 0));
         }).find("overlaps the robot 'r1'") != std::string::npos);
-  CHECK(why_not([&] { simulation.change("obstacle[+]", box_at(0, 0.25)); }) == "");
+  CHECK(why_not([&] { simulation.edit("obstacle[+]", box_at(0, 0.25)); }) == "");
 }
 
 TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused") {
@@ -176,11 +175,10 @@ TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused
       "id=\"high\"/></behaviors><coordinator><arbiter_subsumption hold=\"100\"/></coordinator>"
       "</robot></robots>";
   const std::string in_the_way = "<static_box id=\"late\" length=\"1\" width=\"1\"/>";
-  const std::vector<simulation::Change> edits{
-      {"robot[r1]/@team", "blue"},
-      {"robot[r1]/sensor[+]", "<beam_range/>"},
-      {"robot[r1]/drive[+]", "<skid_steer/>"},
-      {"robot[r1]/behavior[+1]", "<wander id=\"lowest\"/>"}};
+  const std::vector<simulation::Edit> edits{{"robot[r1]/@team", "blue"},
+                                            {"robot[r1]/sensor[+]", "<beam_range/>"},
+                                            {"robot[r1]/drive[+]", "<skid_steer/>"},
+                                            {"robot[r1]/behavior[+1]", "<wander id=\"lowest\"/>"}};
   for (const bool are_refused : {false, true}) {
     Simulation simulation = of(holding);
     const auto reason = [&] {
@@ -190,13 +188,13 @@ TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused
       return std::string();
     };
     advance(simulation, 10);
-    simulation.change("obstacle[box]/@remove", "true");
+    simulation.edit("obstacle[box]/@remove", "true");
     advance(simulation, 10);
     REQUIRE(reason() == "held");
-    for (const simulation::Change& edit : edits) {
-      std::vector<simulation::Change> all{edit};
+    for (const simulation::Edit& edit : edits) {
+      std::vector<simulation::Edit> all{edit};
       if (are_refused) all.push_back({"obstacle[+]", in_the_way});
-      const std::string why = why_not([&] { simulation.change(all); });
+      const std::string why = why_not([&] { simulation.edit(all); });
       CAPTURE(edit.text(), why);
       CHECK(why.empty() != are_refused);
       simulation.step();
@@ -213,7 +211,7 @@ TEST_CASE("A robot that leans on a charger has met it once, whatever is edited")
            "<coordinator><arbiter_suppression/></coordinator></robot></robots>");
     for (int i = 0; i < 40; ++i) {
       advance(simulation, 10);
-      if (edited) simulation.change("arena/@wall_height", std::to_string(0.5 + 0.001 * i));
+      if (edited) simulation.edit("arena/@wall_height", std::to_string(0.5 + 0.001 * i));
     }
     return simulation.robot(0).collisions;
   };

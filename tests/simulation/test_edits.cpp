@@ -19,26 +19,26 @@
 using namespace elsie;
 using namespace elsie::test;
 using simulation::RunResult;
-using simulation::TimedChange;
+using simulation::TimedEdit;
 
 TEST_CASE("A run with an edit of no consequence is one without") {
   const std::uint64_t plain = hash_after(300, {});
-  const std::vector<simulation::Change> edits{{"@name", "another"},
-                                              {"arena/@wall_height", "0.4"},
-                                              {"physics/@gravity", "-9.81"},
-                                              {"obstacle[mast]/@colour", "#123456"},
-                                              {"goal[1]/@radius", "0.02"},
-                                              {"limits/@time", "7"},
-                                              {"resource[food]/@energy", "5"},
-                                              {"team[+]", "<team id=\"green\"/>"}};
-  for (const simulation::Change& edit : edits) {
+  const std::vector<simulation::Edit> edits{{"@name", "another"},
+                                            {"arena/@wall_height", "0.4"},
+                                            {"physics/@gravity", "-9.81"},
+                                            {"obstacle[mast]/@colour", "#123456"},
+                                            {"goal[1]/@radius", "0.02"},
+                                            {"limits/@time", "7"},
+                                            {"resource[food]/@energy", "5"},
+                                            {"team[+]", "<team id=\"green\"/>"}};
+  for (const simulation::Edit& edit : edits) {
     CAPTURE(edit.text());
     CHECK(hash_after(300, {{131, edit}}) == plain);
   }
 }
 
 TEST_CASE("The same edits at the same steps give the same run, bit for bit; others another one") {
-  const std::vector<std::pair<int, simulation::Change>> edits{
+  const std::vector<std::pair<int, simulation::Edit>> edits{
       {50, {"physics/@step", "0.005"}},
       {80, {"robot[r3]/@remove", "true"}},
       {120, {"obstacle[+]", "<static_box x=\"0\" y=\"-2\"/>"}},
@@ -60,12 +60,12 @@ TEST_CASE("The same edits at the same steps give the same run, bit for bit; othe
 
 TEST_CASE("A reset forgets edits") {
   Simulation simulation(lively(), shipped(), {7});
-  const std::vector<TimedChange> edits{{1.0, {"physics/@step", "0.005"}},
-                                       {2.0, {"robot[r1]/@remove", "true"}}};
+  const std::vector<TimedEdit> edits{{1.0, {"physics/@step", "0.005"}},
+                                     {2.0, {"robot[r1]/@remove", "true"}}};
   // A goal names r1.
-  CHECK_THROWS_AS(simulation.run({}, edits), ChangeRefused);
-  const std::vector<TimedChange> good{{1.0, {"physics/@step", "0.005"}},
-                                      {2.0, {"robot[r3]/@remove", "true"}}};
+  CHECK_THROWS_AS(simulation.run({}, edits), EditRefused);
+  const std::vector<TimedEdit> good{{1.0, {"physics/@step", "0.005"}},
+                                    {2.0, {"robot[r3]/@remove", "true"}}};
   const RunResult edited = simulation.run({}, good);
   CHECK(simulation.robots() == 2);
   simulation.reset();
@@ -77,7 +77,7 @@ TEST_CASE("A reset forgets edits") {
 
 TEST_CASE("Edits that stand in the world are made by its runs") {
   world::World world = lively();
-  world.changes.push_back({2.0, "robot[r3]/@remove", "true", {}, {}});
+  world.edits.push_back({2.0, "robot[r3]/@remove", "true", {}, {}});
   Simulation simulation(world, shipped(), {7});
   CHECK(simulation.run().robots.size() == 2);
 }
@@ -86,15 +86,15 @@ TEST_CASE("Without gravity a falling box goes on at its speed") {
   Simulation simulation =
       of("<obstacles><dynamic_box id=\"crate\" x=\"2\" z=\"3\"/></obstacles>", "");
   advance(simulation, 20);
-  simulation.change("physics/@gravity", "0");
+  simulation.edit("physics/@gravity", "0");
   // The engine has no height to look at; robots have: one that falls.
-  simulation.change("robot[r1]/@z", "2");
+  simulation.edit("robot[r1]/@z", "2");
   advance(simulation, 50);
   CHECK(simulation.robot(0).state->pose.x == Approx(0).margin(1e-6));
-  simulation.change("robot[r1]/sensor[+]", "<beam_range id=\"ahead\"/>");
+  simulation.edit("robot[r1]/sensor[+]", "<beam_range id=\"ahead\"/>");
   const double height = simulation.sensor_frame(0, 0).origin.z;
   CHECK(height == Approx(2.09).margin(1e-3));
-  simulation.change("physics/@gravity", "-9.81");
+  simulation.edit("physics/@gravity", "-9.81");
   advance(simulation, 20);
   CHECK(simulation.sensor_frame(0, 0).origin.z < height - 0.1);
 }
@@ -106,7 +106,7 @@ TEST_CASE("With half the step a robot drives on smoothly, and time goes on") {
   advance(simulation, 100);
   const double before_x = simulation.robot(0).state->pose.x;
   const double speed = simulation.robot(0).state->moving.forward;
-  simulation.change("physics/@step", "0.005");
+  simulation.edit("physics/@step", "0.005");
   CHECK(simulation.time_s() == Approx(1.0));
   simulation.step();
   CHECK(simulation.time_s() == Approx(1.005));
@@ -127,11 +127,11 @@ TEST_CASE(
     const double x = simulation.robot(0).state->pose.x;
     const std::string at = std::to_string(x + 0.4);
     if (dropped) {
-      simulation.change("obstacle[+]", "<static_box id=\"block\" width=\"1\" x=\"" + at + "\"/>");
+      simulation.edit("obstacle[+]", "<static_box id=\"block\" width=\"1\" x=\"" + at + "\"/>");
     }
     advance(simulation, 20);
     if (taken) {
-      simulation.change("obstacle[block]/@remove", "true");
+      simulation.edit("obstacle[block]/@remove", "true");
     }
     advance(simulation, 400);
     return std::pair(simulation.robot(0).state->pose.x - x, simulation.robot(0).collisions);
@@ -156,15 +156,15 @@ TEST_CASE("A sensor that was added, turned or taken away is perceived so") {
   };
   advance(simulation, 3);
   const double ahead = seen(0);
-  simulation.change("robot[r1]/sensor[+]", "<beam_range id=\"behind\" yaw_deg=\"180\"/>");
+  simulation.edit("robot[r1]/sensor[+]", "<beam_range id=\"behind\" yaw_deg=\"180\"/>");
   REQUIRE(simulation.sensors(0) == 2);
   advance(simulation, 2);
   CHECK(seen(0) == Approx(ahead).margin(0.02));
   CHECK(seen(1) > ahead + 0.1);
-  simulation.change("robot[r1]/sensor[ahead]/@yaw_deg", "180");
+  simulation.edit("robot[r1]/sensor[ahead]/@yaw_deg", "180");
   advance(simulation, 2);
   CHECK(seen(0) == Approx(seen(1)).margin(0.05));
-  simulation.change("robot[r1]/sensor[ahead]/@remove", "true");
+  simulation.edit("robot[r1]/sensor[ahead]/@remove", "true");
   REQUIRE(simulation.sensors(0) == 1);
   CHECK(simulation.sensor(0, 0).id == "behind");
 }
@@ -185,19 +185,19 @@ TEST_CASE("A behaviour that was added acts, and the others keep their objects") 
                          [](const simulation::Note& note) { return note.robot == "r2"; });
   };
   CHECK(notes_of_r2() == 0);
-  simulation.change("robot[r2]/behavior[+]", "<wander id=\"second\" priority=\"0\"/>");
+  simulation.edit("robot[r2]/behavior[+]", "<wander id=\"second\" priority=\"0\"/>");
   CHECK(members() == std::vector<std::string>{"wander", "second"});
   advance(simulation, 1);
-  simulation.change("robot[r2]/behavior[wander]/@remove", "true");
+  simulation.edit("robot[r2]/behavior[wander]/@remove", "true");
   CHECK(members() == std::vector<std::string>{"second"});
   advance(simulation, 5);
   CHECK(simulation.robot(1).trace[0].member->trace.asked);
   CHECK(notes_of_r2() == 0);
   // One of the same plugin stays. One that is replaced under its id says that it has lost its
   // memory.
-  simulation.change("robot[r2]/behavior[second]", "<wander restlessness=\"4\"/>");
+  simulation.edit("robot[r2]/behavior[second]", "<wander restlessness=\"4\"/>");
   CHECK(notes_of_r2() == 0);
-  simulation.change("robot[r2]/behavior[second]", "<go_to_point x=\"1\" y=\"1\"/>");
+  simulation.edit("robot[r2]/behavior[second]", "<go_to_point x=\"1\" y=\"1\"/>");
   REQUIRE(notes_of_r2() == 1);
   CHECK(std::any_of(simulation.notes().begin(), simulation.notes().end(),
                     [](const simulation::Note& note) { return note.plugin == "second"; }));
@@ -205,9 +205,9 @@ TEST_CASE("A behaviour that was added acts, and the others keep their objects") 
 
 TEST_CASE("What one edit of a step adds, another one may set") {
   Simulation simulation(lively(), shipped());
-  const std::vector<simulation::Change> both{
+  const std::vector<simulation::Edit> both{
       {"obstacle[+]", "<static_box id=\"late\" x=\"1\" y=\"2.5\"/>"}, {"obstacle[late]/@y", "2"}};
-  simulation.change(both);
+  simulation.edit(both);
   const auto& boxes = simulation.world().boxes;
   const auto late = std::find_if(boxes.begin(), boxes.end(),
                                  [](const world::Box& box) { return box.id == "late"; });
@@ -221,8 +221,8 @@ TEST_CASE("What other robots do is not touched by an edit of one") {
     Simulation simulation(lively(), shipped(), {7});
     advance(simulation, 60);
     if (edited) {
-      simulation.change("robot[r3]/coordinator", "<fusion_vector_summation/>");
-      simulation.change("robot[r3]/body/@length", "0.1");
+      simulation.edit("robot[r3]/coordinator", "<fusion_vector_summation/>");
+      simulation.edit("robot[r3]/body/@length", "0.1");
     }
     advance(simulation, 60);
     return simulation.robot(0).state->pose;
@@ -234,12 +234,12 @@ TEST_CASE("Robots come and go, and their teams know it") {
   Simulation simulation(lively(), shipped(), {7});
   advance(simulation, 10);
   const std::uint64_t before = simulation.state_hash();
-  simulation.change("robot[+]", "<robot id=\"r9\" x=\"2\" leader=\"true\" coverage=\"9\"/>");
+  simulation.edit("robot[+]", "<robot id=\"r9\" x=\"2\" leader=\"true\" coverage=\"9\"/>");
   REQUIRE(simulation.robots() == 4);
   CHECK(simulation.robot(3).description->id == "r9");
   CHECK(simulation.robot(3).state->team_index == 3);
   CHECK(simulation.state_hash() != before);
-  simulation.change("robot[r2]/@remove", "true");
+  simulation.edit("robot[r2]/@remove", "true");
   REQUIRE(simulation.robots() == 3);
   CHECK(simulation.robot(2).state->team_index == 2);
   advance(simulation, 10);
@@ -251,14 +251,14 @@ TEST_CASE("A robot with another body keeps its place, speed, energy and way") {
   advance(simulation, 100);
   const auto before = *simulation.robot(2).state;
   const double way = simulation.robot(2).distance_m;
-  simulation.change("robot[r3]/body/@length", "0.1");
+  simulation.edit("robot[r3]/body/@length", "0.1");
   const OwnState& now = *simulation.robot(2).state;
   CHECK(now.pose == before.pose);
   CHECK(now.moving.forward == Approx(before.moving.forward).margin(1e-6));
   CHECK(now.energy == before.energy);
   CHECK(now.length_m == 0.1);
   CHECK(simulation.robot(2).distance_m == way);
-  simulation.change("robot[r3]/drive[+]", "<mecanum/>");
+  simulation.edit("robot[r3]/drive[+]", "<mecanum/>");
   CHECK(simulation.robot(2).state->channels.lateral);
   CHECK(simulation.robot(2).state->pose == before.pose);
   advance(simulation, 50);
@@ -267,12 +267,12 @@ TEST_CASE("A robot with another body keeps its place, speed, energy and way") {
 TEST_CASE("Goals and limits count from their edit on") {
   Simulation simulation(lively(), shipped(), {7});
   advance(simulation, 10);
-  simulation.change("goal[1]", "<travel robot=\"r1\" distance=\"0.001\"/>");
+  simulation.edit("goal[1]", "<travel robot=\"r1\" distance=\"0.001\"/>");
   advance(simulation, 100);
   CHECK(simulation.outcome() == simulation::Outcome::success);
 
   Simulation limited(lively(), shipped(), {7});
-  limited.change("limits/@time", "0.5");
+  limited.edit("limits/@time", "0.5");
   advance(limited, 60);
   CHECK(limited.outcome() == simulation::Outcome::time_limit);
 }
@@ -282,7 +282,7 @@ TEST_CASE("A collected resource stays away, a box that moves goes on") {
   advance(simulation, 200);
   const auto cart = simulation.box(2);
   REQUIRE(cart);
-  simulation.change("obstacle[mast]/@remove", "true");
+  simulation.edit("obstacle[mast]/@remove", "true");
   REQUIRE(simulation.box(1));
   CHECK(*simulation.box(1) == *cart);
   simulation.step();
@@ -303,14 +303,14 @@ TEST_CASE("Edits are events, with which recorders go on") {
     }
     const RunResult result = simulation.run(
         all,
-        std::vector<TimedChange>{{1.0, {"robot[r2]/@remove", "true"}},
-                                 {1.5, {"physics/@step", "0.004"}},
-                                 {2.0, {"robot[r1]/sensor[ahead]/@remove", "true"}},
-                                 {2.0, {"robot[r1]/behavior[+]", "<wander id=\"more\"/>"}},
-                                 {3.0,
-                                  {"robot[+]",
-                                   "<robot id=\"r9\" x=\"2\"><behaviors><wander/></behaviors>"
-                                   "<coordinator><arbiter_suppression/></coordinator></robot>"}}});
+        std::vector<TimedEdit>{{1.0, {"robot[r2]/@remove", "true"}},
+                               {1.5, {"physics/@step", "0.004"}},
+                               {2.0, {"robot[r1]/sensor[ahead]/@remove", "true"}},
+                               {2.0, {"robot[r1]/behavior[+]", "<wander id=\"more\"/>"}},
+                               {3.0,
+                                {"robot[+]",
+                                 "<robot id=\"r9\" x=\"2\"><behaviors><wander/></behaviors>"
+                                 "<coordinator><arbiter_suppression/></coordinator></robot>"}}});
     if (with_observers) {
       CHECK(tracks.tracks().size() == 3);
       REQUIRE(accounts.accounts().size() == 5);  // r1 has two: its behaviours changed
@@ -342,16 +342,16 @@ TEST_CASE("Edits are events, with which recorders go on") {
 
 TEST_CASE("What is edited of the changes that stand in the world counts, if its time is to come") {
   world::World world = lively();
-  world.changes.push_back({2.0, "robot[r2]/@max_speed", "0", {}, {}});
-  world.changes.push_back({3.0, "robot[r3]/@remove", "true", {}, {}});
+  world.edits.push_back({2.0, "robot[r2]/@max_speed", "0", {}, {}});
+  world.edits.push_back({3.0, "robot[r3]/@remove", "true", {}, {}});
   const auto edit = [](const std::string& time) {
     return "<change time=\"" + time + "\" path=\"@name\" value=\"at " + time + "\"/>";
   };
   Simulation simulation(world, shipped());
   const RunResult result =
-      simulation.run({}, std::vector<TimedChange>{{1.0, {"change[+]", edit("1.015")}},
-                                                  {1.01, {"change[+]", edit("4")}},
-                                                  {1.5, {"change[2]/@remove", "true"}}});
+      simulation.run({}, std::vector<TimedEdit>{{1.0, {"change[+]", edit("1.015")}},
+                                                {1.01, {"change[+]", edit("4")}},
+                                                {1.5, {"change[2]/@remove", "true"}}});
   std::vector<std::string> made;
   for (const auto& event : result.events) {
     if (event.as<events::Changed>()) made.push_back(event.detail());
@@ -369,9 +369,9 @@ TEST_CASE("What is edited of the changes that stand in the world counts, if its 
 
 TEST_CASE("Edits of one instant are made in the order given, whatever they cost") {
   const std::string r3 = "<robot id=\"r3\" x=\"1\" heading_deg=\"-90\" max_speed=\"0.3\"/>";
-  const auto speed_after = [&](std::vector<simulation::Change> edits) {
+  const auto speed_after = [&](std::vector<simulation::Edit> edits) {
     Simulation simulation(lively(), shipped());
-    simulation.change(edits);
+    simulation.edit(edits);
     return simulation.robot(2).state->max_speed_m_s;
   };
   CHECK(why_not([&] {
@@ -389,11 +389,11 @@ TEST_CASE("What is put in place by itself is put in place together with what is 
   const OwnState before = *simulation.robot(0).state;
   REQUIRE(before.pose.x != -1);
   // As they are described, and not as they are.
-  simulation.change(std::vector<simulation::Change>{{"robot[r1]/@x", "-1"},
-                                                    {"robot[r1]/@energy", "7"},
-                                                    {"robot[r1]/@energy", "7"},
-                                                    {"robot[r1]/behavior[wander]/@turn", "2"},
-                                                    {"@name", "edited"}});
+  simulation.edit(std::vector<simulation::Edit>{{"robot[r1]/@x", "-1"},
+                                                {"robot[r1]/@energy", "7"},
+                                                {"robot[r1]/@energy", "7"},
+                                                {"robot[r1]/behavior[wander]/@turn", "2"},
+                                                {"@name", "edited"}});
   const OwnState& now = *simulation.robot(0).state;
   CHECK(now.pose.x == -1);
   CHECK(now.pose.y == before.pose.y);
@@ -414,18 +414,18 @@ TEST_CASE("What an edit sets has the warnings of the physics, each once") {
   };
   CHECK(warnings() == "");
   advance(simulation, 200);
-  simulation.change("physics/@cfm", "0");
+  simulation.edit("physics/@cfm", "0");
   CHECK_THAT(warnings(), Catch::StartsWith("warning after an edit at 2 s: cfm is 0: "));
   const std::string first = warnings();
-  simulation.change("arena/@length", "7");
+  simulation.edit("arena/@length", "7");
   CHECK(warnings() == first);
-  simulation.change("robot[r1]/@max_speed", "20");
+  simulation.edit("robot[r1]/@max_speed", "20");
   CHECK_THAT(warnings(), Catch::StartsWith(first) &&
                              Catch::Contains("the robot 'r1' moves up to 0.2 m in a step"));
 }
 
 TEST_CASE("Measures of all robots count those that an edit removed") {
-  const auto measures = [](std::vector<TimedChange> edits) {
+  const auto measures = [](std::vector<TimedEdit> edits) {
     Simulation simulation(lively(), shipped(), {7});
     std::map<std::string, double> values;
     for (const simulation::MeasuredValue& measured : simulation.run({}, edits).measures) {
@@ -444,7 +444,7 @@ TEST_CASE("The event of an edit names each robot that its path leads to") {
   Simulation simulation(lively(), shipped(), {7});
   const auto robots = [&](const std::string& path, const std::string& value) {
     const std::size_t before = simulation.events().size();
-    simulation.change(path, value);
+    simulation.edit(path, value);
     std::string ids;
     for (const auto& event : simulation.events().subspan(before)) {
       ids += ids.empty() ? event.robot : " " + event.robot;

@@ -44,16 +44,16 @@ class CountingHost {
 
 /// Robots with a counted behaviour each, and an edit of each that adds another one.
 std::string edited_crowd(int robots) {
-  std::string crowd, changes;
+  std::string crowd, edits;
   for (int i = 1; i <= robots; ++i) {
     const std::string number = std::to_string(i);
     crowd += "<robot id=\"r" + number + "\" x=\"" + std::to_string(0.2 * i) +
              "\"><behaviors><counted/></behaviors><coordinator><arbiter_suppression/>"
              "</coordinator></robot>";
-    changes += "<change time=\"" + number + "\" path=\"robot[r" + number +
-               "]/behavior[+]\"><counted/></change>";
+    edits += "<change time=\"" + number + "\" path=\"robot[r" + number +
+             "]/behavior[+]\"><counted/></change>";
   }
-  return "<world format=\"1\"><robots>" + crowd + "</robots><changes>" + changes +
+  return "<world format=\"1\"><robots>" + crowd + "</robots><changes>" + edits +
          "</changes></world>";
 }
 
@@ -63,14 +63,14 @@ TEST_CASE("An edit leaves the descriptions of other robots where they are") {
   Simulation simulation(lively(), shipped(), {7});
   advance(simulation, 5);
   const auto before = descriptions(simulation);
-  simulation.change("robot[r1]/behavior[rest]", "<wander id=\"rest\" restlessness=\"2\"/>");
+  simulation.edit("robot[r1]/behavior[rest]", "<wander id=\"rest\" restlessness=\"2\"/>");
   auto now = descriptions(simulation);
   CHECK(now[0] != before[0]);
   CHECK(now[1] == before[1]);
   CHECK(now[2] == before[2]);
-  simulation.change("robot[r2]/@remove", "true");
+  simulation.edit("robot[r2]/@remove", "true");
   CHECK(descriptions(simulation) == std::vector<const world::Robot*>{now[0], now[2]});
-  CHECK_THROWS_AS(simulation.change("robot[r3]/body/@mass", "-1"), ChangeRefused);
+  CHECK_THROWS_AS(simulation.edit("robot[r3]/body/@mass", "-1"), EditRefused);
   CHECK(descriptions(simulation) == std::vector<const world::Robot*>{now[0], now[2]});
   advance(simulation, 5);
 }
@@ -81,10 +81,10 @@ TEST_CASE("What is set in place is described, but not in the worlds that others 
   advance(simulation, 5);
   const world::World snapshot = simulation.world();
   const auto before = descriptions(simulation);
-  simulation.change("robot[r2]/@max_speed", "0.1");
-  simulation.change("robot[r1]/sensor[ahead]/@energy_cost", "3");
-  simulation.change("robot[r1]/behavior[rest]/@priority", "0.3");
-  simulation.change("robot[r1]/behavior[rest]/@restlessness", "4");
+  simulation.edit("robot[r2]/@max_speed", "0.1");
+  simulation.edit("robot[r1]/sensor[ahead]/@energy_cost", "3");
+  simulation.edit("robot[r1]/behavior[rest]/@priority", "0.3");
+  simulation.edit("robot[r1]/behavior[rest]/@restlessness", "4");
   const world::World& now = simulation.world();
   CHECK(now.robots[1].max_speed == 0.1);
   CHECK(now.robots[0].sensors[0].energy_cost == 3);
@@ -100,9 +100,9 @@ TEST_CASE("What is set in place is described, but not in the worlds that others 
   CHECK(simulation.has_edits());
   // Nobody shares them any more, so they stay where they are.
   const auto then = descriptions(simulation);
-  simulation.change("robot[r2]/@max_speed", "0.2");
+  simulation.edit("robot[r2]/@max_speed", "0.2");
   CHECK(descriptions(simulation) == then);
-  CHECK_THROWS_AS(simulation.change("robot[r2]/@max_speed", "-1"), ChangeRefused);
+  CHECK_THROWS_AS(simulation.edit("robot[r2]/@max_speed", "-1"), EditRefused);
   CHECK(now.robots[1].max_speed == 0.2);
   advance(simulation, 5);
   simulation.reset();
@@ -130,9 +130,9 @@ TEST_CASE("Each edit makes the objects of the robots that it leads to, and no ot
 
 TEST_CASE("A robot's energy is no more than its battery holds, whatever else is edited") {
   Simulation simulation = test::of("");
-  using Edits = std::vector<simulation::Change>;
+  using Edits = std::vector<simulation::Edit>;
   const auto is_refused = [&](const Edits& edits) {
-    return !why_not([&] { simulation.change(edits); }).empty();
+    return !why_not([&] { simulation.edit(edits); }).empty();
   };
   CHECK(is_refused({{"robot[r1]/@energy", "6000"}}));
   CHECK(is_refused({{"robot[r1]/@energy", "6000"}, {"robot[r1]/@max_speed", "0.1"}}));
@@ -141,14 +141,14 @@ TEST_CASE("A robot's energy is no more than its battery holds, whatever else is 
   CHECK(is_refused({{"robot[r1]", "<robot id=\"r1\" battery=\"100\" energy=\"101\"/>"}}));
   CHECK(is_refused({{"physics/@kp", "1"}, {"robot[r1]/@energy", "50"}}));
   CHECK(simulation.robot(0).state->energy == 5000);
-  simulation.change(Edits{{"robot[r1]/@battery", "7000"}, {"robot[r1]/@energy", "6000"}});
+  simulation.edit(Edits{{"robot[r1]/@battery", "7000"}, {"robot[r1]/@energy", "6000"}});
   CHECK(simulation.robot(0).state->energy == 6000);
-  simulation.change("robot[r1]/@energy", "6500");
+  simulation.edit("robot[r1]/@energy", "6500");
   CHECK(is_refused({{"robot[r1]/@energy", "7001"}}));
   // Its battery may become smaller than what was put into it.
-  simulation.change("robot[r1]/@battery", "80");
+  simulation.edit("robot[r1]/@battery", "80");
   CHECK(simulation.robot(0).state->energy == 80);
-  simulation.change("robot[r1]/@max_speed", "0.2");
-  simulation.change("@name", "other");
+  simulation.edit("robot[r1]/@max_speed", "0.2");
+  simulation.edit("@name", "other");
   CHECK(simulation.robot(0).state->energy == 80);
 }

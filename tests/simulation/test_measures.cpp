@@ -134,8 +134,8 @@ TEST_CASE("What a user changes before the start is part of the start") {
   script.observe = [&](const Observation& now) { x.push_back(now.robot("r1").pose.x); };
   Run run(script);
   Simulation simulation(run.world, run.scripted.host);
-  const std::vector<simulation::TimedChange> changes{{0.0, {"robot[r1]/@x", "1.5"}}};
-  simulation.run({}, changes);
+  const std::vector<simulation::TimedEdit> edits{{0.0, {"robot[r1]/@x", "1.5"}}};
+  simulation.run({}, edits);
   REQUIRE_FALSE(x.empty());
   CHECK(x.front() == 1.5);
 }
@@ -195,10 +195,10 @@ TEST_CASE("A measure that is edited while the world runs begins then; the others
   }
   const double before = value("whole");
   REQUIRE(before > 0.0);
-  CHECK_THROWS_WITH(simulation.change("measure[path_length]/@robot", "r2"),
+  CHECK_THROWS_WITH(simulation.edit("measure[path_length]/@robot", "r2"),
                     Catch::Contains("there is no robot 'r2' in the world"));
   CHECK(value("path_length") == before);
-  simulation.change("measure[path_length]", "<path_length/>");
+  simulation.edit("measure[path_length]", "<path_length/>");
   CHECK(value("whole") == before);
   for (int i = 0; i < 100; ++i) {
     simulation.step();

@@ -113,15 +113,15 @@ TEST_CASE("The error of a sensor decides how far its readings spread") {
   const auto [exact, none] = spread(simulation, 50);
   CHECK(exact == Approx(distance).margin(1e-4));
   CHECK(none < 1e-6);
-  simulation.change("robot[r1]/sensor[ahead]/@error_m", "0.05");
+  simulation.edit("robot[r1]/sensor[ahead]/@error_m", "0.05");
   const auto [mean, deviation] = spread(simulation, 4000);
   CHECK(mean == Approx(distance).margin(0.004));
   CHECK(deviation == Approx(0.05).epsilon(0.06));
-  const simulation::Change fraction[] = {{"robot[r1]/sensor[ahead]/@error_m", "0"},
-                                         {"robot[r1]/sensor[ahead]/@error", "0.02"}};
-  simulation.change(fraction);
+  const simulation::Edit fraction[] = {{"robot[r1]/sensor[ahead]/@error_m", "0"},
+                                       {"robot[r1]/sensor[ahead]/@error", "0.02"}};
+  simulation.edit(fraction);
   CHECK(spread(simulation, 4000).second == Approx(0.02 * distance).epsilon(0.06));
-  simulation.change("sensor[ahead]/@error", "0");
+  simulation.edit("sensor[ahead]/@error", "0");
   CHECK(spread(simulation, 50).second < 1e-6);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("What a sensor costs may change") {
   Simulation simulation(world, scripted.host);
   advance(simulation, 100);
   CHECK(simulation.robot(0).state->energy == Approx(5000 - 2));
-  simulation.change("robot[r1]/sensor[b]/@energy_cost", "9");
+  simulation.edit("robot[r1]/sensor[b]/@energy_cost", "9");
   advance(simulation, 100);
   CHECK(simulation.robot(0).state->energy == Approx(5000 - 2 - 10));
 }
@@ -145,7 +145,7 @@ TEST_CASE("A behaviour of higher priority wins from the next decision on") {
   Simulation simulation(world, scripted.host);
   simulation.step();
   CHECK(simulation.robot(0).members[0].trace.share == 1.0);
-  simulation.change("robot[r1]/behavior[second]/@priority", "2.5");
+  simulation.edit("robot[r1]/behavior[second]/@priority", "2.5");
   CHECK(simulation.robot(0).members[1].priority() == 2.5);
   CHECK(simulation.robot(0).members[0].trace.share == 1.0);  // of the last decision, as before
   simulation.step();
@@ -168,7 +168,7 @@ TEST_CASE("Parameters of coordinators, of the elements in them, and of what is n
     Simulation simulation(world, scripted.host);
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
-    simulation.change("robot[r1]/coordinator/@weighted", "true");
+    simulation.edit("robot[r1]/coordinator/@weighted", "true");
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{8, 8});  // (1 x 4 + 3 x 4) / 2
   }
@@ -183,10 +183,10 @@ TEST_CASE("Parameters of coordinators, of the elements in them, and of what is n
     Simulation simulation(world, scripted.host);
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
-    simulation.change("robot[r1]/coordinator/candidate[1]/@left", "5");
+    simulation.edit("robot[r1]/coordinator/candidate[1]/@left", "5");
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{5, 4});
-    CHECK_THAT(why_not([&] { simulation.change("coordinator/candidate[3]/@left", "5"); }),
+    CHECK_THAT(why_not([&] { simulation.edit("coordinator/candidate[3]/@left", "5"); }),
                Catch::Contains("there is no candidate[3]; they are numbered from 1 to 2"));
     simulation.reset();
     simulation.step();
@@ -202,10 +202,10 @@ TEST_CASE("Parameters of coordinators, of the elements in them, and of what is n
     Simulation simulation(world, scripted.host);
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{10, 10});
-    simulation.change("robot[r1]/behavior[blend]/behavior[wander]/@speed", "7");
+    simulation.edit("robot[r1]/behavior[blend]/behavior[wander]/@speed", "7");
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{7, 7});
-    simulation.change("robot[r1]/behavior[blend]/behavior[scripted]/@priority", "2");
+    simulation.edit("robot[r1]/behavior[blend]/behavior[scripted]/@priority", "2");
     simulation.step();
     CHECK(rates(simulation.robot(0).command) == WheelRates{4, 4});
     CHECK(events_of(simulation) ==
@@ -221,7 +221,7 @@ TEST_CASE("What a behaviour remembers of the run outlasts a change of its parame
   world.robots[0].sensors = {beam("ahead", 0)};
   Simulation simulation(world, plugins.host);
   advance(simulation, 5);
-  simulation.change("robot[r1]/behavior[counting]/@low", "1.5");
+  simulation.edit("robot[r1]/behavior[counting]/@low", "1.5");
   simulation.step();
   const WheelRates now = rates(simulation.robot(0).command);
   CHECK(now.left == 1.5);
@@ -232,7 +232,7 @@ TEST_CASE("What a behaviour remembers of the run outlasts a change of its parame
   Simulation unchanged(one_robot(behavior("wander", 1, {{"restlessness", 20.0}})), plugins.host);
   advance(changed, 50);
   advance(unchanged, 50);
-  changed.change("robot[r1]/behavior[wander]/@speed", "8");
+  changed.edit("robot[r1]/behavior[wander]/@speed", "8");
   for (int i = 0; i < 50; ++i) {
     changed.step();
     unchanged.step();
@@ -252,12 +252,12 @@ TEST_CASE("What a plugin refuses leaves all as it was") {
   advance(untouched, 5);
   const std::string low = "robot[r1]/behavior[counting]/@low";
   const std::string high = "robot[r1]/behavior[counting]/@high";
-  CHECK(why_not([&] { simulation.change(low, "3"); }) ==
+  CHECK(why_not([&] { simulation.edit(low, "3"); }) ==
         low + "=3: behavior 'counting': low is above high");
-  CHECK(why_not([&] { simulation.change(high, "11"); }) ==
+  CHECK(why_not([&] { simulation.edit(high, "11"); }) ==
         high + "=11: high needs a beam for each 10");
-  const simulation::Change with_another[] = {{"robot[r1]/@max_speed", "0.01"}, {low, "3"}};
-  CHECK_FALSE(why_not([&] { simulation.change(with_another); }).empty());
+  const simulation::Edit with_another[] = {{"robot[r1]/@max_speed", "0.01"}, {low, "3"}};
+  CHECK_FALSE(why_not([&] { simulation.edit(with_another); }).empty());
   CHECK(simulation.state_hash() == untouched.state_hash());
   CHECK(simulation.events().empty());
   advance(simulation, 50);
@@ -265,8 +265,8 @@ TEST_CASE("What a plugin refuses leaves all as it was") {
   CHECK(simulation.state_hash() == untouched.state_hash());
   CHECK(rates(simulation.robot(0).command).left == 1.0);
   // Together they fit.
-  const simulation::Change both[] = {{low, "3"}, {high, "4"}};
-  simulation.change(both);
+  const simulation::Edit both[] = {{low, "3"}, {high, "4"}};
+  simulation.edit(both);
   simulation.step();
   CHECK(rates(simulation.robot(0).command).left == 3.0);
 }
@@ -277,13 +277,13 @@ TEST_CASE("An object that refuses what another one took is set back, with all ch
   world.robots[0].behaviors.push_back(behavior("wander", 1, {{"restlessness", 0.0}}));
   Simulation simulation(world, plugins.host);
   simulation.step();
-  const simulation::Change both[] = {{"robot[r1]/behavior[wander]/@speed", "20"},
-                                     {"robot[r1]/behavior[stubborn]/@value", "2"}};
-  CHECK(why_not([&] { simulation.change(both); }) ==
+  const simulation::Edit both[] = {{"robot[r1]/behavior[wander]/@speed", "20"},
+                                   {"robot[r1]/behavior[stubborn]/@value", "2"}};
+  CHECK(why_not([&] { simulation.edit(both); }) ==
         "robot[r1]/behavior[stubborn]/@value=2: behavior 'stubborn': not now");
   simulation.step();
   CHECK(rates(simulation.robot(0).command) == WheelRates{1, 1});
-  simulation.change("robot[r1]/behavior[wander]/@priority", "3");
+  simulation.edit("robot[r1]/behavior[wander]/@priority", "3");
   simulation.step();
   CHECK(rates(simulation.robot(0).command) == WheelRates{10, 10});
   CHECK(simulation.events().size() == 1);
@@ -297,13 +297,13 @@ TEST_CASE("Files that a change names are found as those of the world are") {
   Simulation simulation(world, shipped()), untouched(world, shipped());
   advance(simulation, 1);
   const std::string path = "robot[r1]/behavior[avoid_obstacle]/@left_model";
-  CHECK_THAT(why_not([&] { simulation.change(path, "nowhere.fcl"); }),
+  CHECK_THAT(why_not([&] { simulation.edit(path, "nowhere.fcl"); }),
              Catch::Contains(path + "=nowhere.fcl: there is no such file; looked"));
-  CHECK_THAT(why_not([&] { simulation.change(path, "maze.xml"); }), Catch::Contains("maze.xml"));
+  CHECK_THAT(why_not([&] { simulation.edit(path, "maze.xml"); }), Catch::Contains("maze.xml"));
   advance(simulation, 1);
   advance(untouched, 2);
   CHECK(simulation.state_hash() == untouched.state_hash());
-  simulation.change(path, "../fuzzy_models/avoid_obstacle_right.fcl");
+  simulation.edit(path, "../fuzzy_models/avoid_obstacle_right.fcl");
   advance(simulation, 1);
   advance(untouched, 1);
   CHECK(rates(simulation.robot(0).command).left < rates(untouched.robot(0).command).left - 1.0);
@@ -319,7 +319,7 @@ TEST_CASE("A network that is to be trained otherwise is trained again, and says 
       {"presentations", std::int64_t{2000}}};
   Simulation simulation(world, shipped());
   const std::size_t notes = simulation.notes().size(), curves = simulation.result().curves.size();
-  simulation.change("robot[r1]/coordinator/@learning_rate", "0.5");
+  simulation.edit("robot[r1]/coordinator/@learning_rate", "0.5");
   CHECK(simulation.notes().size() > notes);
   CHECK(simulation.result().curves.size() == curves + 1);
   simulation.step();
@@ -338,9 +338,9 @@ TEST_CASE("A camera is not made to look for what no camera can find while a run 
   Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   simulation.step();
   const std::string path = "robot[r1]/sensor[eye]/match_colour/@colours";
-  CHECK_THAT(why_not([&] { simulation.change(path, ""); }),
+  CHECK_THAT(why_not([&] { simulation.edit(path, ""); }),
              Catch::Contains("match_colour[1]/@colours=: it cannot look for the colour #808080"));
-  CHECK(why_not([&] { simulation.change(path, "#d03030"); }).empty());
+  CHECK(why_not([&] { simulation.edit(path, "#d03030"); }).empty());
   simulation.step();
 }
 
@@ -353,7 +353,7 @@ TEST_CASE("A camera that is changed goes on looking for the resources' colours")
   world.robots[0].sensors = {eye};
   Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   for (const char* width : {"60", "80"}) {
-    simulation.change("robot[r1]/sensor[vision]/@width", width);
+    simulation.edit("robot[r1]/sensor[vision]/@width", width);
     simulation.step();
     CHECK(static_cast<const VisionReading*>(simulation.sensor(0, 0).sensor->reading())->found);
   }
@@ -372,11 +372,11 @@ TEST_CASE("A camera may take other pictures from now on") {
   };
   simulation.step();
   CHECK(reading()->width == 100);
-  simulation.change("robot[r1]/sensor[eye]/@width", "60");
+  simulation.edit("robot[r1]/sensor[eye]/@width", "60");
   simulation.step();
   CHECK(reading()->width == 60);
   CHECK(simulation.sensor(0, 0).camera->width == 60);
-  simulation.change("robot[r1]/sensor[eye]/@fov_deg", "90");
+  simulation.edit("robot[r1]/sensor[eye]/@fov_deg", "90");
   simulation.step();
   CHECK(reading()->horizontal_fov_rad == Approx(radians(90)));
   CHECK(simulation.sensor(0, 0).camera->horizontal_fov_rad == Approx(radians(90)));

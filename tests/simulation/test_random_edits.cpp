@@ -33,7 +33,7 @@ int edits_of_each_world(std::size_t worlds) {
   return asked ? std::atoi(asked) / static_cast<int>(worlds) + 1 : 120;
 }
 
-simulation::Change change_of(const std::string& edit) {
+simulation::Edit change_of(const std::string& edit) {
   const std::size_t equals = edit.find('=');
   return {edit.substr(0, equals), edit.substr(equals + 1)};
 }
@@ -318,15 +318,15 @@ TEST_CASE("Random edits of running worlds are what edits of their files are, or 
       if (i % 2 == 0) {  // not all edits are made in place
         drawn.edits.push_back("@description=edit " + std::to_string(i));
       }
-      std::vector<simulation::Change> changes;
+      std::vector<simulation::Edit> edits;
       for (const std::string& edit : drawn.edits) {
-        changes.push_back(change_of(edit));
+        edits.push_back(change_of(edit));
       }
       CAPTURE(i, drawn.edits);
       const std::uint64_t before = simulation.state_hash();
       const std::size_t events = simulation.events().size();
       const world::World was = simulation.world();
-      const std::string why = why_not([&] { simulation.change(changes); });
+      const std::string why = why_not([&] { simulation.edit(edits); });
       CAPTURE(why);
       if (!why.empty()) {
         ++refused[drawn.kind];
@@ -337,7 +337,7 @@ TEST_CASE("Random edits of running worlds are what edits of their files are, or 
       } else {
         ++made[drawn.kind];
         ++all_made;
-        REQUIRE_NOTHROW(twin.change(changes));
+        REQUIRE_NOTHROW(twin.edit(edits));
         REQUIRE_NOTHROW(document.apply(drawn.edits));
         CAPTURE(document.text());
         const world::World read =

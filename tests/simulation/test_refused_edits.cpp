@@ -9,7 +9,7 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using simulation::TimedChange;
+using simulation::TimedEdit;
 
 TEST_CASE("After a refused edit, measures look at the same world as before") {
   Simulation simulation(lively(), shipped(), {7});
@@ -29,10 +29,10 @@ TEST_CASE("A coordinator is asked whether it can do without a behaviour") {
          "<arbiter_subsumption><suppress by=\"high\" of=\"low\"/></arbiter_subsumption>"
          "</coordinator>");
   simulation.step();
-  CHECK_THROWS_AS(simulation.change("robot[r1]/behavior[high]/@remove", "true"),
-                  simulation::ChangeRefused);
+  CHECK_THROWS_AS(simulation.edit("robot[r1]/behavior[high]/@remove", "true"),
+                  simulation::EditRefused);
   simulation.step();
-  simulation.change("robot[r1]/behavior[+]", "<wander id=\"higher\"/>");
+  simulation.edit("robot[r1]/behavior[+]", "<wander id=\"higher\"/>");
   simulation.step();
 }
 
@@ -72,9 +72,9 @@ TEST_CASE("An edit that cannot be made is refused in one sentence, and changes n
   CHECK(simulation.events().size() == events);
   // Of several, the ones that could be made are not made either.
   CHECK_THROWS_AS(
-      simulation.change(std::vector<simulation::Change>{
+      simulation.edit(std::vector<simulation::Edit>{
           {"robot[r2]/@max_speed", "0"}, {"robot[r3]/@remove", "true"}, {"robot[r1]/@x", "99"}}),
-      ChangeRefused);
+      EditRefused);
   CHECK(simulation.robots() == 3);
   CHECK(simulation.state_hash() == before);
   advance(simulation, 260);
@@ -83,11 +83,11 @@ TEST_CASE("An edit that cannot be made is refused in one sentence, and changes n
 
 TEST_CASE("An arena does not shrink into a robot or a box") {
   Simulation simulation = of("", "");
-  simulation.change("robot[r1]/@x", "3");
+  simulation.edit("robot[r1]/@x", "3");
   const std::uint64_t before = simulation.state_hash();
   CHECK(refusal(simulation, "arena/@length", "6").find("robot 'r1'") != std::string::npos);
   CHECK(simulation.state_hash() == before);
-  simulation.change("arena/@length", "6.5");
+  simulation.edit("arena/@length", "6.5");
   CHECK(simulation.world().arena.length == 6.5);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("A change for later of a world that no file could hold is refused in a
   world.boxes[0].id = "two words";
   const Simulation simulation(world, shipped());
   const std::string why = why_not([&] {
-    simulation.check(std::vector<TimedChange>{{1.0, {"obstacle[1]/@y", "2"}}});
+    simulation.check(std::vector<TimedEdit>{{1.0, {"obstacle[1]/@y", "2"}}});
   });
   CHECK(why.starts_with("at 1 s, obstacle[1]/@y=2: "));
 }
@@ -112,10 +112,10 @@ TEST_CASE("Observers hear of an edit that was made before another one is refused
   const std::string r2 = "<static_box length=\"6\" width=\"1\" y=\"1\"/>";
   // Both are due once the long step is over.
   CHECK_THROWS_AS(simulation.run(std::vector<simulation::Observer*>{&counting},
-                                 std::vector<TimedChange>{{0.1, {"physics/@step", "0.1"}},
-                                                          {0.15, {"robot[r3]/@remove", "true"}},
-                                                          {0.16, {"obstacle[+]", r2}}}),
-                  ChangeRefused);
+                                 std::vector<TimedEdit>{{0.1, {"physics/@step", "0.1"}},
+                                                        {0.15, {"robot[r3]/@remove", "true"}},
+                                                        {0.16, {"obstacle[+]", r2}}}),
+                  EditRefused);
   CHECK(simulation.robots() == 2);
   CHECK(counting.robots == 2);
 }
@@ -128,12 +128,12 @@ TEST_CASE("Parameters that were set are set back when the edit is refused") {
     if (edited) {
       const std::string block = "<static_box id=\"block\" x=\"" + std::to_string(r1.x) + "\" y=\"" +
                                 std::to_string(r1.y) + "\"/>";
-      CHECK_THROWS_AS(simulation.change(std::vector<simulation::Change>{
-                          {"robot[r1]/behavior[wander]/@speed", "1"},
-                          {"robot[r1]/coordinator/@weighted", "true"},
-                          {"robot[r1]/sensor[ahead]/@error", "0.5"},
-                          {"obstacle[+]", block}}),
-                      ChangeRefused);
+      CHECK_THROWS_AS(
+          simulation.edit(std::vector<simulation::Edit>{{"robot[r1]/behavior[wander]/@speed", "1"},
+                                                        {"robot[r1]/coordinator/@weighted", "true"},
+                                                        {"robot[r1]/sensor[ahead]/@error", "0.5"},
+                                                        {"obstacle[+]", block}}),
+          EditRefused);
     }
     advance(simulation, 200);
     return simulation.state_hash();
@@ -149,7 +149,7 @@ TEST_CASE("A refused edit of a drive leaves the drive and its limits") {
   const Pose pose = simulation.robot(0).state->pose;
   REQUIRE(std::abs(pose.x) > 0.3);
   CHECK_THAT(why_not([&] {
-               simulation.change(std::vector<simulation::Change>{
+               simulation.edit(std::vector<simulation::Edit>{
                    {"robot[r1]/drive", "<car/>"},
                    {"obstacle[+]", "<static_box id=\"b\" x=\"" + std::to_string(pose.x) +
                                        "\" y=\"" + std::to_string(pose.y) + "\"/>"}});

@@ -167,11 +167,11 @@ TEST_CASE("Parameters stay as the world sets them and as they were changed since
   stage.world.robots.push_back(numbered_robot("r2", 2.0, use));
   Simulation& simulation = stage.start();
   stage.step();
-  simulation.change("robot[r1]/behavior[numbered]/@gain", "5");
+  simulation.edit("robot[r1]/behavior[numbered]/@gain", "5");
   stage.replace(2);
   CHECK(stage.step().left == Approx(0.10));
   CHECK(rates(simulation.robot(1).command).left == Approx(0.04));
-  simulation.change("robot[r2]/behavior[numbered]/@gain", "3");  // of the new library
+  simulation.edit("robot[r2]/behavior[numbered]/@gain", "3");  // of the new library
   stage.step();
   CHECK(rates(simulation.robot(1).command).left == Approx(0.06));
   simulation.reset();
@@ -182,14 +182,14 @@ TEST_CASE("Parameters stay as the world sets them and as they were changed since
 TEST_CASE("A parameter that is gone is left out and reported, a new one has its default") {
   Stage stage(behavior("numbered", 1.0, {{"gain", 2.0}, {"stale", 1.0}}));
   Simulation& simulation = stage.start();
-  simulation.change("robot[r1]/behavior[numbered]/@gain", "5");
+  simulation.edit("robot[r1]/behavior[numbered]/@gain", "5");
   const Replacement replacement = stage.replace(2, 'r');
   CHECK(replacement.notes ==
         std::vector<std::string>{"robot 'r1', behavior[numbered]: the parameter 'gain' is no "
                                  "longer declared by numbered and was left out"});
   CHECK(stage.step().left == Approx(0.02));
-  CHECK_THROWS_WITH(simulation.change("robot[r1]/behavior[numbered]/@gain", "5"), Contains("gain"));
-  simulation.change("robot[r1]/behavior[numbered]/@boost", "4");
+  CHECK_THROWS_WITH(simulation.edit("robot[r1]/behavior[numbered]/@gain", "5"), Contains("gain"));
+  simulation.edit("robot[r1]/behavior[numbered]/@boost", "4");
   CHECK(stage.step().left == Approx(0.08));
   simulation.reset();
   CHECK(stage.step().left == Approx(0.02));

@@ -56,11 +56,11 @@ struct History {
   bool operator==(const History&) const = default;
 };
 
-History run(const std::string& file, const std::vector<std::string>& overrides, bool replaces) {
+History run(const std::string& file, const std::vector<std::string>& edits, bool replaces) {
   const Shelf shelf;
   auto host = std::make_unique<plugin::Host>(shelf.host());
   world::ReadOptions options;
-  options.overrides = overrides;
+  options.edits = edits;
   options.data_directories = {source_path("")};
   simulation::Options how;
   how.data_directories = options.data_directories;
@@ -88,10 +88,10 @@ History run(const std::string& file, const std::vector<std::string>& overrides, 
   return history;
 }
 
-void check(const std::string& file, const std::vector<std::string>& overrides = {}) {
-  CAPTURE(file, overrides);
-  const History undisturbed = run(file, overrides, false);
-  const History replaced = run(file, overrides, true);
+void check(const std::string& file, const std::vector<std::string>& edits = {}) {
+  CAPTURE(file, edits);
+  const History undisturbed = run(file, edits, false);
+  const History replaced = run(file, edits, true);
   CHECK(replaced.hash == undisturbed.hash);
   CHECK(replaced.events == undisturbed.events);
 }

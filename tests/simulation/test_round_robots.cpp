@@ -33,9 +33,9 @@ TEST_CASE("A round robot may be put as near to a wall as its radius, whatever it
   Simulation simulation(shipped_world("khepera", 1.0), shipped());  // the arena is 1 m wide
   for (const char* heading : {"0", "30", "45"}) {
     CAPTURE(heading);
-    simulation.change("robot[khepera2]/@heading_deg", heading);
-    CHECK_NOTHROW(simulation.change("robot[khepera2]/@x", "0.465"));
-    CHECK_THROWS_WITH(simulation.change("robot[khepera2]/@x", "0.466"),
+    simulation.edit("robot[khepera2]/@heading_deg", heading);
+    CHECK_NOTHROW(simulation.edit("robot[khepera2]/@x", "0.465"));
+    CHECK_THROWS_WITH(simulation.edit("robot[khepera2]/@x", "0.466"),
                       Catch::Contains("the robot 'khepera2' reaches 0.001 m into the east wall"));
   }
 }

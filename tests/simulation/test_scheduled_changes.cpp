@@ -15,7 +15,7 @@ using namespace elsie::test;
 using Catch::Contains;
 using elsie::test::wheels;
 using simulation::RunResult;
-using simulation::TimedChange;
+using simulation::TimedEdit;
 
 namespace {
 
@@ -35,7 +35,7 @@ world::World lively_world() {
   return world;
 }
 
-const std::vector<TimedChange> kChanges{
+const std::vector<TimedEdit> kChanges{
     {1.0, {"robot[*]/@max_speed", "0.2"}},
     {2.0, {"robot[r1]/@x", "1.5"}},
     {2.0, {"robot[r1]/@y", "-1.5"}},
@@ -45,8 +45,8 @@ const std::vector<TimedChange> kChanges{
     {4.0, {"robot[r0]/behavior[wander]/@turn", "9"}},
 };
 
-RunResult result_of(std::uint64_t seed, const std::vector<TimedChange>& changes) {
-  return Simulation(lively_world(), shipped(), {seed}).run({}, changes);
+RunResult result_of(std::uint64_t seed, const std::vector<TimedEdit>& edits) {
+  return Simulation(lively_world(), shipped(), {seed}).run({}, edits);
 }
 
 }  // namespace
@@ -57,9 +57,9 @@ TEST_CASE("The same changes before the same steps give the same run, bit for bit
   CHECK(first.state_hash != result_of(5, {}).state_hash);
   CHECK(first.state_hash != result_of(6, kChanges).state_hash);
   for (std::size_t without = 0; without < kChanges.size(); ++without) {
-    std::vector<TimedChange> fewer = kChanges;
+    std::vector<TimedEdit> fewer = kChanges;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(without));
-    CAPTURE(kChanges[without].change.path);
+    CAPTURE(kChanges[without].edit.path);
     CHECK(first.state_hash != result_of(5, fewer).state_hash);
   }
 }
@@ -68,13 +68,13 @@ TEST_CASE("Whether a run makes its changes or a caller between two steps is the 
   const RunResult scheduled = result_of(5, kChanges);
   Simulation simulation(lively_world(), shipped(), {5});
   while (simulation.outcome() == simulation::Outcome::running) {
-    std::vector<simulation::Change> now;
-    for (const TimedChange& timed : kChanges) {
+    std::vector<simulation::Edit> now;
+    for (const TimedEdit& timed : kChanges) {
       if (simulation.steps() == static_cast<std::uint64_t>(std::lround(timed.time_s * 100))) {
-        now.push_back(timed.change);
+        now.push_back(timed.edit);
       }
     }
-    simulation.change(now);
+    simulation.edit(now);
     simulation.step();
   }
   CHECK(simulation.state_hash() == scheduled.state_hash);
@@ -97,11 +97,11 @@ TEST_CASE("A change is made before the first step at its time or after it") {
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
   // 57 steps of 0.01 s are a hair more than 0.57 s, and 58 a hair less than 0.58.
-  const std::vector<TimedChange> changes{{0.58, {"robot[r1]/@max_speed", "0.1"}},
-                                         {0.0, {"robot[r1]/@max_speed", "0.2"}},
-                                         {0.57, {"robot[r1]/@coverage", "2"}},
-                                         {0.123, {"robot[r1]/@leader", "true"}}};
-  const RunResult result = simulation.run({}, changes);
+  const std::vector<TimedEdit> edits{{0.58, {"robot[r1]/@max_speed", "0.1"}},
+                                     {0.0, {"robot[r1]/@max_speed", "0.2"}},
+                                     {0.57, {"robot[r1]/@coverage", "2"}},
+                                     {0.123, {"robot[r1]/@leader", "true"}}};
+  const RunResult result = simulation.run({}, edits);
   CHECK(events_of(simulation) == std::vector<std::string>{"0 changed robot[r1]/@max_speed=0.2",
                                                           "0.13 changed robot[r1]/@leader=true",
                                                           "0.57 changed robot[r1]/@coverage=2",
@@ -115,12 +115,12 @@ TEST_CASE("A schedule is checked before the run begins") {
   world.limits.time = 1;
   world.robots = {robot("r1", 0, 0, 0, behavior("escape"))};
   Simulation simulation(world, scripted.host);
-  const auto refused = [&](const std::vector<TimedChange>& changes, const std::string& sentence) {
-    CHECK(why_not([&] { simulation.run({}, changes); }) == sentence);
-    CHECK(why_not([&] { simulation.check(changes); }) == sentence);
+  const auto refused = [&](const std::vector<TimedEdit>& edits, const std::string& sentence) {
+    CHECK(why_not([&] { simulation.run({}, edits); }) == sentence);
+    CHECK(why_not([&] { simulation.check(edits); }) == sentence);
     CHECK(simulation.steps() == 0);
   };
-  const TimedChange good{0.2, {"robot[r1]/@leader", "true"}};
+  const TimedEdit good{0.2, {"robot[r1]/@leader", "true"}};
   refused({good, {1.0, {"robot[r1]/@x", "1"}}},
           "robot[r1]/@x=1: its time is 1 s, but the run begins at 0 and ends after 1 s at the "
           "latest; expected a time in between, before the last step begins");
@@ -143,7 +143,7 @@ TEST_CASE("A schedule is checked before the run begins") {
               "drawn from between the two, so turn_min must not be the larger one");
   CHECK(why_not([&] {
           simulation.check(
-              std::vector<TimedChange>{{0.5, {turn + "min", "170"}}, {0.4, {turn + "max", "180"}}});
+              std::vector<TimedEdit>{{0.5, {turn + "min", "170"}}, {0.4, {turn + "max", "180"}}});
         }).empty());
 }
 
@@ -160,8 +160,8 @@ TEST_CASE("A place that is taken when its time comes ends the run, and its obser
   world.robots = {robot("walker", 0, 0, 0, behavior("scripted")),
                   robot("other", 0, 2, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
-  const std::vector<TimedChange> onto{{5.0, {"robot[other]/@x", "1"}},
-                                      {5.0, {"robot[other]/@y", "0"}}};
+  const std::vector<TimedEdit> onto{{5.0, {"robot[other]/@x", "1"}},
+                                    {5.0, {"robot[other]/@y", "0"}}};
   simulation::Observer* observers[] = {&listener};
   CHECK(why_not([&] { simulation.run(observers, onto); }) ==
         "at 5 s, robot[other]/@x=1, robot[other]/@y=0: the robot 'other' overlaps the robot "
@@ -182,8 +182,8 @@ TEST_CASE("Recordings tell what was changed, and observers see the start as it i
   TemporaryFile file;
   recording::McapRecorder recorder(file.path);
   simulation::Observer* observers[] = {&start, &recorder};
-  simulation.run(observers, std::vector<TimedChange>{{0.0, {"robot[r1]/@x", "-2"}},
-                                                     {0.5, {"robot[1]/@max_speed", "0.05"}}});
+  simulation.run(observers, std::vector<TimedEdit>{{0.0, {"robot[r1]/@x", "-2"}},
+                                                   {0.5, {"robot[1]/@max_speed", "0.05"}}});
   CHECK(start.x == Approx(-2));
   const traces::Trace trace = recording::read_trace(file.path);
   REQUIRE(trace.robots.at(0).events.size() == 2);
@@ -205,9 +205,9 @@ Simulation standing(const std::string& content, std::optional<double> duration =
 
 TEST_CASE("After an edit of the step the later edits are made at their own times") {
   Simulation simulation = standing("<limits time=\"2\"/>");
-  simulation.run({}, std::vector<TimedChange>{{1.0, {"physics/@step", "0.001"}},
-                                              {1.508, {"robot[r1]/@max_speed", "0.2"}},
-                                              {1.502, {"robot[r1]/@max_speed", "0.1"}}});
+  simulation.run({}, std::vector<TimedEdit>{{1.0, {"physics/@step", "0.001"}},
+                                            {1.508, {"robot[r1]/@max_speed", "0.2"}},
+                                            {1.502, {"robot[r1]/@max_speed", "0.1"}}});
   CHECK(events_of(simulation) ==
         std::vector<std::string>{"1 changed physics/@step=0.001",
                                  "1.502 changed robot[r1]/@max_speed=0.1",
@@ -215,13 +215,13 @@ TEST_CASE("After an edit of the step the later edits are made at their own times
 }
 
 TEST_CASE("A time is checked against the limit that earlier edits leave") {
-  const TimedChange late{3.0, {"robot[r1]/@max_speed", "0.2"}};
+  const TimedEdit late{3.0, {"robot[r1]/@max_speed", "0.2"}};
   CHECK(standing("<limits time=\"2\"/>")
-            .run({}, std::vector<TimedChange>{late, {1.0, {"limits/@time", "4"}}})
+            .run({}, std::vector<TimedEdit>{late, {1.0, {"limits/@time", "4"}}})
             .simulated_s == Approx(4));
   Simulation cut = standing("<limits time=\"4\"/>");
   CHECK(why_not([&] {
-          cut.check(std::vector<TimedChange>{late, {1.0, {"limits/@time", "2"}}});
+          cut.check(std::vector<TimedEdit>{late, {1.0, {"limits/@time", "2"}}});
         }) ==
         "robot[r1]/@max_speed=0.2: its time is 3 s, but the run begins at 0 and ends after "
         "2 s at the latest; expected a time in between, before the last step begins");
@@ -229,7 +229,7 @@ TEST_CASE("A time is checked against the limit that earlier edits leave") {
 
 TEST_CASE("A run that was given a duration keeps it, and says so") {
   const RunResult result = standing("<limits time=\"4\"/>", 2.0)
-                               .run({}, std::vector<TimedChange>{{1.0, {"limits/@time", "3"}}});
+                               .run({}, std::vector<TimedEdit>{{1.0, {"limits/@time", "3"}}});
   CHECK(result.simulated_s == Approx(2));
   REQUIRE(result.notes.size() == 1);
   CHECK(result.notes[0].plugin == "limits");
@@ -253,8 +253,8 @@ TEST_CASE("A world's own edits after the end of its run are not made, which a no
 TEST_CASE("A battery that an edit makes smaller holds less, whatever the robot began with") {
   Simulation simulation = standing("<limits time=\"4\"/>");
   const RunResult result =
-      simulation.run({}, std::vector<TimedChange>{{1.0, {"robot[r1]/@energy", "3000"}},
-                                                  {2.0, {"robot[r1]/@battery", "2000"}}});
+      simulation.run({}, std::vector<TimedEdit>{{1.0, {"robot[r1]/@energy", "3000"}},
+                                                {2.0, {"robot[r1]/@battery", "2000"}}});
   CHECK(result.robots[0].energy == 2000);
 }
 
@@ -283,7 +283,7 @@ TEST_CASE("A world's own edits are checked when it is read, all of them, each at
 }
 
 TEST_CASE("The world of the start with a run's edits gives the same run") {
-  const std::vector<TimedChange> edits{
+  const std::vector<TimedEdit> edits{
       {0.0, {"obstacle[+]", "<static_box id=\"a\" x=\"2\" y=\"2\"/>"}},
       {1.0, {"robot[*]/@max_speed", "0.2"}},
       {2.0, {"robot[+]", "<robot id=\"late\" x=\"-2\" y=\"-2\"/>"}},
@@ -308,7 +308,7 @@ TEST_CASE("A goal of time, way or touches that an edit brings counts from then o
   world.robots = {robot("r1", -4, 0, 0, behavior("scripted"))};
   const auto ends = [&](const std::string& goal) {
     Simulation simulation(world, scripted.host);
-    return simulation.run({}, std::vector<TimedChange>{{3.0, {"goal[+]", goal}}}).simulated_s;
+    return simulation.run({}, std::vector<TimedEdit>{{3.0, {"goal[+]", goal}}}).simulated_s;
   };
   CHECK(ends("<endure time=\"4\"/>") == Approx(7));
   const double speed = Simulation(world, scripted.host).run().robots[0].distance_m / 20;
@@ -328,11 +328,11 @@ TEST_CASE("A check says which of the world's own edits its run ends before") {
 
 TEST_CASE("All that cannot be made is refused at once") {
   const Simulation simulation = standing("<limits time=\"4\"/>");
-  const auto report = [&](std::vector<TimedChange> changes) {
+  const auto report = [&](std::vector<TimedEdit> edits) {
     try {
-      simulation.check(changes);
+      simulation.check(edits);
       return std::string();
-    } catch (const simulation::ChangeRefused& refused) {
+    } catch (const simulation::EditRefused& refused) {
       return refused.report();
     }
   };
@@ -355,11 +355,11 @@ TEST_CASE("All that cannot be made is refused at once") {
 
 TEST_CASE("What does not fit the world by then is refused before the run") {
   const Simulation simulation = standing("<limits time=\"4\"/>");
-  const auto why = [&](std::vector<TimedChange> changes) {
-    return why_not([&] { simulation.check(changes); });
+  const auto why = [&](std::vector<TimedEdit> edits) {
+    return why_not([&] { simulation.check(edits); });
   };
   const std::string measure = "<path_length robot=\"late\"/>";
-  const TimedChange robot{1.0, {"robot[+]", "<robot id=\"late\" x=\"2\"/>"}};
+  const TimedEdit robot{1.0, {"robot[+]", "<robot id=\"late\" x=\"2\"/>"}};
   CHECK_THAT(why({{2.0, {"measure[+]", measure}}}),
              Catch::StartsWith("at 2 s, measure[+]=" + measure) &&
                  Catch::Contains("there is no robot 'late' in the world; there is 'r1'"));
@@ -375,9 +375,7 @@ TEST_CASE("What does not fit the world by then is refused before the run") {
 TEST_CASE("Edits of later edits are followed before the run") {
   const Simulation simulation = standing("<limits time=\"4\"/>");
   const auto why = [&](const std::string& change) {
-    return why_not([&] {
-      simulation.check(std::vector<TimedChange>{{1.0, {"change[+]", change}}});
-    });
+    return why_not([&] { simulation.check(std::vector<TimedEdit>{{1.0, {"change[+]", change}}}); });
   };
   CHECK(why("<change time=\"2\" path=\"robot[r1]/@max_speed\" value=\"0.2\"/>").empty());
   CHECK_THAT(why("<change time=\"2\" path=\"robot[r1]/@max_speed\" value=\"fast\"/>"),
@@ -393,7 +391,7 @@ TEST_CASE("What gets another id starts again, which a note says with the time") 
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
   const RunResult result =
-      simulation.run({}, std::vector<TimedChange>{{2.5, {"robot[r1]/@id", "r9"}}});
+      simulation.run({}, std::vector<TimedEdit>{{2.5, {"robot[r1]/@id", "r9"}}});
   const double all = Simulation(world, scripted.host).run().robots[0].distance_m;
   CHECK(result.robots[0].id == "r9");
   CHECK(result.robots[0].distance_m == Approx(all * 1.5 / 4).margin(0.05));
@@ -409,7 +407,7 @@ TEST_CASE("What no engine can do is refused before the run") {
     world.physics.engine = engine;
     const Simulation simulation(world, shipped());
     const auto refusal = [&](const char* path, const char* value) {
-      return why_not([&] { simulation.check(std::vector<TimedChange>{{1.0, {path, value}}}); });
+      return why_not([&] { simulation.check(std::vector<TimedEdit>{{1.0, {path, value}}}); });
     };
     const bool is_planar = world.physics.engine == "planar";
     CAPTURE(engine);
@@ -430,16 +428,16 @@ TEST_CASE("What no engine can do is refused before the run") {
 
 TEST_CASE("All edits that cannot be made are reported before the run") {
   const Simulation simulation(lively_world(), shipped());
-  const std::vector<TimedChange> wrong{{2.0, {"robot[r1]/@yy", "1"}},
-                                       {3.0, {"physics/@engine", "planar"}},
-                                       {4.0, {"robot[r9]/@x", "0"}},
-                                       {5.0, {"obstacle[+]", "<static_box width='wide'/>"}},
-                                       {6.0, {"robot[r2]/@zz", "1"}}};
+  const std::vector<TimedEdit> wrong{{2.0, {"robot[r1]/@yy", "1"}},
+                                     {3.0, {"physics/@engine", "planar"}},
+                                     {4.0, {"robot[r9]/@x", "0"}},
+                                     {5.0, {"obstacle[+]", "<static_box width='wide'/>"}},
+                                     {6.0, {"robot[r2]/@zz", "1"}}};
   try {
     simulation.check(wrong);
     FAIL("nothing was refused");
-  } catch (const ChangeRefused& refused) {
+  } catch (const EditRefused& refused) {
     const std::string report = refused.report();
-    for (const TimedChange& each : wrong) CHECK_THAT(report, Contains(each.change.path));
+    for (const TimedEdit& each : wrong) CHECK_THAT(report, Contains(each.edit.path));
   }
 }

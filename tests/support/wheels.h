@@ -2,7 +2,7 @@
 #pragma once
 
 #include "elsie/api/motion.h"
-#include "elsie/output/rounded.h"
+#include "elsie/files/rounded.h"
 
 namespace elsie::test {
 
@@ -12,7 +12,7 @@ inline Motion wheels(double left, double right) { return WheelPair().motion({lef
 /// The wheel rates of a motion, without the rounding of the way there and back.
 inline WheelRates rates(const Motion& motion) {
   const WheelRates exact = WheelPair().wheel_rates(motion);
-  return {output::rounded(exact.left, 9), output::rounded(exact.right, 9)};
+  return {files::rounded(exact.left, 9), files::rounded(exact.right, 9)};
 }
 
 }  // namespace elsie::test

@@ -56,7 +56,7 @@ void require_equal(const traces::Episode& a, const traces::Episode& b,
 
 /// Runs a shipped world for some seconds with both recorders.
 std::size_t compare(const std::string& name, double seconds,
-                    const std::vector<simulation::TimedChange>& edits = {}) {
+                    const std::vector<simulation::TimedEdit>& edits = {}) {
   CAPTURE(name);
   const Folder folder;
   world::ReadOptions options;

@@ -121,7 +121,7 @@ inline bool same(const world::Robot& a, const world::Robot& b) {
               static_cast<const world::Coordination&>(b));
 }
 template <class T>
-bool same(const sharing::List<T>& a, const sharing::List<T>& b) {
+bool same(const base::List<T>& a, const base::List<T>& b) {
   bool equal = a.size() == b.size();
   for (std::size_t i = 0; equal && i < a.size(); ++i) {
     equal = same(a[i], b[i]);
@@ -132,7 +132,7 @@ inline bool same(const world::World& a, const world::World& b) {
   return a.name == b.name && a.description == b.description && same(a.arena, b.arena) &&
          same(a.physics, b.physics) && same(a.teams, b.teams) && same(a.boxes, b.boxes) &&
          same(a.chargers, b.chargers) && same(a.robots, b.robots) && same(a.goals, b.goals) &&
-         same(a.measures, b.measures) && same(a.changes, b.changes) && same(a.limits, b.limits);
+         same(a.measures, b.measures) && same(a.edits, b.edits) && same(a.limits, b.limits);
 }
 
 }  // namespace elsie::test

@@ -21,24 +21,24 @@ inline const plugin::Host& host() {
   return host;
 }
 
-inline world::ReadOptions options(std::vector<std::string> overrides = {}) {
+inline world::ReadOptions options(std::vector<std::string> edits = {}) {
   world::ReadOptions options;
-  options.overrides = std::move(overrides);
+  options.edits = std::move(edits);
   options.data_directories = {kFolder + "data"};
   options.check_plugins = true;
   return options;
 }
 
 /// A world with this inside of <world>; it is called world.xml and lies in tests/world/.
-inline world::World read(const std::string& content, std::vector<std::string> overrides = {}) {
+inline world::World read(const std::string& content, std::vector<std::string> edits = {}) {
   return world::parse_world("<world format=\"1\">" + content + "</world>", kFolder + "world.xml",
-                            host(), options(std::move(overrides)));
+                            host(), options(std::move(edits)));
 }
 
 /// All that is wrong with such a world, a line each, without the folder; "" when nothing is.
-inline std::string problems(const std::string& content, std::vector<std::string> overrides = {}) {
+inline std::string problems(const std::string& content, std::vector<std::string> edits = {}) {
   try {
-    read(content, std::move(overrides));
+    read(content, std::move(edits));
     return "";
   } catch (const world::WorldError& error) {
     std::string text = error.what();

@@ -10,8 +10,8 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using world::AttributePlace;
 using world::Attributes;
+using world::AttributeTarget;
 
 namespace {
 
@@ -37,12 +37,12 @@ struct Found {
 
   std::vector<std::string> paths(const std::string& path) const {
     std::vector<std::string> paths;
-    for (const AttributePlace& place : attributes.find(path)) {
+    for (const AttributeTarget& place : attributes.find(path)) {
       paths.push_back(place.path);
     }
     return paths;
   }
-  AttributePlace one(const std::string& path) const { return attributes.find(path).at(0); }
+  AttributeTarget one(const std::string& path) const { return attributes.find(path).at(0); }
   std::string why_not(const std::string& path, const std::string& value) const {
     try {
       attributes.read(one(path), value);
@@ -86,16 +86,16 @@ TEST_CASE("A path leads to the attributes that an override of the file would cha
 
 TEST_CASE("An attribute says whose it is, what it takes, and whether it may change in a run") {
   const Found found;
-  const AttributePlace speed = found.one("robot[r1]/roam/@speed");
+  const AttributeTarget speed = found.one("robot[r1]/roam/@speed");
   CHECK(speed.element == "roam");
   CHECK(speed.robot == &found.world.robots[0]);
   CHECK(speed.use == &found.world.robots[0].behaviors[1]);
   CHECK(speed.field.type == ParameterType::real);
   CHECK(speed.field.is_live());
-  const AttributePlace priority = found.one("robot[r1]/roam/@priority");
+  const AttributeTarget priority = found.one("robot[r1]/roam/@priority");
   CHECK(priority.use == speed.use);
   CHECK(priority.field.is_live());
-  const AttributePlace battery = found.one("robot[r2]/@battery");
+  const AttributeTarget battery = found.one("robot[r2]/@battery");
   CHECK(battery.robot == &found.world.robots[1]);
   CHECK(battery.use == nullptr);
   CHECK_FALSE(battery.field.is_live());
@@ -112,7 +112,7 @@ TEST_CASE("An attribute is set in the world like in its file") {
            {"robot[r1]/sensor[right]/@energy_cost", "2"},
            {"robot[r1]/behavior[roam]/@priority", "3"},
            {"robot[r1]/behavior[roam]/@speed", "4"}}) {
-    for (world::AttributePlace& place : attributes.find(path)) {
+    for (world::AttributeTarget& place : attributes.find(path)) {
       // No other world shares it.
       REQUIRE_FALSE(world.robots.is_shared(place.robot_index));
       attributes.set(place, value);

@@ -50,8 +50,8 @@ TEST_CASE("Measures are written with their ids; a world without any says nothing
 }
 
 TEST_CASE("Paths lead to measures and to what is in them") {
-  const auto with = [](std::vector<std::string> overrides) {
-    return read(kMeasures, std::move(overrides));
+  const auto with = [](std::vector<std::string> edits) {
+    return read(kMeasures, std::move(edits));
   };
   CHECK(std::get<double>(with({"measure[home]/@from_s=3"}).measures[2].parameters.at("from_s")) ==
         3.0);
@@ -71,7 +71,7 @@ TEST_CASE("Parameters of a measure are fixed before a run") {
   const world::World w = read(kMeasures);
   const world::Attributes attributes(w, host(), {});
   for (const char* path : {"measure[home]/@from_s", "measure[home]/gate[1]/@x"}) {
-    const world::AttributePlace place = attributes.find(path).at(0);
+    const world::AttributeTarget place = attributes.find(path).at(0);
     CHECK(place.path == path);
     CHECK(place.robot == nullptr);
     CHECK(place.use == &w.measures[2]);

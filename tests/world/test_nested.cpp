@@ -14,8 +14,8 @@ using namespace elsie::test;
 
 namespace {
 
-world::World everything(std::vector<std::string> overrides = {}) {
-  return world::read_world(kFolder + "data/everything.xml", host(), options(std::move(overrides)));
+world::World everything(std::vector<std::string> edits = {}) {
+  return world::read_world(kFolder + "data/everything.xml", host(), options(std::move(edits)));
 }
 
 double real(const world::ElementUse& use, const char* name) {

@@ -23,9 +23,7 @@ const char* const kOverridden = R"(
   </robots>
   <goals><endure time="5"/></goals>)";
 
-world::World with(std::vector<std::string> overrides) {
-  return read(kOverridden, std::move(overrides));
-}
+world::World with(std::vector<std::string> edits) { return read(kOverridden, std::move(edits)); }
 std::string wrong(const std::string& override) { return problems(kOverridden, {override}); }
 
 }  // namespace
@@ -322,9 +320,7 @@ const char* const kCrowd = R"(
   </robots>
   <goals><endure time="5"/><travel robot="r1" distance="1"/></goals>)";
 
-world::World crowd(std::vector<std::string> overrides) {
-  return read(kCrowd, std::move(overrides));
-}
+world::World crowd(std::vector<std::string> edits) { return read(kCrowd, std::move(edits)); }
 
 }  // namespace
 
@@ -449,7 +445,7 @@ TEST_CASE("An element is not replaced when something was set in it before: that 
 TEST_CASE("Files that overrides name are looked for beside the file in which the overrides stand") {
   const auto with_song = [](const std::string& from, const std::string& song) {
     world::ReadOptions reading = options({"robot[r1]/behavior[roam]/@song=" + song});
-    reading.overrides_from = from;
+    reading.edits_from = from;
     return world::parse_world("<world format=\"1\">" + std::string(kOverridden) + "</world>",
                               kFolder + "world.xml", host(), reading);
   };

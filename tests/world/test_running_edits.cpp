@@ -81,7 +81,7 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
       }
     }
     CHECK(is_shared == robots);
-    CHECK(now.changes.is(crowd().changes) == !edits[0].starts_with("change"));
+    CHECK(now.edits.is(crowd().edits) == !edits[0].starts_with("change"));
   }
 }
 

@@ -29,10 +29,10 @@ class Files {
 
   std::string path(const std::string& name) const { return folder_.file(name); }
 
-  world::World read(const std::string& robots, std::vector<std::string> overrides = {}) const {
+  world::World read(const std::string& robots, std::vector<std::string> edits = {}) const {
     fs::create_directories(folder_ / "worlds");
     return world::parse_world("<world format='1'><robots>" + robots + "</robots></world>",
-                              path("worlds/world.xml"), host(), options(std::move(overrides)));
+                              path("worlds/world.xml"), host(), options(std::move(edits)));
   }
 
  private:

@@ -13,9 +13,9 @@ using Catch::EndsWith;
 namespace {
 
 /// All warnings about such a world, a line each, without the folder.
-std::string warned(const std::string& content, std::vector<std::string> overrides = {}) {
+std::string warned(const std::string& content, std::vector<std::string> edits = {}) {
   std::string text;
-  for (const world::Warning& warning : world::warnings(read(content, std::move(overrides)))) {
+  for (const world::Warning& warning : world::warnings(read(content, std::move(edits)))) {
     text += warning.text() + '\n';
   }
   for (std::size_t at; (at = text.find(kFolder)) != std::string::npos;) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "elsie/base/error.h"
-#include "elsie/output/base64.h"
+#include "elsie/files/base64.h"
 
 #include "engine/workbench.h"
 
@@ -19,7 +19,7 @@ template <class Number>
 std::vector<Number> unpacked(const Json& text) {
   std::optional<std::vector<Number>> numbers;
   if (text.is_string()) {
-    numbers = output::unpacked<Number>(text.get_ref<const std::string&>());
+    numbers = files::unpacked<Number>(text.get_ref<const std::string&>());
   }
   if (!numbers) {
     throw base::Error("samples of the past are no numbers in base64");

@@ -16,8 +16,8 @@
 #include <cmath>
 #include <limits>
 
+#include "elsie/files/csv_line.h"
 #include "elsie/files/write_whole.h"
-#include "elsie/output/csv_line.h"
 #include "elsie/picture/plot.h"
 
 namespace elsie::desktop {
@@ -412,14 +412,14 @@ std::string PlotsPanel::table() const {
       row[static_cast<std::size_t>(n)] = shortest(value);
     });
   }
-  output::CsvLine line;
+  files::CsvLine line;
   line.text("time_s");
   for (const QString& name : shown) {
     line.text(name.toStdString());
   }
   std::string text = line.take() + '\n';
   for (const auto& [time, row] : rows) {
-    line.number(output::tidy_time(time));
+    line.number(files::tidy_time(time));
     for (const double value : row) {
       std::isfinite(value) ? line.number(value) : line.empty();
     }

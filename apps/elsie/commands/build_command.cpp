@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "elsie/base/read_whole.h"
 #include "elsie/build/source_build.h"
 #include "elsie/files/outputs.h"
-#include "elsie/files/read_whole.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
@@ -46,7 +46,7 @@ int build(const BuildOptions& options) {
   if (file.status != plugin::FileStatus::loaded) {
     throw BadInput("'" + options.source + "' was compiled, but its library " + file.sentence);
   }
-  files::write_whole_or_throw(output, files::read_whole(built.library, files::kAnySize));
+  files::write_whole_or_throw(output, base::read_whole(built.library, base::kAnySize));
   for (const auto& plugin : file.plugins) {
     out() << output.string() << ": " << plugin::kind_name(plugin.kind) << " '" << plugin.name << "'"
           << (built.from_cache ? ", compiled before" : "") << '\n';

@@ -30,7 +30,7 @@ namespace {
 struct CheckOptions {
   PluginOptions plugins;
   std::vector<std::string> files;
-  std::vector<std::string> overrides;
+  std::vector<std::string> edits;
   std::uint64_t seed = 1;
   bool expand = false;
   bool quiet = false;
@@ -41,15 +41,15 @@ std::string check_world(const std::string& text, const std::string& file, const 
                         const CheckOptions& options) {
   // This asks the plugins whether they fit their robots.
   const simulation::Simulation simulation(
-      world::parse_world(text, file, host, read_options(options.overrides, options.seed)), host,
+      world::parse_world(text, file, host, read_options(options.edits, options.seed)), host,
       {.seed = options.seed,
        .data_directories = data_directories(),
        .cameras = render::world_cameras});
   try {
-    for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
+    for (const simulation::UnmadeEdits& unmade : simulation.check({})) {
       err() << unmade.from << ": warning: " << unmade.sentence << '\n';
     }
-  } catch (const simulation::ChangeRefused& refused) {
+  } catch (const simulation::EditRefused& refused) {
     throw BadInput(refused.report());
   }
   const world::World& world = simulation.world();
@@ -72,7 +72,7 @@ std::string check_world(const std::string& text, const std::string& file, const 
 
 std::string check_experiment(const std::string& text, const std::string& file,
                              const plugin::Host& host, const CheckOptions& options) {
-  if (!options.overrides.empty()) {
+  if (!options.edits.empty()) {
     throw BadInput("--set is for worlds; '" + file +
                    "' is an experiment, which has elements <set> for that");
   }
@@ -143,7 +143,7 @@ void add_check_command(CLI::App& program, Job& job) {
   auto options = std::make_shared<CheckOptions>();
   command->add_option("FILE", options->files, "World and experiment files")->required();
   command
-      ->add_option("--set", options->overrides,
+      ->add_option("--set", options->edits,
                    "Change an attribute of the worlds first, e.g. 'robot[r1]/@max_speed=0.3'; may "
                    "be repeated")
       ->type_name("PATH=VALUE")

@@ -54,7 +54,7 @@ class Doubts {
   }
 
   void check(const world::TravelGoal& goal) {
-    if (!world_.changes.empty()) {
+    if (!world_.edits.empty()) {
       return;
     }
     for (const world::Robot& robot : world_.robots) {
@@ -73,7 +73,7 @@ class Doubts {
     const auto robot =
         std::find_if(world_.robots.begin(), world_.robots.end(),
                      [&](const world::Robot& each) { return each.id == goal.robot; });
-    if (!goal.of.empty() || robot == world_.robots.end() || !world_.changes.empty()) {
+    if (!goal.of.empty() || robot == world_.robots.end() || !world_.edits.empty()) {
       return;
     }
     for (const world::Box& box : world_.boxes) {

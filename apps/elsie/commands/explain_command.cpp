@@ -10,8 +10,8 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/files/outputs.h"
-#include "elsie/files/read_whole.h"
 #include "elsie/mcap/reader.h"
 #include "elsie/picture/timeline.h"
 #include "elsie/recording/recorded_run.h"
@@ -52,7 +52,7 @@ Examples:
 )";
 
 Trace read_recorded(const std::string& file) {
-  if (files::why_unreadable(file).empty() && !mcap::may_be_mcap(file)) {
+  if (base::why_unreadable(file).empty() && !mcap::may_be_mcap(file)) {
     throw BadInput("'" + file +
                    "' is not a recording with decisions; expected a file that `elsie run WORLD "
                    "--record FILE.mcap` has written");

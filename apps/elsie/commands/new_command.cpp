@@ -14,7 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "elsie/files/read_whole.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/files/scratch_folder.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/plugin/kind_name.h"
@@ -187,7 +187,7 @@ void write_project(const NewOptions& options, const fs::path& folder) {
         }
         std::string text;
         try {
-          text = files::read_whole(entry.path(), kLongestTemplate);
+          text = base::read_whole(entry.path(), kLongestTemplate);
         } catch (const std::runtime_error& why) {
           throw BadInput("the template '" + entry.path().string() + "' " + why.what());
         }

@@ -28,7 +28,7 @@ struct PictureOptions {
   std::string world;
   std::optional<std::string> picture;  // PICTURE, equivalent to --output
   std::optional<std::string> output;
-  std::vector<std::string> overrides;
+  std::vector<std::string> edits;
   std::uint64_t seed = 1;
   int width = 1000;
   bool bare = false;
@@ -41,7 +41,7 @@ int picture(const PictureOptions& options) {
   require_picture(file, option);
   const plugin::Host host = load_plugins(options.plugins);
   std::map<std::string, std::string> found;
-  world::ReadOptions reading = read_options(options.overrides, options.seed);
+  world::ReadOptions reading = read_options(options.edits, options.seed);
   reading.found = &found;
   world::World world = world::read_world(options.world, host, reading);
   files::require_apart({{option, file}}, read_files(options.world, found, options.plugins));
@@ -71,7 +71,7 @@ void add_picture_command(CLI::App& program, Job& job) {
   command->add_option("-o,--output", options->output, "The same as PICTURE, as an option")
       ->excludes(second)
       ->type_name("FILE");
-  command->add_option("--set", options->overrides, "Change an attribute first; may be repeated")
+  command->add_option("--set", options->edits, "Change an attribute first; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command->add_option("--seed", options->seed, "Seed of layouts, and of sensors' noise")

@@ -37,7 +37,7 @@ struct TrainOptions {
   bool from_input = false;  // the text of the world
   LearnerPlace place;
   std::optional<std::uint64_t> seed;
-  std::vector<std::string> overrides;
+  std::vector<std::string> edits;
   std::optional<std::string> hidden;
   std::optional<double> learning_rate;
   std::optional<double> momentum;
@@ -257,7 +257,7 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
 /// `found` gets the files that the world names.
 world::World read_world(const TrainOptions& options, const plugin::Host& host,
                         std::map<std::string, std::string>& found) {
-  world::ReadOptions reading = read_options(options.overrides, options.seed.value_or(1));
+  world::ReadOptions reading = read_options(options.edits, options.seed.value_or(1));
   reading.found = &found;
   if (!options.from_input) {
     return world::read_world(options.world, host, reading);
@@ -378,7 +378,7 @@ void add_train_command(CLI::App& program, Job& job) {
       ->check(whole_number());
   command->add_option("--training", options->training, "File of samples")->type_name("FILE");
   command
-      ->add_option("--set", options->overrides,
+      ->add_option("--set", options->edits,
                    "Change an attribute of the world first, as with elsie run; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);

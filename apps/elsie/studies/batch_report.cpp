@@ -10,7 +10,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/process/shell_word.h"
 #include "elsie/process/text_table.h"
 
@@ -22,7 +22,7 @@ namespace elsie::program {
 
 using batch::CellCount;
 using batch::RunState;
-using output::one_line;
+using files::one_line;
 using process::shell_word;
 
 namespace {

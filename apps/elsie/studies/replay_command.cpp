@@ -13,7 +13,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "elsie/files/read_whole.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/mcap/reader.h"
 
 #include "arguments.h"
@@ -79,7 +79,7 @@ void require_content(const std::string& file) {
   if (!std::filesystem::exists(file, error)) {
     return;  // opening it reports more
   }
-  if (const std::string why = files::why_unreadable(file); !why.empty()) {
+  if (const std::string why = base::why_unreadable(file); !why.empty()) {
     throw BadInput("'" + file + "' " + why +
                    "; expected a recording or a database that `elsie batch` has written");
   }

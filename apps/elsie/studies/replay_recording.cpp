@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/files/outputs.h"
 #include "elsie/mcap/records.h"
-#include "elsie/output/clean_text.h"
 #include "elsie/process/text_table.h"
 #include "elsie/recording/recorded_run.h"
 
@@ -25,7 +25,7 @@ namespace elsie::program {
 
 namespace {
 
-using output::one_line;
+using files::one_line;
 using recording::RecordedRun;
 
 RecordedRun read(const RecordingOptions& options) {

@@ -51,7 +51,7 @@ void Problems::add(std::span<const Problem> problems) {
 void Problems::forget(int first_line, int last_line) {
   const auto is_there = [&](int line) { return line >= first_line && line <= last_line; };
   std::erase_if(problems_, [&](const Problem& problem) { return is_there(problem.line); });
-  std::erase_if(known_, [&](const auto& place) { return is_there(std::get<1>(place)); });
+  std::erase_if(known_, [&](const auto& each) { return is_there(std::get<1>(each)); });
 }
 
 std::vector<Problem> Problems::sorted(const std::string& main_file) const {

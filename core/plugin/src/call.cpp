@@ -21,9 +21,9 @@ std::atomic<void (*)() noexcept> at_end_of_copy{nullptr};
 std::array<std::atomic<Call* const*>, 256> shown;
 
 void replace_shown(Call* const* old, Call* const* now) noexcept {
-  for (auto& place : shown) {
+  for (auto& slot : shown) {
     Call* const* expected = old;
-    if (place.compare_exchange_strong(expected, now)) return;
+    if (slot.compare_exchange_strong(expected, now)) return;
   }
 }
 
@@ -63,8 +63,8 @@ void Call::show_thread() {
 }
 
 Call* Call::of_shown_threads() noexcept {
-  for (Call* const* const place : shown) {
-    if (place && *place) return *place;
+  for (Call* const* const slot : shown) {
+    if (slot && *slot) return *slot;
   }
   return nullptr;
 }

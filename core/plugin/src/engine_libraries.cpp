@@ -60,8 +60,8 @@ void* part_symbol(const std::string& what, const fs::path& file, const char* sym
   static std::mutex guard;
   static std::map<std::pair<fs::path, std::string>, void*> known;
   const std::lock_guard lock(guard);
-  void*& place = known[{file, symbol}];
-  if (place) return place;
+  void*& address = known[{file, symbol}];
+  if (address) return address;
   const auto refuse = [&](const std::string& why) {
     throw PluginError("the library of " + what + ", " + file.string() + ", " + why +
                           "; reinstall Elsie, or delete the file and build it again",
@@ -79,7 +79,7 @@ void* part_symbol(const std::string& what, const fs::path& file, const char* sym
     dlclose(library);
     refuse(std::string("does not export '") + symbol + "'");
   }
-  return place = found;
+  return address = found;
 }
 
 }  // namespace elsie::plugin

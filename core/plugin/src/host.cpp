@@ -12,6 +12,7 @@
 
 #include "elsie/api/registration.h"
 #include "elsie/base/near_name.h"
+#include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/abi_word.h"
 #include "elsie/plugin/call.h"
@@ -20,7 +21,6 @@
 #include "elsie/plugin/file_fingerprint.h"
 #include "elsie/plugin/inspection.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/thrown/thrown.h"
 
 #include "library.h"
 #include "text.h"
@@ -89,7 +89,7 @@ struct Host::State {
     return source == sources.end() ? file : source->second;
   }
   void search(std::vector<SearchDirectory> all);
-  fs::path former_of(std::size_t place) const;
+  fs::path former_of(std::size_t index) const;
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
   FileReport examine(const fs::path& file, const fs::path& former);
   void load(FileReport& file, const fs::path& former);
@@ -128,11 +128,11 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
 }
 
 /// The old library at this place of the search path, if the place is one library; else "".
-fs::path Host::State::former_of(std::size_t place) const {
-  if (!before || place >= before->report.directories.size()) {
+fs::path Host::State::former_of(std::size_t index) const {
+  if (!before || index >= before->report.directories.size()) {
     return {};
   }
-  const DirectoryReport& old = before->report.directories[place];
+  const DirectoryReport& old = before->report.directories[index];
   const bool is_library = old.directory.path.extension() == ".so" && old.files.size() == 1 &&
                           (old.files[0].path == old.directory.path || old.files[0].is_former);
   return is_library ? old.files[0].path : fs::path();
@@ -405,7 +405,7 @@ Object<Component> Host::create_component(PluginKind kind, std::string_view name)
       problem = "it made no object";
     }
   } catch (...) {
-    problem = thrown::what_was_thrown();
+    problem = base::what_was_thrown();
   }
   // Thrown here, outside of the catch block, when the plugin's own exception is destroyed.
   const std::string file =

@@ -11,9 +11,9 @@
 #include <boost/dll/shared_library.hpp>
 
 #include "elsie/api/registration.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/watch_libraries.h"
-#include "elsie/thrown/thrown.h"
 
 #include "text.h"
 
@@ -88,7 +88,7 @@ std::string read_declarations(void* handle, std::string_view abi_word,
     }
     found->declare(declarations);
   } catch (...) {
-    return "failed while it declared its plugins: " + thrown::what_was_thrown();
+    return "failed while it declared its plugins: " + base::what_was_thrown();
   }
   return "";
 }

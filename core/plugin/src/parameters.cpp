@@ -11,9 +11,9 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/base/near_name.h"
+#include "elsie/base/thrown.h"
 #include "elsie/base/words.h"
 #include "elsie/plugin/error.h"
-#include "elsie/thrown/thrown.h"
 
 #include "text.h"
 
@@ -250,7 +250,7 @@ void apply_parameters(const Declaration& declaration, Component& object,
     set_elements(declaration, object, elements);
     object.configured();
   } catch (...) {
-    problem = thrown::what_was_thrown();
+    problem = base::what_was_thrown();
   }
   if (problem) fail(*problem);
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/thrown/thrown.h"
 
 namespace elsie::plugin {
 namespace {
@@ -25,7 +25,7 @@ std::string demangled(std::string_view text) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_symbol_character);
     const std::string word(text.begin(), end);
     const auto next = std::find_if(end, text.end(), is_symbol_character);
-    result += word.starts_with("_Z") ? thrown::demangled_name(word) : word;
+    result += word.starts_with("_Z") ? base::demangled_name(word) : word;
     result.append(end, next);
     text.remove_prefix(static_cast<std::size_t>(next - text.begin()));
   }

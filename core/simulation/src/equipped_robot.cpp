@@ -2,15 +2,15 @@
 
 #include <stdexcept>
 
-#include "step/commons.h"
-#include "step/robot.h"
+#include "robot/common_data.h"
+#include "robot/robot.h"
 
 namespace elsie::simulation {
 
 EquippedRobot::EquippedRobot(const world::World& world, std::size_t robot,
                              const plugin::Host& host) {
-  Commons commons(world);
-  robot_ = std::make_unique<Robot>(world, robot, commons, host, Options{});
+  robot_ =
+      std::make_unique<Robot>(world, robot, std::make_shared<CommonData>(world), host, Options{});
 }
 EquippedRobot::EquippedRobot(EquippedRobot&&) noexcept = default;
 EquippedRobot::~EquippedRobot() = default;

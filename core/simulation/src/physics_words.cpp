@@ -13,7 +13,7 @@ namespace {
 
 using About = world::Warning::About;
 
-std::string place_of(const base::Location& location) {
+std::string file_and_line_of(const base::Location& location) {
   return location.line > 0 ? " (" + location.file.text() + ":" + std::to_string(location.line) + ")"
                            : "";
 }
@@ -25,12 +25,12 @@ std::string name_of(const world::World& world, const physics::Body& body,
     const world::Robot& robot = world.robots.at(body.index);
     const std::string name = "the robot '" + robot.id + "'";
     const std::size_t of_drive = number ? world::driven_plan(robot).vehicles() - 1 : 0;
-    if (!number || *number < of_drive) return name + place_of(robot.location);
+    if (!number || *number < of_drive) return name + file_and_line_of(robot.location);
     const world::Segment& segment = robot.segments.at(*number - of_drive);
-    return "the segment '" + segment.id + "' of " + name + place_of(segment.location);
+    return "the segment '" + segment.id + "' of " + name + file_and_line_of(segment.location);
   }
   const world::Box& box = world.boxes.at(body.index);
-  return box.in_words() + place_of(box.location);
+  return box.in_words() + file_and_line_of(box.location);
 }
 
 /// The warnings of what the physics may not simulate well.

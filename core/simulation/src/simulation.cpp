@@ -11,6 +11,96 @@
 #include "simulation_impl.h"
 
 namespace elsie::simulation {
+
+Simulation::Impl::Impl(world::World world, const plugin::Host& host, const Options& options)
+    : own_world_(std::move(world)),
+      time_limit_s_(options.time_limit_s.value_or(world_.limits.time)),
+      seed_(options.seed),
+      host_(&host),
+      options_(options),
+      loop_(options.threads),
+      memory_(options.threads) {
+  if (options.threads > 1 && (options.budget.time_s > 0.0 || options.budget.memory > 0)) {
+    throw std::invalid_argument("A budget of plugins needs a simulation with one thread.");
+  }
+  in_place_.emplace(world_, host, options_);
+  std::vector<base::Problem> problems;
+  const auto common = std::make_shared<CommonData>(world_);
+  for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+    try {
+      // Not shared any more, before the object refers to it.
+      world::Robot* const own = world_.robots[i].drive ? &own_world_.robots[i] : nullptr;
+      robots_.push_back(std::make_shared<Robot>(world_, i, common, host, options));
+      if (own) own->driven = robots_.back()->take_driven();
+    } catch (const world::WorldError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  measuring_ = std::make_shared<Measuring>(world_, host, options.budget, problems);
+  if (problems.empty()) {
+    cameras_ = std::make_shared<Cameras>(world_, robots_, options.cameras, problems);
+  }
+  if (!problems.empty()) {
+    throw world::WorldError(std::move(problems));
+  }
+}
+
+void Simulation::Impl::reset(std::uint64_t seed) {
+  seed_ = seed;
+  steps_ = base_steps_ = 0;
+  decided_ = false;
+  step_began_s_ = 0.0;
+  base_time_s_ = 0.0;
+  // A new engine, so that ODE keeps no state of the last run.
+  engine_ = physics::make_engine(world_.arena, world_.physics);
+  engine_->work_with(loop_.pool());
+  goal_starts_.assign(world_.goals.size(), {});
+  moving_.clear();
+  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
+    add_box(i);
+  }
+  add_charger_boxes();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const world::Robot& d = world_.robots[i];
+    engine_->add_robot(world::plan_of(d), {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
+    robots_[i]->reset(seed);
+    robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
+  }
+  take_stock();
+  wall_s_ = 0.0;
+  judgement_ = {};
+  touches_ = {};
+  events_.clear();
+  given_.clear();
+  log_events();
+  said_ = {};
+  note_warnings(world_, said_.notes);
+  for (const auto& robot : robots_) {
+    robot->ask(said_);
+  }
+  measuring_->reset(seed);
+  measuring_->ask(said_);
+}
+
+void Simulation::Impl::add_box(std::size_t i) {
+  engine_->add_box(world_.boxes[i]);
+  if (world_.boxes[i].kind == world::BoxKind::moving) {
+    moving_.push_back({i, BoxPath(world_.boxes[i]), time_s()});
+  }
+}
+
+void Simulation::Impl::add_charger_boxes() {
+  for (const world::Charger& charger : world_.chargers) {
+    if (charger.seen_by_range_sensors) {
+      world::Box box;
+      box.x = charger.x;
+      box.y = charger.y;
+      box.length = box.width = box.height = world::Charger::kBoxEdge;
+      engine_->add_box(box);
+    }
+  }
+}
+
 Simulation::Simulation(world::World world, const plugin::Host& host, const Options& options)
     : impl_(std::make_unique<Impl>(std::move(world), host, options)) {
   if (!options.begin_later) impl_->reset(options.seed);
@@ -27,21 +117,20 @@ void Simulation::reset(std::optional<std::uint64_t> seed) {
 
 void Simulation::step() { impl_->step(*this); }
 
-RunResult Simulation::run(std::span<Observer* const> observers,
-                          std::span<const TimedChange> changes,
+RunResult Simulation::run(std::span<Observer* const> observers, std::span<const TimedEdit> edits,
                           const std::function<void(Simulation&)>& before_control) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto& limits = world().limits;
-  std::vector<UnmadeChanges> unmade;
-  std::vector<DueChanges> schedule = impl_->checked(with_own(world(), changes), changes, unmade);
-  for (UnmadeChanges& each : unmade) {
+  std::vector<UnmadeEdits> unmade;
+  std::vector<DueEdits> schedule = impl_->checked(with_own(world(), edits), edits, unmade);
+  for (UnmadeEdits& each : unmade) {
     impl_->said_.notes.push_back({"", "changes", std::move(each.sentence)});
   }
-  impl_->given_.assign(changes.begin(), changes.end());
+  impl_->given_.assign(edits.begin(), edits.end());
   auto next = schedule.cbegin();
-  std::uint64_t scheduled = impl_->own_changes_;
+  std::uint64_t scheduled = impl_->new_schedules_;
   double made_until_s = 0.0;
   std::size_t watching = 0;  // observers whose started() was called; ended() follows
   std::uint64_t heard_of = 0;
@@ -51,29 +140,29 @@ RunResult Simulation::run(std::span<Observer* const> observers,
     }
     heard_of = impl_->renewals_;
   };
-  const auto change_what_is_due = [&] {
-    if (impl_->own_changes_ != scheduled) {  // World::changes was edited
-      std::vector<UnmadeChanges> known;      // reported already
-      schedule = impl_->checked(still_to_come(world(), changes, made_until_s), changes, known);
+  const auto edit_what_is_due = [&] {
+    if (impl_->new_schedules_ != scheduled) {  // World::edits changed
+      std::vector<UnmadeEdits> known;          // reported already
+      schedule = impl_->checked(still_to_come(world(), edits, made_until_s), edits, known);
       next = schedule.cbegin();
-      scheduled = impl_->own_changes_;
+      scheduled = impl_->new_schedules_;
     }
     made_until_s = time_s();
     for (; next != schedule.cend() && next->are_due(time_s(), world().physics.step); ++next) {
-      impl_->change(*next);
+      impl_->edit(*next);
       let_observers_know();
     }
   };
   std::exception_ptr failure;
   try {
-    change_what_is_due();
+    edit_what_is_due();
     for (Observer* observer : observers) {
       observer->started(*this);
       ++watching;
     }
     heard_of = impl_->renewals_;
     while (outcome() == Outcome::running) {
-      change_what_is_due();
+      edit_what_is_due();
       if (before_control && impl_->is_control_instant()) before_control(*this);
       let_observers_know();
       step();
@@ -99,17 +188,17 @@ RunResult Simulation::run(std::span<Observer* const> observers,
   return result();
 }
 
-std::vector<UnmadeChanges> Simulation::check(std::span<const TimedChange> changes) const {
-  std::vector<UnmadeChanges> unmade;
-  impl_->checked(with_own(world(), changes), changes, unmade);
+std::vector<UnmadeEdits> Simulation::check(std::span<const TimedEdit> edits) const {
+  std::vector<UnmadeEdits> unmade;
+  impl_->checked(with_own(world(), edits), edits, unmade);
   return unmade;
 }
 
-void Simulation::change(std::string_view path, std::string_view value) {
-  const Change one{std::string(path), std::string(value)};
-  impl_->change({&one, 1});
+void Simulation::edit(std::string_view path, std::string_view value) {
+  const Edit one{std::string(path), std::string(value)};
+  impl_->edit({&one, 1});
 }
-void Simulation::change(std::span<const Change> changes) { impl_->change(changes); }
+void Simulation::edit(std::span<const Edit> edits) { impl_->edit(edits); }
 
 Replacement Simulation::replace_plugins(const plugin::Host& host) {
   return impl_->replace_plugins(host);
@@ -158,10 +247,9 @@ const world::World& Simulation::world() const { return impl_->world_; }
 bool Simulation::has_edits() const { return impl_->start_ || !impl_->given_.empty(); }
 world::World Simulation::start() const {
   world::World start = impl_->start_ ? *impl_->start_ : impl_->world_;
-  for (const TimedChange& given : impl_->given_) {
-    const auto& [path, value] = given.change;
-    world::TimedEdit& edit =
-        start.changes.emplace_back(world::TimedEdit{given.time_s, path, {}, {}});
+  for (const TimedEdit& given : impl_->given_) {
+    const auto& [path, value] = given.edit;
+    world::TimedEdit& edit = start.edits.emplace_back(world::TimedEdit{given.time_s, path, {}, {}});
     (value.starts_with('<') ? edit.element : edit.value) = value;
   }
   return start;

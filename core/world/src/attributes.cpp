@@ -27,7 +27,7 @@ std::vector<ParameterDeclaration> parameters(const WorldTree::Meaning& meaning,
 
 }  // namespace
 
-std::vector<AttributePlace> Attributes::find(std::string_view text) const {
+std::vector<AttributeTarget> Attributes::find(std::string_view text) const {
   const Path path = parse_path(text);
   if (path.attribute.empty()) {
     throw std::invalid_argument(
@@ -38,18 +38,18 @@ std::vector<AttributePlace> Attributes::find(std::string_view text) const {
     throw std::invalid_argument(
         "an element can be removed before a run only: by --set, or by <set> in an experiment");
   }
-  std::vector<AttributePlace> places;
-  for (const Place& found : find_places(tree().begun(), path)) {
-    if (!found.element->object) {  // find_places() made it
+  std::vector<AttributeTarget> targets;
+  for (const Node& found : find_nodes(tree().begun(), path)) {
+    if (!found.element->object) {  // find_nodes() made it
       tree_.reset();
       throw std::invalid_argument("there is no such element in this world");
     }
-    places.push_back(place(*found.element, path.attribute));
+    targets.push_back(target(*found.element, path.attribute));
   }
-  return places;
+  return targets;
 }
 
-AttributePlace Attributes::place(const Element& element, const std::string& name) const {
+AttributeTarget Attributes::target(const Element& element, const std::string& name) const {
   const WorldTree::Meaning& meaning = tree_->meaning(element);
   std::vector<Field> fields;
   for (const ParameterDeclaration& parameter : parameters(meaning, host_)) {
@@ -61,56 +61,56 @@ AttributePlace Attributes::place(const Element& element, const std::string& name
   if (meaning.spec) {
     fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
   }
-  AttributePlace place{
+  AttributeTarget target{
       meaning, element.name, {}, meaning.spec ? meaning.spec->attribute(name) : nullptr, {}};
-  place.path += (place.path.empty() ? "@" : "/@") + name;
+  target.path += (target.path.empty() ? "@" : "/@") + name;
   for (const Field& field : fields) {
     if (field.is_live()) {
-      place.live.push_back(field.name);
+      target.live.push_back(field.name);
     }
-    if (field.name == name && place.field.name.empty()) {
-      place.field = field;
+    if (field.name == name && target.field.name.empty()) {
+      target.field = field;
     }
   }
-  if (place.field.name.empty()) {
+  if (target.field.name.empty()) {
     throw std::invalid_argument("<" + element.name + "> has no attribute '" + name + "'" +
                                 base::near_or_all(name, names_of(fields), "it may have"));
   }
-  return place;
+  return target;
 }
 
-ParameterValue Attributes::read(const AttributePlace& place, std::string_view text) const {
-  Parsed parsed = parse_value(place.field, text);
+ParameterValue Attributes::read(const AttributeTarget& target, std::string_view text) const {
+  Parsed parsed = parse_value(target.field, text);
   if (!parsed.value) {
     throw std::invalid_argument(parsed.problem);
   }
-  if (place.field.type != ParameterType::file || (text.empty() && place.field.may_be_no_file())) {
+  if (target.field.type != ParameterType::file || (text.empty() && target.field.may_be_no_file())) {
     return std::move(*parsed.value);
   }
   const Location where{world_.file, 0};
   const auto file = files_.find(std::string(text), where);
   if (!file) {
-    throw std::invalid_argument(files_.why_not(where, place.field.name, std::string(text)));
+    throw std::invalid_argument(files_.why_not(where, target.field.name, std::string(text)));
   }
   return Files::absolute(*file);
 }
 
-void Attributes::set(const AttributePlace& place, std::string_view text) const {
-  const ParameterValue value = read(place, text);
-  if (place.attribute) {
-    place.attribute->set(const_cast<void*>(place.described.object), value);
+void Attributes::set(const AttributeTarget& target, std::string_view text) const {
+  const ParameterValue value = read(target, text);
+  if (target.attribute) {
+    target.attribute->set(const_cast<void*>(target.described.object), value);
     return;
   }
   const auto put = [&](auto& use) {
-    use.parameters[place.field.name] = value;
-    use.file_names.erase(place.field.name);
-    if (place.field.type == ParameterType::file && !text.empty()) {
+    use.parameters[target.field.name] = value;
+    use.file_names.erase(target.field.name);
+    if (target.field.type == ParameterType::file && !text.empty()) {
       const std::string& path = std::get<std::string>(value);
-      use.file_names[place.field.name] = {path, files_.name_for_world(path, std::string(text))};
+      use.file_names[target.field.name] = {path, files_.name_for_world(path, std::string(text))};
     }
   };
-  auto& use = const_cast<PluginUse&>(*place.use);
-  place.nested ? put(use.elements[*place.nested]) : put(use);
+  auto& use = const_cast<PluginUse&>(*target.use);
+  target.nested ? put(use.elements[*target.nested]) : put(use);
 }
 
 std::vector<std::string> Attributes::robots_at(std::string_view text) const {
@@ -120,8 +120,8 @@ std::vector<std::string> Attributes::robots_at(std::string_view text) const {
     if (path.adds()) {
       path.steps.pop_back();
     }
-    for (const Place& place : find_places(tree().begun(), path)) {
-      const Robot* robot = place.element->object ? tree().meaning(*place.element).robot : nullptr;
+    for (const Node& target : find_nodes(tree().begun(), path)) {
+      const Robot* robot = target.element->object ? tree().meaning(*target.element).robot : nullptr;
       if (robot && (ids.empty() || ids.back() != robot->id)) {
         ids.push_back(robot->id);
       }

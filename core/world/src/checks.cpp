@@ -335,8 +335,8 @@ struct GoalCheck {
   }
 };
 
-void check_changes(const World& world, Problems& problems) {
-  for (const TimedEdit& edit : world.changes) {
+void check_edits(const World& world, Problems& problems) {
+  for (const TimedEdit& edit : world.edits) {
     if (edit.value.has_value() == edit.element.has_value()) {
       problems.add(edit.location,
                    edit.value ? "<change> has a value and an element in it; expected one of them: "
@@ -389,7 +389,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   for (const Mention& mention : reading.mentions) mentions.check(mention);
   for (const auto& [spec, object] : reading.untouched) mentions.check(*spec, object);
   check_physics(root, reading.world.physics, problems);
-  check_changes(reading.world, problems);
+  check_edits(reading.world, problems);
   check_engine(reading.world, problems);
   for (const std::size_t robot : reading.read_robots) {
     check_robot(reading, robot, host, is_running, problems);

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "elsie/api/drive.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
-#include "elsie/thrown/thrown.h"
 #include "elsie/world/parts.h"
 
 #include "reading.h"
@@ -41,7 +41,7 @@ void build(Robot& robot, const plugin::Host& host, Problems& problems) {
   } catch (const plugin::PluginError& error) {
     refuse(error.what(), true);
   } catch (...) {
-    refuse(thrown::what_was_thrown(), false);
+    refuse(base::what_was_thrown(), false);
   }
 }
 

@@ -15,11 +15,11 @@ std::string replaced(std::string_view text, std::string_view characters) {
   std::string result;
   result.reserve(text.size());
   for (const char c : text) {
-    const std::size_t place = characters.find(c);
-    if (place == characters.npos) {
+    const std::size_t index = characters.find(c);
+    if (index == characters.npos) {
       result += c;
     } else {
-      result += kReplaced[place];
+      result += kReplaced[index];
     }
   }
   return result;

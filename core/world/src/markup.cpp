@@ -8,7 +8,7 @@
 #include <strings.h>
 #include <tinyxml2.h>
 
-#include "elsie/files/read_whole.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/error.h"
 #include "elsie/world/escaped.h"
@@ -72,12 +72,12 @@ std::string Element::value(std::string_view attribute) const {
   return found ? found->value : std::string();
 }
 
-void Element::set(std::string_view attribute, std::string value, const Location& place) {
+void Element::set(std::string_view attribute, std::string value, const Location& location) {
   if (const Attribute* known = find(attribute)) {
     attributes[static_cast<std::size_t>(known - attributes.data())] = {known->name,
-                                                                       std::move(value), place};
+                                                                       std::move(value), location};
   } else {
-    attributes.push_back({std::string(attribute), std::move(value), place});
+    attributes.push_back({std::string(attribute), std::move(value), location});
   }
 }
 
@@ -114,7 +114,7 @@ std::string read_text(const std::string& file) {
              did_you_mean_file(path.filename().string(), {path.parent_path().string()}));
   }
   try {
-    return files::read_whole(file, 256'000'000);
+    return base::read_whole(file, 256'000'000);
   } catch (const std::runtime_error& why) {
     fail(file, 0, std::string("this ") + why.what() + "; expected an XML file");
   }

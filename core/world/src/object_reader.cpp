@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/parameters.h"
-#include "elsie/thrown/thrown.h"
 #include "elsie/world/files.h"
 #include "elsie/world/values.h"
 #include "elsie/world/world_tree.h"
@@ -369,7 +369,7 @@ class ObjectReader {
     } catch (const plugin::CreateError& error) {
       refuse(element.where, error.what(), true);
     } catch (...) {
-      refuse(element.where, thrown::what_was_thrown());
+      refuse(element.where, base::what_was_thrown());
     }
   }
 

@@ -32,21 +32,21 @@ bool may_hold(const ElementSpec& group, const std::string& name) {
 }
 
 // The children that a step of this name means, including those of groups.
-std::vector<Place> children(const Place& place, const std::string& name) {
-  std::vector<Place> found;
-  completed(*place.element);
-  if (place.spec->group) {
-    const ElementSpec& first = place.spec->children.front();
-    for (Element& child : place.element->children) {
-      const ElementSpec* spec = first.plugins ? &first : place.spec->child(child.name);
-      if (spec && (name == place.spec->members || name == child.name)) {
+std::vector<Node> children(const Node& node, const std::string& name) {
+  std::vector<Node> found;
+  completed(*node.element);
+  if (node.spec->group) {
+    const ElementSpec& first = node.spec->children.front();
+    for (Element& child : node.element->children) {
+      const ElementSpec* spec = first.plugins ? &first : node.spec->child(child.name);
+      if (spec && (name == node.spec->members || name == child.name)) {
         found.push_back({&child, spec});
       }
     }
     return found;
   }
-  for (const ElementSpec& spec : place.spec->below()) {
-    for (Element& child : place.element->children) {
+  for (const ElementSpec& spec : node.spec->below()) {
+    for (Element& child : node.element->children) {
       if (child.name != spec.name) continue;
       if (name == spec.name && name != spec.members) {
         found.push_back({&child, &spec});
@@ -56,21 +56,21 @@ std::vector<Place> children(const Place& place, const std::string& name) {
       }
     }
   }
-  if (place.spec->plugins && !plugin::find_declared(place.spec->below(), name)) {
-    for (Element& child : place.element->children) {
+  if (node.spec->plugins && !plugin::find_declared(node.spec->below(), name)) {
+    for (Element& child : node.element->children) {
       if (child.name == name) {
         found.push_back({&child, &nested_element()});
       }
     }
   }
   // "coordinator/fusion_vector_summation" names the coordinator a second time.
-  if (found.empty() && place.spec->plugins && place.element->name == name) found.push_back(place);
+  if (found.empty() && node.spec->plugins && node.element->name == name) found.push_back(node);
   return found;
 }
 
 // Adds what a world's layouts scatter, for a step of this name that means all.
-void add_scattered(const Place& world, const std::string& name, std::vector<Place>& found) {
-  for (const Place& scatter : children(world, "scatter")) {
+void add_scattered(const Node& world, const std::string& name, std::vector<Node>& found) {
+  for (const Node& scatter : children(world, "scatter")) {
     for (Element& thing : scatter.element->children) {
       for (const ElementSpec& group : world.spec->children) {
         const ElementSpec* spec = group.group ? group.child(thing.name) : nullptr;
@@ -80,17 +80,17 @@ void add_scattered(const Place& world, const std::string& name, std::vector<Plac
   }
 }
 
-// The names that a step may have at this place.
-std::vector<std::string> names_at(const Place& place) {
+// The names that a step may have at this node.
+std::vector<std::string> names_at(const Node& node) {
   std::set<std::string> names;
-  for (const ElementSpec& spec : place.spec->below()) {
+  for (const ElementSpec& spec : node.spec->below()) {
     // Only existing elements of a plugin's element are known.
-    if (place.spec->plugins && !place.element->child(spec.name)) continue;
+    if (node.spec->plugins && !node.element->child(spec.name)) continue;
     names.insert(spec.name);
     if (spec.group) names.insert(spec.members);
   }
-  for (Element& child : place.element->children) {
-    if (place.spec->plugins) names.insert(child.name);
+  for (Element& child : node.element->children) {
+    if (node.spec->plugins) names.insert(child.name);
     for (const Element& member : completed(child).children) {
       names.insert(member.name);
     }
@@ -110,28 +110,28 @@ std::string text_of(const PathStep& step) {
   return step.key.empty() ? step.name : step.name + "[" + step.key + "]";
 }
 
-// The places that the key of the step selects.
-std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step) {
-  if (step.key == "*") return places;
+// The nodes that the key of the step selects.
+std::vector<Node> chosen(const std::vector<Node>& nodes, const PathStep& step) {
+  if (step.key == "*") return nodes;
   std::vector<std::string> ids;
-  for (const Place& place : places) {
-    const Attribute* id = place.element->find("id");
-    if (id && !step.key.empty() && id->value == step.key) return {place};
+  for (const Node& node : nodes) {
+    const Attribute* id = node.element->find("id");
+    if (id && !step.key.empty() && id->value == step.key) return {node};
   }
-  for (const Place& place : places) {
-    if (const Attribute* id = place.element->find("id")) ids.push_back(id->value);
+  for (const Node& node : nodes) {
+    if (const Attribute* id = node.element->find("id")) ids.push_back(id->value);
   }
   std::erase(ids, "");
-  const std::string count = std::to_string(places.size());
+  const std::string count = std::to_string(nodes.size());
   if (step.key.empty()) {
-    if (places.size() == 1) return places;
+    if (nodes.size() == 1) return nodes;
     refuse_path("'" + step.name + "' could be any of " + count + "; say which, as in " + step.name +
                 "[" + (ids.empty() ? "1" : ids.front()) + "], or " + step.name +
                 "[*] for all of them");
   }
   const auto number = number_of(step.key);
-  if (number && *number >= 1 && *number <= places.size()) {
-    return {places[*number - 1]};
+  if (number && *number >= 1 && *number <= nodes.size()) {
+    return {nodes[*number - 1]};
   }
   if (number || ids.empty()) {
     refuse_path("there is no " + text_of(step) + "; they are numbered from 1 to " + count);
@@ -142,21 +142,21 @@ std::vector<Place> chosen(const std::vector<Place>& places, const PathStep& step
                                : "; there are: " + base::listed(ids)));
 }
 
-Element empty_element(const std::string& name, const Place& parent) {
+Element empty_element(const std::string& name, const Node& parent) {
   Element made;
   made.name = name;
   made.where = parent.element->where;
   return made;
 }
 
-std::vector<Place> step_from(const Place& place, const PathStep& step) {
-  std::vector<Place> found = children(place, step.name);
-  if (place.spec->root && step.key == "*") add_scattered(place, step.name, found);
+std::vector<Node> step_from(const Node& node, const PathStep& step) {
+  std::vector<Node> found = children(node, step.name);
+  if (node.spec->root && step.key == "*") add_scattered(node, step.name, found);
   if (!found.empty()) return chosen(found, step);
-  for (const ElementSpec& spec : place.spec->below()) {
+  for (const ElementSpec& spec : node.spec->below()) {
     if (spec.name == step.name && spec.name != spec.members && !spec.plugins && spec.at_most == 1 &&
         step.key.empty()) {
-      return {{&add_in_order(place, empty_element(step.name, place)), &spec}};
+      return {{&add_in_order(node, empty_element(step.name, node)), &spec}};
     }
   }
   return {};
@@ -170,11 +170,11 @@ std::string way_to_add(const Path& path, const PathStep& step) {
 }
 
 // A first step that names a part of a robot means that part of every robot.
-std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
-  std::vector<Place> result;
-  std::vector<Place> robots = children(world, "robot");
+std::vector<Node> step_from_robots(const Node& world, const PathStep& step) {
+  std::vector<Node> result;
+  std::vector<Node> robots = children(world, "robot");
   add_scattered(world, "robot", robots);
-  for (const Place& robot : robots) {
+  for (const Node& robot : robots) {
     const auto found = step_from(robot, step);
     result.insert(result.end(), found.begin(), found.end());
   }
@@ -182,20 +182,20 @@ std::vector<Place> step_from_robots(const Place& world, const PathStep& step) {
 }
 
 // Whether a missing element may be in an unreadable template, which has a message of its own.
-bool lacks_a_template(const std::vector<Place>& places) {
-  return std::any_of(places.begin(), places.end(), [](const Place& place) {
-    const auto robots = children(place, "robot");
-    return place.element->incomplete ||
+bool lacks_a_template(const std::vector<Node>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
+    const auto robots = children(node, "robot");
+    return node.element->incomplete ||
            std::any_of(robots.begin(), robots.end(),
-                       [](const Place& robot) { return robot.element->incomplete; });
+                       [](const Node& robot) { return robot.element->incomplete; });
   });
 }
 
-// The names of elements that can be added to a place.
-std::vector<std::string> addable_at(const Place& place) {
+// The names of elements that can be added to a node.
+std::vector<std::string> addable_at(const Node& node) {
   std::vector<std::string> names;
   for (const ElementSpec& spec :
-       place.spec->group ? std::vector<ElementSpec>{*place.spec} : place.spec->below()) {
+       node.spec->group ? std::vector<ElementSpec>{*node.spec} : node.spec->below()) {
     names.push_back(spec.group ? spec.members : spec.name);
   }
   return names;
@@ -231,44 +231,44 @@ void refuse_second(const Element& there, const std::string& held, const std::str
               "=<...>");
 }
 
-// Adds the element if the place may hold what the step names; returns whether it may.
-bool add_to(const Place& place, const PathStep& step, const Element& given) {
+// Adds the element if the node may hold what the step names; returns whether it may.
+bool add_to(const Node& node, const PathStep& step, const Element& given) {
   const auto named_alike = [&](const Element& child) { return child.name == step.name; };
-  completed(*place.element);
-  if (place.spec->group) {
-    const ElementSpec& member = place.spec->children.front();
-    const bool is_any = step.name == place.spec->members;
-    if (!is_any && !member.plugins && !place.spec->child(step.name)) return false;
+  completed(*node.element);
+  if (node.spec->group) {
+    const ElementSpec& member = node.spec->children.front();
+    const bool is_any = step.name == node.spec->members;
+    if (!is_any && !member.plugins && !node.spec->child(step.name)) return false;
     if (!is_any) require_name(step, given);
-    if (member.at_most == 1 && !place.element->children.empty()) {
-      refuse_second(*place.element, "element", place.spec->members);
+    if (member.at_most == 1 && !node.element->children.empty()) {
+      refuse_second(*node.element, "element", node.spec->members);
     }
-    insert(*place.element, step, given,
+    insert(*node.element, step, given,
            [&](const Element& child) { return is_any || named_alike(child); });
     return true;
   }
-  for (const ElementSpec& spec : place.spec->below()) {
+  for (const ElementSpec& spec : node.spec->below()) {
     if (spec.group && (step.name == spec.members || spec.child(step.name))) {
-      Element* list = place.element->child(spec.name);
-      return add_to({list ? list : &add_in_order(place, empty_element(spec.name, place)), &spec},
+      Element* list = node.element->child(spec.name);
+      return add_to({list ? list : &add_in_order(node, empty_element(spec.name, node)), &spec},
                     step, given);
     }
     if (spec.name == step.name) {
       require_name(step, given);
       if (spec.at_most > 1) {
-        insert(*place.element, step, given, named_alike);
+        insert(*node.element, step, given, named_alike);
         return true;
       }
-      if (place.element->child(spec.name)) {
-        refuse_second(*place.element, "<" + spec.name + ">", step.name);
+      if (node.element->child(spec.name)) {
+        refuse_second(*node.element, "<" + spec.name + ">", step.name);
       }
-      add_in_order(place, given);
+      add_in_order(node, given);
       return true;
     }
   }
-  if (place.spec->plugins) {
+  if (node.spec->plugins) {
     require_name(step, given);
-    insert(*place.element, step, given, named_alike);
+    insert(*node.element, step, given, named_alike);
     return true;
   }
   return false;
@@ -276,7 +276,7 @@ bool add_to(const Place& place, const PathStep& step, const Element& given) {
 
 }  // namespace
 
-Element& add_in_order(const Place& parent, Element child) {
+Element& add_in_order(const Node& parent, Element child) {
   const auto& specs = parent.spec->below();
   const auto rank = [&](const std::string& name) {
     return std::find_if(specs.begin(), specs.end(),
@@ -294,17 +294,17 @@ void add_element(Element& world, const Path& path, const Element& given) {
   Path parents = path;
   parents.steps.pop_back();
   const PathStep& step = path.steps.back();
-  std::vector<Place> places = find_places(world, parents);
-  if (places.empty()) {
+  std::vector<Node> nodes = find_nodes(world, parents);
+  if (nodes.empty()) {
     return;  // a robot's template could not be read
   }
-  const Place first = places.front();
+  const Node first = nodes.front();
   std::size_t added = 0;
-  for (const Place& place : places) {
-    added += add_to(place, step, given) ? 1 : 0;
+  for (const Node& node : nodes) {
+    added += add_to(node, step, given) ? 1 : 0;
   }
   if (added == 0 && parents.steps.empty()) {  // the element is a part of every robot
-    for (const Place& robot : children(first, "robot")) {
+    for (const Node& robot : children(first, "robot")) {
       added += add_to(robot, step, given) ? 1 : 0;
     }
   }
@@ -356,34 +356,34 @@ Path parse_path(std::string_view text) {
   }
 }
 
-std::vector<Place> find_places(Element& world, const Path& path) {
-  std::vector<Place> places{{&world, &vocabulary()}};
+std::vector<Node> find_nodes(Element& world, const Path& path) {
+  std::vector<Node> nodes{{&world, &vocabulary()}};
   for (const PathStep& step : path.steps) {
     if (step.adds()) {
       refuse_path(
           "an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
     }
-    std::vector<Place> next;
-    for (const Place& place : places) {
-      const auto found = step_from(place, step);
+    std::vector<Node> next;
+    for (const Node& node : nodes) {
+      const auto found = step_from(node, step);
       next.insert(next.end(), found.begin(), found.end());
     }
-    if (next.empty() && places.front().spec == &vocabulary()) {
-      next = step_from_robots(places.front(), step);
+    if (next.empty() && nodes.front().spec == &vocabulary()) {
+      next = step_from_robots(nodes.front(), step);
     }
-    if (next.empty() && lacks_a_template(places)) {
+    if (next.empty() && lacks_a_template(nodes)) {
       return {};
     }
     if (next.empty()) {
-      const auto names = names_at(places.front());
+      const auto names = names_at(nodes.front());
       const bool known = std::find(names.begin(), names.end(), step.name) != names.end();
-      refuse_path("there is no '" + step.name + "' in <" + places.front().element->name + ">" +
+      refuse_path("there is no '" + step.name + "' in <" + nodes.front().element->name + ">" +
                   (known ? " of this world" + way_to_add(path, step)
                          : base::near_or_all(step.name, names, "there are")));
     }
-    places = std::move(next);
+    nodes = std::move(next);
   }
-  return places;
+  return nodes;
 }
 
 }  // namespace elsie::world

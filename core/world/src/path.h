@@ -31,14 +31,14 @@ struct Path {
 Path parse_path(std::string_view text);
 
 /// An element and its entry in the vocabulary, which is nested_element() if a plugin declares it.
-struct Place {
+struct Node {
   Element* element;
   const ElementSpec* spec;
 };
 const ElementSpec& nested_element();
 
 /// Inserts an element that may occur only once into its parent, in the order of the vocabulary.
-Element& add_in_order(const Place& parent, Element child);
+Element& add_in_order(const Node& parent, Element child);
 
 /// Adds an element, as the last step of a path says, to each element that the steps before it lead
 /// to. Creates a missing list. Throws std::invalid_argument with a sentence.
@@ -52,6 +52,6 @@ void add_element(Element& world, const Path& path, const Element& given);
 /// a behaviour is named as in a robot. A path that begins with a part of a robot means that part of
 /// every robot. A missing element that may occur only once is created. Throws
 /// std::invalid_argument with a sentence that lists what exists instead.
-std::vector<Place> find_places(Element& world, const Path& path);
+std::vector<Node> find_nodes(Element& world, const Path& path);
 
 }  // namespace elsie::world

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "elsie/api/geometry.h"
+#include "elsie/base/grid.h"
 #include "elsie/base/number_text.h"
-#include "elsie/space/grid.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
@@ -63,7 +63,7 @@ class PlaceCheck {
   template <class MayOverlap>
   void check_apart(std::span<const Block> body, MayOverlap may_overlap) {
     for (const Block& part : body) {
-      for (const space::Grid::Id other : near(part.footprint)) {
+      for (const base::Grid::Id other : near(part.footprint)) {
         const Block& earlier = there_[other];
         if (!may_overlap(other) && overlap(part.footprint, earlier.footprint)) {
           problems_.add(part.where, part.in_words + " overlaps " + earlier.in_words + " (line " +
@@ -72,7 +72,7 @@ class PlaceCheck {
       }
     }
     for (const Block& part : body) {
-      grid_.insert(static_cast<space::Grid::Id>(there_.size()), cells(part.footprint));
+      grid_.insert(static_cast<base::Grid::Id>(there_.size()), cells(part.footprint));
       there_.push_back(part);
     }
   }
@@ -92,15 +92,15 @@ class PlaceCheck {
   }
 
  private:
-  space::Grid::Block cells(const Footprint& area) const {
+  base::Grid::Block cells(const Footprint& area) const {
     return grid_.block(area.x - area.reach(-1.0, 0.0), area.y - area.reach(0.0, -1.0),
                        area.x + area.reach(1.0, 0.0), area.y + area.reach(0.0, 1.0));
   }
 
   /// The bodies that share a grid cell with the area, each once.
-  std::vector<space::Grid::Id> near(const Footprint& area) const {
-    std::vector<space::Grid::Id> found;
-    const space::Grid::Block block = cells(area);
+  std::vector<base::Grid::Id> near(const Footprint& area) const {
+    std::vector<base::Grid::Id> found;
+    const base::Grid::Block block = cells(area);
     for (int y = block.y0; y <= block.y1; ++y) {
       for (int x = block.x0; x <= block.x1; ++x) {
         const auto cell = grid_.cell(x, y);
@@ -114,7 +114,7 @@ class PlaceCheck {
 
   const Arena& arena_;
   Problems& problems_;
-  space::Grid grid_;
+  base::Grid grid_;
   std::vector<Block> there_;
 };
 }  // namespace

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "elsie/plugin/host.h"
-#include "elsie/world/changed_worlds.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/data_directories.h"
+#include "elsie/world/edited_worlds.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
 #include "elsie/world/layouts.h"
@@ -61,27 +61,27 @@ Element tree_of_world(std::string_view text, const std::string& file,
 }
 
 namespace {
-// Applies the overrides to the tree of a world, and reads it.
+// Applies the edits to the tree of a world, and reads it.
 World read_edited(Element& root, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options) {
   Problems problems;
-  const Files files(file, options.data_directories, options.overrides_from, options.files,
+  const Files files(file, options.data_directories, options.edits_from, options.files,
                     options.found);
   std::optional<Drawn> drawn;
-  const std::vector<std::string>& overrides = options.overrides;
+  const std::vector<std::string>& edits = options.edits;
   std::set<std::size_t> of_drawn;  // edits of what layouts draw
   const auto apply = [&](std::size_t number) {
-    const std::string& override = overrides[number];
-    const Concern concern = concern_of(override);
+    const std::string& edit = edits[number];
+    const Concern concern = concern_of(edit);
     if ((options.is_running || drawn) && concern == Concern::templates) {
-      problems.add({"--set " + override, 0},
+      problems.add({"--set " + edit, 0},
                    "the content of the template is part of the robot since the start; replace the "
                    "robot, or edit its content");
       return;
     }
     Problems own;
-    apply_override(root, override, options.is_running, own);
-    if (!own.empty() && root.child("layouts") && !is_about_layouts(override)) {
+    apply_edit(root, edit, options.is_running, own);
+    if (!own.empty() && root.child("layouts") && !is_about_layouts(edit)) {
       of_drawn.insert(number);
       return;
     }
@@ -91,12 +91,12 @@ World read_edited(Element& root, const std::string& file, const plugin::Host& ho
     }
   };
   // A running world has no templates any more: its edits are made in the given order.
-  std::vector<std::size_t> order(overrides.size());
+  std::vector<std::size_t> order(edits.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto later = options.is_running
                          ? order.begin()
                          : std::stable_partition(order.begin(), order.end(), [&](std::size_t each) {
-                             return concern_of(overrides[each]) >= Concern::robots;
+                             return concern_of(edits[each]) >= Concern::robots;
                            });
   std::for_each(order.begin(), later, apply);
   merge_templates(root, host, files, problems);
@@ -104,14 +104,13 @@ World read_edited(Element& root, const std::string& file, const plugin::Host& ho
   draw_layouts(root, file, host, files, options, drawn, problems);
   if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
   // The last edit decides: those after one that had to wait are made again, unless they add.
-  for (std::size_t i = of_drawn.empty() ? overrides.size() : *of_drawn.begin();
-       i < overrides.size(); ++i) {
-    const std::string path = overrides[i].substr(0, overrides[i].find('='));
+  for (std::size_t i = of_drawn.empty() ? edits.size() : *of_drawn.begin(); i < edits.size(); ++i) {
+    const std::string path = edits[i].substr(0, edits[i].find('='));
     if (of_drawn.contains(i)) {
       apply(i);
     } else if (concern_of(path) <= Concern::removed_robots && path.find("[+") == path.npos) {
       Problems made_already;
-      apply_override(root, overrides[i], options.is_running, made_already);
+      apply_edit(root, edits[i], options.is_running, made_already);
     }
   }
   // Boxes of both lists have different ids.
@@ -159,7 +158,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   if (options.check_plugins && !options.is_running) {
-    visit_changed_worlds(world, host, options);
+    visit_edited_worlds(world, host, options);
   }
   return std::move(world);
 }

@@ -65,7 +65,7 @@ Reading read_tree(Element& root, const plugin::Host& host, const Files& files, b
 void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems);
 
 /// Checks conditions on more than one attribute. `root` is the tree that the world was read from,
-/// after templates and overrides; its lists are empty by now. `is_running`:
+/// after templates and edits; its lists are empty by now. `is_running`:
 /// ReadOptions::is_running.
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems);

@@ -70,12 +70,12 @@ class Scanner {
  private:
   bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
 
-  int line_of(std::size_t place) const {
+  int line_of(std::size_t offset) const {
     const auto begin = text_.begin();
-    return 1 + static_cast<int>(std::count(begin, begin + static_cast<long>(place), '\n'));
+    return 1 + static_cast<int>(std::count(begin, begin + static_cast<long>(offset), '\n'));
   }
-  [[noreturn]] void fail(const std::string& message, std::size_t place) const {
-    throw WorldError({{file_, line_of(place), message}});
+  [[noreturn]] void fail(const std::string& message, std::size_t offset) const {
+    throw WorldError({{file_, line_of(offset), message}});
   }
   [[noreturn]] void fail(const std::string& message) const { fail(message, at_); }
 

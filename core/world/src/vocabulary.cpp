@@ -254,7 +254,7 @@ ElementSpec world() {
       .group(Describe<World>("measures", "Additional measures of a run")
                  .each(measure(), &World::measures))
       .group(Describe<World>("changes", "Edits of the world while it runs")
-                 .each(change(), &World::changes))
+                 .each(change(), &World::edits))
       .one(limits(), &World::limits);
 }
 

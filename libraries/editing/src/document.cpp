@@ -101,7 +101,7 @@ class Document::Impl {
         host_(host),
         options_(std::move(options)),
         files_(file_, options_.data_directories, file_, options_.files) {
-    options_.overrides.clear();
+    options_.edits.clear();
     now_ = with_world(read(std::move(text)));
   }
 
@@ -210,7 +210,7 @@ const Element* Document::Impl::layout_of(const Element& tree, const std::string&
   std::optional<world::Drawn> seed;
   Problems problems;
   world::draw_layouts(drawn, file_, host_, files_, options_, seed, problems);
-  world::apply_override(drawn, edit, options_.is_running, problems);
+  world::apply_edit(drawn, edit, options_.is_running, problems);
   return problems.empty() ? layout_that_made_edited(tree, drawn, edit) : nullptr;
 }
 
@@ -220,7 +220,7 @@ Document::State Document::Impl::edited(const State& from, const std::string& edi
   const Element& before = is_raw ? from.trees.raw : from.trees.merged;
   wanted = before;
   Problems problems;
-  world::apply_override(wanted, edit, options_.is_running, problems);
+  world::apply_edit(wanted, edit, options_.is_running, problems);
   Element tree = wanted;  // looking for a path may add elements
   if (const Element* layout =
           problems.empty() ? layout_that_draws(tree, edit) : layout_of(before, edit)) {

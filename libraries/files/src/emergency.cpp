@@ -3,7 +3,7 @@
 #include <array>
 #include <atomic>
 
-#include "elsie/sharing/crew.h"
+#include "elsie/base/thread_pool.h"
 
 namespace elsie::files {
 namespace {
@@ -14,7 +14,7 @@ std::atomic<bool> is_cleaning{false};
 
 }  // namespace
 
-EmergencyWriter::EmergencyWriter() : thread_(sharing::Crew::worked_for()) {
+EmergencyWriter::EmergencyWriter() : thread_(base::ThreadPool::worked_for()) {
   for (auto& slot : writers) {
     EmergencyWriter* none = nullptr;
     if (slot.compare_exchange_strong(none, this)) {
@@ -32,7 +32,7 @@ void EmergencyWriter::retire() noexcept {
 
 bool write_in_emergency() noexcept {
   bool any = false;
-  const int thread = sharing::Crew::worked_for();
+  const int thread = base::ThreadPool::worked_for();
   for (const auto& slot : writers) {
     EmergencyWriter* const writer = slot.load();
     if (writer && writer->thread_ == thread) {

@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
+#include "elsie/base/thread_pool.h"
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/kind_name.h"
-#include "elsie/sharing/crew.h"
-#include "elsie/thrown/thrown.h"
 
 #include "memory.h"
 #include "random_input.h"
@@ -109,7 +109,7 @@ class Checker {
       plugins_.completed(declaration_, options_.settings);
       return true;
     } catch (...) {
-      find("start", "it cannot be made: " + thrown::what_was_thrown());
+      find("start", "it cannot be made: " + base::what_was_thrown());
       return false;
     }
   }
@@ -143,7 +143,7 @@ class Checker {
         refusal_ = error.what();
       }
     } catch (...) {
-      find("equipped", "equipped() throws " + thrown::what_was_thrown() +
+      find("equipped", "equipped() throws " + base::what_was_thrown() +
                            "; throw std::invalid_argument with a sentence for what does not fit");
     }
     return nullptr;
@@ -277,7 +277,7 @@ class Checker {
       one.configure_again();
     } catch (...) {
       find("configured",
-           "configured() fails when it is called once more: " + thrown::what_was_thrown() + where_);
+           "configured() fails when it is called once more: " + base::what_was_thrown() + where_);
       return;
     }
     if (same("configured", "after configured() was called once more it answers differently", *first,
@@ -332,14 +332,14 @@ class Checker {
         "not share what they change, or it declares elsie::one_thread()";
     Answers ones(first.size()), others(second->size());
     std::latch begun(2);
-    sharing::Crew crew(2);
+    base::ThreadPool pool(2);
     try {
-      crew.divide(2, 1, [&](const sharing::Crew::Share& share) {
+      pool.divide(2, 1, [&](const base::ThreadPool::Share& share) {
         begun.arrive_and_wait();  // neither thread does both
         run_quietly(share.first == 0 ? one : *other, share.first == 0 ? ones : others);
       });
     } catch (...) {
-      in_threads_ = finding + ": it fails: " + thrown::what_was_thrown() + where_;
+      in_threads_ = finding + ": it fails: " + base::what_was_thrown() + where_;
       return false;
     }
     for (const auto& [alone, beside] : {std::pair(&first, &ones), std::pair(&*second, &others)}) {
@@ -388,7 +388,7 @@ class Checker {
       }
     } catch (...) {
       find("remembers",
-           "remember() fails, or what follows it: " + thrown::what_was_thrown() + where_);
+           "remember() fails, or what follows it: " + base::what_was_thrown() + where_);
     }
   }
 

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "elsie/thrown/thrown.h"
+#include "elsie/base/thrown.h"
 
 namespace elsie::testing {
 
 std::string thrown_text() {
-  const std::string place = thrown::place_of_throw();
-  return thrown::what_was_thrown() + (place.empty() ? "" : "; thrown in " + place);
+  const std::string place = base::place_of_throw();
+  return base::what_was_thrown() + (place.empty() ? "" : "; thrown in " + place);
 }
 
 std::string in_bytes(double bytes) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "elsie/api/behavior.h"
-#include "elsie/thrown/thrown.h"
+#include "elsie/base/thrown.h"
 
 #include "random_input.h"
 
@@ -99,7 +99,7 @@ void equipping(Action action) {
   try {
     action();
   } catch (const std::exception&) {
-    throw Refused(thrown::what_was_thrown());
+    throw Refused(base::what_was_thrown());
   }
 }
 

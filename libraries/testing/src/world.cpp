@@ -12,7 +12,7 @@ namespace {
 world::ReadOptions read_options(const WorldOptions& options, std::uint64_t seed) {
   world::ReadOptions how;
   how.seed = seed;
-  how.overrides = options.set;
+  how.edits = options.set;
   how.data_directories = data_directories();
   how.check_plugins = true;
   return how;

@@ -49,7 +49,7 @@ bool meet(OdeContacts& contacts, const OdeBodies& bodies, Scene::Id first, Scene
 ContactFinder::ContactFinder(const world::Physics& physics)
     : physics_(physics), floor_(dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)) {}
 
-void ContactFinder::find(const OdeBodies& bodies, sharing::Crew& crew) {
+void ContactFinder::find(const OdeBodies& bodies, base::ThreadPool& pool) {
   const std::size_t on_floor = blocks_of(bodies.robots.size()) + 1;
   const std::size_t pairs = blocks_of(bodies.mobile.size());
   used_ = on_floor + pairs;
@@ -58,8 +58,8 @@ void ContactFinder::find(const OdeBodies& bodies, sharing::Crew& crew) {
     some.contacts.clear();
     some.touches.clear();
   }
-  find_floor(bodies, crew);
-  crew.divide(pairs, 1, [&](const sharing::Crew::Share& share) {
+  find_floor(bodies, pool);
+  pool.divide(pairs, 1, [&](const base::ThreadPool::Share& share) {
     prepare_ode();
     const std::size_t end = std::min(bodies.mobile.size(), kBlock * share.end);
     for (std::size_t i = kBlock * share.first; i < end; ++i) {
@@ -80,9 +80,9 @@ void ContactFinder::find(const OdeBodies& bodies, sharing::Crew& crew) {
       touches_.end());
 }
 
-void ContactFinder::find_floor(const OdeBodies& bodies, sharing::Crew& crew) {
+void ContactFinder::find_floor(const OdeBodies& bodies, base::ThreadPool& pool) {
   const std::size_t robots = bodies.robots.size();
-  crew.divide(blocks_of(robots), 1, [&](const sharing::Crew::Share& share) {
+  pool.divide(blocks_of(robots), 1, [&](const base::ThreadPool::Share& share) {
     prepare_ode();
     for (std::size_t i = kBlock * share.first; i < std::min(robots, kBlock * share.end); ++i) {
       bodies.robots[i].meet_floor(blocks_[i / kBlock].contacts, floor_.get());

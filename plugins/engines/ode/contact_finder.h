@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "elsie/base/thread_pool.h"
 #include "elsie/physics/engine.h"
-#include "elsie/sharing/crew.h"
 #include "elsie/world/description.h"
 
 #include "box_body.h"
@@ -42,22 +42,22 @@ struct FoundContacts {
   std::vector<Scene::Id> neighbors;  // of the current body; kept to reuse its memory
 };
 
-/// A crew finds the contacts of several bodies at once. Their order does not depend on the crew.
+/// A pool finds the contacts of several bodies at once. Their order does not depend on the pool.
 class ContactFinder {
  public:
   explicit ContactFinder(const world::Physics& physics);
 
-  /// Bodies in a share of the crew.
+  /// Bodies in a share of the pool.
   static constexpr std::size_t kBlock = 16;
 
-  void find(const OdeBodies& bodies, sharing::Crew& crew);
+  void find(const OdeBodies& bodies, base::ThreadPool& pool);
 
   std::span<FoundContacts> found() { return std::span(blocks_).first(used_); }
   /// See Engine::touches().
   std::span<const Touch> touches() const { return touches_; }
 
  private:
-  void find_floor(const OdeBodies& bodies, sharing::Crew& crew);
+  void find_floor(const OdeBodies& bodies, base::ThreadPool& pool);
   void find_neighbors(const OdeBodies& bodies, Scene::Id id, FoundContacts& found) const;
 
   world::Physics physics_;

@@ -33,7 +33,7 @@ struct IslandCrew::Call {
 
 /// The calls that follow from one call of ODE, in the thread that made this one.
 struct IslandCrew::Chain {
-  IslandCrew* crew = nullptr;
+  IslandCrew* pool = nullptr;
   std::vector<Call*> ready;
   std::deque<Call> calls;
   std::vector<Call*> unused;
@@ -60,7 +60,7 @@ struct IslandCrew::Blocks {
 
 constinit thread_local IslandCrew::Chain* IslandCrew::present_ = nullptr;
 
-IslandCrew::IslandCrew(sharing::Crew& crew) : crew_(&crew), chains_(crew.threads()) {}
+IslandCrew::IslandCrew(base::ThreadPool& pool) : pool_(&pool), chains_(pool.threads()) {}
 
 IslandCrew::~IslandCrew() {
   Blocks& blocks = Blocks::all();
@@ -72,9 +72,9 @@ IslandCrew::~IslandCrew() {
   });
 }
 
-void IslandCrew::work_with(sharing::Crew& crew) {
-  crew_ = &crew;
-  chains_ = std::vector<Chain>(crew.threads());
+void IslandCrew::work_with(base::ThreadPool& pool) {
+  pool_ = &pool;
+  chains_ = std::vector<Chain>(pool.threads());
 }
 
 void IslandCrew::serve(dWorldID world) {
@@ -93,7 +93,7 @@ void* IslandCrew::allocate(std::size_t size) {
   if (!block) return nullptr;
   Blocks& blocks = Blocks::all();
   const std::lock_guard lock(blocks.guard);
-  blocks.owners.emplace(block, present_ ? present_->crew : nullptr);
+  blocks.owners.emplace(block, present_ ? present_->pool : nullptr);
   return block;
 }
 
@@ -105,11 +105,11 @@ void IslandCrew::release(void* block) {
 }
 
 void IslandCrew::expect(std::size_t islands) {
-  threads_ = std::clamp<std::size_t>(islands / kLeast, 1, crew_->threads());
+  threads_ = std::clamp<std::size_t>(islands / kLeast, 1, pool_->threads());
 }
 
 void IslandCrew::note_give_up() {
-  if (present_) present_->crew->gave_up_ = true;
+  if (present_) present_->pool->gave_up_ = true;
 }
 
 void IslandCrew::post(int* fault, dCallReleaseeID* posted, std::size_t waits_for, Call* dependent,
@@ -148,7 +148,7 @@ void IslandCrew::change_waiting(Call& call, std::ptrdiff_t by) {
 
 void IslandCrew::make_all() {
   const std::vector<Call*> first = std::exchange(ready_, {});
-  crew_->divide(first.size(), 1, [&](const sharing::Crew::Share& share) {
+  pool_->divide(first.size(), 1, [&](const base::ThreadPool::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) make(*first[i], share.thread);
   });
   outer_.clear();
@@ -158,7 +158,7 @@ void IslandCrew::make_all() {
 void IslandCrew::make(Call& first, std::size_t thread) {
   prepare_ode();
   Chain& chain = chains_[thread];
-  chain.crew = this;
+  chain.pool = this;
   chain.ready.assign(1, &first);
   struct Presence {
     explicit Presence(Chain& chain) { present_ = &chain; }

@@ -1,4 +1,4 @@
-// Steps the islands of an ODE world with the threads of a crew.
+// Steps the islands of an ODE world with the threads of a pool.
 #pragma once
 
 #include <atomic>
@@ -9,7 +9,7 @@
 #include <ode/ode.h>
 #include <ode/threading.h>
 
-#include "elsie/sharing/crew.h"
+#include "elsie/base/thread_pool.h"
 
 namespace elsie::physics {
 
@@ -18,14 +18,14 @@ namespace elsie::physics {
 /// Unlike ODE's schedulers it passes exceptions on: dWorldStep() throws what a call threw.
 class IslandCrew {
  public:
-  /// The crew must outlive the steps.
-  explicit IslandCrew(sharing::Crew& crew);
+  /// The pool must outlive the steps.
+  explicit IslandCrew(base::ThreadPool& pool);
   ~IslandCrew();
   IslandCrew(const IslandCrew&) = delete;
   IslandCrew& operator=(const IslandCrew&) = delete;
 
-  /// Takes another crew.
-  void work_with(sharing::Crew& crew);
+  /// Takes another pool.
+  void work_with(base::ThreadPool& pool);
   /// Schedules the steps of this world, which must be destroyed first, and keeps their memory.
   void serve(dWorldID world);
   /// Before a step of a world with so many islands, roughly. Few islands get few threads.
@@ -58,7 +58,7 @@ class IslandCrew {
   // The chain that this thread is making.
   static constinit thread_local Chain* present_;
 
-  sharing::Crew* crew_;
+  base::ThreadPool* pool_;
   std::size_t threads_ = 1;
   std::deque<Call> outer_;     // posted by the thread that steps the world
   std::vector<Call*> ready_;   // of these, the calls that wait for no others

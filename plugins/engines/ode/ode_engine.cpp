@@ -66,9 +66,9 @@ class OdeEngine final : public Engine {
     return bodies_.robots.at(robot).joints();
   }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
-  void work_with(sharing::Crew& crew) override {
-    crew_ = &crew;
-    world_.work_with(crew);
+  void work_with(base::ThreadPool& pool) override {
+    pool_ = &pool;
+    world_.work_with(pool);
   }
   void step() override;
 
@@ -121,8 +121,8 @@ class OdeEngine final : public Engine {
 
   world::Physics physics_;
   double time_ = 0.0;
-  sharing::Crew alone_;
-  sharing::Crew* crew_ = &alone_;
+  base::ThreadPool alone_;
+  base::ThreadPool* pool_ = &alone_;
   OdeWorld world_;
   // Geometry is destroyed before the world with the bodies that it is attached to.
   ContactJoints joints_;
@@ -139,7 +139,7 @@ class OdeEngine final : public Engine {
 
 OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
-      world_(*crew_),
+      world_(*pool_),
       joints_(world_.get(), physics),
       finder_(physics),
       bodies_(arena),
@@ -336,18 +336,18 @@ void OdeEngine::take_step() {
     find_contacts(Routing::OdeTakes::nothing);
     routing_.wake();
   }
-  routing_.step_others(*crew_);
+  routing_.step_others(*pool_);
   time_ += physics_.step;
   settle();
 }
 
-/// Calls work(robot, share) for all robots; the crew does several shares at once.
+/// Calls work(robot, share) for all robots; the pool does several shares at once.
 template <class Work>
 void OdeEngine::for_each_robot(const Work& work) {
   constexpr std::size_t size = ContactFinder::kBlock;
   const std::size_t robots = bodies_.robots.size();
   shares_.resize((robots + size - 1) / size);
-  crew_->divide(shares_.size(), 1, [&](const sharing::Crew::Share& some) {
+  pool_->divide(shares_.size(), 1, [&](const base::ThreadPool::Share& some) {
     prepare_ode();
     const std::size_t end = std::min(robots, size * some.end);
     for (std::size_t i = size * some.first; i < end; ++i) work(i, shares_[i / size]);
@@ -374,7 +374,7 @@ void OdeEngine::restore() {
 }
 
 void OdeEngine::find_contacts(Routing::OdeTakes takes) {
-  finder_.find(bodies_, *crew_);
+  finder_.find(bodies_, *pool_);
   routing_.divide(finder_.found(), joints_, bodies_.robots, takes);
 }
 

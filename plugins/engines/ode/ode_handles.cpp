@@ -38,7 +38,7 @@ void prepare_ode() {
   }
 }
 
-OdeWorld::OdeWorld(sharing::Crew& crew) : islands_(crew) {
+OdeWorld::OdeWorld(base::ThreadPool& pool) : islands_(pool) {
   prepare_ode();
   world_ = dWorldCreate();
   islands_.serve(world_);

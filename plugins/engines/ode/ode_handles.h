@@ -26,16 +26,16 @@ class OdeFailure : public std::runtime_error {
 /// A world with its bodies and joints.
 class OdeWorld {
  public:
-  /// Steps with the threads of this crew, which must outlive the world.
-  explicit OdeWorld(sharing::Crew& crew);
+  /// Steps with the threads of this pool, which must outlive the world.
+  explicit OdeWorld(base::ThreadPool& pool);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
 
   dWorldID get() const { return world_; }
 
-  /// Takes another crew.
-  void work_with(sharing::Crew& crew) { islands_.work_with(crew); }
+  /// Takes another pool.
+  void work_with(base::ThreadPool& pool) { islands_.work_with(pool); }
 
   /// Takes a step of about so many islands. Returns false if ODE's solver gave up: the world has
   /// moved, but bodies may have passed through their contacts. Throws OdeFailure if it stopped half

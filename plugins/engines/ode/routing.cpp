@@ -104,9 +104,9 @@ Crowd& Routing::next_train() {
   return train;
 }
 
-void Routing::step_others(sharing::Crew& crew) {
+void Routing::step_others(base::ThreadPool& pool) {
   crowd_.step(Crowd::Method::sweeps);
-  crew.divide(used_trains_, 1, [this](const sharing::Crew::Share& share) {
+  pool.divide(used_trains_, 1, [this](const base::ThreadPool::Share& share) {
     prepare_ode();
     for (std::size_t i = share.first; i < share.end; ++i) trains_[i].step(Crowd::Method::newton);
   });

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "elsie/sharing/crew.h"
+#include "elsie/base/thread_pool.h"
 #include "elsie/world/description.h"
 
 #include "contact_finder.h"
@@ -40,7 +40,7 @@ class Routing {
   /// Enables in ODE the bodies that divide() disabled.
   void wake();
   /// Moves the bodies that the last divide() disabled by a step, several trains at once.
-  void step_others(sharing::Crew& crew);
+  void step_others(base::ThreadPool& pool);
 
  private:
   struct Member {

@@ -15,7 +15,7 @@ OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
           {wheel.radius, wheel.half_length, wheel.radius}};
 }
 
-space::Grid::Block cells(const space::Grid& grid, const Aabb& bounds) {
+base::Grid::Block cells(const base::Grid& grid, const Aabb& bounds) {
   return grid.block(bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);
 }
 
@@ -145,7 +145,7 @@ std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& dire
 bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
   if (!(pyramid.range_m > 0.0)) return false;
   const PyramidTest test(pyramid);
-  const space::Grid::Block block = cells(grid_, test.bounds());
+  const base::Grid::Block block = cells(grid_, test.bounds());
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "elsie/api/sensor.h"
+#include "elsie/base/grid.h"
 #include "elsie/physics/engine.h"
-#include "elsie/space/grid.h"
 
 #include "sensed_solid.h"
 
@@ -17,7 +17,7 @@ namespace elsie::physics {
 
 class Scene {
  public:
-  using Id = space::Grid::Id;
+  using Id = base::Grid::Id;
 
   explicit Scene(const world::Arena& arena);
 
@@ -60,8 +60,8 @@ class Scene {
     SensedSolid solid;             // as sensors see it
     std::vector<Cylinder> wheels;  // of a robot
     double wheels_top = 0.0;
-    space::Grid::Block block;  // in which it is entered
-    space::Grid::Block next;   // of its place
+    base::Grid::Block block;  // in which it is entered
+    base::Grid::Block next;   // of its place
   };
 
   bool place(Id id, const Aabb& bounds, double reach);
@@ -69,7 +69,7 @@ class Scene {
     return entry.sensed && !(entry.is_robot && entry.body.index == except);
   }
 
-  space::Grid grid_;
+  base::Grid grid_;
   std::vector<Entry> entries_;
 };
 

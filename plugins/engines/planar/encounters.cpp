@@ -36,10 +36,10 @@ bool Encounters::is_before(const Thing& a, const Thing& b) const {
   return std::tie(at_a.x, at_a.y, a.number) < std::tie(at_b.x, at_b.y, b.number);
 }
 
-void Encounters::find(std::span<const Moving> moving, double margin, sharing::Crew& crew) {
-  found_.resize(crew.threads());
+void Encounters::find(std::span<const Moving> moving, double margin, base::ThreadPool& pool) {
+  found_.resize(pool.threads());
   scene_.begin_search();
-  crew.divide(moving.size(), kLeastThings, [&](const sharing::Crew::Share& share) {
+  pool.divide(moving.size(), kLeastThings, [&](const base::ThreadPool::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) {
       if (scene_.is_clear(moving[i].thing, margin)) continue;
       look_around(moving[i], margin, found_[share.thread]);
@@ -203,7 +203,7 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   });
 }
 
-void Encounters::solve(std::span<Hinge* const> hinges, sharing::Crew& crew) {
+void Encounters::solve(std::span<Hinge* const> hinges, base::ThreadPool& pool) {
   presses_.clear();
   if (contacts_.empty() && hinges.empty()) {
     memory_.clear();
@@ -227,7 +227,7 @@ void Encounters::solve(std::span<Hinge* const> hinges, sharing::Crew& crew) {
     contact = last_contact;
     hinge = last_hinge;
   }
-  crew.divide(islands_.size(), kLeastIslands, [this](const sharing::Crew::Share& share) {
+  pool.divide(islands_.size(), kLeastIslands, [this](const base::ThreadPool::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) {
       solve_island(islands_[i], found_[share.thread]);
     }

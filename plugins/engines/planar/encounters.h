@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
+#include "elsie/base/thread_pool.h"
 #include "elsie/physics/engine.h"
-#include "elsie/sharing/crew.h"
 
 #include "clearance.h"
 #include "contact_solver.h"
@@ -41,9 +41,9 @@ class Encounters {
 
   /// Finds the contacts of bodies that may come nearer by `margin` in this step. `moving` lists all
   /// that still exist.
-  void find(std::span<const Moving> moving, double margin, sharing::Crew& crew);
+  void find(std::span<const Moving> moving, double margin, base::ThreadPool& pool);
   /// Gives the movers their velocities; the hinges join them.
-  void solve(std::span<Hinge* const> hinges, sharing::Crew& crew);
+  void solve(std::span<Hinge* const> hinges, base::ThreadPool& pool);
   /// Forgets the touches so far.
   void forget_touches() { touches_.clear(); }
 

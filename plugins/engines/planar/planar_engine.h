@@ -41,7 +41,7 @@ class PlanarEngine final : public Engine {
     return robots_.at(robot).joints();
   }
   void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
-  void work_with(sharing::Crew& crew) override { crew_ = &crew; }
+  void work_with(base::ThreadPool& pool) override { pool_ = &pool; }
   void step() override;
 
   RobotState robot(std::size_t robot) const override;
@@ -121,8 +121,8 @@ class PlanarEngine final : public Engine {
   Bounds bounds_;
   std::vector<std::uint32_t> jointed_;  // robots with steering or segments
   std::vector<Hinge*> hinges_;          // of all robots, in each step
-  sharing::Crew alone_;
-  sharing::Crew* crew_ = &alone_;
+  base::ThreadPool alone_;
+  base::ThreadPool* pool_ = &alone_;
   // Of each thread:
   std::vector<PlanarScene::Moves> moves_ = std::vector<PlanarScene::Moves>(1);
   std::vector<double> fastest_;  // m2/s2

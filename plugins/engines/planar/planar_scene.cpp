@@ -143,7 +143,7 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
   return id;
 }
 
-space::Grid::Block PlanarScene::block_of(const SceneBody& entry) const {
+base::Grid::Block PlanarScene::block_of(const SceneBody& entry) const {
   double x = entry.reach, y = x;
   if (!entry.moves && entry.outside == SceneBody::Outside::box) {
     const Vector2& half = entry.half;
@@ -157,7 +157,7 @@ space::Grid::Block PlanarScene::block_of(const SceneBody& entry) const {
 /// Enters a body in the grid.
 void PlanarScene::place(Id id) {
   SceneBody& entry = entries_[id];
-  const space::Grid::Block block = block_of(entry);
+  const base::Grid::Block block = block_of(entry);
   if (!entry.placed || block != blocks_[id]) {
     if (entry.placed) grid_.erase(id, blocks_[id]);
     grid_.insert(id, block);
@@ -332,7 +332,7 @@ const PlanarScene::Around* PlanarScene::around(std::size_t robot, const Vector2&
   const double far = known.wanted + kMargin;
   known.until = far + odometer_;
   known.bodies = static_cast<std::uint32_t>(entries_.size());
-  const space::Grid::Block block =
+  const base::Grid::Block block =
       grid_.block(middle.x - far, middle.y - far, middle.x + far, middle.y + far);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
@@ -402,7 +402,7 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
   if (!(pyramid.range_m > 0.0)) return false;
   const PyramidTest test(pyramid);
   const auto& [lower, upper] = test.bounds();
-  const space::Grid::Block block = grid_.block(lower.x, lower.y, upper.x, upper.y);
+  const base::Grid::Block block = grid_.block(lower.x, lower.y, upper.x, upper.y);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id id : grid_.cell(x, y)) {

@@ -13,8 +13,8 @@
 
 #include "elsie/api/body.h"
 #include "elsie/api/sensor.h"
+#include "elsie/base/grid.h"
 #include "elsie/physics/engine.h"
-#include "elsie/space/grid.h"
 #include "elsie/world/parts.h"
 
 #include "level_rays.h"
@@ -39,7 +39,7 @@ struct Look {
 
 class PlanarScene {
  public:
-  using Id = space::Grid::Id;
+  using Id = base::Grid::Id;
 
   explicit PlanarScene(const world::Arena& arena) : grid_(arena.length, arena.width) {}
 
@@ -98,7 +98,7 @@ class PlanarScene {
     bool pulls = false;        // the robot has segments, which may meet each other
   };
 
-  space::Grid::Block block_of(const SceneBody& entry) const;
+  base::Grid::Block block_of(const SceneBody& entry) const;
   void place(Id id);
   static bool is_of(const SceneBody& entry, std::size_t robot) {
     return entry.kind == BodyKind::robot && entry.index == robot;
@@ -132,9 +132,9 @@ class PlanarScene {
   bool cast_together(std::span<RayQuery> rays, LevelRays& level, std::size_t except) const;
   void walk(const Ray& ray, std::size_t except, Best& best) const;
 
-  space::Grid grid_;
+  base::Grid grid_;
   std::vector<SceneBody> entries_;
-  std::vector<space::Grid::Block> blocks_;  // of the entries
+  std::vector<base::Grid::Block> blocks_;  // of the entries
   std::vector<std::shared_ptr<const Look>> looks_;
   /// The reading of the odometer up to which nothing can touch a body's circle.
   mutable std::vector<double> clear_until_;
@@ -165,7 +165,7 @@ void PlanarScene::for_each_near(Id id, double margin, Call call) const {
     clear_until_[id] = odometer_ + 0.5 * (distance - self.reach) - kHair;
     return;
   }
-  const space::Grid::Block block = grid_.block(x0 - reach, y0 - reach, x0 + reach, y0 + reach);
+  const base::Grid::Block block = grid_.block(x0 - reach, y0 - reach, x0 + reach, y0 + reach);
   for (int y = block.y0; y <= block.y1; ++y) {
     for (int x = block.x0; x <= block.x1; ++x) {
       for (const Id other : grid_.cell(x, y)) {

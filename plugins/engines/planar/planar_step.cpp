@@ -111,7 +111,7 @@ void PlanarEngine::stop_moving_boxes() {
 /// Returns how far two bodies may come nearer in this part of the step, m.
 double PlanarEngine::begin_movers() {
   std::fill(fastest_.begin(), fastest_.end(), 0.0);
-  crew_->divide(moving_.size(), kLeastMovers, [&](const sharing::Crew::Share& share) {
+  pool_->divide(moving_.size(), kLeastMovers, [&](const base::ThreadPool::Share& share) {
     double& fastest = fastest_[share.thread];
     for (std::size_t i = share.first; i < share.end; ++i) {
       Mover& mover = movers_[moving_[i].mover];
@@ -129,8 +129,8 @@ double PlanarEngine::begin_movers() {
 
 void PlanarEngine::step() {
   if (fitted_ != things_.size()) fit();
-  moves_.resize(crew_->threads());
-  fastest_.resize(crew_->threads());
+  moves_.resize(pool_->threads());
+  fastest_.resize(pool_->threads());
   start_moving_boxes();
   encounters_.forget_touches();
   const double from = time_;
@@ -149,8 +149,8 @@ void PlanarEngine::move_on() {
     robots_[i].begin(physics_.step, movers_);
     for (Hinge& hinge : robots_[i].hinges()) hinges_.push_back(&hinge);
   }
-  encounters_.find(moving_, begin_movers(), *crew_);
-  encounters_.solve(hinges_, *crew_);
+  encounters_.find(moving_, begin_movers(), *pool_);
+  encounters_.solve(hinges_, *pool_);
   settle();
   fail_if_pressed();
 }
@@ -196,7 +196,7 @@ void PlanarEngine::settle() {
       if (!failed) failed = std::current_exception();
     }
   };
-  const auto settle_robots = [&](const sharing::Crew::Share& share) {
+  const auto settle_robots = [&](const base::ThreadPool::Share& share) {
     std::exception_ptr failure;  // the others are moved, too
     for (std::size_t i = share.first; i < share.end; ++i) {
       try {
@@ -207,7 +207,7 @@ void PlanarEngine::settle() {
     }
     if (failure) std::rethrow_exception(failure);
   };
-  try_to([&] { crew_->divide(robots_.size(), kLeastMovers, settle_robots); });
+  try_to([&] { pool_->divide(robots_.size(), kLeastMovers, settle_robots); });
   try_to([&] { settle_boxes(limit, moves_.front()); });
   scene_.settle(moves_);
   if (failed) std::rethrow_exception(failed);

@@ -1,12 +1,12 @@
-// An engine gives parts of a step to the threads of a crew.
+// An engine gives parts of a step to the threads of a pool.
 #include <cstdint>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "elsie/base/random.h"
+#include "elsie/base/thread_pool.h"
 #include "elsie/physics/failure.h"
-#include "elsie/sharing/crew.h"
 
 #include "conformance.h"
 
@@ -19,9 +19,9 @@ namespace {
 /// Robots, boxes that they push, a train and a box that moves through them, close enough to meet;
 /// one box is removed on the way. The hash after each step.
 std::vector<std::uint64_t> history(const std::string& engine, std::size_t threads, int steps) {
-  sharing::Crew crew(threads);
+  base::ThreadPool pool(threads);
   PhysicsContext context(with(engine), {.length = 4.0, .width = 4.0});
-  context.engine->work_with(crew);
+  context.engine->work_with(pool);
   Random random(3);
   for (int i = 0; i < 81; ++i) {
     context.robot(0.45 * (i % 9 - 4), 0.45 * (i / 9 - 4), random.uniform(-180, 180));
@@ -63,9 +63,9 @@ TEST_CASE("Of several robots that are lost, the same one is named with any crew"
   const std::string engine = each_engine();
   CAPTURE(engine);
   const auto lost = [&](std::size_t threads) {
-    sharing::Crew crew(threads);
+    base::ThreadPool pool(threads);
     PhysicsContext context(with(engine));
-    context.engine->work_with(crew);
+    context.engine->work_with(pool);
     for (int i = 0; i < 40; ++i) context.robot(0.4 * (i % 8) - 4, 0.4 * (i / 8) - 1);
     for (const double y : {-2.0, 0.0, 2.0}) context.robot(4.8, y);
     // Each is pressed through the wall.

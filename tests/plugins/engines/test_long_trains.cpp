@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/sharing/crew.h"
+#include "elsie/base/thread_pool.h"
 
 #include "trains.h"
 
@@ -243,11 +243,11 @@ TEST_CASE("A long train that curls up is stopped by its own segments") {
 
 TEST_CASE("Long trains have the same bits with any number of threads") {
   const auto hash = [](std::size_t threads) {
-    sharing::Crew crew(threads);
+    base::ThreadPool pool(threads);
     world::Arena small;
     small.length = small.width = 4.0;
     PhysicsContext context({}, small);
-    context.engine->work_with(crew);
+    context.engine->work_with(pool);
     for (int i = 0; i < 4; ++i) {
       context.train(1.8, 0.5 * i - 0.75, 0.0, std::vector<world::Segment>(12));
       context.drive(static_cast<std::size_t>(i), {10.0 + i, 14.0});

@@ -26,10 +26,10 @@ inline std::string scattered(const std::string& attributes, const std::string& i
 }
 
 inline world::World drawn(const std::string& content, std::uint64_t seed = 1,
-                          std::vector<std::string> overrides = {}) {
+                          std::vector<std::string> edits = {}) {
   world::ReadOptions options;
   options.seed = seed;
-  options.overrides = std::move(overrides);
+  options.edits = std::move(edits);
   options.data_directories = {source_path("")};
   options.check_plugins = true;
   return world::parse_world("<world format=\"1\">\n" + content + "\n</world>", "w.xml", shipped(),
@@ -38,15 +38,15 @@ inline world::World drawn(const std::string& content, std::uint64_t seed = 1,
 
 /// The world as it came out, as a text.
 inline std::string text_of(const std::string& content, std::uint64_t seed = 1,
-                           std::vector<std::string> overrides = {}) {
-  return world::write_world(drawn(content, seed, std::move(overrides)));
+                           std::vector<std::string> edits = {}) {
+  return world::write_world(drawn(content, seed, std::move(edits)));
 }
 
 /// What is wrong with it, a line each; "" if nothing is.
 inline std::string refusal(const std::string& content, std::uint64_t seed = 1,
-                           std::vector<std::string> overrides = {}) {
+                           std::vector<std::string> edits = {}) {
   try {
-    drawn(content, seed, std::move(overrides));
+    drawn(content, seed, std::move(edits));
     return "";
   } catch (const base::FileError& error) {
     return error.what();

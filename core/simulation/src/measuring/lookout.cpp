@@ -116,9 +116,9 @@ void Lookout::describe(const world::Coordination& coordination, const std::strin
     behavior.path = own;
     behavior.plugin = use.plugin;
     behavior.parent = parent;
-    const int place = static_cast<int>(behaviors.size()) - 1;
+    const int own_index = static_cast<int>(behaviors.size()) - 1;
     for (const world::Coordination& inside : use.inside) {
-      describe(inside, own + "/", place, behaviors);
+      describe(inside, own + "/", own_index, behaviors);
     }
   }
 }

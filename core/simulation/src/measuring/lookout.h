@@ -10,7 +10,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/world/description.h"
 
-#include "step/carrier.h"
+#include "robot/robot_surroundings.h"
 
 namespace elsie::simulation {
 

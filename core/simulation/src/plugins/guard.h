@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
+#include "elsie/base/thrown.h"
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/run_result.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/thrown/thrown.h"
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
@@ -138,7 +138,7 @@ class Guard {
     } catch (const base::Error& error) {
       fail(use, error.what());  // found by Elsie, so that no line of the plugin threw it
     } catch (...) {
-      fail(use, thrown::what_was_thrown(), thrown::place_of_throw());
+      fail(use, base::what_was_thrown(), base::place_of_throw());
     }
   }
 
@@ -190,7 +190,7 @@ auto blaming(const world::PluginUse& use, std::vector<base::Problem>& problems, 
     problems.push_back({use.location.file, use.location.line, problem.what(),
                         problem.exit_code() == base::kPluginFailed});
   } catch (...) {
-    blame(thrown::what_was_thrown());
+    blame(base::what_was_thrown());
   }
   return {};
 }

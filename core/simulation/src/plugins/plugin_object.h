@@ -17,7 +17,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/world/description.h"
 
-#include "changes/undo.h"
+#include "edits/undo.h"
 #include "plugins/guard.h"
 
 namespace elsie::simulation {

@@ -9,7 +9,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/replacement.h"
 
-#include "changes/undo.h"
+#include "edits/undo.h"
 #include "plugins/guard.h"
 #include "plugins/plugin_object.h"
 
@@ -52,7 +52,7 @@ class Swap {
     try {
       action();
     } catch (...) {
-      refuse(path, thrown::what_was_thrown());
+      refuse(path, base::what_was_thrown());
     }
   }
 

@@ -13,7 +13,7 @@
 #include "elsie/world/description.h"
 #include "elsie/world/error.h"
 
-#include "step/robot.h"
+#include "robot/robot.h"
 
 namespace elsie::simulation {
 

@@ -44,7 +44,7 @@ struct Judge {
   }
   Standing operator()(const world::ReachGoal& goal) const {
     return reached(every_robot(simulation, goal.robot, [&](std::size_t i) {
-      const Vector2 place = place_of(goal);
+      const Vector2 place = position_of(goal);
       return is_near(simulation.robot(i).state->pose, place.x, place.y, goal.radius);
     }));
   }
@@ -104,7 +104,7 @@ struct Judge {
   GoalStart::Done done(std::size_t i) const {
     return start.of(simulation.robot(i).description->id);
   }
-  Vector2 place_of(const world::ReachGoal& goal) const {
+  Vector2 position_of(const world::ReachGoal& goal) const {
     for (std::size_t i = 0; i < simulation.robots() && !goal.of.empty(); ++i) {
       if (simulation.robot(i).description->id == goal.of) {
         return point_of(simulation.robot(i).state->pose, {goal.x, goal.y});

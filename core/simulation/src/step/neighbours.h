@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
-#include "elsie/space/grid.h"
+#include "elsie/base/grid.h"
 #include "elsie/world/description.h"
 
 namespace elsie::simulation {
@@ -30,8 +30,8 @@ class Neighbours {
   }
   /// All robots within `reach` of the place, m, along x and along y, and perhaps others, in the
   /// order of their indices. Valid until `memory` changes.
-  std::span<const space::Grid::Id> near(const Vector2& place, double reach,
-                                        std::vector<space::Grid::Id>& memory) const;
+  std::span<const base::Grid::Id> near(const Vector2& place, double reach,
+                                       std::vector<base::Grid::Id>& memory) const;
 
  private:
   void place_all() const;
@@ -41,9 +41,9 @@ class Neighbours {
   // Made when it is first needed, by one of the threads that need it.
   mutable std::mutex placing_;
   mutable std::atomic<bool> is_placed_ = false;
-  mutable std::optional<space::Grid> grid_;
-  mutable std::vector<space::Grid::Block> cells_;  // of each robot: one cell
-  mutable std::vector<space::Grid::Id> all_;
+  mutable std::optional<base::Grid> grid_;
+  mutable std::vector<base::Grid::Block> cells_;  // of each robot: one cell
+  mutable std::vector<base::Grid::Id> all_;
 };
 
 }  // namespace elsie::simulation

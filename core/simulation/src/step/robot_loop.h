@@ -9,19 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/thread_pool.h"
 #include "elsie/plugin/call.h"
-#include "elsie/sharing/crew.h"
 
-#include "step/robot.h"
+#include "robot/robot.h"
 
 namespace elsie::simulation {
 
-/// Robots with a plugin that wants one thread are called by the owner of the crew, in their order.
+/// Robots with a plugin that wants one thread are called by the owner of the pool, in their order.
 class RobotLoop {
  public:
-  explicit RobotLoop(std::size_t threads) : crew_(threads) {}
+  explicit RobotLoop(std::size_t threads) : pool_(threads) {}
 
-  sharing::Crew& crew() { return crew_; }
+  base::ThreadPool& pool() { return pool_; }
 
   /// Calls work(robot, thread) for each index of `robots`. The work for a robot may change only
   /// that robot. If it throws, all others are done nevertheless, so that their states do not depend
@@ -29,14 +29,14 @@ class RobotLoop {
   template <class Work>
   void each(std::span<const std::shared_ptr<Robot>> robots, const Work& work) {
     failed_at_ = kNone;
-    const auto shared = [&](const sharing::Crew::Share& share) {
+    const auto shared = [&](const base::ThreadPool::Share& share) {
       plugin::Call::show_thread();
       for (std::size_t i = share.first; i < share.end; ++i) {
-        if (crew_.threads() == 1 || robots[i]->may_share_threads()) attempt(i, share.thread, work);
+        if (pool_.threads() == 1 || robots[i]->may_share_threads()) attempt(i, share.thread, work);
       }
     };
-    crew_.divide(robots.size(), kLeast, shared);
-    for (std::size_t i = 0; crew_.threads() > 1 && i < robots.size(); ++i) {
+    pool_.divide(robots.size(), kLeast, shared);
+    for (std::size_t i = 0; pool_.threads() > 1 && i < robots.size(); ++i) {
       if (!robots[i]->may_share_threads()) attempt(i, 0, work);
     }
     if (failed_at_ != kNone) std::rethrow_exception(std::exchange(failure_, nullptr));
@@ -62,7 +62,7 @@ class RobotLoop {
     }
   }
 
-  sharing::Crew crew_;
+  base::ThreadPool pool_;
   std::mutex failing_;
   std::exception_ptr failure_;
   std::size_t failed_at_ = kNone;

@@ -8,7 +8,7 @@
 #include "elsie/physics/engine.h"
 #include "elsie/world/description.h"
 
-#include "step/carrier.h"
+#include "robot/robot_surroundings.h"
 
 namespace elsie::simulation {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/base/read_whole.h"
 #include "elsie/base/words.h"
-#include "elsie/files/read_whole.h"
 #include "elsie/fuzzy/error.h"
 
 #include "builder.h"
@@ -151,7 +151,7 @@ Model read_fcl(const std::string& path, const std::string& block, Gaps gaps) {
   }
   std::string text;
   try {
-    text = files::read_whole(path, kMostBytes);
+    text = base::read_whole(path, kMostBytes);
   } catch (const std::runtime_error& why) {
     const std::string reason = why.what();
     const bool by_the_system = reason.starts_with("cannot be read");

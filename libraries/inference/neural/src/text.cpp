@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "elsie/files/read_whole.h"
+#include "elsie/base/read_whole.h"
 
 namespace elsie::neural {
 namespace {
@@ -81,7 +81,7 @@ std::string read_text_file(const std::string& path, const std::string& expected)
   constexpr std::uintmax_t kMostBytes = 256'000'000;
   std::string text;
   try {
-    text = files::read_whole(path, kMostBytes);
+    text = base::read_whole(path, kMostBytes);
   } catch (const std::runtime_error& why) {
     problems.add(0, std::string("this ") + why.what() + "; expected " + expected);
   }

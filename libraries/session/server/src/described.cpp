@@ -1,9 +1,9 @@
 #include "described.h"
 
+#include "elsie/base/thrown.h"
 #include "elsie/reference/json.h"
 #include "elsie/simulation/equipped_robot.h"
 #include "elsie/simulation/measures.h"
-#include "elsie/thrown/thrown.h"
 #include "elsie/world/error.h"
 #include "elsie/world/warnings.h"
 
@@ -76,7 +76,7 @@ Json check_json(const std::string& text, const std::string& file, const plugin::
     } catch (const base::FileError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     } catch (...) {  // a plugin failed
-      problems.push_back({file, 0, thrown::what_was_thrown()});
+      problems.push_back({file, 0, base::what_was_thrown()});
     }
   };
   attempt([&] {

@@ -16,8 +16,8 @@
 namespace elsie::server {
 namespace {
 
-std::vector<simulation::Change> changes_of(const std::vector<std::string>& edits) {
-  std::vector<simulation::Change> changes;
+std::vector<simulation::Edit> edits_of(const std::vector<std::string>& edits) {
+  std::vector<simulation::Edit> changes;
   for (const std::string& edit : edits) {
     const std::size_t equals = edit.find('=');
     changes.push_back({edit.substr(0, equals),
@@ -34,7 +34,7 @@ bool are_of_run(const std::vector<std::string>& edits, const world::World& world
          std::none_of(edits.begin(), edits.end(), [&](const std::string& edit) {
            return world::concern_of(edit) == world::Concern::templates ||
                   world::is_about_layouts(edit) ||
-                  (edits.size() > 1 && changes_of({edit}).front().path.ends_with("@remove"));
+                  (edits.size() > 1 && edits_of({edit}).front().path.ends_with("@remove"));
          });
 }
 
@@ -190,7 +190,7 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
                          " s, but the run is at " + base::number_text(simulation_->time_s(), 9) +
                          " s already; expected a later time");
   }
-  simulation_->change(changes_of(edits_there));
+  simulation_->edit(edits_of(edits_there));
   ++epoch_;
   past_.replaced(*simulation_);
   repetition_.add(simulation_->time_s(), simulation_->world().physics.step, edits);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "elsie/base/error.h"
-#include "elsie/output/base64.h"
+#include "elsie/files/base64.h"
 #include "elsie/traces/tracks.h"
 
 #include "scene.h"
@@ -32,7 +32,7 @@ std::span<const Sample> first_of(std::span<const Sample> samples, std::size_t co
   }
   answer["period_s"] = period_s;
   answer["more"] = first.size() < samples.size();
-  answer["times"] = output::packed(times);
+  answer["times"] = files::packed(times);
   return first;
 }
 
@@ -134,7 +134,7 @@ void Past::tell_paths(const Request& request, Json& answer) const {
     values.insert(values.end(), paths[i].x.begin(), paths[i].x.end());
     values.insert(values.end(), paths[i].y.begin(), paths[i].y.end());
   }
-  answer["values"] = output::packed(values);
+  answer["values"] = files::packed(values);
   Json& placed = answer["placed"] = Json::array();
   const auto is_before = [](const Placed& each, double time_s) { return each.time_s < time_s; };
   auto each = std::lower_bound(placed_.begin(), placed_.end(), request.after_s, is_before);
@@ -148,7 +148,7 @@ void Past::tell_numbers(const Request& request, Json& answer) const {
   const auto samples =
       first_of(numbers_.after(request.after_s), request.names.size(), numbers_.period_s(), answer);
   answer["curves"] = request.names;
-  answer["values"] = output::packed(Numbers::values(request.names, samples));
+  answer["values"] = files::packed(Numbers::values(request.names, samples));
   answer["layout"] = numbers_.layout();
   if (request.layout == numbers_.layout()) {
     return;

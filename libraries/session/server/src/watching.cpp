@@ -8,8 +8,8 @@
 
 #include "elsie/api/reading.h"
 #include "elsie/base/error.h"
-#include "elsie/output/base64.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/base64.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/traces/trace_rows.h"
 #include "elsie/world/parts.h"
 
@@ -58,7 +58,7 @@ Json members_json(const RobotView& robot) {
                        {"asked", row.asked},
                        {"command", motion_json(row.command)},
                        {"inhibited_by", inhibitor ? inhibitor - robot.trace.data() : -1},
-                       {"reason", output::one_line(row.reason)}});
+                       {"reason", files::one_line(row.reason)}});
   }
   return members;
 }
@@ -88,14 +88,14 @@ std::string rgb_text(const Image& image) {
   const std::string_view bytes(reinterpret_cast<const char*>(image.bytes.data()),
                                image.bytes.size());
   if (image.channels == 3) {
-    return output::base64(bytes);
+    return files::base64(bytes);
   }
   std::string pixels;
   pixels.reserve(3 * bytes.size());
   for (std::size_t i = 0; i < bytes.size(); i += static_cast<std::size_t>(image.channels)) {
     pixels.append(3, bytes[i]);
   }
-  return output::base64(pixels);
+  return files::base64(pixels);
 }
 
 Json cameras_json(const Simulation& simulation, std::size_t robot) {

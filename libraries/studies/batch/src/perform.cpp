@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "elsie/base/thrown.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/thrown/thrown.h"
 #include "elsie/traces/account_recorder.h"
 #include "elsie/traces/tracks.h"
 #include "elsie/world/reader.h"
@@ -158,7 +158,7 @@ RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
     record.step = fault.step;
   } catch (...) {
     record.state = RunState::error;
-    record.message = thrown::what_was_thrown();
+    record.message = base::what_was_thrown();
   }
   if (record.state != RunState::done) {
     record.outcome.reset();

@@ -16,7 +16,7 @@
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/results/hash.h"
-#include "elsie/world/changed_worlds.h"
+#include "elsie/world/edited_worlds.h"
 #include "elsie/world/writer.h"
 
 #include "stages.h"
@@ -101,7 +101,7 @@ class Planner {
     options.found = &found;
     const world::World start = world;
     experiment::for_each_use(world, see);
-    world::visit_changed_worlds(start, host_, options, [&](world::World later) {
+    world::visit_edited_worlds(start, host_, options, [&](world::World later) {
       add_program(later, planned);
       experiment::for_each_use(later, see);
     });

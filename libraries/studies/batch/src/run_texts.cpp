@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/number_text.h"
-#include "elsie/output/rounded.h"
+#include "elsie/files/rounded.h"
 
 namespace elsie::batch {
 namespace {
 
-double thousandths(double value) { return output::rounded(value, 3); }
+double thousandths(double value) { return files::rounded(value, 3); }
 
 /// To three decimals, in as few characters as possible; non-finite values become null.
 void append(std::string& text, double value) {

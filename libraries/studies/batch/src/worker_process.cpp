@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "last_words.h"
 #include "post_mortem.h"
@@ -231,7 +231,7 @@ RunRecord WorkerPool::Worker::record() {
     record.exit_code = WEXITSTATUS(status_);
   }
   if (record.state != RunState::done) {
-    record.log = (log_is_cut_ ? "[...]\n" : "") + output::clean(log_);
+    record.log = (log_is_cut_ ? "[...]\n" : "") + files::clean(log_);
   }
   return record;
 }

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/process/run_process.h"
 
 namespace elsie::cluster {
@@ -12,7 +12,7 @@ namespace {
 
 /// The end of a command's output, on one line.
 std::string end_of(std::string_view output) {
-  return output::one_line(output.substr(0, output.find_last_not_of('\n') + 1));
+  return files::one_line(output.substr(0, output.find_last_not_of('\n') + 1));
 }
 
 process::ProcessResult answer_of(const std::vector<std::string>& command) {
@@ -97,7 +97,7 @@ std::vector<Task> unfinished(const std::string& name) {
     if (second == std::string::npos ||
         std::from_chars(line.data(), line.data() + first, task.number).ptr != line.data() + first) {
       throw ClusterSilent("the output of squeue is not a task of a job array: " +
-                          output::one_line(line));
+                          files::one_line(line));
     }
     const std::string state = line.substr(first + 1, second - first - 1);
     task.running = state == "R" || state == "CG";

@@ -16,7 +16,7 @@
 #include "elsie/render/world_cameras.h"
 #include "elsie/simulation/measures.h"
 #include "elsie/simulation/simulation.h"
-#include "elsie/world/changed_worlds.h"
+#include "elsie/world/edited_worlds.h"
 #include "elsie/world/reader.h"
 #include "elsie/world/same.h"
 #include "elsie/world/warnings.h"
@@ -34,20 +34,20 @@ world::World read(const Experiment& experiment, const Cell& cell, const std::str
                   bool check_plugins = true) {
   world::ReadOptions reading;
   reading.seed = seed;
-  reading.overrides = cell.overrides;
-  reading.overrides_from = experiment.file;
+  reading.edits = cell.edits;
+  reading.edits_from = experiment.file;
   reading.data_directories = options.data_directories;
   reading.check_plugins = check_plugins;
   world::World world = world::read_world(file, host, reading);
   for (const Setting& change : cell.changes) {
-    world.changes.push_back({*change.at_s, change.path, change.value, {}, change.location});
+    world.edits.push_back({*change.at_s, change.path, change.value, {}, change.location});
   }
   return world;
 }
 
 // Returns the problem of an edit that cannot be made, with the line of the edit.
-base::Problem problem_of(const world::World& world, const simulation::ChangeRefused& refused) {
-  for (const world::TimedEdit& edit : world.changes) {
+base::Problem problem_of(const world::World& world, const simulation::EditRefused& refused) {
+  for (const world::TimedEdit& edit : world.edits) {
     const Location& where = edit.location;
     if (where.file.text() + ":" + std::to_string(where.line) == refused.from()) {
       return {where.file, where.line, refused.what()};
@@ -189,17 +189,17 @@ class CellCheck {
     const world::World world =
         read(experiment_, cell, files_[cell.world], host_, options_, first_seed(), plugins_before);
     simulation::Options running{.cameras = render::world_cameras};
-    if (!world.changes.empty()) {
+    if (!world.edits.empty()) {
       world::ReadOptions reading;
       reading.data_directories = running.data_directories = options_.data_directories;
       reading.check_plugins = true;
       reading.found = &running.files;
-      world::visit_changed_worlds(world, host_, reading);
+      world::visit_edited_worlds(world, host_, reading);
     }
     // This asks the plugins whether they fit their robots, and whether they can begin a run: once
     // for the same parameters, because some train a network for it.
     const std::vector<world::PluginUse> fresh = new_plugins(world);
-    running.begin_later = world.changes.empty() && fresh.empty();
+    running.begin_later = world.edits.empty() && fresh.empty();
     const simulation::Simulation simulation(world, host_, running);
     begun_.insert(begun_.end(), fresh.begin(), fresh.end());
     Found found{
@@ -214,12 +214,12 @@ class CellCheck {
       return found;
     }
     try {
-      for (const simulation::UnmadeChanges& unmade : simulation.check({})) {
+      for (const simulation::UnmadeEdits& unmade : simulation.check({})) {
         found.warnings.push_back(unmade.from + ": warning: " + unmade.sentence);
       }
-    } catch (const simulation::ChangeRefused& refused) {
+    } catch (const simulation::EditRefused& refused) {
       std::vector<base::Problem> problems{problem_of(world, refused)};
-      for (const simulation::ChangeRefused& other : refused.others()) {
+      for (const simulation::EditRefused& other : refused.others()) {
         problems.push_back(problem_of(world, other));
       }
       throw world::WorldError(std::move(problems));
@@ -389,7 +389,7 @@ class CellCheck {
     }
     Cell cell = grid_[complaint.cells.front()];
     const bool with_limit = has_problem(cell, complaint);
-    cell.overrides.erase(cell.overrides.begin());  // the time limit is the first one
+    cell.edits.erase(cell.edits.begin());  // the time limit is the first one
     if (!with_limit || has_problem(cell, complaint)) {
       return "";
     }

@@ -91,7 +91,7 @@ std::vector<Cell> cells(const Experiment& experiment) {
           if (setting.at_s) {
             cell.changes.push_back(setting);
           } else {
-            cell.overrides.push_back(override_of(setting));
+            cell.edits.push_back(override_of(setting));
           }
         }
         grid.push_back(std::move(cell));

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "elsie/base/near_name.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/process/text_table.h"
 
 #include "copies.h"
@@ -27,12 +27,12 @@ void find_levels(const Findings& findings, const std::vector<std::string>& by, A
   for (const std::string& name : by) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      throw std::invalid_argument("no factor '" + output::one_line(name) + "' is varied" +
+      throw std::invalid_argument("no factor '" + files::one_line(name) + "' is varied" +
                                   base::near_or_all(name, names, "there are"));
     }
     const VariedFactor* factor = &factors[static_cast<std::size_t>(found - names.begin())];
     if (std::find(chosen.begin(), chosen.end(), factor) != chosen.end()) {
-      throw std::invalid_argument("the factor '" + output::one_line(name) +
+      throw std::invalid_argument("the factor '" + files::one_line(name) +
                                   "' is named twice; name each once");
     }
     chosen.push_back(factor);
@@ -65,7 +65,7 @@ void find_levels(const Findings& findings, const std::vector<std::string>& by, A
     for (std::size_t i = 0; i < groups.size(); ++i) {
       answers.levels[i].margins.push_back(margin_of(findings, response, balance, i));
     }
-    notes.emplace_back(output::one_line(response.name), notes_on(balance));
+    notes.emplace_back(files::one_line(response.name), notes_on(balance));
   }
   answers.by_notes = gathered(notes);
 }
@@ -127,17 +127,17 @@ std::string noted(const std::vector<std::string>& notes) {
 std::string level_table(const Findings& findings, const Answers& answers) {
   std::vector<std::vector<std::string>> rows{{}};
   for (const std::string& name : answers.by) {
-    rows[0].push_back(output::one_line(name));
+    rows[0].push_back(files::one_line(name));
   }
   rows[0].emplace_back("cells");
   const std::vector<Response> all = responses(findings);
   for (const Response& response : all) {
-    rows[0].push_back(output::one_line(response.name));
+    rows[0].push_back(files::one_line(response.name));
   }
   for (const LevelRow& level : answers.levels) {
     std::vector<std::string> row;
     for (const std::string& label : level.levels) {
-      row.push_back(output::one_line(label));
+      row.push_back(files::one_line(label));
     }
     row.push_back(std::to_string(level.cells));
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -183,7 +183,7 @@ std::string terminal_answers(const Findings& findings, const Answers& answers) {
   }
   for (const FactorModel& model : answers.models) {
     text += "\n" + std::string(model.response.measure ? "Linear" : "Logistic") + " model " +
-            output::one_line(model.formula) + "\n" +
+            files::one_line(model.formula) + "\n" +
             process::laid_out(coefficient_table(model), 1, 3) + fit_in_words(model) + "\n";
     for (const std::string& warning : model.warnings) {
       text += "warning: " + warning + "\n";
@@ -193,7 +193,7 @@ std::string terminal_answers(const Findings& findings, const Answers& answers) {
     return text;
   }
   if (const std::string note = copies_in_words(findings); !note.empty()) {
-    text += "\nnote: " + output::one_line(note) + "\n";
+    text += "\nnote: " + files::one_line(note) + "\n";
   }
   if (!findings.good()) {
     text += "\n" + answer_in_words(findings) + "; the report without questions has the details\n";

@@ -34,8 +34,8 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
   const std::size_t dots = findings.runs() * findings.measures.size();
   picture::Interval range;
   picture::RowChart chart;
-  chart.x = {.label = output::one_line(in_words(about.name, about.unit)),
-             .unit = output::one_line(about.unit)};
+  chart.x = {.label = files::one_line(in_words(about.name, about.unit)),
+             .unit = files::one_line(about.unit)};
   for (std::size_t i = from; i < to; ++i) {
     const CellFindings& cell = findings.cells[i];
     const MeasureFindings& found = cell.measures[measure];

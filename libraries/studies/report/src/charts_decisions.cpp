@@ -82,7 +82,7 @@ std::vector<std::pair<std::string, std::size_t>> key_of(const std::vector<Row>& 
                    [](const auto& a, const auto& b) { return a.second.share > b.second.share; });
   std::vector<std::pair<std::string, std::size_t>> key;
   for (const auto& [path, mean] : sorted) {
-    key.emplace_back(output::shortened(output::one_line(path), 40) + " " +
+    key.emplace_back(files::shortened(files::one_line(path), 40) + " " +
                          fixed_text(100.0 * mean.decided, 0) + " %, share " +
                          fixed_text(mean.share, 2),
                      inks.behavior_colour(path));
@@ -108,7 +108,7 @@ std::vector<Chart> decision_charts(const Findings& findings, std::size_t cell,
   double end_s = 0.0;
   for (const Row& row : rows) {
     picture::ChartRow& drawn = chart.rows.emplace_back();
-    drawn.name = several ? output::shortened(output::one_line(row.timeline->robot), 12)
+    drawn.name = several ? files::shortened(files::one_line(row.timeline->robot), 12)
                          : "seed " + std::to_string(row.run->seed);
     drawn.note = findings.missed(*row.run) ? outcome_in_words(*row.run) : "";
     for (const Timeline::Episode& episode : row.timeline->episodes) {

@@ -18,7 +18,7 @@ constexpr const char* kTilesOfMedians =
     ": median of all runs, as only a bound is known of some; ? where the median is not known";
 
 std::string shown(const std::string& text) {
-  return output::shortened(output::one_line(text), kNameLength);
+  return files::shortened(files::one_line(text), kNameLength);
 }
 
 picture::Axis axis_of(const VariedFactor& factor) {

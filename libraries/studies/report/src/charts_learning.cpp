@@ -50,7 +50,7 @@ picture::Axis axis_for(const std::vector<picture::Series>& curves) {
 picture::LineChart chart_of(const std::vector<const Curve*>& curves) {
   picture::LineChart chart;
   chart.naming = picture::Naming::in_titles;
-  chart.x.label = output::shortened(curves.front()->x_label, 50);
+  chart.x.label = files::shortened(curves.front()->x_label, 50);
   std::vector<std::size_t> counts;
   for (const Curve* curve : curves) {
     std::vector<Vector2> points = usable(curve->points);
@@ -103,7 +103,7 @@ std::vector<Chart> learning_charts(const Findings& findings, std::size_t cell,
     const auto& [robot, plugin, name] = what;
     picture::LineChart chart = chart_of(all);
     const bool alike = chart.series.size() == 1 && all.size() > 1;
-    chart.y.label = output::shortened(output::one_line(all.front()->y_label), 50);
+    chart.y.label = files::shortened(files::one_line(all.front()->y_label), 50);
     charts.push_back({"learning-" + std::to_string(cell + 1) + "-" +
                           file_part(robot + "-" + plugin + "-" + name),
                       "Learning of " + subject_of(robot, plugin, name, *all.front()),

@@ -99,7 +99,7 @@ std::vector<Courses> read_courses(const Findings& findings, const ResultsFile& f
   names.resize(std::min(names.size(), kMostEvents));
   for (const std::string& name : names) {
     Courses& courses = events.at(name);
-    courses.name = "events '" + output::one_line(name) + "' so far";
+    courses.name = "events '" + files::one_line(name) + "' so far";
     for (const CellFindings& cell : findings.cells) {  // runs without any such event
       for (const std::size_t place : cell.runs) {
         if (results.runs[place].state == RunState::done) {
@@ -146,7 +146,7 @@ std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& fi
   for (const Courses& courses : read_courses(findings, file, times)) {
     const auto add = [&](const std::string& by, std::vector<picture::Series> series) {
       picture::LineChart chart;
-      chart.title = output::one_line(by);
+      chart.title = files::one_line(by);
       chart.x = {.label = "time", .unit = "s", .low = 0.0, .high = times.end_s};
       chart.y = {.label = courses.name, .unit = courses.unit, .low = 0.0};
       std::erase_if(series, [](const auto& one) { return one.points.empty(); });
@@ -167,7 +167,7 @@ std::vector<Chart> series_charts(const Findings& findings, const ResultsFile& fi
       const std::vector<std::size_t> colours = level_colours(factor, inks);
       for (std::size_t level = 0; level < factor.levels.size(); ++level) {
         picture::Series series = band_of(courses, findings, times, factor.cells_at(level));
-        series.name = output::shortened(output::one_line(factor.levels[level]), 40);
+        series.name = files::shortened(files::one_line(factor.levels[level]), 40);
         series.colour = colours[level];
         all.push_back(std::move(series));
       }

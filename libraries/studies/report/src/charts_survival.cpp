@@ -52,7 +52,7 @@ std::string title_of(const Findings& findings, const Inks& inks,
                factor.levels[factor.of_cell[cells.front()]];
     }
   }
-  return output::one_line(title);
+  return files::one_line(title);
 }
 
 picture::Series curve_of(const SurvivalCurve& curve) {
@@ -95,8 +95,8 @@ std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks&
       const SurvivalCurve curve = survival_of(times_to_goals(findings, cell), kConfidence);
       picture::Series series = curve_of(curve);
       const CellInfo& info = findings.results.cells[cell];
-      series.name = output::shortened(
-          output::one_line(inks.factor ? info.levels[*inks.factor] : info.label), 40);
+      series.name = files::shortened(
+          files::one_line(inks.factor ? info.levels[*inks.factor] : info.label), 40);
       if (inks.factor) {
         series.colour = inks.cells[cell];
       }

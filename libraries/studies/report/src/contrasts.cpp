@@ -10,7 +10,7 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
@@ -150,7 +150,7 @@ std::set<std::size_t> cells_with(const Results& results, const std::string& part
   }
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    refuse("there is no factor '" + output::one_line(name) + "'" +
+    refuse("there is no factor '" + files::one_line(name) + "'" +
            base::near_or_all(name, names, "there are"));
   }
   const auto factor = static_cast<std::size_t>(found - names.begin());
@@ -166,7 +166,7 @@ std::set<std::size_t> cells_with(const Results& results, const std::string& part
   std::set<std::size_t> cells;
   for (const std::string& level : split(part.substr(equals + 1), '|')) {
     if (std::find(levels.begin(), levels.end(), level) == levels.end()) {
-      refuse("'" + output::one_line(name) + "' has no level '" + output::one_line(level) + "'" +
+      refuse("'" + files::one_line(name) + "' has no level '" + files::one_line(level) + "'" +
              base::near_or_all(level, levels, "there are"));
     }
     for (std::size_t i = 0; i < results.cells.size(); ++i) {
@@ -333,7 +333,7 @@ Group group_of(const Findings& findings, const std::string& text, std::vector<st
     }
   }
   if (text.find('=') == std::string::npos) {
-    refuse("there is no cell '" + output::one_line(text) +
+    refuse("there is no cell '" + files::one_line(text) +
            "'; expected the name of a cell, or levels as in 'FACTOR=LEVEL|LEVEL, FACTOR=LEVEL'");
   }
   Group group{text, all_cells(findings)};
@@ -342,7 +342,7 @@ Group group_of(const Findings& findings, const std::string& text, std::vector<st
     group.cells = common(group.cells, {with.begin(), with.end()});
   }
   if (group.cells.empty()) {
-    refuse("no cell has all the levels of '" + output::one_line(text) +
+    refuse("no cell has all the levels of '" + files::one_line(text) +
            "'; name a combination that was run");
   }
   return group;
@@ -353,8 +353,8 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
   std::vector<std::size_t> named;
   const Group a = group_of(findings, first, named), b = group_of(findings, second, named);
   if (const auto both = common(a.cells, b.cells); !both.empty()) {
-    refuse("'" + output::one_line(first) + "' and '" + output::one_line(second) +
-           "' have the cell '" + output::one_line(findings.results.cells[both.front()].label) +
+    refuse("'" + files::one_line(first) + "' and '" + files::one_line(second) +
+           "' have the cell '" + files::one_line(findings.results.cells[both.front()].label) +
            "' in common, and a cell cannot be compared with itself; name groups without a common "
            "cell");
   }
@@ -384,22 +384,22 @@ std::vector<Contrast> compare(const Findings& findings, const std::string& first
     }
   }
   if (all.empty() && !incomplete.empty()) {
-    refuse("fewer than two seeds have a value of '" + output::one_line(incomplete) +
-           "' in each cell of '" + output::one_line(first) + "' and '" + output::one_line(second) +
+    refuse("fewer than two seeds have a value of '" + files::one_line(incomplete) +
+           "' in each cell of '" + files::one_line(first) + "' and '" + files::one_line(second) +
            "', and a comparison needs at least two; do the runs that are missing, or compare fewer "
            "cells");
   }
   if (all.empty()) {
-    refuse("no measure has a value in both '" + output::one_line(first) + "' and '" +
-           output::one_line(second) + "'; compare cells with runs that ended normally");
+    refuse("no measure has a value in both '" + files::one_line(first) + "' and '" +
+           files::one_line(second) + "'; compare cells with runs that ended normally");
   }
   if (same) {
-    refuse("the runs of '" + output::one_line(first) + "' and '" + output::one_line(second) +
+    refuse("the runs of '" + files::one_line(first) + "' and '" + files::one_line(second) +
            "' are the same, bit by bit: what tells them apart had no effect, so there is nothing "
            "to compare");
   }
   if (equal) {
-    refuse("all runs of '" + output::one_line(first) + "' and '" + output::one_line(second) +
+    refuse("all runs of '" + files::one_line(first) + "' and '" + files::one_line(second) +
            "' have equal values, up to rounding, so there is nothing to compare");
   }
   return all;
@@ -410,7 +410,7 @@ std::vector<std::string> contrast_notes(const std::vector<Contrast>& contrasts,
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
   for (const Contrast& one : contrasts) {
     notes.emplace_back(
-        output::one_line(with_response ? one.response.name : one.first + " against " + one.second),
+        files::one_line(with_response ? one.response.name : one.first + " against " + one.second),
         one.notes);
   }
   return gathered(notes);
@@ -430,9 +430,9 @@ std::vector<std::vector<std::string>> contrast_table(const std::vector<Contrast>
     rows[0].insert(rows[0].begin(), "measure");
   }
   for (const Contrast& one : contrasts) {
-    std::vector<std::string> row{output::one_line(one.first), output::one_line(one.second)};
+    std::vector<std::string> row{files::one_line(one.first), files::one_line(one.second)};
     if (with_response) {
-      row.insert(row.begin(), output::one_line(one.response.name));
+      row.insert(row.begin(), files::one_line(one.response.name));
     }
     if (one.same || one.equal) {
       row.emplace_back(one.same ? "the same runs" : "equal");

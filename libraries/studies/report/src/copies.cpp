@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "numbers.h"
 
@@ -101,7 +101,7 @@ std::string copies_in_words(const Findings& findings) {
   }
   std::vector<std::string> parts;
   for (const Copies& one : copies_by_factor(findings)) {
-    const std::string name = "'" + output::one_line(one.factor) + "'";
+    const std::string name = "'" + files::one_line(one.factor) + "'";
     if (one.some_same == 0) {
       continue;
     }

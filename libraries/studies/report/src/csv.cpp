@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "elsie/output/csv_line.h"
+#include "elsie/files/csv_line.h"
 #include "elsie/report/report.h"
 
 #include "numbers.h"
@@ -14,7 +14,7 @@ namespace {
 std::string line(const std::vector<std::string>& cells) {
   std::string text;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    text += (i ? "," : "") + output::csv_cell(cells[i]);
+    text += (i ? "," : "") + files::csv_cell(cells[i]);
   }
   return text + '\n';
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/report/contrasts.h"
 
 #include "numbers.h"
@@ -73,7 +73,7 @@ std::string effects_in_words(const Findings& findings) {
     return "";
   }
   const auto shown = [](const std::string& text) {
-    return output::shortened(output::one_line(text), kFactorLength);
+    return files::shortened(files::one_line(text), kFactorLength);
   };
   const std::string unit =
       effects->response.unit.empty() ? "" : " " + shown(effects->response.unit);

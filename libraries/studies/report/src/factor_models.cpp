@@ -8,7 +8,7 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
@@ -34,7 +34,7 @@ std::vector<Product> products_of(const std::string& side,
   const auto place_of = [&](const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      refuse_model("no factor '" + output::one_line(name) + "' is varied" +
+      refuse_model("no factor '" + files::one_line(name) + "' is varied" +
                    base::near_or_all(name, names, "there are"));
     }
     return static_cast<std::size_t>(found - names.begin());
@@ -44,7 +44,7 @@ std::vector<Product> products_of(const std::string& side,
     std::sort(product.begin(), product.end());
     if (const auto twice = std::adjacent_find(product.begin(), product.end());
         twice != product.end()) {
-      refuse_model("a product has the factor '" + output::one_line(names[*twice]) +
+      refuse_model("a product has the factor '" + files::one_line(names[*twice]) +
                    "' twice; expected different factors, as in 'speed:coordinator'");
     }
     if (std::find(products.begin(), products.end(), product) == products.end()) {
@@ -57,7 +57,7 @@ std::vector<Product> products_of(const std::string& side,
       Product single;
       for (const std::string& name : split(one, ':')) {
         if (name.empty()) {
-          refuse_model("'" + output::one_line(trimmed(side)) +
+          refuse_model("'" + files::one_line(trimmed(side)) +
                        "' lacks a factor before or after one of its signs + * :; expected a factor "
                        "on both sides of each, as in 'speed + coordinator'");
         }
@@ -142,7 +142,7 @@ std::vector<Term> product_of(const std::vector<Term>& first, const std::vector<T
 std::string listed_terms(const std::vector<std::string>& names) {
   std::vector<std::string> texts;
   for (const std::string& name : names) {
-    texts.push_back(name.empty() ? "the constant" : "'" + output::one_line(name) + "'");
+    texts.push_back(name.empty() ? "the constant" : "'" + files::one_line(name) + "'");
   }
   return base::enumerated(texts);
 }
@@ -177,7 +177,7 @@ std::vector<Observation> observations_for(const Findings& findings, const Respon
   const auto bounds =
       std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.of.bound; });
   if (bounds > 0) {
-    refuse_model("'" + output::one_line(response.name) + "' of " + std::to_string(bounds) + " of " +
+    refuse_model("'" + files::one_line(response.name) + "' of " + std::to_string(bounds) + " of " +
                  counted(runs.size(), "run") +
                  " is only a bound, because they never reached their goals, and least squares "
                  "cannot use bounds; model 'success', or a measure without bounds");
@@ -245,7 +245,7 @@ Response response_called(const Findings& findings, const std::string& name) {
     }
     names.push_back(response.name);
   }
-  refuse_model("there is no measure '" + output::one_line(name) + "'" +
+  refuse_model("there is no measure '" + files::one_line(name) + "'" +
                base::near_or_all(name, names, "there are"));
 }
 
@@ -254,7 +254,7 @@ Response response_called(const Findings& findings, const std::string& name) {
 FactorModel factor_model(const Findings& findings, const std::string& formula) {
   const std::size_t tilde = formula.find('~');
   if (tilde == std::string::npos || trimmed(formula.substr(tilde + 1)).empty()) {
-    refuse_model("'" + output::one_line(formula) +
+    refuse_model("'" + files::one_line(formula) +
                  "' is no formula; expected a measure and factors, as in 'time_s ~ speed + "
                  "coordinator'");
   }
@@ -273,7 +273,7 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     count += of_product;
   }
   if (count > kMostCoefficients) {
-    refuse_model("'" + output::one_line(model.formula) + "' has " + counted(count, "coefficient") +
+    refuse_model("'" + files::one_line(model.formula) + "' has " + counted(count, "coefficient") +
                  ", and nobody can read more than " + std::to_string(kMostCoefficients) +
                  "; name fewer terms");
   }
@@ -292,7 +292,7 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
   }
   warn_of_missing_factors(findings, factors, products, cells, model.warnings);
   if (terms.size() + 1 > cells.size()) {
-    refuse_model("'" + output::one_line(model.formula) + "' has " +
+    refuse_model("'" + files::one_line(model.formula) + "' has " +
                  counted(terms.size() + 1, "coefficient") + ", and there are " +
                  counted(cells.size(), "cell") +
                  " with values; a model cannot have more coefficients than cells: name fewer "
@@ -338,9 +338,9 @@ FactorModel factor_model(const Findings& findings, const std::string& formula) {
     });
     const std::size_t reference = reference_of(factors[i], model.response, runs);
     if (is_named && !factors[i].numeric() && reference > 0) {
-      model.warnings.push_back("the levels of '" + output::one_line(factors[i].name) +
+      model.warnings.push_back("the levels of '" + files::one_line(factors[i].name) +
                                "' are compared with '" +
-                               output::one_line(factors[i].levels[reference]) +
+                               files::one_line(factors[i].levels[reference]) +
                                "', the first with successes and failures");
     }
   }
@@ -403,7 +403,7 @@ std::vector<std::vector<std::string>> coefficient_table(const FactorModel& model
     const bool endless =
         logistic && std::find(logistic->separated.begin(), logistic->separated.end(), one.name) !=
                         logistic->separated.end();
-    std::vector<std::string> row{one.name.empty() ? "(constant)" : output::one_line(one.name)};
+    std::vector<std::string> row{one.name.empty() ? "(constant)" : files::one_line(one.name)};
     if (endless) {
       // Of a perfect fit, even the signs may be rounding errors.
       row.insert(row.end(), {logistic->perfect    ? "-"
@@ -430,7 +430,7 @@ std::string fit_in_words(const FactorModel& model) {
     return runs + "; R\xc2\xb2 " + fixed_text(fit->r_squared, 3) + ", adjusted " +
            fixed_text(fit->adjusted_r_squared, 3) + "; standard deviation of the residuals " +
            brief(fit->deviation, 3) +
-           (model.response.unit.empty() ? "" : " " + output::one_line(model.response.unit)) +
+           (model.response.unit.empty() ? "" : " " + files::one_line(model.response.unit)) +
            (fit->f ? "; F " + brief(*fit->f, 3) + ", " : "; ") + p(fit->p);
   }
   const auto& fit = std::get<LogisticFit>(model.fit);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/report/report.h"
 
 #include "copies.h"
@@ -60,7 +60,7 @@ Json json_of(const Findings& findings, std::size_t place) {
   const CellFindings& cell = findings.cells[place];
   Json levels = Json::object();
   for (std::size_t i = 0; i < results.factors.size(); ++i) {
-    levels[output::clean(results.factors[i].name)] = output::clean(results.cells[place].levels[i]);
+    levels[files::clean(results.factors[i].name)] = files::clean(results.cells[place].levels[i]);
   }
   Json measures = Json::object();
   for (std::size_t i = 0; i < findings.measures.size(); ++i) {
@@ -72,17 +72,17 @@ Json json_of(const Findings& findings, std::size_t place) {
       of_all["fences"] = json_of(found.fences);
       of_all["successes"] = json_of(found.successes);
     }
-    measures[output::clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
+    measures[files::clean(results.measures[findings.measures[i]].name)] = std::move(of_all);
   }
   Json outliers = Json::array();
   for (const Outlier& outlier : cell.outliers) {
     const Run& run = results.runs[outlier.run];
     outliers.push_back({{"run", run.id},
                         {"seed", run.seed},
-                        {"measure", output::clean(results.measures[outlier.measure].name)},
+                        {"measure", files::clean(results.measures[outlier.measure].name)},
                         {"value", outlier.value}});
   }
-  return {{"label", output::clean(results.cells[place].label)},
+  return {{"label", files::clean(results.cells[place].label)},
           {"levels", std::move(levels)},
           {"ended", cell.ended},
           {"goals", cell.goals},
@@ -98,17 +98,17 @@ Json json_of(const Findings& findings, std::size_t place) {
 Json json_of(const Findings& findings, const Verdict& verdict) {
   Json claims = Json::array();
   for (const Claim& claim : verdict.claims) {
-    claims.push_back({{"cell", output::clean(findings.results.cells[claim.cell].label)},
+    claims.push_back({{"cell", files::clean(findings.results.cells[claim.cell].label)},
                       {"met", claim.open ? Json(nullptr) : Json(claim.holds)},
                       {"value", or_null(claim.value)},
                       {"interval", json_of(claim.interval)},
-                      {"sentence", output::clean(claim.sentence)}});
+                      {"sentence", files::clean(claim.sentence)}});
   }
   return {
-      {"name", output::clean(verdict.name)},
+      {"name", files::clean(verdict.name)},
       {"met", verdict.open() ? Json(nullptr) : Json(verdict.met())},
-      {"expected", output::clean(verdict.expected)},
-      {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(output::clean(verdict.trouble))},
+      {"expected", files::clean(verdict.expected)},
+      {"trouble", verdict.trouble.empty() ? Json(nullptr) : Json(files::clean(verdict.trouble))},
       {"cells", std::move(claims)}};
 }
 
@@ -137,7 +137,7 @@ Json json_of(const Margin& margin) {
 Json json_of(const Contrast& one) {
   const auto p = [&](double value) { return one.is_tested() ? Json(value) : Json(nullptr); };
   return {
-      {"measure", output::clean(one.response.name)},
+      {"measure", files::clean(one.response.name)},
       {"first", json_of(one.of_first)},
       {"second", json_of(one.of_second)},
       {"seeds", one.seeds},
@@ -159,7 +159,7 @@ Json json_of(const FactorModel& model) {
   const auto coefficients = [](const auto& fit) {
     Json all = Json::array();
     for (const Coefficient& one : fit.coefficients) {
-      all.push_back({{"term", output::clean(one.name)},
+      all.push_back({{"term", files::clean(one.name)},
                      {"estimate", one.estimate},
                      {"error", one.error},
                      {"interval", json_of(std::optional(one.interval))},
@@ -168,7 +168,7 @@ Json json_of(const FactorModel& model) {
     }
     return all;
   };
-  Json json = {{"formula", output::clean(model.formula)}, {"runs", model.runs}};
+  Json json = {{"formula", files::clean(model.formula)}, {"runs", model.runs}};
   if (const auto* linear = std::get_if<LinearFit>(&model.fit)) {
     json["coefficients"] = coefficients(*linear);
     json["r_squared"] = linear->r_squared;
@@ -182,7 +182,7 @@ Json json_of(const FactorModel& model) {
     for (Json& one : json["coefficients"]) {
       const std::string term = one["term"];
       if (std::any_of(logistic.separated.begin(), logistic.separated.end(),
-                      [&](const std::string& name) { return output::clean(name) == term; })) {
+                      [&](const std::string& name) { return files::clean(name) == term; })) {
         one["estimate"] = one["error"] = one["interval"] = one["p"] = nullptr;
       }
     }
@@ -205,7 +205,7 @@ Json json_of(const FactorModel& model) {
 Json copies_json(const Findings& findings) {
   Json factors = Json::array();
   for (const Copies& one : copies_by_factor(findings)) {
-    factors.push_back({{"factor", output::clean(one.factor)},
+    factors.push_back({{"factor", files::clean(one.factor)},
                        {"cases", one.cases},
                        {"all_same", one.all_same},
                        {"some_same", one.some_same}});
@@ -220,13 +220,13 @@ Json effects_json(const Findings& findings) {
   }
   Json factors = Json::array();
   for (const FactorEffect& one : effects->factors) {
-    factors.push_back({{"factor", output::clean(one.factor)},
+    factors.push_back({{"factor", files::clean(one.factor)},
                        {"size", or_null(one.size)},
                        {"p", or_null(one.p)},
                        {"may_be_chance", one.may_be_chance()},
                        {"confounded", one.confounded}});
   }
-  return {{"measure", output::clean(effects->response.name)}, {"factors", std::move(factors)}};
+  return {{"measure", files::clean(effects->response.name)}, {"factors", std::move(factors)}};
 }
 
 // Members that are there only if they were asked for.
@@ -237,10 +237,10 @@ void add_answers(const Findings& findings, const Answers& answers, Json& all) {
     for (const LevelRow& row : answers.levels) {
       Json levels = Json::object(), margins = Json::object();
       for (std::size_t i = 0; i < answers.by.size(); ++i) {
-        levels[output::clean(answers.by[i])] = output::clean(row.levels[i]);
+        levels[files::clean(answers.by[i])] = files::clean(row.levels[i]);
       }
       for (std::size_t i = 0; i < shown.size(); ++i) {
-        margins[output::clean(shown[i].name)] = json_of(row.margins[i]);
+        margins[files::clean(shown[i].name)] = json_of(row.margins[i]);
       }
       rows.push_back(
           {{"levels", std::move(levels)}, {"cells", row.cells}, {"measures", std::move(margins)}});
@@ -255,8 +255,8 @@ void add_answers(const Findings& findings, const Answers& answers, Json& all) {
       for (const Contrast& one : comparison) {
         measures.push_back(json_of(one));
       }
-      comparisons.push_back({{"first", output::clean(comparison.front().first)},
-                             {"second", output::clean(comparison.front().second)},
+      comparisons.push_back({{"first", files::clean(comparison.front().first)},
+                             {"second", files::clean(comparison.front().second)},
                              {"measures", std::move(measures)}});
     }
     all["comparisons"] = std::move(comparisons);
@@ -277,9 +277,9 @@ std::string json_report(const Findings& findings, const Answers& answers) {
   Json measures = Json::array();
   for (const std::size_t place : findings.measures) {
     const Measure& measure = results.measures[place];
-    measures.push_back({{"name", output::clean(measure.name)},
-                        {"unit", output::clean(measure.unit)},
-                        {"meaning", output::clean(measure.meaning)}});
+    measures.push_back({{"name", files::clean(measure.name)},
+                        {"unit", files::clean(measure.unit)},
+                        {"meaning", files::clean(measure.meaning)}});
   }
   Json cells = Json::array();
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
@@ -295,10 +295,10 @@ std::string json_report(const Findings& findings, const Answers& answers) {
       continue;
     }
     failures.push_back({{"run", run.id},
-                        {"cell", output::clean(results.cells[run.cell].label)},
+                        {"cell", files::clean(results.cells[run.cell].label)},
                         {"seed", run.seed},
                         {"state", to_string(run.state)},
-                        {"ending", output::clean(ending_in_words(run))}});
+                        {"ending", files::clean(ending_in_words(run))}});
   }
   Json disagreements = Json::array();
   for (const Disagreement& disagreement : findings.disagreements) {
@@ -312,17 +312,17 @@ std::string json_report(const Findings& findings, const Answers& answers) {
   for (const Run& run : results.runs) {
     if (run.solver_gave_up.value_or(0) > 0) {
       give_ups.push_back({{"run", run.id},
-                          {"cell", output::clean(results.cells[run.cell].label)},
+                          {"cell", files::clean(results.cells[run.cell].label)},
                           {"seed", run.seed},
                           {"gave_up_steps", *run.solver_gave_up},
                           {"unsolved_steps", run.solver_unsolved.value_or(0)}});
     }
   }
-  Json all = {{"experiment", output::clean(results.experiment)},
-              {"description", output::clean(results.description)},
-              {"file", output::clean(results.file)},
-              {"fingerprint", output::clean(results.fingerprint)},
-              {"shard", output::clean(results.shard)},
+  Json all = {{"experiment", files::clean(results.experiment)},
+              {"description", files::clean(results.description)},
+              {"file", files::clean(results.file)},
+              {"fingerprint", files::clean(results.fingerprint)},
+              {"shard", files::clean(results.shard)},
               {"good", findings.good()},
               {"runs", findings.runs()},
               {"broken", findings.broken()},

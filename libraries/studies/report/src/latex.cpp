@@ -1,7 +1,7 @@
 // A table for LaTeX.
 #include <vector>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/report/factors.h"
 #include "elsie/report/report.h"
 
@@ -17,7 +17,7 @@ constexpr std::size_t kLongTable = 40;
 
 std::string latex(const std::string& text) {
   std::string escaped;
-  for (const char c : output::one_line(text)) {
+  for (const char c : files::one_line(text)) {
     switch (c) {
       case '\\':
         escaped += "\\textbackslash{}";
@@ -104,7 +104,7 @@ std::string latex_report(const Findings& findings) {
       ": mean $\\pm$ standard deviation over the runs of a cell that ended normally" +
       "; $>$: stopped by the time limit; failed: never reached its goals.}";
   const std::string table = is_long ? "longtable" : "tabular";
-  std::string text = "% " + output::one_line(size_in_words(findings)) +
+  std::string text = "% " + files::one_line(size_in_words(findings)) +
                      "; needs \\usepackage{booktabs}" +
                      (is_long ? " and \\usepackage{longtable}" : "") + "\n";
   text += is_long ? "" : "\\begin{table}\n\\centering\n" + caption + "\n";

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
@@ -186,7 +186,7 @@ std::vector<std::string> gathered(
 std::vector<std::string> notes_on_effects(const Findings& findings, const Response& response) {
   std::vector<std::pair<std::string, std::vector<std::string>>> notes;
   for (const VariedFactor& factor : varied_factors(findings.results)) {
-    notes.emplace_back(output::one_line(factor.name),
+    notes.emplace_back(files::one_line(factor.name),
                        notes_on(balanced(findings, response, factor.groups(), {factor.factor})));
   }
   return gathered(notes);

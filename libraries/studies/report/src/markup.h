@@ -4,17 +4,17 @@
 #include <string>
 #include <string_view>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/world/escaped.h"
 
 namespace elsie::report {
 
-/// output::clean(), escaped for text and for attributes in double quotes.
-inline std::string escaped(std::string_view text) { return world::escaped(output::clean(text)); }
+/// files::clean(), escaped for text and for attributes in double quotes.
+inline std::string escaped(std::string_view text) { return world::escaped(files::clean(text)); }
 
 /// The same for attributes of XML, where line feeds and tabs would become blanks.
 inline std::string escaped_attribute(std::string_view text) {
-  return world::escaped_attribute(output::clean(text));
+  return world::escaped_attribute(files::clean(text));
 }
 
 }  // namespace elsie::report

@@ -61,11 +61,11 @@ std::string ink_key(const PageContext& page) {
   }
   std::string text =
       "<ul class=\"key\"><li class=\"of\">" +
-      escaped(output::shortened(page.findings.results.factors[*page.inks.factor].name, 40)) +
+      escaped(files::shortened(page.findings.results.factors[*page.inks.factor].name, 40)) +
       "</li>";
   for (std::size_t i = 0; i < page.inks.levels.size(); ++i) {
     text += "<li><i class=\"swatch c" + std::to_string(i) + "\"></i>" +
-            escaped(output::shortened(page.inks.levels[i], 40)) + "</li>";
+            escaped(files::shortened(page.inks.levels[i], 40)) + "</li>";
   }
   return text + "</ul>";
 }
@@ -79,7 +79,7 @@ std::string label_head(const Results& results) {
       levels.insert(cell.levels[i]);
     }
     if (levels.size() > 1) {
-      text += (text.empty() ? "" : ", ") + output::shortened(results.factors[i].name, kHeadLength);
+      text += (text.empty() ? "" : ", ") + files::shortened(results.factors[i].name, kHeadLength);
     }
   }
   return text.empty() ? "cell" : text;
@@ -156,8 +156,8 @@ std::string table(const PageContext& page) {
   }
   for (const std::size_t place : findings.measures) {
     const Measure& measure = results.measures[place];
-    text += head(output::shortened(in_words(measure.name, measure.unit), kHeadLength),
-                 output::shortened(measure.unit, kHeadLength), true, measure.meaning);
+    text += head(files::shortened(in_words(measure.name, measure.unit), kHeadLength),
+                 files::shortened(measure.unit, kHeadLength), true, measure.meaning);
   }
   text += "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {

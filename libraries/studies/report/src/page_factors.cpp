@@ -163,7 +163,7 @@ std::string factor_sections(const PageContext& page) {
   std::string large;
   for (const VariedFactor& factor : varied_factors(page.findings.results)) {
     if (factor.levels.size() > kMostLevels) {
-      large += (large.empty() ? "" : ", ") + escaped(output::shortened(factor.name, 40)) + " (" +
+      large += (large.empty() ? "" : ", ") + escaped(files::shortened(factor.name, 40)) + " (" +
                std::to_string(factor.levels.size()) + ")";
     }
   }

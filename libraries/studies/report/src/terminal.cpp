@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elsie/base/utf8.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/process/text_table.h"
 #include "elsie/report/report.h"
 
@@ -46,7 +46,7 @@ std::string table(const std::vector<const Column*>& columns) {
 constexpr std::size_t kNameLength = 60;
 
 std::string shown_name(const std::string& name) {
-  return output::shortened(output::one_line(name), kNameLength);
+  return files::shortened(files::one_line(name), kNameLength);
 }
 
 Column labels(const Findings& findings) {
@@ -193,14 +193,14 @@ std::string expectations(const Findings& findings) {
   for (const Verdict& verdict : findings.verdicts) {
     const std::string word = verdict.met() ? "met" : verdict.open() ? "not known yet" : "NOT MET";
     text += "  " + word + std::string(width + 2 - word.size(), ' ') +
-            output::one_line(verdict.name) +
-            (verdict.expected.empty() ? "" : ": " + output::one_line(verdict.expected)) + '\n';
+            files::one_line(verdict.name) +
+            (verdict.expected.empty() ? "" : ": " + files::one_line(verdict.expected)) + '\n';
     if (!verdict.trouble.empty()) {
-      text += indent + output::one_line(verdict.trouble) + '\n';
+      text += indent + files::one_line(verdict.trouble) + '\n';
     }
     for (const Claim& claim : verdict.claims) {
       if (!claim.holds) {
-        text += indent + output::one_line(claim.sentence) + '\n';
+        text += indent + files::one_line(claim.sentence) + '\n';
       }
     }
   }
@@ -214,9 +214,9 @@ std::string troubles(const Findings& findings, const std::string& database) {
     if (!run.broken() || ++listed > kMostRuns) {
       continue;
     }
-    text += "  " + output::one_line(name_of(findings.results, run)) + ": " +
-            output::one_line(ending_in_words(run)) + "\n    " +
-            output::one_line(replay_command(database, run.id)) + '\n';
+    text += "  " + files::one_line(name_of(findings.results, run)) + ": " +
+            files::one_line(ending_in_words(run)) + "\n    " +
+            files::one_line(replay_command(database, run.id)) + '\n';
   }
   if (listed > kMostRuns) {
     text += "  and " + counted(listed - kMostRuns, "more", "more") + '\n';
@@ -228,7 +228,7 @@ std::string troubles(const Findings& findings, const std::string& database) {
     text += "\nEqual seeds, different runs\n";
   }
   for (const Disagreement& disagreement : findings.disagreements) {
-    text += "  " + output::one_line(in_words(findings.results, disagreement)) + '\n';
+    text += "  " + files::one_line(in_words(findings.results, disagreement)) + '\n';
   }
   return text;
 }
@@ -237,11 +237,11 @@ std::string troubles(const Findings& findings, const std::string& database) {
 
 std::string terminal_report(const Findings& findings, const std::string& database,
                             std::size_t width) {
-  std::string text = output::one_line(findings.results.experiment);
+  std::string text = files::one_line(findings.results.experiment);
   if (!findings.results.description.empty()) {
-    text += ": " + output::one_line(findings.results.description);
+    text += ": " + files::one_line(findings.results.description);
   }
-  text += '\n' + output::one_line(size_in_words(findings));
+  text += '\n' + files::one_line(size_in_words(findings));
   if (findings.broken() > 0) {
     text += "; " + std::to_string(findings.broken()) + " ended abnormally";
   }
@@ -250,7 +250,7 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   }
   text += '\n';
   if (const std::string effects = effects_in_words(findings); !effects.empty()) {
-    text += output::one_line(effects) + '\n';
+    text += files::one_line(effects) + '\n';
   }
   text += '\n' + tables(findings, width);
   if (!findings.measures.empty()) {
@@ -258,13 +258,13 @@ std::string terminal_report(const Findings& findings, const std::string& databas
   }
   text += legend(findings);
   if (const std::string note = one_run_in_words(findings); !note.empty()) {
-    text += '\n' + output::one_line(note) + '\n';
+    text += '\n' + files::one_line(note) + '\n';
   }
   if (const std::string note = copies_in_words(findings); !note.empty()) {
-    text += '\n' + output::one_line(note) + '\n';
+    text += '\n' + files::one_line(note) + '\n';
   }
   if (const std::string note = give_ups_in_words(findings); !note.empty()) {
-    text += '\n' + output::one_line(note) + '\n';
+    text += '\n' + files::one_line(note) + '\n';
   }
   return text + expectations(findings) + troubles(findings, database);
 }

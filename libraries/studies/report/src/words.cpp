@@ -8,7 +8,7 @@
 
 #include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "numbers.h"
 #include "split.h"
@@ -156,11 +156,11 @@ std::string one_run_in_words(const Findings& findings) {
 
 std::string short_label(const std::string& label, std::size_t most) {
   constexpr std::size_t kLeast = 6;  // characters of a level that say anything
-  const std::string whole = output::one_line(label);
+  const std::string whole = files::one_line(label);
   std::vector<std::string> levels = split(whole, ',');
   const std::size_t separators = 2 * (levels.size() - 1);
   if (base::characters(whole) <= most || most < levels.size() * kLeast + separators) {
-    return output::shortened(whole, most);
+    return files::shortened(whole, most);
   }
   const auto length = [&](std::size_t share) {
     std::size_t sum = separators;
@@ -174,7 +174,7 @@ std::string short_label(const std::string& label, std::size_t most) {
     ++share;  // what short levels leave is for the long ones
   }
   for (std::string& level : levels) {
-    level = output::shortened(level, share);
+    level = files::shortened(level, share);
   }
   return base::joined(levels, ", ");
 }

@@ -4,7 +4,7 @@
 
 #include <sqlite3.h>
 
-#include "elsie/files/read_whole.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/results/run_fields.h"
 
 #include "damage.h"
@@ -127,7 +127,7 @@ void require_file(const fs::path& file) {
     throw DatabaseRefused("there is no database '" + file.string() +
                           "'; `elsie batch EXPERIMENT --database FILE` writes one");
   }
-  if (const std::string why = files::why_unreadable(file); !why.empty()) {
+  if (const std::string why = base::why_unreadable(file); !why.empty()) {
     throw DatabaseRefused(quoted + why + "; " + kExpected);
   }
   if (fs::file_size(file, ignored) == 0) {

@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "elsie/files/read_whole.h"
+#include "elsie/base/read_whole.h"
 #include "elsie/mcap/records.h"
 
 #include "format.h"
@@ -13,7 +13,7 @@ namespace elsie::mcap {
 
 InputFile::InputFile(const std::filesystem::path& file) : path_(file) {
   std::error_code error;
-  if (const std::string why = files::why_unreadable(file); !why.empty()) {
+  if (const std::string why = base::why_unreadable(file); !why.empty()) {
     throw McapError("recording '" + file.string() + "' " + why);
   }
   in_.open(file, std::ios::binary);

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <utility>
 
+#include "elsie/base/read_whole.h"
 #include "elsie/base/words.h"
-#include "elsie/files/read_whole.h"
 
 #include "bytes.h"
 #include "compression.h"
@@ -369,7 +369,7 @@ std::uint64_t Reader::chunks() const { return impl_->chunk_count_; }
 const std::string& Reader::missing_end() const { return impl_->missing_end_; }
 
 bool may_be_mcap(const std::filesystem::path& file) {
-  if (!files::why_unreadable(file).empty()) {
+  if (!base::why_unreadable(file).empty()) {
     return false;
   }
   std::ifstream in(file, std::ios::binary);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/output/output_file.h"
+#include "elsie/files/output_file.h"
 
 #include "bytes.h"
 #include "compression.h"
@@ -245,7 +245,7 @@ class Writer::Impl {
 
   WriterOptions options_;
   Compressor compress_;
-  output::OutputFile out_;
+  files::OutputFile out_;
   std::uint32_t checksum_ = 0;  // of everything written
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;

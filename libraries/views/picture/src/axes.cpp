@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 #include "panel.h"
 #include "text.h"
@@ -90,7 +90,7 @@ std::pair<std::string, std::string> rows_of(const Canvas& canvas, const std::str
   auto [first, second] = folded(name);
   if (second.empty()) return {canvas.fitted(first, style, room), ""};
   if (fits(first) && fits(second)) return {first, second};
-  const std::string ellipsis(output::kEllipsis);
+  const std::string ellipsis(files::kEllipsis);
   first = canvas.fitted(first + ellipsis, style, room);
   second = canvas.fitted(ellipsis + second, style, room);
   if (second.starts_with(ellipsis)) second.erase(0, ellipsis.size());

@@ -10,7 +10,7 @@
 #include <cairo.h>
 
 #include "elsie/base/utf8.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/picture/svg.h"
 
 #include "svg_painter.h"
@@ -260,7 +260,7 @@ void Canvas::text(const std::string& text, const Vector2& at, const TextStyle& s
 }
 
 std::string Canvas::fitted(const std::string& text, const TextStyle& style, double width) const {
-  const std::string whole = clean_text(text), ellipsis(output::kEllipsis);
+  const std::string whole = clean_text(text), ellipsis(files::kEllipsis);
   if (text_width(whole, style) <= width) return whole;
   // A text that was shortened before still has only one ellipsis.
   const std::size_t cut = whole.find(ellipsis);

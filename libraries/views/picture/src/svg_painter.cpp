@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 #include "elsie/picture/svg.h"
 #include "elsie/world/escaped.h"
 
@@ -17,7 +17,7 @@ constexpr const char* kFamily = "DejaVu Sans, Verdana, Bitstream Vera Sans, Aria
 std::string number(double value) { return short_number(value, 3); }
 
 std::string escaped(const std::string& text) {
-  return world::escaped_attribute(output::clean(text));
+  return world::escaped_attribute(files::clean(text));
 }
 
 }  // namespace

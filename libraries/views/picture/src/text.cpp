@@ -1,11 +1,11 @@
 #include "text.h"
 
 #include "elsie/base/number_text.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 namespace elsie::picture {
 std::string clean_text(std::string_view text, std::size_t most) {
-  return output::shortened(output::one_line(text), most);
+  return files::shortened(files::one_line(text), most);
 }
 
 std::string with_unit(const std::string& label, const std::string& unit) {

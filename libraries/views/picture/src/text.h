@@ -7,7 +7,7 @@
 
 namespace elsie::picture {
 
-/// output::one_line(), shortened to at most `most` characters.
+/// files::one_line(), shortened to at most `most` characters.
 std::string clean_text(std::string_view text, std::size_t most = 200);
 
 /// "label (unit)", or only one of the two.

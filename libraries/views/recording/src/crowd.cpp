@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-#include "elsie/output/base64.h"
+#include "elsie/files/base64.h"
 
 #include "messages.h"
 #include "reading.h"
@@ -44,11 +44,11 @@ std::string crowd_text(std::uint64_t time_ns, const simulation::Simulation& simu
   }
   std::string text = text_of(cloud(time_ns));
   text.pop_back();
-  return text + ",\"data\":\"" + output::base64(bytes) + "\"}";
+  return text + ",\"data\":\"" + files::base64(bytes) + "\"}";
 }
 
 std::vector<Pose> crowd_poses(const Json& message) {
-  const auto bytes = output::from_base64(message.at("data").get_ref<const std::string&>());
+  const auto bytes = files::from_base64(message.at("data").get_ref<const std::string&>());
   if (!bytes || bytes->size() % kPointBytes != 0 || message.at("point_stride") != kPointBytes) {
     throw Unexpected("its data are not points of " + std::to_string(kPointBytes) + " bytes");
   }

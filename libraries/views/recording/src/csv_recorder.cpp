@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/output/csv_line.h"
-#include "elsie/output/record_file.h"
+#include "elsie/files/csv_line.h"
+#include "elsie/files/record_file.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 #include "elsie/traces/trace_rows.h"
@@ -117,7 +117,7 @@ class CsvRecorder::Impl {
   };
 
   static std::string quoted(const std::string& name) {
-    output::CsvLine line;
+    files::CsvLine line;
     line.text(name);
     return line.take();
   }
@@ -151,7 +151,7 @@ class CsvRecorder::Impl {
   void sample(const simulation::Simulation& simulation) {
     for (const Places& places : places_) {
       const simulation::RobotView robot = simulation.robot(places.robot);
-      line_.number(output::tidy_time(simulation.time_s()));
+      line_.number(files::tidy_time(simulation.time_s()));
       line_.text(robot.description->id);
       for (const double value :
            {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
@@ -211,7 +211,7 @@ class CsvRecorder::Impl {
     }
   }
 
-  output::RecordFile out_;
+  files::RecordFile out_;
   double rate_hz_;
   bool with_times_;
   std::set<std::string> robots_;  // ids; empty: all
@@ -223,7 +223,7 @@ class CsvRecorder::Impl {
   std::vector<NamedValue> values_;
   std::vector<const NamedValue*> row_;
   std::vector<const simulation::TracedMember*> trace_;
-  output::CsvLine line_;
+  files::CsvLine line_;
 };
 
 Format CsvRecorder::format() {

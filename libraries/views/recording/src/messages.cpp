@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "elsie/base/number_text.h"
-#include "elsie/output/base64.h"
+#include "elsie/files/base64.h"
 #include "elsie/picture/image_file.h"
 #include "elsie/traces/trace_rows.h"
 #include "elsie/world/writer.h"
@@ -194,7 +194,7 @@ std::map<std::string, std::string> trace_metadata(const simulation::RobotView& r
 Json image_message(std::uint64_t decided_ns, std::string_view robot, const Image& image) {
   return {{"timestamp", time_json(decided_ns)},
           {"frame_id", robot_frame(robot)},
-          {"data", output::base64(picture::png(image))},
+          {"data", files::base64(picture::png(image))},
           {"format", "png"}};
 }
 

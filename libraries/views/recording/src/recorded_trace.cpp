@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
-#include "elsie/output/clean_text.h"
-#include "elsie/output/rounded.h"
+#include "elsie/files/clean_text.h"
+#include "elsie/files/rounded.h"
 #include "elsie/recording/recorded_run.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -18,7 +18,7 @@
 namespace elsie::recording {
 namespace {
 
-using output::one_line;
+using files::one_line;
 using traces::Trace;
 using traces::TraceMember;
 using traces::TraceNote;
@@ -220,7 +220,7 @@ traces::Trace read_trace(const std::filesystem::path& file) {
   if (!run.of_elsie || run.channels.empty()) {
     throw mcap::McapError(what + "breaks off before its first second was written");
   }
-  trace.period_s = output::rounded(run.step_s * static_cast<double>(run.control_steps), 9);
+  trace.period_s = files::rounded(run.step_s * static_cast<double>(run.control_steps), 9);
   if (!(trace.period_s > 0.0)) {
     throw mcap::McapError(what + "does not say how often robots decide");
   }
@@ -229,7 +229,7 @@ traces::Trace read_trace(const std::filesystem::path& file) {
   trace.seed = run.seed;
   trace.step_s = run.step_s;
   if (run.result) {
-    trace.end_s = output::rounded(run.result->simulated_s, 9);
+    trace.end_s = files::rounded(run.result->simulated_s, 9);
     trace.outcome = run.result->outcome;
     trace.outcome_reason = one_line(run.result->reason);
   } else {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "elsie/output/clean_text.h"
-#include "elsie/output/csv_line.h"
+#include "elsie/files/clean_text.h"
+#include "elsie/files/csv_line.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -21,7 +21,7 @@ class AccountRecorder::Impl {
 
   /// A robot whose behaviours have changed starts again.
   void list_robots(const simulation::Simulation& simulation) {
-    const double now_s = output::tidy_time(simulation.time_s());
+    const double now_s = files::tidy_time(simulation.time_s());
     std::map<std::string, std::size_t> before;
     for (const std::size_t place : std::exchange(present_, {})) {
       before.emplace(robots_[place].id, place);
@@ -49,14 +49,14 @@ class AccountRecorder::Impl {
     if (!simulation.decided()) {
       return;
     }
-    const double now_s = output::tidy_time(simulation.step_began_s());
+    const double now_s = files::tidy_time(simulation.step_began_s());
     for (std::size_t r = 0; r < present_.size(); ++r) {
       look(simulation.robot(r), robots_[present_[r]], watches_[present_[r]], now_s);
     }
   }
 
   void end(const simulation::Simulation& simulation) {
-    const double end_s = output::tidy_time(simulation.time_s());
+    const double end_s = files::tidy_time(simulation.time_s());
     double first_s = end_s;
     for (const Watch& watch : watches_) {
       if (watch.begun && watch.count() > 0) {
@@ -154,7 +154,7 @@ class AccountRecorder::Impl {
   }
 
   std::uint32_t place_of(const std::string& reason) {
-    std::string text = output::one_line(reason);
+    std::string text = files::one_line(reason);
     if (text.empty()) {
       return 0;
     }

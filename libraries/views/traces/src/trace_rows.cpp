@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "elsie/base/number_text.h"
-#include "elsie/output/rounded.h"
+#include "elsie/files/rounded.h"
 
 namespace elsie::traces {
 namespace {
@@ -15,9 +15,9 @@ constexpr int kWeightDigits = 4;
 }  // namespace
 
 Motion kept(const Motion& motion) {
-  return {output::rounded(motion.forward, kMotionDecimals),
-          output::rounded(motion.lateral, kMotionDecimals),
-          output::rounded(motion.turn, kMotionDecimals)};
+  return {files::rounded(motion.forward, kMotionDecimals),
+          files::rounded(motion.lateral, kMotionDecimals),
+          files::rounded(motion.turn, kMotionDecimals)};
 }
 
 double to_four_digits(double value) {
@@ -29,10 +29,10 @@ double to_four_digits(double value) {
 
 TraceRow kept(TraceRow row) {
   row.command = row.asked ? kept(row.command) : Motion{};
-  row.activation = row.asked ? output::rounded(row.activation, kDecimals) : 0.0;
-  row.strength = row.asked ? output::rounded(row.strength, kDecimals) : 0.0;
+  row.activation = row.asked ? files::rounded(row.activation, kDecimals) : 0.0;
+  row.strength = row.asked ? files::rounded(row.strength, kDecimals) : 0.0;
   row.weight = to_four_digits(row.weight);
-  row.share = output::rounded(row.share, kDecimals);
+  row.share = files::rounded(row.share, kDecimals);
   return row;
 }
 

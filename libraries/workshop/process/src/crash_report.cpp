@@ -18,10 +18,10 @@
 #include <unistd.h>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/thrown.h"
 #include "elsie/files/emergency.h"
 #include "elsie/plugin/call.h"
 #include "elsie/process/process_end.h"
-#include "elsie/thrown/thrown.h"
 
 #include "loaded_libraries.h"
 #include "reporting.h"
@@ -371,7 +371,7 @@ void report_crashes(int exit_status) {
   Call::watch_for_copies(end_copy);
   watch_libraries();
   prepare_stack_trace();
-  thrown::watch_throws(place_of_throw);
+  base::watch_throws(place_of_throw);
   alignas(16) static char stack[kStackSize];
   stack_t second{};
   second.ss_sp = stack;

@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "elsie/base/utf8.h"
-#include "elsie/output/clean_text.h"
+#include "elsie/files/clean_text.h"
 
 namespace elsie::process {
 
 std::string laid_out(std::vector<std::vector<std::string>> rows, std::size_t text_columns,
                      std::size_t gap) {
   for (auto& cells : rows) {
-    std::transform(cells.begin(), cells.end(), cells.begin(), output::one_line);
+    std::transform(cells.begin(), cells.end(), cells.begin(), files::one_line);
   }
   std::vector<std::size_t> widths;
   for (const auto& cells : rows) {

@@ -18,7 +18,7 @@
 #include "elsie/api/geometry.h"
 #include "elsie/api/sensor.h"
 #include "elsie/base/fnv1a.h"
-#include "elsie/sharing/crew.h"
+#include "elsie/base/thread_pool.h"
 #include "elsie/world/description.h"
 
 namespace elsie::physics {
@@ -124,9 +124,9 @@ class Engine {
   /// bodies do not stop it. Call this before each step; otherwise the box rests in the step.
   virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
 
-  /// From now on step() may give parts of its work to this crew, which outlives the engine. The
-  /// states are the same with any crew and without one.
-  virtual void work_with(sharing::Crew& /*crew*/) {}
+  /// From now on step() may give parts of its work to this pool, which outlives the engine. The
+  /// states are the same with any pool and without one.
+  virtual void work_with(base::ThreadPool& /*pool*/) {}
   /// One step of the length in world::Physics. Throws PhysicsFailure when the state of a body is no
   /// longer finite, or the body is at a place that nothing in the world could have moved it to
   /// (bounds.h). The state then stays as it is for inspection; further steps are meaningless.

@@ -6,7 +6,7 @@
 //
 // One step: sensors -> each robot's coordinator and its behaviours -> energy -> motors -> physics
 // -> collection, charging, goals. All robots decide at the same instant, before any of them moves.
-// A user may edit the world between two steps: see change.h.
+// A user may edit the world between two steps: see edit.h.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@
 #include "elsie/api/sensor.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/camera_renderer.h"
-#include "elsie/simulation/change.h"
+#include "elsie/simulation/edit.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/observer.h"
 #include "elsie/simulation/replacement.h"
@@ -48,9 +48,9 @@ struct Budget {
 
 struct Options {
   std::uint64_t seed = 1;
-  /// Measure how long each behaviour takes, for the trace. Changes nothing else.
+  /// Measure how long each behaviour takes, for the trace. InPlaceEdits nothing else.
   bool measure_time = false;
-  /// Folders for data files that a change names, if they are not in the folder of the world's file.
+  /// Folders for data files that an edit names, if they are not in the folder of the world's file.
   std::vector<std::string> data_directories{};
   /// Paths of data files by their names, as in world::ReadOptions. They are used before any search.
   std::map<std::string, std::string> files{};
@@ -129,7 +129,7 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   ~Simulation();
 
-  /// Returns to time zero, with this seed or the previous one, and forgets changes. The run is then
+  /// Returns to time zero, with this seed or the previous one, and forgets edits. The run is then
   /// the same as that of a new simulation with this seed.
   void reset(std::optional<std::uint64_t> seed = std::nullopt);
 
@@ -140,36 +140,35 @@ class Simulation {
   /// Steps until a goal or a limit ends the run. Throws PluginFault, also of a measure, and
   /// PhysicsFault.
   ///
-  /// The run makes the edits in World::changes and `changes`, those of one time together, those of
-  /// time zero before Observer::started(). It checks them before it begins and throws ChangeRefused
+  /// The run makes the edits in World::edits and `edits`, those of one time together, those of
+  /// time zero before Observer::started(). It checks them before it begins and throws EditRefused
   /// for what is then known to be wrong (a path, a type, a range, a time after the end); nothing
   /// has changed then. An edit of the world's own whose time is after the end only causes a note.
-  /// ChangeRefused also ends a run if there is no room for a robot when an edit is due. Edits after
+  /// EditRefused also ends a run if there is no room for a robot when an edit is due. Edits after
   /// the time at which a goal ends the run are not made.
   ///
-  /// `before_control`: called before every step in which robots sense and decide, after the changes
-  /// that are due. It may make the changes that a user may make between two steps; its exceptions
+  /// `before_control`: called before every step in which robots sense and decide, after the edits
+  /// that are due. It may make the edits that a user may make between two steps; its exceptions
   /// end the run.
-  RunResult run(std::span<Observer* const> observers = {},
-                std::span<const TimedChange> changes = {},
+  RunResult run(std::span<Observer* const> observers = {}, std::span<const TimedEdit> edits = {},
                 const std::function<void(Simulation&)>& before_control = {});
 
-  /// Only makes the check of run(), in the present state. Returns the changes that are never made;
-  /// throws ChangeRefused with all changes that cannot be made.
-  std::vector<UnmadeChanges> check(std::span<const TimedChange> changes) const;
+  /// Only makes the check of run(), in the present state. Returns the edits that are never made;
+  /// throws EditRefused with all edits that cannot be made.
+  std::vector<UnmadeEdits> check(std::span<const TimedEdit> edits) const;
 
-  // Edits between two steps, until the next reset; see change.h. Each adds an event "changed" to
+  // Edits between two steps, until the next reset; see edit.h. Each adds an event "changed" to
   // the log of the run, for the robot that it affects, if any. Its detail is the edit, with the
   // full path of an attribute that is changed in place: "robot[r1]/@max_speed=0.3". Behaviours do
   // not perceive it.
 
-  /// Makes an edit. Throws ChangeRefused and changes nothing when a file with the new world would
+  /// Makes an edit. Throws EditRefused and changes nothing when a file with the new world would
   /// be refused, a plugin refuses the edit, or there is no room for a body at this instant. Throws
   /// PluginFault when a plugin that refused a value does not accept its old value again.
-  void change(std::string_view path, std::string_view value);
+  void edit(std::string_view path, std::string_view value);
   /// Makes all edits or none. Set values that depend on each other together, such as a robot's x
   /// and y.
-  void change(std::span<const Change> changes);
+  void edit(std::span<const Edit> edits);
 
   /// Replaces all objects of plugins whose declarations differ in `host`, which was renewed() from
   /// the previous host; see replacement.h. Each adds an event "replaced" for its robot, which
@@ -186,7 +185,7 @@ class Simulation {
 
   /// The edited world.
   const world::World& world() const;
-  /// The world at time zero, with all edits given to run() in World::changes: a run of it with the
+  /// The world at time zero, with all edits given to run() in World::edits: a run of it with the
   /// same seed and time limit is the same, bit for bit.
   world::World start() const;
   bool has_edits() const;  // otherwise start() is world()

@@ -17,7 +17,7 @@ namespace elsie::world {
 
 /// An attribute that a path leads to:
 /// its element's meaning, with the attribute in the path: "robot[r1]/behavior[roam]/@speed".
-struct AttributePlace : WorldTree::Meaning {
+struct AttributeTarget : WorldTree::Meaning {
   std::string element;                       // the name of its element: "wander"
   Field field;                               // its type and range
   const AttributeSpec* attribute = nullptr;  // null for a parameter of a plugin
@@ -39,17 +39,17 @@ class Attributes {
         files_(world.file, std::move(data_directories), "", std::move(files)) {}
 
   /// The attributes that a path leads to, at least one, in the order of the file. The syntax of
-  /// paths is that of ReadOptions::overrides. Throws std::invalid_argument with a sentence that
+  /// paths is that of ReadOptions::edits. Throws std::invalid_argument with a sentence that
   /// lists what exists.
-  std::vector<AttributePlace> find(std::string_view path) const;
+  std::vector<AttributeTarget> find(std::string_view path) const;
 
   /// Parses a text like the reader of world files; a `file` parameter becomes an absolute path.
   /// Throws std::invalid_argument with a sentence: "expected a number at least 0".
-  ParameterValue read(const AttributePlace& place, std::string_view text) const;
+  ParameterValue read(const AttributeTarget& target, std::string_view text) const;
 
   /// Sets an attribute to this value, as read() reads it. The world must not be const, and must not
   /// share the robot with a copy of the world.
-  void set(const AttributePlace& place, std::string_view text) const;
+  void set(const AttributeTarget& target, std::string_view text) const;
 
   /// To be called when a robot of the world has moved in memory.
   void renew_robot(std::size_t index) {
@@ -62,7 +62,7 @@ class Attributes {
 
  private:
   WorldTree& tree() const { return tree_ ? *tree_ : tree_.emplace(world_); }
-  AttributePlace place(const Element& element, const std::string& name) const;
+  AttributeTarget target(const Element& element, const std::string& name) const;
 
   const World& world_;
   const plugin::Host& host_;

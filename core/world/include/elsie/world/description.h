@@ -15,8 +15,8 @@
 #include "elsie/api/declaration.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
+#include "elsie/base/list.h"
 #include "elsie/base/problems.h"
-#include "elsie/sharing/list.h"
 
 namespace elsie {
 
@@ -280,7 +280,7 @@ struct Limits {
   std::optional<double> wall_time;  // s on the clock
 };
 
-/// An edit of the running world between two steps, as one of ReadOptions::overrides.
+/// An edit of the running world between two steps, as one of ReadOptions::edits.
 struct TimedEdit {
   double time = 0.0;  // s; made before the first step that begins at this time or later
   std::string path;
@@ -308,10 +308,10 @@ struct World {
   std::vector<Team> teams;
   std::vector<Box> boxes;
   std::vector<Charger> chargers;
-  sharing::List<Robot> robots;
+  base::List<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;
-  sharing::List<TimedEdit> changes;  // in file order
+  base::List<TimedEdit> edits;  // in file order
   Limits limits;
   std::optional<Drawn> drawn;  // none: its file has no layouts
 };

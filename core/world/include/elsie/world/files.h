@@ -12,18 +12,18 @@ namespace elsie::world {
 
 class Files {
  public:
-  /// `overrides_from` and `found` are as in ReadOptions; `known` is ReadOptions::files.
+  /// `edits_from` and `found` are as in ReadOptions; `known` is ReadOptions::files.
   Files(std::string main_file, std::vector<std::string> data_directories,
-        std::string overrides_from = "", std::map<std::string, std::string> known = {},
+        std::string edits_from = "", std::map<std::string, std::string> known = {},
         std::map<std::string, std::string>* found = nullptr)
       : main_file_(std::move(main_file)),
         data_directories_(std::move(data_directories)),
-        overrides_from_(std::move(overrides_from)),
+        overrides_from_(std::move(edits_from)),
         known_(std::move(known)),
         found_(found) {}
 
   /// Finds the regular file that the text at `from` calls `name`: in the folder of that text's file
-  /// (for an override: of the world file, or of the file with the overrides), else in the data
+  /// (for an edit: of the world file, or of the file with the edits), else in the data
   /// directories. The path is normalized, but not absolute.
   std::optional<std::string> find(const std::string& name, const Location& from) const;
   /// Searches only the data directories: for default files, which no world file names.

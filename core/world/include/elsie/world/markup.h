@@ -29,13 +29,13 @@ struct Element {
   std::string text{};
   int text_line = 0;
   bool incomplete = false;  // its template could not be read, so elements may be missing
-  std::optional<Location> removed_by{};  // the override that removes it
+  std::optional<Location> removed_by{};  // the edit that removes it
   std::optional<std::size_t> object{};   // a number for its meaning; see tree.h and world_tree.h
   WorldTree* unread = nullptr;           // not null: has only the id so far; the tree completes it
 
   const Attribute* find(std::string_view attribute) const;
   std::string value(std::string_view attribute) const;  // "" without this attribute
-  void set(std::string_view attribute, std::string value, const Location& where);
+  void set(std::string_view attribute, std::string value, const Location& location);
   void erase(std::string_view attribute);
   Element* child(std::string_view child_name);
   const Element* child(std::string_view child_name) const;

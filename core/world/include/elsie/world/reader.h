@@ -50,11 +50,11 @@ struct ReadOptions {
   /// the group's word for its members. It needs brackets if it could mean several. Numbers count
   /// the elements of the file and added ones, including those that were removed. An added element
   /// without an id gets one as in a file; the ids of other elements do not change.
-  std::vector<std::string> overrides;
-  /// The file with the overrides: files that they name are searched in its folder and in the data
-  /// directories. "": the user gave the overrides, and files are searched in the folder of the
+  std::vector<std::string> edits;
+  /// The file with the edits: files that they name are searched in its folder and in the data
+  /// directories. "": the user gave the edits, and files are searched in the folder of the
   /// world's file, in the current folder and in the data directories.
-  std::string overrides_from;
+  std::string edits_from;
   /// Templates and data files are searched here, in this order, if they are not in the folder of
   /// the file that names them; see default_data_directories().
   std::vector<std::string> data_directories;
@@ -72,7 +72,7 @@ struct ReadOptions {
   std::uint64_t seed = 1;
 };
 
-/// Reads a world file, merges its templates, applies overrides and sets all defaults. Throws
+/// Reads a world file, merges its templates, applies edits and sets all defaults. Throws
 /// WorldError with all problems of the file. A relative name is also searched in the data
 /// directories.
 ///
@@ -86,7 +86,7 @@ World read_world(const std::string& file, const plugin::Host& host,
 World parse_world(std::string_view text, const std::string& file, const plugin::Host& host,
                   const ReadOptions& options = {});
 
-/// A running world after ReadOptions::overrides. Only what they lead to is read and checked like a
+/// A running world after ReadOptions::edits. Only what they lead to is read and checked like a
 /// file: the other robots are those of `world`, with the same addresses. Throws WorldError.
 World edited(const World& world, const plugin::Host& host, ReadOptions options);
 

@@ -3,7 +3,7 @@
 //
 //   tree_of_world()      the text as a tree: the content of the file, with all ids
 //   merge_templates()    adds the content of templates
-//   apply_override()     applies an edit
+//   apply_edit()     applies an edit
 //   draw_layouts()       replaces layouts by what they draw; see layouts.h
 //   world_of_tree()      the checked world, with its layouts drawn
 //
@@ -45,33 +45,32 @@ void complete_ids(Element& element, const ElementSpec& spec = vocabulary());
 void merge_templates(Element& world, const plugin::Host& host, const Files& files,
                      Problems& problems);
 
-/// Applies "PATH=VALUE", one of ReadOptions::overrides, to the tree of a world with complete ids.
+/// Applies "PATH=VALUE", one of ReadOptions::edits, to the tree of a world with complete ids.
 /// `@remove` only marks elements as removed, because numbers in later paths still count them.
 ///
 /// `is_running`: the tree is that of a running world, which does not contain default values; so an
 /// attribute that has its default may be removed, too.
-void apply_override(Element& world, const std::string& override, bool is_running,
-                    Problems& problems);
+void apply_edit(Element& world, const std::string& edit, bool is_running, Problems& problems);
 
-/// Whether the path of an override leads to layouts, or to something in them.
-bool is_about_layouts(const std::string& override);
+/// Whether the path of an edit leads to layouts, or to something in them.
+bool is_about_layouts(const std::string& edit);
 /// The elements to which the path of an attribute leads, and the attribute's name. Throws
 /// std::invalid_argument with a sentence that says what is there instead.
 std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const std::string& path);
 
-/// The subject of an override. All but `other` concern the tree before merge_templates().
+/// The subject of an edit. All but `other` concern the tree before merge_templates().
 enum class Concern {
   other,
   removed_robots,
   robots,     // it adds or replaces robots
   templates,  // it sets the templates of existing robots
 };
-Concern concern_of(const std::string& override);
+Concern concern_of(const std::string& edit);
 
 /// Removes the marked elements.
 void remove_overridden(Element& world);
 
-/// The world of a tree to which templates and overrides have been applied. Throws WorldError with
+/// The world of a tree to which templates and edits have been applied. Throws WorldError with
 /// all problems, including those found earlier.
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
                     const Files& files, const ReadOptions& options, Problems& problems);

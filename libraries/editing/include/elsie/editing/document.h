@@ -36,7 +36,7 @@ enum class Names {
 class Document {
  public:
   /// The content of `file` is `text`, whatever is on disk. Templates and data files are searched in
-  /// its folder first. The host must outlive the document. ReadOptions::overrides are not used:
+  /// its folder first. The host must outlive the document. ReadOptions::edits are not used:
   /// apply() makes all edits. Throws WorldError if the text is not a valid world.
   Document(std::string text, std::string file, const plugin::Host& host,
            world::ReadOptions options = {});
@@ -57,7 +57,7 @@ class Document {
   const world::Element* written(const world::Element& element) const;
 
   /// Makes the edits, checks the result like a file, and returns what undoes them. Each is one of
-  /// ReadOptions::overrides: "robot[r1]/@max_speed=0.3". Throws WorldError and changes nothing if
+  /// ReadOptions::edits: "robot[r1]/@max_speed=0.3". Throws WorldError and changes nothing if
   /// they are impossible, or if a file cannot express their result.
   Undo apply(const std::vector<std::string>& edits, Names names = Names::used);
 

@@ -17,7 +17,7 @@ namespace elsie::testing {
 
 struct WorldOptions {
   std::uint64_t seed = 1;
-  std::vector<std::string> set{};  // "robot[r1]/@max_speed=0.3"; see world::ReadOptions::overrides
+  std::vector<std::string> set{};  // "robot[r1]/@max_speed=0.3"; see world::ReadOptions::edits
 };
 
 ///   World world = World::from_file("world.xml");

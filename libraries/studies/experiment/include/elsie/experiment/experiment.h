@@ -15,7 +15,7 @@ namespace elsie::experiment {
 
 using base::Location;
 
-/// A setting in a world, as with `elsie run --set`; for paths see ReadOptions::overrides. A value
+/// A setting in a world, as with `elsie run --set`; for paths see ReadOptions::edits. A value
 /// may be an element: "<fusion_interval/>".
 struct Setting {
   std::string path;
@@ -142,7 +142,7 @@ struct Experiment {
   /// seed. Otherwise each world may say from which seed its layouts are drawn.
   bool layouts_follow_seeds = false;
   Location layouts_location;
-  /// s, simulated; replaces the limit of the worlds. Already included in Cell::overrides.
+  /// s, simulated; replaces the limit of the worlds. Already included in Cell::edits.
   std::optional<double> time_limit;
   Location limits_location;        // of <limits>, if it exists
   double wall_limit = 600.0;       // s on the clock, for one run
@@ -163,8 +163,8 @@ struct Cell {
   std::string label;
   /// "PATH=VALUE" in order; the last one of a path counts: the experiment's time limit, its
   /// settings, those of the world, those of the levels. Paths of files in them are relative to the
-  /// experiment file: read them with world::ReadOptions::overrides_from, as read_cell() does.
-  std::vector<std::string> overrides;
+  /// experiment file: read them with world::ReadOptions::edits_from, as read_cell() does.
+  std::vector<std::string> edits;
   std::vector<Setting> changes;  // settings that are made during the run, in the same order
 };
 

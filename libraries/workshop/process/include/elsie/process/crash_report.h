@@ -32,7 +32,7 @@ namespace elsie::process {
 /// the program.
 ///
 /// Exceptions that note_throw() sees are reported with the line of the plugin that threw them
-/// (thrown::place_of_throw()).
+/// (base::place_of_throw()).
 ///
 /// A stack overflow is reported in the calling thread only, which gets a second stack for it. To be
 /// called once, early, by a program, never by a library.

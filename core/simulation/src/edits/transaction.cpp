@@ -1,0 +1,75 @@
+#include "edits/transaction.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/same.h"
+
+namespace elsie::simulation {
+namespace {
+
+/// Returns whether parameters differ that cannot change during a run.
+bool differ_for_good(const std::vector<ParameterDeclaration>& declared,
+                     const std::map<std::string, ParameterValue>& a,
+                     const std::map<std::string, ParameterValue>& b) {
+  const auto value = [](const auto& values, const ParameterDeclaration& of) {
+    const auto known = values.find(of.name);
+    return known == values.end() ? of.default_value : known->second;
+  };
+  return std::any_of(declared.begin(), declared.end(), [&](const ParameterDeclaration& one) {
+    return !one.facts.live && value(a, one) != value(b, one);
+  });
+}
+
+void equip(PluginObject& each, const std::optional<Setup>& setup, Memory memory,
+           const Example& example) {
+  if (setup) {
+    plugin::apply_parameters(*each.declaration, *each.held, setup->parameters, setup->elements);
+  }
+  each.equip(*each.held, example);
+  if (auto* const remembers = dynamic_cast<Remembers*>(each.held.get())) {
+    remembers->remember(memory);
+  }
+}
+
+}  // namespace
+
+bool EditTransaction::keeps(PluginObject& object, const world::PluginUse& was,
+                            const world::PluginUse& next) {
+  if (!world::same(was, next)) {
+    const Declaration& declaration = *object.declaration;
+    if (was.plugin != next.plugin || was.id != next.id ||
+        differ_for_good(declaration.parameters, was.parameters, next.parameters) ||
+        !std::equal(was.elements.begin(), was.elements.end(), next.elements.begin(),
+                    next.elements.end(), [&](const ElementValue& one, const ElementValue& other) {
+                      const auto* known = plugin::find_declared(declaration.elements, one.element);
+                      return one.element == other.element &&
+                             !differ_for_good(known->parameters, one.parameters, other.parameters);
+                    })) {
+      return false;
+    }
+    const Setup before = as_described(was), now = as_described(next);
+    again_with_[&object] = {object.completed(before, now), object.completed(now, before)};
+  }
+  describe(object, next);
+  return true;
+}
+
+void EditTransaction::equip_again(PluginObject& object, const Example& example) {
+  const Tuned tuned = has_other(object) ? again_with_.at(&object) : Tuned();
+  blaming(*object.use, problems_, [&] {
+    if (tuned.now) {
+      object.try_out(*tuned.now, example);
+    }
+    const Memory memory = memory_of(*object.held);
+    again_->push_back([&object, before = tuned.before, memory, example] {
+      std::vector<base::Problem> ignored;
+      blaming(*object.use, ignored, [&] { equip(object, before, memory, example); });
+    });
+    equip(object, tuned.now, memory, example);
+  });
+}
+
+}  // namespace elsie::simulation

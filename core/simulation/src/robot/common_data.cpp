@@ -1,0 +1,43 @@
+#include "robot/common_data.h"
+
+#include <algorithm>
+
+#include "elsie/world/colours.h"
+
+#include "step/teams.h"
+
+namespace elsie::simulation {
+
+CommonData::CommonData(const world::World& world) {
+  std::map<std::string_view, int> sizes;
+  for (const world::Robot& robot : world.robots) {
+    numbers_.push_back(sizes[robot.team]++);
+  }
+}
+
+const std::vector<Colour>& CommonData::resource_colours(const world::World& world,
+                                                        const std::string& team) {
+  const auto [known, is_new] = colours_.try_emplace(team);
+  std::vector<Colour>& colours = known->second;
+  if (!is_new) return colours;
+  for (const world::Box& box : world.boxes) {
+    if (may_collect(team, box)) {
+      const Colour colour = world::resource_colour(world, box);
+      if (std::find(colours.begin(), colours.end(), colour) == colours.end()) {
+        colours.push_back(colour);
+      }
+    }
+  }
+  return colours;
+}
+
+const SensorPlace& CommonData::place(const Mounting& mounting) {
+  const auto& [at, azimuth, pitch] = mounting;
+  const SensorPlace*& place = known_[{at.x, at.y, at.z, azimuth, pitch}];
+  if (!place) {
+    place = &places_.emplace_back(SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
+  }
+  return *place;
+}
+
+}  // namespace elsie::simulation

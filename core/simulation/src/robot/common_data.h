@@ -1,0 +1,49 @@
+// What the robots of a world have in common.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/drive.h"
+#include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
+#include "elsie/api/sensor.h"
+#include "elsie/world/description.h"
+
+#include "plugins/plugin_object.h"
+
+namespace elsie::simulation {
+
+using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
+
+/// Data that robots share, so that it stays in the processor's cache. It only grows, with the
+/// places and wheels that edits try.
+class CommonData {
+ public:
+  explicit CommonData(const world::World& world);
+
+  /// The number of a robot in its team, in file order, from 0.
+  int number_of(std::size_t robot) const { return numbers_[robot]; }
+  /// The colours of the resources that a robot of this team may collect, each once, in file order.
+  /// The world must be the same in each call.
+  const std::vector<Colour>& resource_colours(const world::World& world, const std::string& team);
+
+  /// The core's drives of robots with such wheels: radius and half axle, m.
+  std::map<std::pair<double, double>, std::shared_ptr<DriveSlot>> drives;
+
+  /// The place for a sensor there, one for all sensors. Valid for the life of this object.
+  const SensorPlace& place(const Mounting& mounting);
+
+ private:
+  std::vector<int> numbers_;
+  std::map<std::string, std::vector<Colour>> colours_;  // of teams that were asked for
+  std::map<std::array<double, 5>, const SensorPlace*> known_;
+  std::deque<SensorPlace> places_;
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,327 @@
+#include "robot/controller.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "elsie/base/number_text.h"
+
+namespace elsie::simulation {
+namespace {
+
+std::string text(const Motion& motion) {
+  return "forward " + base::number_text(motion.forward) + " m/s, lateral " +
+         base::number_text(motion.lateral) + " m/s, turn " + base::number_text(motion.turn) +
+         " rad/s";
+}
+
+/// Faults the plugin if these are not fuzzy sets.
+void require_sets(const CommandSets& sets, const world::PluginUse& use, Guard& guard) {
+  for (const FuzzySet* set : {&sets.left, &sets.right, &sets.lateral}) {
+    double last = -std::numeric_limits<double>::infinity();
+    for (const FuzzySet::Point& point : set->points) {
+      if (!std::isfinite(point.x) || point.x < last ||
+          !(point.degree >= 0.0 && point.degree <= 1.0)) {
+        guard.fail(
+            use, "the points of its fuzzy sets are not in ascending order with degrees in [0, 1]");
+      }
+      last = point.x;
+    }
+  }
+}
+
+void require_degrees(std::span<const double> desirability, const world::PluginUse& use,
+                     Guard& guard) {
+  for (const double degree : desirability) {
+    if (!(degree >= 0.0 && degree <= 1.0)) {
+      guard.fail(use,
+                 "it rates a command " + base::number_text(degree) + ", which is not in [0, 1]");
+    }
+  }
+}
+
+}  // namespace
+
+Controller::Controller(const world::Coordination& description, const plugin::Host& host,
+                       const Setting& setting, std::vector<base::Problem>& problems)
+    : description_(&description), setting_(setting) {
+  slots_.reserve(description.behaviors.size());
+  for (const world::BehaviorUse& use : description.behaviors) {
+    slots_.push_back(make_slot(use, host, problems));
+  }
+  list_slots();
+  make_coordinator(host, problems);
+}
+
+std::shared_ptr<Controller::Slot> Controller::make_slot(const world::BehaviorUse& use,
+                                                        const plugin::Host& host,
+                                                        std::vector<base::Problem>& problems) {
+  auto slot = std::make_shared<Slot>(use, host);
+  if (slot->declaration && slot->declaration->hold) {
+    slot->inside = std::make_unique<Controller>(inside_of(use), host, setting_, problems);
+  }
+  slot->make(host, problems);
+  return slot;
+}
+
+const world::Coordination& Controller::inside_of(const world::BehaviorUse& use) {
+  static const world::Coordination kNothing;
+  return use.inside.empty() ? kNothing : use.inside.front();
+}
+
+void Controller::list_slots() {
+  Member::Runner& runner = *this;
+  std::vector<Member> members;
+  members.reserve(slots_.size());
+  for (const world::BehaviorUse& use : description_->behaviors) {
+    members.emplace_back(use.id, use.priority, runner);
+  }
+  take_members(std::move(members));
+}
+
+void Controller::make_coordinator(const plugin::Host& host, std::vector<base::Problem>& problems) {
+  coordinator_.reset();
+  if (description_->coordinator) {
+    coordinator_ = std::make_shared<CoordinatorSlot>(*description_->coordinator, host, *this);
+    coordinator_->make(host, problems);
+  }
+}
+
+void Controller::for_each(Order order, const std::string& path, const std::string& within,
+                          const Visit& visit) const {
+  for (const auto& slot : slots_) {
+    const std::string name = path + "behavior[" + slot->use->id + "]";
+    if (order == Order::outer_first) visit(*slot, name, within);
+    if (slot->inside) {
+      slot->inside->for_each(order, name + "/", within + slot->use->id + "/", visit);
+    }
+    if (order == Order::inner_first) visit(*slot, name, within);
+  }
+  if (coordinator_) visit(*coordinator_, path + "coordinator", within);
+}
+
+void Controller::begin_run() {
+  list_slots();
+  for (const auto& slot : slots_) {
+    if (slot->inside) slot->inside->begin_run();
+  }
+  command_ = {};
+}
+
+void Controller::take_priorities() {
+  Member::Runner& runner = *this;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const double priority = description_->behaviors[i].priority;
+    if (members_[i].priority() != priority) {
+      Member changed(members_[i].name(), priority, runner);
+      changed.trace = members_[i].trace;
+      members_[i] = std::move(changed);
+    }
+    if (slots_[i]->inside) slots_[i]->inside->take_priorities();
+  }
+}
+
+void Controller::begin_step() {
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].begin_step();
+    if (slots_[i]->inside) slots_[i]->inside->begin_step();
+  }
+}
+
+Motion Controller::decide(const Perception& now) {
+  if (!coordinator_) {
+    return {};
+  }
+  now_ = now;
+  command_ = setting_.guard.step(*coordinator_, [&] {
+    return coordinator_->object().coordinate(members_, now.with_random(coordinator_->random));
+  });
+  setting_.guard.check();
+  if (!command_.is_finite()) {
+    setting_.guard.fail(*coordinator_->use,
+                        "its command is not a finite number: " + text(command_));
+  }
+  check_trace();
+  return command_;
+}
+
+Response Controller::respond(const Perception& now) {
+  Response response = decide(now);
+  double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, lateral = 0.0, turn = 0.0;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const TraceRow& trace = members_[i].trace;
+    const Response& answer = slots_[i]->response;  // of an earlier step if not asked now; harmless:
+    const double share = std::max(0.0, trace.share);
+    const double share_of_strength = share * trace.strength;  // zero then
+    shares += share;
+    activation += share * trace.activation;
+    strength += share_of_strength;
+    speed += share_of_strength * answer.speed_strength;
+    lateral += share_of_strength * answer.lateral_strength;
+    turn += share_of_strength * answer.turn_strength;
+  }
+  const auto ratio = [](double part, double whole) {
+    return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
+  };
+  response.activation = ratio(activation, shares);
+  response.strength = ratio(strength, shares);
+  if (strength > 0.0) {  // factors: strength times factor is the mean of such products
+    response.speed_strength = ratio(speed, strength);
+    response.lateral_strength = ratio(lateral, strength);
+    response.turn_strength = ratio(turn, strength);
+  }
+  return response;
+}
+
+void Controller::rate(std::span<const Motion> candidates, std::span<double> desirability) {
+  if (!coordinator_) {
+    std::fill(desirability.begin(), desirability.end(), 0.0);
+    return;
+  }
+  setting_.guard.step(*coordinator_, [&] {
+    coordinator_->object().rate(members_, now_->with_random(coordinator_->random), command_,
+                                candidates, desirability);
+  });
+  setting_.guard.check();
+  require_degrees(desirability, *coordinator_->use, setting_.guard);
+}
+
+CommandSets Controller::command_sets() {
+  if (!coordinator_) {
+    return {};
+  }
+  CommandSets sets = setting_.guard.step(*coordinator_, [&] {
+    return coordinator_->object().command_sets(members_, now_->with_random(coordinator_->random),
+                                               command_);
+  });
+  setting_.guard.check();
+  require_sets(sets, *coordinator_->use, setting_.guard);
+  return sets;
+}
+
+const Response& Controller::run(Member& member) {
+  Slot& slot = slot_of(member);
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = setting_.measure_time ? Clock::now() : Clock::time_point();
+  setting_.guard.step(slot, [&] {
+    // Assigned here, so that memory of the last answer counts as freed.
+    slot.response = slot.object().respond(now_->with_random(slot.random));
+  });
+  if (setting_.measure_time) {
+    member.trace.time_s = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  check(slot, slot.response);
+  for (const Event& event : slot.response.events) {
+    setting_.requests.raise(event);
+  }
+  if (slot.response.charge) setting_.requests.ask_for_charge();
+  return slot.response;
+}
+
+void Controller::rate(Member& member, std::span<const Motion> candidates,
+                      std::span<double> desirability) {
+  Slot& slot = slot_of(member);
+  setting_.guard.step(slot, [&] {
+    slot.object().rate(now_->with_random(slot.random), slot.response, candidates, desirability);
+  });
+  require_degrees(desirability, *slot.use, setting_.guard);
+}
+
+CommandSets Controller::command_sets(Member& member) {
+  Slot& slot = slot_of(member);
+  CommandSets sets = setting_.guard.step(slot, [&] {
+    return slot.object().command_sets(now_->with_random(slot.random), slot.response);
+  });
+  require_sets(sets, *slot.use, setting_.guard);
+  return sets;
+}
+
+void Controller::check(const Slot& slot, const Response& response) const {
+  const auto fail = [&](const std::string& problem) { setting_.guard.fail(*slot.use, problem); };
+  if (!response.command.is_finite()) {
+    fail("its command is not a finite number: " + text(response.command));
+  }
+  for (const auto& [what, value] :
+       {std::pair("activation", response.activation), std::pair("strength", response.strength),
+        std::pair("speed_strength", response.speed_strength),
+        std::pair("lateral_strength", response.lateral_strength),
+        std::pair("turn_strength", response.turn_strength)}) {
+    if (!(value >= 0.0 && value <= 1.0)) [[unlikely]] {
+      fail(std::string("its ") + what + " is " + base::number_text(value) +
+           ", which is not in [0, 1]");
+    }
+  }
+  for (const Event& event : response.events) {
+    const auto& declared = slot.declaration->events;
+    if (std::none_of(declared.begin(), declared.end(),
+                     [&](const EventDeclaration& d) { return d.name == event.name; })) {
+      fail("it raised the event '" + std::string(event.name) +
+           "', which its declaration does not name; add elsie::raises() to it");
+    }
+  }
+}
+
+void Controller::check_trace() {
+  const auto fail = [&](const std::string& problem) {
+    setting_.guard.fail(*coordinator_->use, problem);
+  };
+  for (const Member& member : members_) {
+    const TraceRow& trace = member.trace;
+    if (trace.inhibited_by >= static_cast<int>(members_.size())) {
+      fail("its trace says that member " + std::to_string(trace.inhibited_by) +
+           " inhibits another, but there is no such member");
+    }
+    if (!std::isfinite(trace.weight) || !std::isfinite(trace.share)) {
+      fail("a weight or share in its trace is not finite");
+    }
+    constexpr double kRounding = 1e-9;
+    if (trace.share < -kRounding || trace.share > 1.0 + kRounding) {
+      fail("the share of '" + std::string(member.name()) + "' in its trace is " +
+           base::number_text(trace.share) + "; expected a part of the whole command, from 0 to 1");
+    }
+    if (trace.weight < 0.0 && member.priority() >= 0.0) {
+      fail("the weight of '" + std::string(member.name()) + "' in its trace is " +
+           base::number_text(trace.weight) +
+           "; expected 0 or more, unless the user set a priority below 0");
+    }
+  }
+}
+
+void Controller::list_members(const std::string& path, int depth, int parent,
+                              std::vector<TracedMember>& list) const {
+  const std::string_view coordinator =
+      coordinator_ ? std::string_view(coordinator_->use->plugin) : "";
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const std::string name = path + slots_[i]->use->id;
+    list.push_back({name, slots_[i]->use->plugin, coordinator, depth, parent, &members_[i]});
+    if (slots_[i]->inside) {
+      slots_[i]->inside->list_members(name + "/", depth + 1, static_cast<int>(list.size()) - 1,
+                                      list);
+    }
+  }
+}
+
+void Controller::list_inferences(const std::string& path, std::vector<MadeInference>& list) const {
+  const auto add = [&](const PluginObject& object) {
+    const auto* infers = dynamic_cast<const Infers*>(object.held.get());
+    if (!infers) return;
+    std::vector<Inference> made;
+    setting_.guard.look(*object.use, [&] { infers->list_inferences(made); });
+    for (Inference& each : made) {
+      list.push_back({path + object.use->id, std::move(each)});
+    }
+  };
+  if (coordinator_) add(*coordinator_);
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (members_[i].trace.asked) {
+      add(*slots_[i]);
+      if (slots_[i]->inside) {
+        slots_[i]->inside->list_inferences(path + slots_[i]->use->id + "/", list);
+      }
+    }
+  }
+}
+
+}  // namespace elsie::simulation

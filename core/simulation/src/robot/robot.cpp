@@ -1,0 +1,446 @@
+#include "robot/robot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "elsie/plugin/call.h"
+#include "elsie/world/error.h"
+#include "elsie/world/parts.h"
+
+#include "robot/robot_surroundings.h"
+#include "step/teams.h"
+
+namespace elsie::simulation {
+namespace {
+
+void throw_if_any(const std::vector<base::Problem>& problems) {
+  if (!problems.empty()) throw world::WorldError(problems);
+}
+
+Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) {
+  return {{use.x.value_or(0.5 * body.length), use.y.value_or(0.0), use.z.value_or(body.top())},
+          wrap_angle(radians(use.yaw_deg)),
+          radians(use.pitch_deg)};
+}
+
+}  // namespace
+
+Robot::Robot(const world::World& world, std::size_t index,
+             const std::shared_ptr<CommonData>& common, const plugin::Host& host,
+             const Options& options)
+    : description_(&world.robots[index]),
+      guard_(description_->id, options.budget),
+      common_(common) {
+  const world::Robot& description = *description_;
+  const plugin::Call call({.robot = &description.id});
+  std::vector<base::Problem> problems;
+  sensors_.reserve(description.sensors.size());
+  for (const world::SensorUse& use : description.sensors) {
+    sensors_.push_back(std::make_shared<SensorSlot>(use, host));
+  }
+  // One after the other, so that they are near each other in memory.
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    make_sensor(*sensors_[i], description.sensors[i], host, problems);
+  }
+  controller_.emplace(description, host, Controller::Setting{guard_, *this, options.measure_time},
+                      problems);
+  make_drive(host, problems);
+  throw_if_any(problems);
+  group_readings();
+
+  take_membership(world, index, *common);
+  state_.max_speed_m_s = description.max_speed;
+  state_.coverage_m = description.coverage;
+  state_.is_leader = description.leader;
+  perception_.self = &state_;
+  perception_.team = &team_;
+  for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
+    blaming(*each.use, problems, [&] { each.equip(*each.held, example()); });
+  });
+  throw_if_any(problems);
+}
+
+void Robot::for_each(Order order, const Visit& visit) const {
+  for (const auto& slot : sensors_) {
+    visit(*slot, "sensor[" + slot->use->id + "]", "");
+  }
+  visit(*drive_, "drive", "");
+  controller_->for_each(order, "", "", visit);
+}
+
+const world::PluginUse& Robot::drive_use() const {
+  static const world::PluginUse kDefault{"differential", "differential", {}, {}, {}, {}};
+  return description_->drive ? *description_->drive : kDefault;
+}
+
+void Robot::make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
+                        std::vector<base::Problem>& problems) const {
+  slot.make(host, problems);
+  slot.place = &common_->place(mounting_of(use, description_->body));
+  if (!slot.held) return;
+  if (const auto camera = blaming(use, problems, [&] { return slot.object().camera(); })) {
+    slot.own_extras().camera = camera;
+  }
+}
+
+/// Copies what only an edit of the description changes, and data of the team: the robot's index,
+/// whether there is a charger, and the colours of the resources that it may collect.
+void Robot::take_membership(const world::World& world, std::size_t index, CommonData& common) {
+  const world::Robot& robot = *description_;
+  state_.id = robot.id;
+  state_.length_m = robot.body.length;
+  state_.width_m = robot.body.width;
+  state_.team_index = common.number_of(index);
+  state_.capacity = robot.battery;
+  team_.name = robot.team;
+  team_.charger = nearest_charger(world, robot.team, {robot.x, robot.y});
+  resource_colours_ = common.resource_colours(world, robot.team);
+}
+
+void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& problems) {
+  const Chassis chassis = world::chassis_of(description_->body);
+  std::shared_ptr<DriveSlot> own;
+  std::shared_ptr<DriveSlot>& drive =
+      description_->drive ? own : common_->drives[{chassis.wheel_radius, chassis.half_axle}];
+  if (!drive) {
+    drive = std::make_shared<DriveSlot>(drive_use(), host);
+    drive->make(host, problems);
+  }
+  drive_ = drive;
+  if (!drive_->held) return;
+  world::PluginUse blamed = drive_use();
+  if (!description_->drive) blamed.location = description_->location;
+  blaming(blamed, problems, [&] {
+    BodyPlan plan = world::plan_of(chassis, drive_->object());
+    world::DriveCheck check(plan);
+    state_.wheels = drive_->object().wheels(chassis);
+    state_.channels = drive_->object().channels();
+    joint_count_ = static_cast<std::uint32_t>(check.joints());
+    joints_.assign(2 * check.joints(), {});
+    if (!description_->drive) return;
+    drive_check_ = std::move(check);
+    driven_ = std::move(plan);
+  });
+}
+
+void Robot::command(const Motion& asked) {
+  asked_ = asked;
+  carry_out(asked);
+}
+
+void Robot::carry_out(const Motion& motion) {
+  const std::span<JointSetting> wanted = std::span(joints_).subspan(joint_count_);
+  const auto command = [&] {
+    state_.commanded =
+        driver_->command(motion, {joints(), state_.max_speed_m_s, period_s_}, wanted);
+  };
+  if (has_default_drive_) {  // the core's own drive needs no guard
+    command();
+    if (!state_.commanded.is_finite()) {
+      guard_.fail(drive_use(), "command() gives numbers that are not finite");
+    }
+    return;
+  }
+  const std::string problem = guard_.run(drive_use(), [&] {
+    command();
+    return drive_check_.problem(*driver_, state_.commanded, state_.max_speed_m_s, wanted);
+  });
+  if (!problem.empty()) guard_.fail(drive_use(), problem);
+}
+
+void Robot::group_readings() {
+  // Readings of one kind are adjacent, in file order, so that a behaviour gets them as one view.
+  std::vector<ReadingKind> kinds;
+  std::vector<ReadingKind> kind_of;
+  for (const auto& slot : sensors_) {
+    const ReadingKind kind = kind_of.emplace_back(slot->object().kind());
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+  }
+  sensed_.clear();
+  groups_.clear();
+  sensed_.reserve(sensors_.size());
+  for (const ReadingKind& kind : kinds) {
+    const std::size_t first = sensed_.size();
+    for (std::size_t i = 0; i < sensors_.size(); ++i) {
+      if (kind_of[i] == kind) {
+        const SensorSlot& slot = *sensors_[i];
+        sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id.c_str()});
+      }
+    }
+    groups_.push_back({kind, std::span(sensed_).subspan(first)});
+  }
+  perception_.groups = groups_;
+  group_sensors();
+}
+
+void Robot::group_sensors() {
+  driver_ = &drive_->object();
+  has_default_drive_ = !description_->drive;
+  entries_.clear();
+  entries_.reserve(sensors_.size());
+  for (const auto& slot : sensors_) {
+    entries_.push_back({&slot->object(), slot->place, &slot->random});
+  }
+  together_.clear();
+  sensor_cost_.reset();
+  may_share_threads_ = true;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const SensorSlot& slot = *sensors_[i];
+    if (i > 0 && slot.declaration == sensors_[i - 1]->declaration &&
+        slot.declaration->updates_all && !slot.extras().camera) {
+      ++together_.back().count;
+    } else {
+      together_.push_back({i, 1});
+    }
+  }
+  for_each(Order::outer_first, [this](PluginObject& each, const auto&, const auto&) {
+    may_share_threads_ = may_share_threads_ && each.declaration->may_share_threads;
+  });
+}
+
+void Robot::reset(std::uint64_t seed) {
+  guard_.begin_run();
+  guard_.begin_step(0, 0.0);
+  for_each(Order::inner_first, [&](PluginObject& each, const std::string& path, const auto&) {
+    if (guard_.has_budget()) each.own_extras();  // outside of all calls, to which it would count
+    guard_.run(*each.use, [&] { each.reset(seed, "robot[" + description_->id + "]/" + path); });
+  });
+  std::fill(joints_.begin(), joints_.end(), JointSetting{});
+  controller_->begin_run();
+  state_.energy = description_->energy.value_or(description_->battery);
+  state_.charging = false;
+  command({});
+  perceived_events_.clear();
+  raised_.clear();
+  logged_ = 0;
+  charge_asked_ = false;
+  empty_ = false;
+  tally_ = {};
+  stop_when_empty();
+}
+
+void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
+  if (empty_) return;
+  guard_.begin_step(now.step, now.time_s);
+  for (const Together& group : together_) {
+    SensorSlot& first = *sensors_[group.first];
+    if (group.count == 1) {
+      update(first, surroundings, now);
+    } else {
+      std::vector<RayQuery>& rays = surroundings.memory().rays;
+      if (rays.size() < group.count) rays.resize(group.count);
+      const SensorBatch all{std::span(entries_).subspan(group.first, group.count),
+                            now.time_s,
+                            now.period_s,
+                            body_frame_,
+                            &surroundings,
+                            std::span(rays).first(group.count)};
+      guard_.step(first, [&] { first.object().update_all(all); });
+    }
+    if (const Pyramid* const volume = surroundings.take_volume(); !volume) {
+      if (first.extras().volume) first.own_extras().volume.reset();
+    } else if (auto& known = first.own_extras().volume) {
+      *known = *volume;
+    } else {
+      known = std::make_unique<Pyramid>(*volume);
+    }
+  }
+}
+
+void Robot::update(SensorSlot& slot, const RobotSurroundings& surroundings, const Instant& now) {
+  const auto& [mounting, frame] = *slot.place;
+  const PluginObject::Extras& extras = slot.extras();
+  const SensorContext context{now.time_s,
+                              now.period_s,
+                              body_frame_.frame(frame),
+                              &mounting,
+                              &surroundings,
+                              &slot.random,
+                              extras.camera ? extras.picture.get() : nullptr};
+  guard_.step(slot, [&] { slot.object().update(context); });
+}
+
+void Robot::decide(const Instant& now) {
+  guard_.begin_step(now.step, now.time_s);
+  perceived_events_.clear();
+  for (const events::AnyEvent& event : raised_) {
+    perceived_events_.push_back({std::string(events::name_of(event))});
+  }
+  raised_.clear();
+  logged_ = 0;
+  controller_->begin_step();
+  period_s_ = now.period_s;
+  if (empty_) {
+    command({});
+    return;
+  }
+  perception_.time_s = now.time_s;
+  perception_.period_s = now.period_s;
+  perception_.events = perceived_events_;
+  team_.mates = mates_;
+  command(controller_->decide(Perception(perception_, unused_random_)));
+}
+
+void Robot::ask(Statements& said) {
+  for_each(Order::outer_first, [&](PluginObject& each, const auto&, const std::string& within) {
+    if (each.kind != PluginKind::drive) said.ask(each, within, guard_);
+  });
+}
+
+void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
+  const SensorSlot& slot = *sensors_[sensor];
+  guard_.look(*slot.use, [&] {
+    const auto before = static_cast<std::ptrdiff_t>(values.size());
+    slot.object().list_values(values);
+    const ReadingDeclaration& fresh = slot.declaration->produces.front();
+    const auto is_same = [](const NamedValue& a, const ListedNumber& b) {
+      return a.name == b.name;
+    };
+    if (fresh.lists_numbers && !std::equal(values.begin() + before, values.end(),
+                                           fresh.numbers.begin(), fresh.numbers.end(), is_same)) {
+      guard_.fail(*slot.use,
+                  "its reading lists other numbers in visit() than a new one; every reading must "
+                  "list the same ones: give arrays their full size from the beginning");
+    }
+  });
+}
+
+void Robot::use_energy(double period_s) {
+  if (!empty_) {
+    if (!sensor_cost_) {
+      sensor_cost_ = 0.0;
+      for (const world::SensorUse& sensor : description_->sensors) {
+        *sensor_cost_ += sensor.energy_cost;
+      }
+    }
+    const double before = state_.energy;
+    state_.energy = std::max(0.0, before - *sensor_cost_ * period_s);
+    tally_.energy_used += before - state_.energy;
+    stop_when_empty();
+  }
+}
+
+void Robot::stop_when_empty() {
+  if (state_.energy <= 0.0) {
+    empty_ = true;
+    command({});
+    raise(events::BatteryEmpty{});
+  }
+}
+
+void Robot::set_max_speed(double max_speed) {
+  state_.max_speed_m_s = max_speed;
+  carry_out(state_.commanded);
+}
+
+void Robot::set_energy(double units) {
+  const bool was_empty = empty_;
+  state_.energy = units;
+  empty_ = false;
+  if (!was_empty) {
+    stop_when_empty();
+  } else {
+    empty_ = units <= 0.0;
+  }
+}
+
+PluginObject* Robot::find_object(const world::PluginUse& use) const {
+  PluginObject* found = nullptr;
+  for_each(Order::outer_first, [&](PluginObject& each, const auto&, const auto&) {
+    found = each.use == &use ? &each : found;
+  });
+  return found;
+}
+
+void Robot::set_up(PluginObject& object, const Setup& setup) {
+  const Setup before = object.completed(object.setup(), setup);
+  try {
+    object.set(setup, example());
+  } catch (...) {
+    guard_.run(*object.use, [&] { object.set(before, example()); });
+    throw;
+  }
+}
+
+/// The last perception, for plugins that get new parameters.
+Example Robot::example() {
+  team_.mates = mates_;
+  perception_.events = perceived_events_;
+  return {{perception_, unused_random_}, resource_colours_};
+}
+
+void Robot::charge(double period_s, double rate) {
+  if (charge_asked_ && !empty_ && !state_.charging && rate > 0.0 &&
+      state_.energy < state_.capacity) {
+    state_.charging = true;
+    raise(events::ChargingStarted{});
+  }
+  charge_asked_ = false;
+  if (state_.charging) {
+    state_.energy = std::min(state_.capacity, state_.energy + rate * period_s);
+    if (state_.energy >= state_.capacity || rate <= 0.0 || empty_) {
+      state_.charging = false;
+      raise(events::ChargingEnded{});
+    }
+  }
+}
+
+void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints) {
+  tally_.distance_m += distance(state_.pose, state.pose);
+  set_body(state, joints);
+}
+
+void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
+  std::copy(joints.begin(), joints.end(), joints_.begin());
+  Turret turret;
+  if (!has_default_drive_) {
+    guard_.run(drive_use(), [&] {
+      turret = driver_->turret(this->joints());
+      state_.odometry = driver_->odometry(this->joints());
+    });
+    if (!state_.odometry.is_finite() || !std::isfinite(turret.angle_rad + turret.turn_rad_s)) {
+      guard_.fail(drive_use(), "odometry() or turret() gives numbers that are not finite");
+    }
+  } else {  // the core's own drive needs no guard
+    state_.odometry = driver_->odometry(this->joints());
+  }
+  body_frame_ = state.frame;
+  state_.pose = state.pose;
+  state_.moving = {state.speed, state.lateral, state.turn_rate + turret.turn_rad_s};
+  if (turret.angle_rad != 0.0) {
+    const double c = std::cos(turret.angle_rad), s = std::sin(turret.angle_rad);
+    body_frame_ = state.frame.frame(Frame::turned({}, turret.angle_rad, 0.0));
+    state_.pose.heading_rad = wrap_angle(state.pose.heading_rad + turret.angle_rad);
+    state_.moving.forward = c * state.speed + s * state.lateral;
+    state_.moving.lateral = c * state.lateral - s * state.speed;
+  }
+}
+
+void Robot::collect(double energy) {
+  ++tally_.collected;
+  state_.energy = std::min(state_.capacity, state_.energy + energy);
+  empty_ = empty_ && state_.energy <= 0.0;
+}
+
+void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
+  for (; logged_ < raised_.size(); ++logged_) {
+    log.push_back({time_s, description_->id, raised_[logged_]});
+  }
+}
+
+SensorView Robot::sensor(std::size_t index) const {
+  const SensorSlot& slot = *sensors_[index];
+  const PluginObject::Extras& extras = slot.extras();
+  return {
+      slot.use->id,
+      slot.use->plugin,
+      &slot.object(),
+      &slot.place->mounting,
+      extras.camera ? &*extras.camera : nullptr,
+      extras.camera && extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr,
+      extras.volume.get()};
+}
+
+}  // namespace elsie::simulation

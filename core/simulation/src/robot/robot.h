@@ -1,0 +1,259 @@
+// A robot at run time: its plugin objects, its own state, and its decisions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/drive.h"
+#include "elsie/api/perception.h"
+#include "elsie/api/sensor.h"
+#include "elsie/physics/engine.h"
+#include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
+#include "elsie/world/description.h"
+#include "elsie/world/drive_check.h"
+
+#include "plugins/guard.h"
+#include "plugins/plugin_object.h"
+#include "robot/common_data.h"
+#include "robot/controller.h"
+
+namespace elsie::simulation {
+
+class EditTransaction;
+class Cameras;
+class RobotSurroundings;
+class Swap;
+
+/// Time and identity of a control step, the same for all robots.
+struct Instant {
+  double time_s = 0.0;
+  double period_s = 0.0;
+  std::uint64_t step = 0;
+};
+
+/// Sums for one robot since the run began.
+struct Tally {
+  double distance_m = 0.0;
+  double energy_used = 0.0;  // taken from the battery, units
+  int collected = 0;
+  int collisions = 0;
+};
+
+class Robot final : private RobotRequests {
+ public:
+  /// Makes the plugin objects of a robot of the world. Throws world::WorldError.
+  Robot(const world::World& world, std::size_t index, const std::shared_ptr<CommonData>& common,
+        const plugin::Host& host, const Options& options);
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  /// Called before a run: returns to the description, restarts random streams, resets plugin
+  /// objects.
+  void reset(std::uint64_t seed);
+
+  /// Updates all sensors. Throws PluginFault.
+  void sense(const RobotSurroundings& surroundings, const Instant& now);
+  /// Asks the coordinator. Its command is then in asked(), the motion of the drive in command(),
+  /// the set points of the joints in wanted_joints(). Throws PluginFault.
+  void decide(const Instant& now);
+  /// Subtracts the energy that the sensors use in a control period.
+  void use_energy(double period_s);
+  /// Charges for a control period if a behaviour asked for it, until full. `rate`: of the charger
+  /// at the robot's place, units per second; 0 without one.
+  void charge(double period_s, double rate);
+  /// Copies the state of the body.
+  void set_body(const physics::RobotState& state, std::span<const JointSetting> joints);
+  /// Copies the state of the body after a step, and adds up the distance.
+  void moved(const physics::RobotState& state, std::span<const JointSetting> joints);
+  /// Adds the energy of a collected resource, up to the capacity.
+  void collect(double energy);
+
+  // InPlaceEdits by a user between two steps.
+
+  /// m/s; the present motion of the drive is limited at once.
+  void set_max_speed(double max_speed);
+  /// Units, at most the battery's capacity; at 0 the robot stops.
+  void set_energy(double units);
+  /// Takes over attributes of the description that can be changed in place.
+  void take_live(bool has_new_drive, bool has_new_energy);
+  /// Visits all its plugin objects: sensors, the drive, then behaviours and coordinators.
+  void for_each(Order order, const Visit& visit) const;
+  /// The object for a use of a plugin; null when it does not belong to this robot.
+  PluginObject* find_object(const world::PluginUse& use) const;
+  /// Checks whether the plugin accepts these parameters, without setting them; passes on its
+  /// exceptions. Returns the camera that a sensor would then have.
+  std::optional<Camera> try_out(const PluginObject& object, const Setup& setup) {
+    return object.try_out(setup, example());
+  }
+  /// Sets them. Passes on exceptions of the plugin, with the old parameters restored; if it refuses
+  /// these, throws PluginFault.
+  void set_up(PluginObject& object, const Setup& setup);
+
+  /// Replaces the objects whose plugins have changed. Throws ReplacementRefused.
+  void replace(Swap& swap, const Cameras& cameras);
+
+  /// Takes a copy of its description with the same objects in it; the other must live on.
+  void describe(const world::Robot& next);
+  /// Becomes the robot with this index; `was` is its present description. Objects with unchanged
+  /// descriptions stay. Adds problems to `transaction`.
+  void become(const world::Robot& was, const world::World& world, std::size_t index,
+              CommonData& common, EditTransaction& transaction);
+
+  /// Collects notes and curves of the plugins after a reset. Throws PluginFault.
+  void ask(Statements& said);
+  /// Appends notes on what its plugins changed in the program since the run began.
+  void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
+  /// Adds an event of the simulator to the next perception and to the log.
+  template <class Kind>
+  void raise(Kind event) {
+    static_assert(Kind::kFacts.is_perceived);
+    raised_.emplace_back(std::move(event));
+  }
+  void collided(events::Collision collision) {
+    ++tally_.collisions;
+    raise(std::move(collision));
+  }
+  /// Appends the numbers of one sensor's reading. Throws PluginFault.
+  void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
+  /// The inferences of its plugins in the last decision. Throws PluginFault.
+  std::vector<MadeInference> inferences() const {
+    std::vector<MadeInference> list;
+    controller_->list_inferences("", list);
+    return list;
+  }
+  /// Returns whether charge() or take_log() would do anything.
+  bool needs_attention() const {
+    return charge_asked_ || state_.charging || logged_ < raised_.size();
+  }
+  /// Appends the events since the last call to the log.
+  void take_log(double time_s, std::vector<EventRecord>& log);
+
+  const world::Robot& description() const { return *description_; }
+  const OwnState& state() const { return state_; }
+  TeamState& team() { return team_; }
+  std::span<const Colour> resource_colours() const { return resource_colours_; }
+  std::vector<TeamMate>& mates() { return mates_; }
+  bool empty() const { return empty_; }
+  /// The last command of the coordinator.
+  const Motion& asked() const { return asked_; }
+  /// The same, as the drive can make it.
+  const Motion& command() const { return state_.commanded; }
+  /// The set points of the joints that can be set, for this command.
+  std::span<const JointSetting> wanted_joints() const {
+    return std::span(joints_).subspan(joint_count_);
+  }
+  std::span<const JointSetting> joints() const { return std::span(joints_).first(joint_count_); }
+  /// The parts of its drive, for Robot::driven of the description; call it once. Empty for the
+  /// default drive.
+  BodyPlan take_driven() { return std::move(driven_); }
+  std::span<const Member> members() const { return controller_->members(); }
+  /// Listed when it is first asked for: few robots of a crowd are watched.
+  std::span<const TracedMember> trace() const {
+    if (trace_.empty()) controller_->list_members("", 0, -1, trace_);
+    return trace_;
+  }
+  const Tally& tally() const { return tally_; }
+  /// Returns whether all its plugins may be called while other threads call those of other robots.
+  bool may_share_threads() const { return may_share_threads_; }
+  std::size_t sensor_count() const { return sensors_.size(); }
+  SensorView sensor(std::size_t index) const;
+  Frame sensor_frame(std::size_t index) const {
+    return body_frame_.frame(sensors_[index]->place->frame);
+  }
+  /// The camera of a sensor, if it has one.
+  const std::optional<Camera>& camera(std::size_t i) const { return sensors_[i]->extras().camera; }
+  /// The picture of that camera; fill it before sense().
+  Image& picture(std::size_t sensor) {
+    auto& picture = sensors_[sensor]->own_extras().picture;
+    if (!picture) picture = std::make_unique<Image>();
+    return *picture;
+  }
+
+ private:
+  struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
+    using ObjectOf::ObjectOf;
+    void equip(Component& object, const Example& example) const override {
+      static_cast<Sensor&>(object).equipped({&place->mounting, example.resource_colours});
+    }
+    std::optional<Camera> camera_of(const Component& object) const override {
+      return static_cast<const Sensor&>(object).camera();
+    }
+    void forget() override { object().forget(); }
+
+    const SensorPlace* place = nullptr;
+  };
+
+  void raise(const Event& event) override {
+    raised_.emplace_back(events::Raised{std::string(event.name)});
+  }
+  void ask_for_charge() override { charge_asked_ = true; }
+  void update(SensorSlot& slot, const RobotSurroundings& surroundings, const Instant& now);
+  void replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras);
+  void replace_drive(Swap& swap);
+  /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.
+  void check_needs() const;
+  void make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
+                   std::vector<base::Problem>& problems) const;
+  void take_membership(const world::World& world, std::size_t index, CommonData& common);
+  void become_sensors(const world::Robot& was, EditTransaction& transaction);
+  void group_readings();
+  void group_sensors();
+  Example example();
+  void stop_when_empty();
+  void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
+  const world::PluginUse& drive_use() const;
+  void command(const Motion& asked);
+  /// Commands the drive; the command is then the motion that it can make.
+  void carry_out(const Motion& motion);
+
+  // What each step needs, close together: a crowd is larger than the processor's caches. The end of
+  // a step, when the robot has moved, needs what is up to state_.
+  const world::Robot* description_;
+  bool may_share_threads_ = true;
+  bool charge_asked_ = false;
+  bool empty_ = false;
+  std::uint32_t joint_count_ = 0;     // that can be set
+  bool has_default_drive_ = true;     // which is the core's own
+  Drive* driver_ = nullptr;           // the object of drive_
+  std::vector<JointSetting> joints_;  // measured, then the set points of as many
+  Tally tally_;
+  Frame body_frame_;
+  OwnState state_;
+  double period_s_ = 0.01;  // of the last decision
+  Motion asked_;
+  /// Sensors that are updated in one call: one sensor, or several of one plugin.
+  struct Together {
+    std::size_t first;
+    std::size_t count;
+  };
+  std::vector<Together> together_;
+  std::vector<SensorBatch::Entry> entries_;  // of the sensors
+  std::vector<std::shared_ptr<SensorSlot>> sensors_;
+  TeamState team_;
+  std::vector<TeamMate> mates_;
+  std::vector<Event> perceived_events_;
+  std::vector<events::AnyEvent> raised_;  // since the last decision
+  std::size_t logged_ = 0;                // number of them that the log has
+  std::optional<double> sensor_cost_;     // of all sensors, units per second; none: not known
+  Perception::Data perception_;
+  std::optional<Controller> controller_;
+  mutable Guard guard_;  // reading a plugin's numbers can fail, too
+
+  std::shared_ptr<CommonData> common_;
+  std::shared_ptr<DriveSlot> drive_;
+  BodyPlan driven_;
+  world::DriveCheck drive_check_;  // of a world with <drive>
+  mutable std::vector<TracedMember> trace_;
+  Random unused_random_;               // each plugin object draws from its own
+  std::vector<SensedReading> sensed_;  // in groups of one kind
+  std::vector<ReadingGroup> groups_;
+  std::vector<Colour> resource_colours_;
+};
+
+}  // namespace elsie::simulation

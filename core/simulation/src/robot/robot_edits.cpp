@@ -1,0 +1,128 @@
+// A robot becomes what an edited world describes.
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "elsie/world/same.h"
+
+#include "edits/transaction.h"
+#include "robot/common_data.h"
+#include "robot/robot.h"
+
+namespace elsie::simulation {
+
+void Robot::describe(const world::Robot& next) {
+  description_ = &next;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    sensors_[i]->use = &next.sensors[i];
+  }
+  if (next.drive) drive_->use = &*next.drive;
+  controller_->describe(next);
+}
+
+void Robot::become(const world::Robot& was, const world::World& world, std::size_t index,
+                   CommonData& common, EditTransaction& transaction) {
+  const world::Robot& next = world.robots[index];
+  Undo& undo = transaction.undo();
+  std::vector<base::Problem>& problems = transaction.problems();
+  const plugin::Call call({.robot = &next.id});
+  const bool same_body = world::same_part(world::robot_spec(), "body", &was, &next);
+  const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
+  const bool same_sensors =
+      same_body && world::same_part(world::robot_spec(), "sensors", &was, &next);
+  // Added first, so it is undone last.
+  undo.add([this, again = transaction.begin_robot()] {
+    guard_.forgive();
+    group_readings();
+    trace_.clear();
+    for (const auto& equip : *again) {
+      equip();
+    }
+  });
+  undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
+  undo.keep(description_, body_frame_, drive_, drive_check_, joints_, joint_count_);
+  description_ = &next;
+  const bool had_charger = team_.charger.has_value();
+  const std::vector<Colour> colours = resource_colours_;
+  take_membership(world, index, common);
+  // Objects that stay are equipped again if they could see a difference.
+  const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
+                          had_charger != team_.charger.has_value() || colours != resource_colours_;
+  state_.energy = std::min(state_.energy, state_.capacity);
+  become_sensors(was, transaction);
+  controller_->become(was, next, "", transaction);
+  if (!problems.empty()) return;
+  if (same_drive) {
+    transaction.describe(*drive_, drive_use());
+  } else {
+    make_drive(transaction.host(), problems);
+  }
+  if (!problems.empty()) return;
+  trace_.clear();
+  group_readings();
+  for_each(Order::inner_first, [&](PluginObject& each, const auto&, const auto&) {
+    if (each.is_new) {
+      blaming(*each.use, problems, [&] { each.equip(*each.held, example()); });
+    } else if (each.kind != PluginKind::drive && (equips_all || transaction.has_other(each))) {
+      transaction.equip_again(each, example());
+      const auto camera = blaming(*each.use, problems, [&] { return each.camera_of(*each.held); });
+      if (camera || each.extras().camera) {
+        undo.keep(each.own_extras().camera);
+        each.own_extras().camera = camera;
+      }
+    }
+  });
+  if (!problems.empty()) return;
+  check_needs();
+  for_each(Order::inner_first,
+           [&](PluginObject& each, const std::string& path, const std::string& within) {
+             if (each.is_new) {
+               blaming(*each.use, problems,
+                       [&] { each.reset(transaction.seed(), "robot[" + next.id + "]/" + path); });
+               if (each.kind != PluginKind::drive) {
+                 transaction.said().ask(each, within, guard_);
+               }
+             }
+           });
+  take_live(!same_drive, description_->energy && (transaction.asks(next, "energy") ||
+                                                  description_->energy != was.energy));
+}
+
+void Robot::become_sensors(const world::Robot& was, EditTransaction& transaction) {
+  transaction.undo().keep(sensors_);
+  const auto slots = sensors_;
+  const bool same_body = world::same_part(world::robot_spec(), "body", &was, description_);
+  sensors_.clear();
+  for (const world::SensorUse& use : description_->sensors) {
+    const std::size_t former = index_of(was.sensors, use.id, 0);
+    const bool is_known = former < slots.size();
+    // The default mounting depends on the body.
+    if (is_known && same_body && world::same(was.sensors[former], use, world::Cost::object) &&
+        transaction.keeps(*slots[former], was.sensors[former], use)) {
+      sensors_.push_back(slots[former]);
+      continue;
+    }
+    SensorSlot& made =
+        *sensors_.emplace_back(std::make_shared<SensorSlot>(use, transaction.host()));
+    make_sensor(made, use, transaction.host(), transaction.problems());
+    if (is_known) {
+      transaction.note_lost(description_->id, use.id);
+    }
+  }
+}
+
+void Robot::take_live(bool has_new_drive, bool has_new_energy) {
+  sensor_cost_.reset();
+  controller_->take_priorities();
+  if (has_new_drive || state_.max_speed_m_s != description_->max_speed) {
+    set_max_speed(description_->max_speed);
+  }
+  state_.coverage_m = description_->coverage;
+  state_.is_leader = description_->leader;
+  if (has_new_energy) {
+    set_energy(*description_->energy);
+  }
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,112 @@
+// The functions of robots that replace old plugin objects by new ones.
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "elsie/world/parts.h"
+
+#include "replacement/swap.h"
+#include "robot/controller.h"
+#include "robot/robot.h"
+#include "step/cameras.h"
+
+namespace elsie::simulation {
+namespace {
+
+/// Compares only what matters for the joints that a drive sets.
+bool same_body(const BodyPlan& a, const BodyPlan& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const Part& one, const Part& other) {
+                      return one.vehicle == other.vehicle &&
+                             one.frame.origin == other.frame.origin &&
+                             one.shape.size == other.shape.size &&
+                             one.joint.index() == other.joint.index() &&
+                             can_be_set(one.joint) == can_be_set(other.joint);
+                    });
+}
+
+}  // namespace
+
+void Robot::replace(Swap& swap, const Cameras& cameras) {
+  swap.begin_robot(description_->id);
+  swap.undo().add([this] { group_readings(); });  // undone last, after the old sensors
+  for (const auto& slot : sensors_) {
+    replace_sensor(swap, *slot, cameras);
+  }
+  replace_drive(swap);
+  controller_->for_each(
+      Order::inner_first, "", "",
+      [&](PluginObject& each, const std::string& path, const auto&) { swap.exchange(each, path); });
+  if (swap.concerns_robot()) {
+    group_readings();
+    check_needs();
+    swap.hand_over(example());
+  }
+}
+
+void Robot::replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras) {
+  const std::string path = "sensor[" + slot.use->id + "]";
+  const std::string kind = slot.object().kind().name;
+  const bool had_camera = slot.extras().camera.has_value();
+  if (!swap.exchange(slot, path)) return;
+  std::optional<Camera> camera;
+  swap.run(slot, path, [&] { camera = slot.object().camera(); });
+  if (kind != slot.object().kind().name) {
+    swap.refuse(path, "it makes readings of the kind '" + std::string(slot.object().kind().name) +
+                          "' now, and made some of the kind '" + kind +
+                          "' before; replace its element by an edit, or start a new run");
+  }
+  if (camera.has_value() != had_camera) {
+    swap.refuse(path, "it would " + std::string(had_camera ? "lose" : "gain") +
+                          " a camera; replace its element by an edit, or start a new run");
+  }
+  if (!camera) return;
+  if (const auto problem = cameras.problem_of(*camera)) {
+    swap.refuse(path, *problem);
+  }
+  swap.undo().keep(slot.own_extras().camera);
+  slot.own_extras().camera = camera;
+}
+
+void Robot::replace_drive(Swap& swap) {
+  if (!swap.exchange(*drive_, "drive")) return;
+  swap.undo().keep(state_.wheels, state_.channels);
+  BodyPlan plan;
+  const Chassis chassis = world::chassis_of(description_->body);
+  swap.run(*drive_, "drive", [&] {
+    Drive& drive = drive_->object();
+    plan = world::plan_of(chassis, drive);
+    state_.wheels = drive.wheels(chassis);
+    state_.channels = drive.channels();
+  });
+  if (!same_body(plan, world::driven_plan(*description_))) {
+    swap.refuse("drive",
+                "it would build another body now; replace its element by an edit, or start a new "
+                "run");
+  }
+}
+
+void Robot::check_needs() const {
+  for_each(Order::outer_first, [&](PluginObject& each, const std::string& path, const auto&) {
+    if (each.kind != PluginKind::behavior) return;
+    for (const ReadingDeclaration& need : each.declaration->needs) {
+      const auto is_kind = [&](const auto& slot) {
+        return slot->declaration->produces.front().kind == need.kind;
+      };
+      const auto fits = [&](const auto& slot) {
+        return is_kind(slot) && slot->declaration->produces.front().fits(need);
+      };
+      if (std::none_of(sensors_.begin(), sensors_.end(), fits)) {
+        const bool other = std::any_of(sensors_.begin(), sensors_.end(), is_kind);
+        throw ReplacementRefused(
+            "robot '" + description_->id + "', " + path + ": it needs readings of the kind '" +
+            need.kind + "', " +
+            (other ? "but its sensors make them with another layout; build all these plugins with "
+                     "the same header"
+                   : "which no sensor of the robot makes"));
+      }
+    }
+  });
+}
+
+}  // namespace elsie::simulation

@@ -1,0 +1,126 @@
+// One step: sense, decide, move; then what follows from where the robots are.
+#include <cmath>
+#include <cstdint>
+
+#include "elsie/physics/failure.h"
+
+#include "simulation_impl.h"
+
+namespace elsie::simulation {
+
+void Simulation::Impl::step(const Simulation& self) {
+  const double h = world_.physics.step;
+  const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
+  const bool decides = is_control_instant();
+  step_began_s_ = time_s();
+  if (!measuring_->has_begun()) {
+    observe(false, true);
+  }
+  const double period = h * static_cast<double>(control_steps);
+  try {
+    if (decides) {
+      control(period);
+    }
+    move(decides);
+  } catch (...) {
+    // Robots after the failed one may have raised events in other threads.
+    const std::size_t failed = loop_.failed_at();
+    log_events(failed == RobotLoop::kNone ? robots_.size() : failed + 1);
+    throw;
+  }
+  decided_ = decides;
+  touches_.handle(world_, robots_, *engine_, time_s());
+  for (const physics::Touch& touch : engine_->touches()) {
+    for (const physics::Body& body : {touch.a, touch.b}) {
+      if (body.kind == physics::BodyKind::robot) attention_[body.index] = true;
+    }
+  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!attention_[i]) continue;
+    Robot& robot = *robots_[i];
+    if (decides) {
+      const Pose& pose = robot.state().pose;
+      robot.charge(period, charger_rate(world_, robot.description().team, {pose.x, pose.y}));
+    }
+    robot.take_log(time_s(), events_);
+    attention_[i] = false;
+  }
+  if (judgement_.outcome == Outcome::running) {
+    judgement_ = judge(self, goal_starts_);
+  }
+  if (!measuring_->empty()) {
+    observe(decides, false);
+  }
+}
+
+void Simulation::Impl::control(double period_s) {
+  const Instant now{time_s(), period_s, steps_};
+  cameras_->take(*engine_);
+  neighbours_->begin(robots_, options_.budget.memory > 0);
+  if (!knows_calls_) {
+    farthest_call_m_ = 0.0;
+    for (const auto& robot : robots_) {
+      farthest_call_m_ = std::max(farthest_call_m_, robot->state().coverage_m);
+    }
+    knows_calls_ = true;
+  }
+  // The other robots perceive what a robot decides now only in the next step.
+  loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
+    Robot& robot = *robots_[i];
+    robot.sense(RobotSurroundings(*engine_, robots_, *neighbours_, i, memory_[thread]), now);
+    update_team(i, memory_[thread].near);
+    robot.decide(now);
+    robot.use_energy(period_s);
+    engine_->set_joints(i, robot.wanted_joints());
+    attention_[i] = robot.needs_attention();
+  });
+}
+
+void Simulation::Impl::observe(bool decided, bool is_start) {
+  const std::uint64_t last_step = steps_ > 0 ? steps_ - 1 : 0;
+  measuring_->observe(robots_, *engine_, time_s(), last_step, decided, is_start);
+}
+
+void Simulation::Impl::move(bool decides) {
+  if (!decides) set_joints();
+  drive_boxes();
+  try {
+    engine_->step();
+  } catch (const physics::PhysicsFailure& failure) {
+    throw fault_of(world_, failure.failure, steps_);
+  }
+  ++steps_;
+  loop_.each(robots_, [&](std::size_t i, std::size_t) {
+    robots_[i]->moved(engine_->robot(i), engine_->joints(i));
+  });
+}
+
+void Simulation::Impl::update_team(std::size_t index, std::vector<base::Grid::Id>& memory) {
+  Robot& robot = *robots_[index];
+  const Pose& pose = robot.state().pose;
+  robot.mates().clear();
+  robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
+  if (!(farthest_call_m_ > 0.0)) return;
+  // A mate is perceived if the mate's own coverage reaches this robot.
+  for (const std::size_t i : neighbours_->near({pose.x, pose.y}, farthest_call_m_, memory)) {
+    const Pose& other = robots_[i]->state().pose;
+    // A rough test first, because most are too far away.
+    const double reach = robots_[i]->state().coverage_m;
+    if (i != index && std::abs(other.x - pose.x) <= reach && std::abs(other.y - pose.y) <= reach &&
+        robots_[i]->team().name == robot.team().name && distance(pose, other) <= reach) {
+      robot.mates().push_back(seen_from(robots_, index, i));
+    }
+  }
+}
+
+void Simulation::Impl::drive_boxes() {
+  const double h = world_.physics.step;
+  for (const MovingBox& box : moving_) {
+    const double since_s = time_s() - box.since_s;
+    const Vector2 from = box.path.position(since_s);
+    const Vector2 to = box.path.position(since_s + h);
+    engine_->drive_box(box.index, to, {(to.x - from.x) / h, (to.y - from.y) / h});
+  }
+}
+
+}  // namespace elsie::simulation

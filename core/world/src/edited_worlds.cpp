@@ -1,0 +1,78 @@
+#include "elsie/world/edited_worlds.h"
+
+#include <algorithm>
+#include <cctype>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "elsie/base/number_text.h"
+
+namespace elsie::world {
+
+void visit_edited_worlds(const World& world, const plugin::Host& host, const ReadOptions& options,
+                         const std::function<void(World)>& visit) {
+  std::vector<TimedEdit> edits(world.edits.begin(), world.edits.end());
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](const TimedEdit& a, const TimedEdit& b) { return a.time < b.time; });
+  World was = world;
+  Problems problems;
+  ReadOptions reading = options;
+  const auto refuse = [&](const TimedEdit& edit, const std::string& message, bool plugin_failed) {
+    problems.add(edit.location,
+                 "at " + base::number_text(edit.time) + " s, " + edit.text() + ": " + message,
+                 plugin_failed);
+  };
+  for (auto first = edits.begin(), last = first; first != edits.end(); first = last) {
+    last = std::find_if(first, edits.end(),
+                        [&](const TimedEdit& edit) { return edit.time != first->time; });
+    reading.edits_from = first->location.file;
+    reading.edits.clear();
+    for (const TimedEdit& edit : std::span(first, last)) {
+      reading.edits.push_back(edit.text());
+    }
+    try {
+      World next = edited(was, host, reading);
+      if (next.physics.engine != was.physics.engine) {
+        const auto culprit = std::find_if(
+            first, last, [](const TimedEdit& edit) { return edit.path.starts_with("physics"); });
+        refuse(culprit == last ? *first : *culprit, kEngineStays, false);
+      }
+      visit(next);
+      was = std::move(next);
+    } catch (const WorldError& error) {
+      // Each problem gets the place of the edit that causes it, or of the first edit.
+      for (const Problem& problem : error.problems()) {
+        const auto own = std::find_if(first, last, [&](const TimedEdit& edit) {
+          return problem.file == "--set " + edit.text();
+        });
+        refuse(own == last ? *first : *own, without_lines(problem.message, world.file),
+               problem.plugin_failed);
+      }
+    }
+  }
+  problems.raise<WorldError>(world.file);
+}
+
+std::string without_lines(std::string message, const std::string& file) {
+  const std::string before_line = file + ":";
+  for (std::size_t at = 0; (at = message.find(before_line, at)) != std::string::npos;) {
+    std::size_t end = at + before_line.size();
+    const std::size_t digits = end;
+    while (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end]))) {
+      ++end;
+    }
+    if (end == digits) {
+      at = end;
+    } else if (at >= 2 && message.compare(at - 2, 2, " (") == 0 && message[end] == ')') {
+      message.erase(at - 2, end + 1 - (at - 2));
+      at -= 2;
+    } else {
+      message.erase(digits - 1, end + 1 - digits);
+      at = digits - 1;
+    }
+  }
+  return message;
+}
+
+}  // namespace elsie::world
