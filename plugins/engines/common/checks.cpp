@@ -5,6 +5,8 @@
 
 #include "elsie/world/parts.h"
 
+#include "softness.h"
+
 namespace elsie::physics {
 
 void require(bool holds, const std::string& sentence) {
@@ -24,7 +26,7 @@ void check(const world::Arena& arena, const world::Physics& physics) {
           "The height and thickness of the arena's walls must be positive and finite.");
   require(is_positive(physics.step), "The step of the physics must be positive and finite.");
   require(std::isfinite(physics.gravity), "Gravity must be finite.");
-  const double erp = physics.effective_erp(), cfm = physics.effective_cfm();
+  const auto [erp, cfm, from_spring] = softness_of(physics);
   require(erp > 0.0 && erp <= 1.0, "The error reduction (erp) of the physics must be in (0, 1].");
   require(std::isfinite(cfm) && cfm >= 0.0,
           "The constraint force mixing (cfm) of the physics must be finite and not negative.");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "softness.h"
+
 namespace elsie::physics {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr std::size_t kTies = 7;
 ContactJoints::ContactJoints(dWorldID world, const world::Physics& physics)
     : world_(world),
       group_(dJointGroupCreate(0)),
-      cfm_(std::max(physics.effective_cfm(), kLeastCfm)) {}
+      cfm_(std::max(softness_of(physics).cfm, kLeastCfm)) {}
 
 void ContactJoints::finish(FoundContact& contact, std::size_t number) const {
   dSurfaceParameters& surface = contact.contact.surface;

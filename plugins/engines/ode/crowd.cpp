@@ -132,14 +132,14 @@ void Crowd::add_motor(const OdeVehicle::Motor& motor, int carrier, int spin, con
   row.spin_a = spin;
   row.roll_a = 1.0;
   row.target = dJointGetHingeParam(motor.hinge, dParamVel);
-  row.softness = physics_.effective_cfm() / physics_.step;
+  row.softness = softness_.cfm / physics_.step;
   row.upper = physics_.step * dJointGetHingeParam(motor.hinge, dParamFMax);
   row.lower = -row.upper;
   solver_.add(row);
 }
 
 void Crowd::add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_frame, int body) {
-  const double softness = physics_.effective_cfm() / physics_.step;
+  const double softness = softness_.cfm / physics_.step;
   const Frame& frame = vehicle.frame();
   const HitchJoint& hitch = *vehicle.hitch();
   const Vector3 at = vehicle.hitch_place();
@@ -236,7 +236,7 @@ void Crowd::add_contact(const FoundContact& contact) {
   Row row = row_along(contact, normal);
   row.lower = 0.0;
   row.softness = surface.soft_cfm / step;
-  row.target = std::min(physics_.effective_erp() / step * contact.contact.geom.depth,
+  row.target = std::min(softness_.erp / step * contact.contact.geom.depth,
                         world::kMaxCorrectingSpeed);
   if (surface.mode & dContactMotionN) row.target += surface.motionN;
   if (surface.mode & dContactBounce) {
@@ -261,7 +261,7 @@ void Crowd::add_contact(const FoundContact& contact) {
     friction.softness = softness / step;
     solver_.add(friction);
   };
-  const double cfm = physics_.effective_cfm();
+  const double cfm = softness_.cfm;
   rub(first, surface.mu, (surface.mode & dContactSlip1) ? surface.slip1 : cfm);
   rub(cross(normal, first), (surface.mode & dContactMu2) ? surface.mu2 : surface.mu,
       (surface.mode & dContactSlip2) ? surface.slip2 : cfm);

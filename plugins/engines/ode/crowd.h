@@ -10,6 +10,7 @@
 #include "newton_solver.h"
 #include "ode_contacts.h"
 #include "ode_robot.h"
+#include "softness.h"
 
 namespace elsie::physics {
 
@@ -25,7 +26,8 @@ namespace elsie::physics {
 /// Differences from ODE's step: the turning of casters and gyroscopic torques are left out.
 class Crowd {
  public:
-  explicit Crowd(const world::Physics& physics) : physics_(physics) {}
+  explicit Crowd(const world::Physics& physics)
+      : physics_(physics), softness_(softness_of(physics)) {}
 
   void clear();
   void add_robot(const OdeRobot& robot);
@@ -73,6 +75,7 @@ class Crowd {
   double normal_speed(const Row& row) const;
 
   world::Physics physics_;
+  Softness softness_;
   ImpulseSolver solver_;
   NewtonSolver newton_;
   std::unordered_map<dBodyID, Place> places_;

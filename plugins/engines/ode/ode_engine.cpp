@@ -24,6 +24,7 @@
 #include "ode_robot.h"
 #include "routing.h"
 #include "scene.h"
+#include "softness.h"
 
 namespace elsie::physics {
 namespace {
@@ -147,8 +148,9 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
       bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
   // Joints take these values when they are made.
-  dWorldSetERP(world_.get(), physics.effective_erp());
-  dWorldSetCFM(world_.get(), physics.effective_cfm());
+  const Softness softness = softness_of(physics);
+  dWorldSetERP(world_.get(), softness.erp);
+  dWorldSetCFM(world_.get(), softness.cfm);
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
   for (const world::Fixture& wall : world::walls_of(arena)) {
     add_upright(bodies_.walls, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
@@ -486,9 +488,15 @@ extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_
   return new elsie::physics::OdeEngine(arena, physics);
 }
 
-// Everything that a world can describe.
+extern "C" __attribute__((visibility("default"))) void elsie_engine_parameters(
+    std::vector<elsie::world::AttributeSpec>& parameters) {
+  parameters = elsie::physics::softness_parameters();
+}
+
 extern "C" __attribute__((visibility("default"))) void elsie_check_world(
-    const elsie::world::World& /*world*/, elsie::base::Problems& /*problems*/) {}
+    const elsie::world::World& world, elsie::base::Problems& problems) {
+  elsie::physics::check_softness(world.physics, problems);
+}
 
 extern "C" {
 __attribute__((

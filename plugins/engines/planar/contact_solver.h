@@ -8,6 +8,7 @@
 #include "elsie/world/description.h"
 
 #include "mover.h"
+#include "softness.h"
 
 namespace elsie::physics {
 
@@ -81,7 +82,7 @@ struct Hinge {
 class ContactSolver {
  public:
   ContactSolver(const world::Physics& physics, std::vector<Mover>& movers)
-      : physics_(physics), movers_(movers) {}
+      : physics_(physics), erp_(softness_of(physics).erp), movers_(movers) {}
 
   /// Solves an island; the bodies have been entered. Contacts and hinges are in a fixed order.
   /// Returns whether the velocities keep all contacts.
@@ -131,6 +132,7 @@ class ContactSolver {
   [[gnu::always_inline]] double speed(const Contact& contact, const Contact::Row& row) const;
 
   const world::Physics& physics_;
+  double erp_;
   std::vector<Mover>& movers_;
 };
 

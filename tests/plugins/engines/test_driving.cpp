@@ -202,8 +202,8 @@ TEST_CASE("Gravity is a parameter") {
 
 TEST_CASE("A soft floor gives way by spring and damping constant") {
   world::Physics physics;
-  physics.kp = 1000.0;  // N/m
-  physics.kd = 20.0;    // N s/m
+  physics.parameters["kp"] = 1000.0;  // N/m
+  physics.parameters["kd"] = 20.0;    // N s/m
   PhysicsContext context(physics);
   world::Box box;
   box.kind = world::BoxKind::dynamic;
