@@ -53,4 +53,21 @@ void check(const world::Box& box) {
           "The place and heading of a box must be finite.");
 }
 
+void check(std::span<const JointSetting> settings, std::size_t joints) {
+  require(settings.size() == joints,
+          "A robot needs one setting for each joint with a motor or steering.");
+  double sum = 0.0;
+  for (const JointSetting& setting : settings) {
+    sum += setting.rate_rad_s + setting.angle_rad + setting.turn_rad_s;
+  }
+  require(std::isfinite(sum),
+          "The rates and angles that a robot's joints are to hold must be finite.");
+}
+
+void check_drive(world::BoxKind kind, const Vector2& position, const Vector2& velocity) {
+  require(kind == world::BoxKind::moving, "Only a moving box can be driven.");
+  require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
+          "The position and velocity of a moving box must be finite.");
+}
+
 }  // namespace elsie::physics

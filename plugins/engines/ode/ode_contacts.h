@@ -15,7 +15,7 @@
 namespace elsie::physics {
 
 /// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body. The members are
-/// the data of the bodies, which Routing gives to them; null for a fixed body.
+/// the data of the bodies, which Islands gives to them; null for a fixed body.
 struct FoundContact {
   dBodyID a = nullptr;
   dBodyID b = nullptr;

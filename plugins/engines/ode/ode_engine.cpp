@@ -20,9 +20,9 @@
 #include "checks.h"
 #include "contact_finder.h"
 #include "contact_joints.h"
+#include "islands.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
-#include "routing.h"
 #include "scene.h"
 #include "softness.h"
 
@@ -109,7 +109,7 @@ class OdeEngine final : public Engine {
   void for_each_robot(const Work& work);
   void begin();
   void restore();
-  void find_contacts(Routing::OdeTakes takes);
+  void find_contacts(Islands::OdeTakes takes);
   void start_moving_boxes();
   void place_in_scene(std::size_t robot);
   void settle();
@@ -132,7 +132,7 @@ class OdeEngine final : public Engine {
   std::vector<std::vector<Scene::Id>> robot_ids_;  // of a robot's vehicles
   std::vector<Share> shares_;
   BodyStates boxes_before_;  // at the start of this step
-  Routing routing_;
+  Islands islands_;
   Bounds bounds_;
   GiveUps give_ups_;
   std::vector<bool> stay_within_;  // within the arena's walls: each robot
@@ -144,7 +144,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
       joints_(world_.get(), physics),
       finder_(physics),
       bodies_(arena),
-      routing_(physics),
+      islands_(physics),
       bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
   // Joints take these values when they are made.
@@ -173,7 +173,7 @@ std::size_t OdeEngine::enter_robot(double top) {
     ids.push_back(bodies_.scene.add({BodyKind::robot, index}, true, vehicle));
     bodies_.mobile.push_back(ids.back());
   }
-  routing_.add_robot(bodies_.robots[index]);
+  islands_.add_robot(bodies_.robots[index]);
   stay_within_.push_back(bounds_.within_walls(bodies_.robots[index].state().frame.origin));
   bounds_.add_height(top);
   place_in_scene(index);
@@ -260,7 +260,7 @@ std::size_t OdeEngine::add_box(const world::Box& box) {
     index = add_upright(bodies_.boxes, BodyKind::box, box.kind, world::fixture_of(box), box.mass,
                         box.seen_by_range_sensors);
   });
-  if (bodies_.boxes[index].is_mobile()) routing_.add_box(bodies_.boxes[index].body);
+  if (bodies_.boxes[index].is_mobile()) islands_.add_box(bodies_.boxes[index].body);
   if (box.kind == world::BoxKind::dynamic) {
     bodies_.boxes[index].stays_within = bounds_.within_walls(bodies_.boxes[index].shape.center);
     bounds_.add_height(box.z + box.height);
@@ -276,7 +276,7 @@ void OdeEngine::remove_box(std::size_t box) {
   std::erase(bodies_.mobile, gone.id);
   gone.geom.reset();
   if (gone.body) {
-    routing_.remove_box(gone.body);
+    islands_.remove_box(gone.body);
     dBodyDestroy(gone.body);
   }
   gone.body = nullptr;
@@ -284,22 +284,14 @@ void OdeEngine::remove_box(std::size_t box) {
 
 void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
   OdeRobot& set = bodies_.robots.at(robot);
-  require(settings.size() == set.joints().size(),
-          "A robot needs one setting for each joint with a motor or steering.");
-  for (const JointSetting& setting : settings) {
-    require(std::isfinite(setting.rate_rad_s) && std::isfinite(setting.angle_rad) &&
-                std::isfinite(setting.turn_rad_s),
-            "The rates and angles that a robot's joints are to hold must be finite.");
-  }
+  check(settings, set.joints().size());
   set.set_joints(settings);
   bounds_.add_robot_speed(set.most_speed(settings));
 }
 
 void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
   BoxBody& driven = bodies_.boxes.at(box);
-  require(driven.kind == world::BoxKind::moving, "Only a moving box can be driven.");
-  require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
-          "The position and velocity of a moving box must be finite.");
+  check_drive(driven.kind, position, velocity);
   if (!driven.present) return;
   driven.driven = true;
   bounds_.add_moving_speed(std::hypot(velocity.x, velocity.y));
@@ -323,10 +315,10 @@ void OdeEngine::take_step() {
   begin();
   bool solved = false;
   for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
-    find_contacts(Routing::OdeTakes::small_islands);
+    find_contacts(Islands::OdeTakes::small_islands);
     solved = world_.step(physics_.step, bodies_.mobile.size());
     joints_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
-    routing_.wake();
+    islands_.wake();
     if (!solved) restore();
     if (!solved && attempt == 1 && give_ups_.steps++ == 0) {
       give_ups_.first_s = time_ + physics_.step;
@@ -335,10 +327,10 @@ void OdeEngine::take_step() {
   joints_.clear();
   if (!solved) {
     ++give_ups_.unsolved;
-    find_contacts(Routing::OdeTakes::nothing);
-    routing_.wake();
+    find_contacts(Islands::OdeTakes::nothing);
+    islands_.wake();
   }
-  routing_.step_others(*crew_);
+  islands_.step_others(*crew_);
   time_ += physics_.step;
   settle();
 }
@@ -375,9 +367,9 @@ void OdeEngine::restore() {
   boxes_before_.restore();
 }
 
-void OdeEngine::find_contacts(Routing::OdeTakes takes) {
+void OdeEngine::find_contacts(Islands::OdeTakes takes) {
   finder_.find(bodies_, *crew_);
-  routing_.divide(finder_.found(), joints_, bodies_.robots, takes);
+  islands_.divide(finder_.found(), joints_, bodies_.robots, takes);
 }
 
 void OdeEngine::start_moving_boxes() {

@@ -70,7 +70,7 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
   for (const Part& part : parts) {
     if (std::holds_alternative<CasterJoint>(part.joint)) add_caster(world, part);
   }
-  lump_ = lump_of(parts);
+  composite_ = composite_of(parts);
   solids_.wheels_inside = wheels_are_inside();
 }
 

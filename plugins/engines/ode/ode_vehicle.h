@@ -8,7 +8,7 @@
 #include "elsie/api/body.h"
 #include "elsie/physics/engine.h"
 
-#include "lump.h"
+#include "composite.h"
 #include "ode_contacts.h"
 #include "ode_handles.h"
 #include "part_bodies.h"
@@ -95,7 +95,7 @@ class OdeVehicle {
   /// The rate at which the motor turns the hitch in this step, rad/s.
   double hitch_rate() const { return hitch_state_.rate; }
   /// All parts that move as one with the chassis.
-  const Lump& lump() const { return lump_; }
+  const Composite& composite() const { return composite_; }
   const Vehicle& solids() const { return solids_; }
 
   /// Calls `call` with every dBodyID, always in the same order.
@@ -133,7 +133,7 @@ class OdeVehicle {
   void read_frame();
   void read_shapes();
 
-  Lump lump_;
+  Composite composite_;
   Shape shape_;     // of the chassis
   Vector3 middle_;  // of the chassis, in the vehicle's frame
   dBodyID chassis_ = nullptr;

@@ -153,7 +153,8 @@ class Search {
                   (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
                                                : "through the floor") +
                   ": contacts are too soft, with a cfm of " + about(softness_.cfm) +
-                  (softness_.from_spring ? " from kp and kd" : "") + "; expected at most " + about(most));
+                  (softness_.from_spring ? " from kp and kd" : "") + "; expected at most " +
+                  about(most));
   }
 
   void add(const Subject& subject, const std::optional<std::string>& message) {

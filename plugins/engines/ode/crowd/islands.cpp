@@ -1,4 +1,4 @@
-#include "routing.h"
+#include "islands.h"
 
 #include <cstdint>
 #include <utility>
@@ -18,7 +18,7 @@ std::size_t member_of(void* data) { return reinterpret_cast<std::uintptr_t>(data
 
 }  // namespace
 
-void Routing::add_robot(const OdeRobot& robot) {
+void Islands::add_robot(const OdeRobot& robot) {
   Member member;
   member.robot = robots_++;
   member.segments = robot.vehicles().size() - 1;
@@ -27,13 +27,13 @@ void Routing::add_robot(const OdeRobot& robot) {
   add(std::move(member));
 }
 
-void Routing::add_box(dBodyID box) {
+void Islands::add_box(dBodyID box) {
   Member member;
   member.bodies.push_back(box);
   add(std::move(member));
 }
 
-void Routing::add(Member member) {
+void Islands::add(Member member) {
   members_.push_back(std::move(member));
   // Numbers start at 1, because an ODE body without data has 0.
   const auto number = static_cast<std::uintptr_t>(members_.size());
@@ -42,30 +42,30 @@ void Routing::add(Member member) {
   }
 }
 
-void Routing::remove_box(dBodyID box) { members_[member_of(dBodyGetData(box))].bodies.clear(); }
+void Islands::remove_box(dBodyID box) { members_[member_of(dBodyGetData(box))].bodies.clear(); }
 
-void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
+void Islands::divide(std::span<FoundContacts> found, ContactJoints& joints,
                      std::span<const OdeRobot> robots, OdeTakes takes) {
-  islands_.reset(members_.size());
-  for (std::size_t i = 0; i < members_.size(); ++i) islands_.count(i, members_[i].size);
+  sets_.reset(members_.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) sets_.count(i, members_[i].size);
   for (FoundContacts& some : found) {
     for (const FoundContact& contact : some.contacts.found()) {
       if (contact.a && contact.b) {
-        islands_.link(member_of(contact.member_a), member_of(contact.member_b));
+        sets_.link(member_of(contact.member_a), member_of(contact.member_b));
       }
     }
   }
-  choose_movers(takes);
+  choose_solvers(takes);
   for (Member& member : members_) {
-    if (member.mover) take_out(member, robots);
+    if (member.crowd) take_out(member, robots);
   }
   std::size_t number = 0;
   for (FoundContacts& some : found) {
     for (FoundContact& contact : some.contacts.found()) {
       joints.finish(contact, number++);
-      if (Crowd* const mover =
-              members_[member_of(contact.a ? contact.member_a : contact.member_b)].mover) {
-        mover->add_contact(contact);
+      if (Crowd* const crowd =
+              members_[member_of(contact.a ? contact.member_a : contact.member_b)].crowd) {
+        crowd->add_contact(contact);
       } else {
         joints.join(contact);
       }
@@ -73,38 +73,37 @@ void Routing::divide(std::span<FoundContacts> found, ContactJoints& joints,
   }
 }
 
-void Routing::choose_movers(OdeTakes takes) {
+void Islands::choose_solvers(OdeTakes takes) {
   crowd_.clear();
   used_trains_ = 0;
   trains_in_.assign(members_.size(), {});
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (members_[i].size <= kMostForOde) continue;
-    Trains& trains = trains_in_[islands_.island(i)];
+    Trains& trains = trains_in_[sets_.first(i)];
     ++trains.count;
     trains.segments += members_[i].segments;
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    const std::size_t island = islands_.island(i);
-    if (takes == OdeTakes::small_islands && islands_.size(i) <= kMostForOde) continue;
+    const std::size_t island = sets_.first(i);
+    if (takes == OdeTakes::small_islands && sets_.size(i) <= kMostForOde) continue;
     if (island != i) {
-      members_[i].mover = members_[island].mover;
+      members_[i].crowd = members_[island].crowd;
       continue;
     }
     const Trains& trains = trains_in_[i];
-    const bool are_trains =
-        2 * trains.segments >= islands_.size(i) && trains.count <= kMostEntangled;
-    members_[i].mover = are_trains ? &next_train() : &crowd_;
+    const bool are_trains = 2 * trains.segments >= sets_.size(i) && trains.count <= kMostEntangled;
+    members_[i].crowd = are_trains ? &next_train() : &crowd_;
   }
 }
 
-Crowd& Routing::next_train() {
+Crowd& Islands::next_train() {
   if (used_trains_ == trains_.size()) trains_.emplace_back(physics_);
   Crowd& train = trains_[used_trains_++];
   train.clear();
   return train;
 }
 
-void Routing::step_others(sharing::Crew& crew) {
+void Islands::step_others(sharing::Crew& crew) {
   crowd_.step(Crowd::Method::sweeps);
   crew.divide(used_trains_, 1, [this](const sharing::Crew::Share& share) {
     prepare_ode();
@@ -112,19 +111,19 @@ void Routing::step_others(sharing::Crew& crew) {
   });
 }
 
-void Routing::take_out(Member& member, std::span<const OdeRobot> robots) {
+void Islands::take_out(Member& member, std::span<const OdeRobot> robots) {
   if (member.robot) {
-    member.mover->add_robot(robots[*member.robot]);
+    member.crowd->add_robot(robots[*member.robot]);
   } else {
-    for (const dBodyID body : member.bodies) member.mover->add_box(body);
+    for (const dBodyID body : member.bodies) member.crowd->add_box(body);
   }
   for (const dBodyID body : member.bodies) dBodyDisable(body);
 }
 
-void Routing::wake() {
+void Islands::wake() {
   for (Member& member : members_) {
-    if (!member.mover) continue;
-    member.mover = nullptr;
+    if (!member.crowd) continue;
+    member.crowd = nullptr;
     for (const dBodyID body : member.bodies) dBodyEnable(body);
   }
 }
