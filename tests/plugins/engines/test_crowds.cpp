@@ -88,13 +88,9 @@ double pushed(int boxes) {
   const std::size_t robot = context.robot(0, 0);
   std::size_t first = 0;
   for (int i = 0; i < boxes; ++i) {
-    world::Box box;
-    box.kind = BoxKind::dynamic;
-    box.mass = 0.02;
-    box.length = box.width = box.height = 0.05;
-    box.x = 0.0651 + 0.0501 * i;
-    const std::size_t index = context.engine->add_box(box);
-    if (i == 0) first = index;
+    const std::size_t box =
+        context.box(BoxKind::dynamic, 0.0651 + 0.0501 * i, 0, {0.05, 0.05, 0.05}, 0, 0, 0.02);
+    if (i == 0) first = box;
   }
   const double before = context.engine->box(first).origin.x;
   context.drive(robot, {10, 10});

@@ -21,11 +21,8 @@ bool finite_or_reported(const world::Physics& physics, const world::RobotBody& b
   PhysicsContext context(physics);
   const double ahead = 0.5 * body.length + 0.15;
   const std::size_t robot = context.robot(0, 0, 0, body);
-  world::Box box;
-  box.kind = BoxKind::dynamic;
-  box.x = ahead;
-  box.mass = box_mass;
-  const std::size_t pushed = context.engine->add_box(box);
+  const std::size_t pushed =
+      context.box(BoxKind::dynamic, ahead, 0, {0.2, 0.2, 0.2}, 0, 0, box_mass);
   context.drive(robot, {25, 25});
   try {
     context.run(200 * physics.step);
