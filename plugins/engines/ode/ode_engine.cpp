@@ -19,7 +19,6 @@
 #include "box_body.h"
 #include "checks.h"
 #include "contact_finder.h"
-#include "contact_joints.h"
 #include "islands.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
@@ -126,7 +125,6 @@ class OdeEngine final : public Engine {
   sharing::Crew* crew_ = &alone_;
   OdeWorld world_;
   // Geometry is destroyed before the world with the bodies that it is attached to.
-  ContactJoints joints_;
   ContactFinder finder_;
   OdeBodies bodies_;
   std::vector<std::vector<Scene::Id>> robot_ids_;  // of a robot's vehicles
@@ -141,10 +139,9 @@ class OdeEngine final : public Engine {
 OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
       world_(*crew_),
-      joints_(world_.get(), physics),
       finder_(physics),
       bodies_(arena),
-      islands_(physics),
+      islands_(world_.get(), physics),
       bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
   // Joints take these values when they are made.
@@ -317,18 +314,17 @@ void OdeEngine::take_step() {
   for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
     find_contacts(Islands::OdeTakes::small_islands);
     solved = world_.step(physics_.step, bodies_.mobile.size());
-    joints_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
-    islands_.wake();
+    islands_.dissolve(solved ? 1.0 : std::pow(kSofter, attempt));
     if (!solved) restore();
     if (!solved && attempt == 1 && give_ups_.steps++ == 0) {
       give_ups_.first_s = time_ + physics_.step;
     }
   }
-  joints_.clear();
   if (!solved) {
     ++give_ups_.unsolved;
+    islands_.dissolve();
     find_contacts(Islands::OdeTakes::nothing);
-    islands_.wake();
+    islands_.dissolve();
   }
   islands_.step_others(*crew_);
   time_ += physics_.step;
@@ -369,7 +365,7 @@ void OdeEngine::restore() {
 
 void OdeEngine::find_contacts(Islands::OdeTakes takes) {
   finder_.find(bodies_, *crew_);
-  islands_.divide(finder_.found(), joints_, bodies_.robots, takes);
+  islands_.divide(finder_.found(), bodies_.robots, takes);
 }
 
 void OdeEngine::start_moving_boxes() {

@@ -13,7 +13,7 @@
 #include "ode_handles.h"
 #include "part_bodies.h"
 #include "scene.h"
-#include "vehicle.h"
+#include "solids.h"
 
 namespace elsie::physics {
 
@@ -61,6 +61,7 @@ class OdeVehicle {
   /// After a step of `step` s: puts joints back in place and reads the new state. `front` is the
   /// frame of the vehicle in front. False if a number is not finite.
   bool settle(double step, const Frame* front);
+  /// Puts it into the scene, for sensors and neighbours; see Scene::place_robot().
   bool place_in(Scene& scene, Scene::Id id, double step) const;
 
   /// A wheel with a motor.

@@ -54,14 +54,9 @@ void CollisionPipeline::find(std::span<const Moving> moving, double margin, shar
     each.contacts.clear();
     each.touches.clear();
   }
-  if (touches_.size() < 2) return;
-  std::sort(touches_.begin(), touches_.end(),
-            [](const Touch& x, const Touch& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  std::sort(touches_.begin(), touches_.end());
   // Several of a robot's vehicles may touch the same body.
-  touches_.erase(
-      std::unique(touches_.begin(), touches_.end(),
-                  [](const Touch& x, const Touch& y) { return x.a == y.a && x.b == y.b; }),
-      touches_.end());
+  touches_.erase(std::unique(touches_.begin(), touches_.end()), touches_.end());
 }
 
 void CollisionPipeline::find_contacts_of(const Moving& moving, double margin, Found& found) const {

@@ -204,18 +204,6 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   enter_robot(robot);
 }
 
-/// Releases the memory that was kept for more bodies.
-void PlanarEngine::fit() {
-  fitted_ = colliders_.size();
-  colliders_.shrink_to_fit();
-  movers_.shrink_to_fit();
-  moving_.shrink_to_fit();
-  robots_.shrink_to_fit();
-  robot_bodies_.shrink_to_fit();
-  boxes_.shrink_to_fit();
-  scene_.fit();
-}
-
 }  // namespace elsie::physics
 
 extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_make_engine(

@@ -89,7 +89,6 @@ class PlanarEngine final : public Engine {
                             bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[colliders_[box.collider].mover]; }
   void enter_robot(std::size_t robot);
-  void fit();
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
   void stop_moving_boxes();
@@ -109,7 +108,6 @@ class PlanarEngine final : public Engine {
   std::uint64_t next_number_ = 0;
   PlanarScene scene_;
   std::vector<Collider> colliders_;
-  std::size_t fitted_ = 0;  // the number of colliders at the last fit()
   std::vector<Mover> movers_;
   std::vector<CollisionPipeline::Moving> moving_;
   BodyModels models_;

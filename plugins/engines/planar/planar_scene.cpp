@@ -116,13 +116,6 @@ void PlanarScene::remove(Id id) {
   entry.placed = false;
 }
 
-void PlanarScene::fit() {
-  entries_.shrink_to_fit();
-  blocks_.shrink_to_fit();
-  sensor_shapes_.shrink_to_fit();
-  neighbors_.shrink_to_fit();
-}
-
 /// The bodies around a robot: at least all within the radius. Null if the grid should be asked
 /// instead.
 const PlanarScene::NeighborList* PlanarScene::neighbors_of(std::size_t robot, const Vector2& middle,

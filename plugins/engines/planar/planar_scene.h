@@ -45,8 +45,6 @@ class PlanarScene {
   /// Ends a round.
   void settle(std::span<Moves> moves);
   void remove(Id id);
-  /// Releases the memory that was kept for more bodies.
-  void fit();
 
   // Since the last round:
   const Vector2& place_of(Id id) const { return entries_[id].place; }

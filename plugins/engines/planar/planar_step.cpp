@@ -119,7 +119,6 @@ double PlanarEngine::begin_movers() {
 }
 
 void PlanarEngine::step() {
-  if (fitted_ != colliders_.size()) fit();
   moves_.resize(crew_->threads());
   fastest_.resize(crew_->threads());
   start_moving_boxes();

@@ -16,47 +16,17 @@ using namespace elsie;
 using namespace elsie::physics;
 using world::BoxKind;
 
-namespace {
-
-/// A crowd in a small arena that runs into everything; the hash after every tenth step.
-std::vector<std::uint64_t> history(const std::string& engine, std::uint64_t seed, int steps = 400) {
-  PhysicsContext context(with(engine), {.length = 3.0, .width = 3.0});
-  Random random(seed);
-  for (int i = 0; i < 9; ++i) {
-    context.robot(0.8 * (i % 3 - 1), 0.8 * (i / 3 - 1), random.uniform(-180, 180));
-  }
-  for (int i = 0; i < 4; ++i) {
-    context.box(BoxKind::dynamic, 0.4 + 0.8 * (i % 2 - 1), 0.4 + 0.8 * (i / 2 - 1), {0.1, 0.2, 0.1},
-                30.0 * i);
-  }
-  const std::size_t moving = context.box(BoxKind::moving, -1.2, 1.2, {0.1, 0.1, 0.1});
-  const std::size_t resource = context.box(BoxKind::resource, 1.2, 1.2, {0.1, 0.1, 0.1});
-  std::vector<std::uint64_t> hashes;
-  for (int i = 0; i < steps; ++i) {
-    for (std::size_t robot = 0; i % 50 == 0 && robot < 9; ++robot) {
-      context.drive(robot, {random.uniform(-10, 25), random.uniform(-10, 25)});
-    }
-    if (i == 200) context.engine->remove_box(resource);
-    context.engine->drive_box(moving, {-1.2 + 0.003 * i, 1.2}, {0.3, 0.0});
-    context.engine->step();
-    if (i % 10 == 9) hashes.push_back(context.engine->hash_state());
-  }
-  return hashes;
-}
-
-}  // namespace
-
 TEST_CASE("The same calls give the same bits, alone and beside other threads") {
   const std::string engine = each_engine();
   CAPTURE(engine);
-  const auto first = history(engine, 1), other = history(engine, 2);
+  const auto first = history(engine, {.seed = 1}), other = history(engine, {.seed = 2});
   CHECK(other != first);
-  history(engine, 2, 50);  // another world in between leaves no trace
-  CHECK(history(engine, 1) == first);
+  history(engine, {.seed = 2, .steps = 50});  // another world in between leaves no trace
+  CHECK(history(engine, {.seed = 1}) == first);
   std::vector<std::uint64_t> one, two, three;
-  std::thread a([&] { one = history(engine, 1); });
-  std::thread b([&] { two = history(engine, 2); });
-  std::thread c([&] { three = history(engine, 1); });
+  std::thread a([&] { one = history(engine, {.seed = 1}); });
+  std::thread b([&] { two = history(engine, {.seed = 2}); });
+  std::thread c([&] { three = history(engine, {.seed = 1}); });
   for (std::thread* const thread : {&a, &b, &c}) thread->join();
   CHECK(one == first);
   CHECK(two == other);

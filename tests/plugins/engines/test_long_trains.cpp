@@ -176,20 +176,6 @@ TEST_CASE("In a steady circle each axle of a long train runs at the radius of th
   check_circle(pulled, {18, 20}, 1e-3);
 }
 
-TEST_CASE("A long train at rest stays where it is, level and in line") {
-  const double step = GENERATE(0.001, 0.01, 0.1);
-  CAPTURE(step);
-  PhysicsContext context(with_step(step));
-  Train standing = train(context, std::vector<world::Segment>(30), 4, 0);
-  context.run(100 * step);
-  for (std::size_t i = 0; i < 30; ++i) {
-    const SegmentState state = standing.segment(i);
-    CHECK(std::hypot(state.pose.x - (4 - standing.joints[i].place), state.pose.y) < 1e-6);
-    CHECK(std::abs(state.frame.origin.z) < 1e-4);
-    CHECK(std::abs(state.yaw_rad) < 1e-6);
-  }
-}
-
 TEST_CASE("A wall stops a long train that is pushed against it") {
   PhysicsContext context;
   Train backing = train(context, std::vector<world::Segment>(20), 2.55);

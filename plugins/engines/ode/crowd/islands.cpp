@@ -1,5 +1,6 @@
 #include "islands.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -14,9 +15,23 @@ constexpr std::size_t kMostForOde = 6 * kRobotSize;
 // In a heap of more long trains the matrix of all contacts fills up, and sweeps take less time.
 constexpr std::size_t kMostEntangled = 8;
 
+// If a body has two contacts more than it needs, their softness distributes its weight.
+constexpr double kLeastCfm = 1e-10;
+
+// ODE's solver gives up where two contacts of the same body reach their limits at the same instant,
+// as on symmetrical bodies. So two successive contacts are never quite equal.
+constexpr std::size_t kTies = 7;
+
 std::size_t member_of(void* data) { return reinterpret_cast<std::uintptr_t>(data) - 1; }
 
 }  // namespace
+
+Islands::Islands(dWorldID world, const world::Physics& physics)
+    : world_(world),
+      joints_(dJointGroupCreate(0)),
+      cfm_(std::max(softness_of(physics).cfm, kLeastCfm)),
+      physics_(physics),
+      crowd_(physics) {}
 
 void Islands::add_robot(const OdeRobot& robot) {
   Member member;
@@ -44,8 +59,17 @@ void Islands::add(Member member) {
 
 void Islands::remove_box(dBodyID box) { members_[member_of(dBodyGetData(box))].bodies.clear(); }
 
-void Islands::divide(std::span<FoundContacts> found, ContactJoints& joints,
-                     std::span<const OdeRobot> robots, OdeTakes takes) {
+/// Completes a contact. `number`: how many contacts of the step precede it.
+void Islands::finish(FoundContact& contact, std::size_t number) const {
+  dSurfaceParameters& surface = contact.contact.surface;
+  const double unequal = static_cast<double>(number % kTies);
+  surface.soft_cfm = softer_ * cfm_ * (1.0 + 1e-3 * unequal);
+  surface.mu *= 1.0 + 1e-6 * unequal;
+  surface.mu2 *= 1.0 + 1e-6 * unequal;
+}
+
+void Islands::divide(std::span<FoundContacts> found, std::span<const OdeRobot> robots,
+                     OdeTakes takes) {
   sets_.reset(members_.size());
   for (std::size_t i = 0; i < members_.size(); ++i) sets_.count(i, members_[i].size);
   for (FoundContacts& some : found) {
@@ -62,12 +86,13 @@ void Islands::divide(std::span<FoundContacts> found, ContactJoints& joints,
   std::size_t number = 0;
   for (FoundContacts& some : found) {
     for (FoundContact& contact : some.contacts.found()) {
-      joints.finish(contact, number++);
+      finish(contact, number++);
       if (Crowd* const crowd =
               members_[member_of(contact.a ? contact.member_a : contact.member_b)].crowd) {
         crowd->add_contact(contact);
       } else {
-        joints.join(contact);
+        dJointAttach(dJointCreateContact(world_, joints_.get(), &contact.contact), contact.a,
+                     contact.b);
       }
     }
   }
@@ -120,7 +145,9 @@ void Islands::take_out(Member& member, std::span<const OdeRobot> robots) {
   for (const dBodyID body : member.bodies) dBodyDisable(body);
 }
 
-void Islands::wake() {
+void Islands::dissolve(double softer) {
+  dJointGroupEmpty(joints_.get());
+  softer_ = softer;
   for (Member& member : members_) {
     if (!member.crowd) continue;
     member.crowd = nullptr;

@@ -23,8 +23,8 @@
 #include "elsie/world/description.h"
 
 #include "contact_finder.h"
-#include "contact_joints.h"
 #include "crowd.h"
+#include "ode_handles.h"
 #include "ode_robot.h"
 
 namespace elsie::physics {
@@ -71,7 +71,7 @@ class Islands {
  public:
   enum class OdeTakes { small_islands, nothing };
 
-  explicit Islands(const world::Physics& physics) : physics_(physics), crowd_(physics) {}
+  Islands(dWorldID world, const world::Physics& physics);
 
   /// Robots are numbered in the order in which they are added.
   void add_robot(const OdeRobot& robot);
@@ -82,10 +82,10 @@ class Islands {
 
   /// Makes joints of the contacts within islands that ODE takes. Disables other bodies in ODE, and
   /// adds them to a train or the crowd with their contacts. `robots` are all that were added.
-  void divide(std::span<FoundContacts> found, ContactJoints& joints,
-              std::span<const OdeRobot> robots, OdeTakes takes);
-  /// Enables in ODE the bodies that divide() disabled.
-  void wake();
+  void divide(std::span<FoundContacts> found, std::span<const OdeRobot> robots, OdeTakes takes);
+  /// Undoes divide(): removes its joints, and enables bodies in ODE. Later contacts are `softer`
+  /// times as soft.
+  void dissolve(double softer = 1.0);
   /// Moves the bodies that the last divide() disabled by a step, several trains at once.
   void step_others(sharing::Crew& crew);
 
@@ -105,6 +105,7 @@ class Islands {
   };
 
   void add(Member member);
+  void finish(FoundContact& contact, std::size_t number) const;
   void choose_solvers(OdeTakes takes);
   Crowd& next_train();
   void take_out(Member& member, std::span<const OdeRobot> robots);
@@ -113,6 +114,10 @@ class Islands {
   std::size_t robots_ = 0;
   DisjointSets sets_;
   std::vector<Trains> trains_in_;  // in the island with this first member
+  dWorldID world_;
+  OdeJointGroup joints_;  // of contacts
+  double cfm_;
+  double softer_ = 1.0;
   world::Physics physics_;
   Crowd crowd_;
   std::deque<Crowd> trains_;  // each an island

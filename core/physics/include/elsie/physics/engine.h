@@ -57,6 +57,8 @@ struct SegmentState {
 struct Touch {
   Body a;
   Body b;
+
+  friend auto operator<=>(const Touch&, const Touch&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Steps in which the engine found no motion that satisfies all constraints: contacts, joints and
