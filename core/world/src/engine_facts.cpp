@@ -1,5 +1,6 @@
 #include "elsie/world/engine_facts.h"
 
+#include "elsie/base/words.h"
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/parameters.h"
@@ -8,6 +9,9 @@ namespace elsie::world {
 namespace {
 
 AttributeSpec attribute_of_physics(AttributeSpec parameter) {
+  if (const auto engines = engines_with(parameter.name); engines != plugin::engine_names()) {
+    parameter.facts.meaning += "; of the engine " + base::enumerated(engines);
+  }
   parameter.set = [name = parameter.name](void* physics, const ParameterValue& value) {
     static_cast<Physics*>(physics)->parameters[name] = value;
   };
@@ -42,6 +46,14 @@ std::vector<AttributeSpec> engine_parameters() {
     }
   }
   return all;
+}
+
+std::vector<std::string> engines_with(const std::string& parameter) {
+  std::vector<std::string> engines = plugin::engine_names();
+  std::erase_if(engines, [&](const std::string& engine) {
+    return !plugin::find_declared(engine_parameters(engine), parameter);
+  });
+  return engines;
 }
 
 }  // namespace elsie::world

@@ -18,15 +18,11 @@ void add_parameters_of_others(const Physics& physics, std::vector<Warning>& foun
     if (plugin::find_declared(own, parameter.name)) continue;
     const auto value = parameter.get(&physics);
     if (value == parameter.default_value) continue;
-    std::vector<std::string> having = plugin::engine_names();
-    std::erase_if(having, [&](const std::string& engine) {
-      return !plugin::find_declared(engine_parameters(engine), parameter.name);
-    });
     found.push_back({Warning::About::no_effect, 0, physics.location,
                      parameter.name + "=\"" + format_value(*value) +
                          "\" has no effect, because the engine '" + physics.engine +
                          "' has no such parameter; expected an engine that has it: " +
-                         base::listed(having)});
+                         base::enumerated(engines_with(parameter.name), "or")});
   }
 }
 

@@ -23,6 +23,8 @@ using EngineParameters = void (*)(std::vector<AttributeSpec>& parameters);
 std::vector<AttributeSpec> engine_parameters(const std::string& engine);
 /// Those of all engines, each once, as attributes of Physics.
 std::vector<AttributeSpec> engine_parameters();
+/// The engines that have a parameter of this name.
+std::vector<std::string> engines_with(const std::string& parameter);
 
 /// The function that the library of an engine exports as `elsie_check_world`: adds a problem for
 /// everything in the world that the engine cannot simulate.
