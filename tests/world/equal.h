@@ -15,8 +15,8 @@ inline auto members(const world::Arena& a) {
   return std::tie(a.length, a.width, a.wall_height, a.wall_thickness, a.walls);
 }
 inline auto members(const world::Physics& p) {
-  return std::tie(p.engine, p.gravity, p.step, p.control_steps, p.erp, p.cfm, p.kp, p.kd,
-                  p.friction, p.wheel_slip, p.bounce);
+  return std::tie(p.engine, p.gravity, p.step, p.control_steps, p.friction, p.wheel_slip, p.bounce,
+                  p.parameters);
 }
 inline auto members(const world::Team& t) { return std::tie(t.id, t.colour); }
 inline auto members(const world::Box& b) {

@@ -47,7 +47,7 @@ TEST_CASE("A world says everything") {
   CHECK(w.file == kFolder + "data/everything.xml");
   CHECK(w.arena.length == 12);
   CHECK_FALSE(w.arena.walls);
-  CHECK(w.physics.kp == 20000.0);
+  CHECK(w.physics.parameters.at("kp") == ParameterValue(20000.0));
   CHECK(w.physics.control_steps == 4);
 
   REQUIRE(w.teams.size() == 3);

@@ -88,11 +88,11 @@ TEST_CASE("Numbers survive to the last bit") {
     w.boxes[0].id = "b";
     w.boxes[0].x = std::uniform_real_distribution<double>(-5, 5)(bits);
     w.boxes[0].length = std::exp(std::uniform_real_distribution<double>(-9, 2)(bits));
-    w.physics.cfm = std::exp(std::uniform_real_distribution<double>(-600, 0)(bits));
+    w.physics.parameters["cfm"] = std::exp(std::uniform_real_distribution<double>(-600, 0)(bits));
     const world::World copy = again(w);
     CHECK(copy.boxes.at(0).x == w.boxes[0].x);
     CHECK(copy.boxes.at(0).length == w.boxes[0].length);
-    CHECK(copy.physics.cfm == w.physics.cfm);
+    CHECK(copy.physics.parameters == w.physics.parameters);
   }
 }
 

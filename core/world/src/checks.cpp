@@ -99,20 +99,6 @@ class MentionCheck {
 void check_physics(const Element& root, const Physics& physics, Problems& problems) {
   const Element* element = root.child("physics");
   if (!element) return;
-  const Attribute* kp = element->find("kp");
-  const Attribute* kd = element->find("kd");
-  if (!kp != !kd) {
-    problems.add((kp ? kp : kd)->where, std::string("<physics> has '") + (kp ? "kp" : "kd") +
-                                            "' without '" + (kp ? "kd" : "kp") +
-                                            "'; give both, or erp and cfm instead");
-  }
-  for (const char* name : {"erp", "cfm"}) {
-    const Attribute* attribute = element->find(name);
-    if (attribute && kp && kd) {
-      problems.add(attribute->where, std::string("<physics> has '") + name +
-                                         "' beside kp and kd, from which it follows; take it out");
-    }
-  }
   const double period = physics.step * physics.control_steps;
   if (period > 1.0) {
     problems.add(element->where, "the control period, step times control_steps, is " +

@@ -4,6 +4,7 @@
 
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/parameters.h"
+#include "elsie/world/engine_facts.h"
 #include "elsie/world/facts.h"
 #include "elsie/world/layouts.h"
 
@@ -25,22 +26,19 @@ ElementSpec arena() {
 }
 
 ElementSpec physics() {
-  return Describe<Physics>("physics", "Parameters of the physics engine")
-      .costs(Cost::engine)
-      .attribute("engine", &Physics::engine,
-                 {.choices = plugin::engine_names(), .meaning = "the physics engine"})
-      .attribute("step", &Physics::step, range("s", 1e-6, 0.1, "length of a step"))
-      .attribute("control_steps", &Physics::control_steps,
-                 range("", 1, 1000, "steps in one control period"), kCheap)
-      .attribute("gravity", &Physics::gravity, range("m/s2", -100, 0, "along z"))
-      .attribute("erp", &Physics::erp,
-                 positive("", 1, "error reduction of joints and contacts; useful from 0.1 to 0.8"))
-      .attribute("cfm", &Physics::cfm,
-                 range("", 0, 1, "constraint force mixing: how soft contacts are"))
-      .attribute("kp", &Physics::kp,
-                 positive("N/m", 1e12, "spring constant, with kd, instead of erp and cfm"))
-      .attribute("kd", &Physics::kd,
-                 range("N s/m", 0, 1e12, "damping constant, with kp, instead of erp and cfm"))
+  auto described =
+      Describe<Physics>("physics", "Parameters of the physics engine")
+          .costs(Cost::engine)
+          .attribute("engine", &Physics::engine,
+                     {.choices = plugin::engine_names(), .meaning = "the physics engine"})
+          .attribute("step", &Physics::step, range("s", 1e-6, 0.1, "length of a step"))
+          .attribute("control_steps", &Physics::control_steps,
+                     range("", 1, 1000, "steps in one control period"), kCheap)
+          .attribute("gravity", &Physics::gravity, range("m/s2", -100, 0, "along z"));
+  for (AttributeSpec& parameter : engine_parameters()) {
+    described = std::move(described).attribute(std::move(parameter));
+  }
+  return std::move(described)
       .attribute("friction", &Physics::friction,
                  range("", 0, 1000,
                        "Coulomb friction of contacts; tyres on the floor hold three times as well"))

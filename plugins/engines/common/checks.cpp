@@ -5,6 +5,8 @@
 
 #include "elsie/world/parts.h"
 
+#include "softness.h"
+
 namespace elsie::physics {
 
 void require(bool holds, const std::string& sentence) {
@@ -24,7 +26,7 @@ void check(const world::Arena& arena, const world::Physics& physics) {
           "The height and thickness of the arena's walls must be positive and finite.");
   require(is_positive(physics.step), "The step of the physics must be positive and finite.");
   require(std::isfinite(physics.gravity), "Gravity must be finite.");
-  const double erp = physics.effective_erp(), cfm = physics.effective_cfm();
+  const auto [erp, cfm, from_spring] = softness_of(physics);
   require(erp > 0.0 && erp <= 1.0, "The error reduction (erp) of the physics must be in (0, 1].");
   require(std::isfinite(cfm) && cfm >= 0.0,
           "The constraint force mixing (cfm) of the physics must be finite and not negative.");
@@ -49,6 +51,23 @@ void check(const world::Box& box) {
           "The mass of a dynamic box must be positive and finite.");
   require(std::isfinite(box.x + box.y + box.z + box.heading_deg),
           "The place and heading of a box must be finite.");
+}
+
+void check(std::span<const JointSetting> settings, std::size_t joints) {
+  require(settings.size() == joints,
+          "A robot needs one setting for each joint with a motor or steering.");
+  double sum = 0.0;
+  for (const JointSetting& setting : settings) {
+    sum += setting.rate_rad_s + setting.angle_rad + setting.turn_rad_s;
+  }
+  require(std::isfinite(sum),
+          "The rates and angles that a robot's joints are to hold must be finite.");
+}
+
+void check_drive(world::BoxKind kind, const Vector2& position, const Vector2& velocity) {
+  require(kind == world::BoxKind::moving, "Only a moving box can be driven.");
+  require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
+          "The position and velocity of a moving box must be finite.");
 }
 
 }  // namespace elsie::physics

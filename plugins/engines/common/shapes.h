@@ -30,6 +30,13 @@ struct Cylinder {
   double half_length = 0.0;
 };
 
+/// The box around a wheel whose axle is level in the frame with this upward direction.
+inline OrientedBox box_around(const Cylinder& wheel, const Vector3& up) {
+  return {wheel.center,
+          {cross(wheel.axis, up), wheel.axis, up},
+          {wheel.radius, wheel.half_length, wheel.radius}};
+}
+
 struct Aabb {
   Vector3 lower;
   Vector3 upper;

@@ -11,7 +11,7 @@
 #include "ode_handles.h"
 #include "part_bodies.h"
 #include "scene.h"
-#include "vehicle.h"
+#include "solids.h"
 
 namespace elsie::physics {
 

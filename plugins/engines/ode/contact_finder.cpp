@@ -71,13 +71,9 @@ void ContactFinder::find(const OdeBodies& bodies, base::ThreadPool& pool) {
   for (const FoundContacts& some : found().subspan(on_floor)) {
     touches_.insert(touches_.end(), some.touches.begin(), some.touches.end());
   }
-  std::sort(touches_.begin(), touches_.end(),
-            [](const Touch& x, const Touch& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  std::sort(touches_.begin(), touches_.end());
   // Several of a robot's vehicles may touch the same body.
-  touches_.erase(
-      std::unique(touches_.begin(), touches_.end(),
-                  [](const Touch& x, const Touch& y) { return x.a == y.a && x.b == y.b; }),
-      touches_.end());
+  touches_.erase(std::unique(touches_.begin(), touches_.end()), touches_.end());
 }
 
 void ContactFinder::find_floor(const OdeBodies& bodies, base::ThreadPool& pool) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ode_contacts.h"
-#include "vehicle.h"
+#include "solids.h"
 
 namespace elsie::physics {
 

@@ -15,6 +15,21 @@ constexpr double kTyreGrip = 3.0;
 // The sine of a tilt up to which the end of a cylinder counts as level.
 constexpr double kLevel = 1e-3;
 
+dContact contact_at(const Vector3& point, const Vector3& normal, double friction) {
+  dContact contact{};
+  contact.surface.mu = friction;
+  contact.geom.pos[0] = point.x;
+  contact.geom.pos[1] = point.y;
+  contact.geom.pos[2] = point.z;
+  contact.geom.normal[0] = normal.x;
+  contact.geom.normal[1] = normal.y;
+  contact.geom.normal[2] = normal.z;
+  return contact;
+}
+dContact on_floor(const Vector3& point, double friction) {
+  return contact_at(point, {0.0, 0.0, 1.0}, friction);
+}
+
 }  // namespace
 
 OdeContacts::OdeContacts(const world::Physics& physics)
@@ -45,16 +60,6 @@ void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
     surface.bounce_vel = bounce_threshold_;
   }
   found_.push_back({a, b, a ? dBodyGetData(a) : nullptr, b ? dBodyGetData(b) : nullptr, contact});
-}
-
-dContact OdeContacts::on_floor(const Vector3& point, double friction) const {
-  dContact contact{};
-  contact.surface.mu = friction;
-  contact.geom.pos[0] = point.x;
-  contact.geom.pos[1] = point.y;
-  contact.geom.pos[2] = point.z;
-  contact.geom.normal[2] = 1.0;
-  return contact;
 }
 
 void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,
@@ -125,7 +130,7 @@ void OdeContacts::box_on_floor(dBodyID body, const OrientedBox& box) {
   for (const double x : {-half.x, half.x}) {
     for (const double y : {-half.y, half.y}) {
       for (const double z : {-half.z, half.z}) {
-        corner_on_floor(body, box.center + x * a + y * b + z * c, highest);
+        point_on_floor(body, box.center + x * a + y * b + z * c, highest);
       }
     }
   }
@@ -137,15 +142,15 @@ void OdeContacts::prism_on_floor(dBodyID body, const OrientedBox& box, Corners o
   const double highest = std::min(floor_reach(body, box.half), box.center.z);
   for (const Vector2& corner : outline) {
     for (const double z : {-box.half.z, box.half.z}) {
-      corner_on_floor(body, box.center + corner.x * a + corner.y * b + z * c, highest);
+      point_on_floor(body, box.center + corner.x * a + corner.y * b + z * c, highest);
     }
   }
 }
 
-void OdeContacts::corner_on_floor(dBodyID body, const Vector3& corner, double highest) {
-  if (corner.z > highest) return;
-  dContact contact = on_floor(corner, friction_);
-  attach(body, nullptr, contact, corner.z);
+void OdeContacts::point_on_floor(dBodyID body, const Vector3& point, double highest) {
+  if (point.z > highest) return;
+  dContact contact = on_floor(point, friction_);
+  attach(body, nullptr, contact, point.z);
 }
 
 void OdeContacts::solid_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box) {
@@ -157,10 +162,7 @@ void OdeContacts::solid_on_floor(dBodyID body, const Shape& shape, const Oriente
   const double core = std::max(0.0, 0.5 * shape.length() - radius);
   const Vector3 along = core * box.axes[static_cast<std::size_t>(shape.axis)];
   const auto ball_on_floor = [&](const Vector3& center) {
-    const Vector3 lowest = center - Vector3{0.0, 0.0, radius};
-    if (lowest.z > highest) return;
-    dContact contact = on_floor(lowest, friction_);
-    attach(body, nullptr, contact, lowest.z);
+    point_on_floor(body, center - Vector3{0.0, 0.0, radius}, highest);
   };
   ball_on_floor(box.center + along);
   if (core > 0.0) ball_on_floor(box.center - along);
@@ -178,24 +180,14 @@ void OdeContacts::rims_on_floor(dBodyID body, const Shape& shape, const Oriented
   for (const double end : {-1.0, 1.0}) {
     const Vector3 middle = box.center + 0.5 * end * shape.length() * axis;
     for (const Vector3& spoke : {down, aside, -1.0 * down, -1.0 * aside}) {
-      const Vector3 point = middle + shape.radius() * spoke;
-      if (point.z > highest) continue;
-      dContact contact = on_floor(point, friction_);
-      attach(body, nullptr, contact, point.z);
+      point_on_floor(body, middle + shape.radius() * spoke, highest);
     }
   }
 }
 
 void OdeContacts::between(dBodyID a, dBodyID b, const Vector3& point, const Vector3& normal,
                           double gap) {
-  dContact contact{};
-  contact.surface.mu = friction_;
-  contact.geom.pos[0] = point.x;
-  contact.geom.pos[1] = point.y;
-  contact.geom.pos[2] = point.z;
-  contact.geom.normal[0] = normal.x;
-  contact.geom.normal[1] = normal.y;
-  contact.geom.normal[2] = normal.z;
+  dContact contact = contact_at(point, normal, friction_);
   attach(a, b, contact, gap);
 }
 

@@ -15,7 +15,7 @@
 namespace elsie::physics {
 
 /// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body. The members are
-/// the data of the bodies, which Routing gives to them; null for a fixed body.
+/// the data of the bodies, which Islands gives to them; null for a fixed body.
 struct FoundContact {
   dBodyID a = nullptr;
   dBodyID b = nullptr;
@@ -64,8 +64,7 @@ class OdeContacts {
   void prism_on_floor(dBodyID body, const OrientedBox& box, Corners outline);
   void rims_on_floor(dBodyID body, const Shape& shape, const OrientedBox& box, double highest);
   void attach(dBodyID a, dBodyID b, dContact& contact, double gap);
-  void corner_on_floor(dBodyID body, const Vector3& corner, double highest);
-  dContact on_floor(const Vector3& point, double friction) const;
+  void point_on_floor(dBodyID body, const Vector3& point, double highest);
 
   std::vector<FoundContact> found_;
   double step_;

@@ -19,11 +19,11 @@
 #include "box_body.h"
 #include "checks.h"
 #include "contact_finder.h"
-#include "contact_joints.h"
+#include "islands.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
-#include "routing.h"
 #include "scene.h"
+#include "softness.h"
 
 namespace elsie::physics {
 namespace {
@@ -108,7 +108,7 @@ class OdeEngine final : public Engine {
   void for_each_robot(const Work& work);
   void begin();
   void restore();
-  void find_contacts(Routing::OdeTakes takes);
+  void find_contacts(Islands::OdeTakes takes);
   void start_moving_boxes();
   void place_in_scene(std::size_t robot);
   void settle();
@@ -125,13 +125,12 @@ class OdeEngine final : public Engine {
   base::ThreadPool* pool_ = &alone_;
   OdeWorld world_;
   // Geometry is destroyed before the world with the bodies that it is attached to.
-  ContactJoints joints_;
   ContactFinder finder_;
   OdeBodies bodies_;
   std::vector<std::vector<Scene::Id>> robot_ids_;  // of a robot's vehicles
   std::vector<Share> shares_;
   BodyStates boxes_before_;  // at the start of this step
-  Routing routing_;
+  Islands islands_;
   Bounds bounds_;
   GiveUps give_ups_;
   std::vector<bool> stay_within_;  // within the arena's walls: each robot
@@ -140,15 +139,15 @@ class OdeEngine final : public Engine {
 OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
     : physics_((check(arena, physics), physics)),
       world_(*pool_),
-      joints_(world_.get(), physics),
       finder_(physics),
       bodies_(arena),
-      routing_(physics),
+      islands_(world_.get(), physics),
       bounds_(arena, physics) {
   dWorldSetGravity(world_.get(), 0.0, 0.0, physics.gravity);
   // Joints take these values when they are made.
-  dWorldSetERP(world_.get(), physics.effective_erp());
-  dWorldSetCFM(world_.get(), physics.effective_cfm());
+  const Softness softness = softness_of(physics);
+  dWorldSetERP(world_.get(), softness.erp);
+  dWorldSetCFM(world_.get(), softness.cfm);
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
   for (const world::Fixture& wall : world::walls_of(arena)) {
     add_upright(bodies_.walls, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
@@ -171,7 +170,7 @@ std::size_t OdeEngine::enter_robot(double top) {
     ids.push_back(bodies_.scene.add({BodyKind::robot, index}, true, vehicle));
     bodies_.mobile.push_back(ids.back());
   }
-  routing_.add_robot(bodies_.robots[index]);
+  islands_.add_robot(bodies_.robots[index]);
   stay_within_.push_back(bounds_.within_walls(bodies_.robots[index].state().frame.origin));
   bounds_.add_height(top);
   place_in_scene(index);
@@ -258,7 +257,7 @@ std::size_t OdeEngine::add_box(const world::Box& box) {
     index = add_upright(bodies_.boxes, BodyKind::box, box.kind, world::fixture_of(box), box.mass,
                         box.seen_by_range_sensors);
   });
-  if (bodies_.boxes[index].is_mobile()) routing_.add_box(bodies_.boxes[index].body);
+  if (bodies_.boxes[index].is_mobile()) islands_.add_box(bodies_.boxes[index].body);
   if (box.kind == world::BoxKind::dynamic) {
     bodies_.boxes[index].stays_within = bounds_.within_walls(bodies_.boxes[index].shape.center);
     bounds_.add_height(box.z + box.height);
@@ -274,7 +273,7 @@ void OdeEngine::remove_box(std::size_t box) {
   std::erase(bodies_.mobile, gone.id);
   gone.geom.reset();
   if (gone.body) {
-    routing_.remove_box(gone.body);
+    islands_.remove_box(gone.body);
     dBodyDestroy(gone.body);
   }
   gone.body = nullptr;
@@ -282,22 +281,14 @@ void OdeEngine::remove_box(std::size_t box) {
 
 void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
   OdeRobot& set = bodies_.robots.at(robot);
-  require(settings.size() == set.joints().size(),
-          "A robot needs one setting for each joint with a motor or steering.");
-  for (const JointSetting& setting : settings) {
-    require(std::isfinite(setting.rate_rad_s) && std::isfinite(setting.angle_rad) &&
-                std::isfinite(setting.turn_rad_s),
-            "The rates and angles that a robot's joints are to hold must be finite.");
-  }
+  check(settings, set.joints().size());
   set.set_joints(settings);
   bounds_.add_robot_speed(set.most_speed(settings));
 }
 
 void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
   BoxBody& driven = bodies_.boxes.at(box);
-  require(driven.kind == world::BoxKind::moving, "Only a moving box can be driven.");
-  require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
-          "The position and velocity of a moving box must be finite.");
+  check_drive(driven.kind, position, velocity);
   if (!driven.present) return;
   driven.driven = true;
   bounds_.add_moving_speed(std::hypot(velocity.x, velocity.y));
@@ -321,22 +312,21 @@ void OdeEngine::take_step() {
   begin();
   bool solved = false;
   for (int attempt = 1; attempt <= kMostAttempts + 1 && !solved; ++attempt) {
-    find_contacts(Routing::OdeTakes::small_islands);
+    find_contacts(Islands::OdeTakes::small_islands);
     solved = world_.step(physics_.step, bodies_.mobile.size());
-    joints_.clear(solved ? 1.0 : std::pow(kSofter, attempt));
-    routing_.wake();
+    islands_.dissolve(solved ? 1.0 : std::pow(kSofter, attempt));
     if (!solved) restore();
     if (!solved && attempt == 1 && give_ups_.steps++ == 0) {
       give_ups_.first_s = time_ + physics_.step;
     }
   }
-  joints_.clear();
   if (!solved) {
     ++give_ups_.unsolved;
-    find_contacts(Routing::OdeTakes::nothing);
-    routing_.wake();
+    islands_.dissolve();
+    find_contacts(Islands::OdeTakes::nothing);
+    islands_.dissolve();
   }
-  routing_.step_others(*pool_);
+  islands_.step_others(*pool_);
   time_ += physics_.step;
   settle();
 }
@@ -373,9 +363,9 @@ void OdeEngine::restore() {
   boxes_before_.restore();
 }
 
-void OdeEngine::find_contacts(Routing::OdeTakes takes) {
+void OdeEngine::find_contacts(Islands::OdeTakes takes) {
   finder_.find(bodies_, *pool_);
-  routing_.divide(finder_.found(), joints_, bodies_.robots, takes);
+  islands_.divide(finder_.found(), bodies_.robots, takes);
 }
 
 void OdeEngine::start_moving_boxes() {
@@ -486,9 +476,15 @@ extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_
   return new elsie::physics::OdeEngine(arena, physics);
 }
 
-// Everything that a world can describe.
+extern "C" __attribute__((visibility("default"))) void elsie_engine_parameters(
+    std::vector<elsie::world::AttributeSpec>& parameters) {
+  parameters = elsie::physics::softness_parameters();
+}
+
 extern "C" __attribute__((visibility("default"))) void elsie_check_world(
-    const elsie::world::World& /*world*/, elsie::base::Problems& /*problems*/) {}
+    const elsie::world::World& world, elsie::base::Problems& problems) {
+  elsie::physics::check_softness(world.physics, problems);
+}
 
 extern "C" {
 __attribute__((

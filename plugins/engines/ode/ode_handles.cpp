@@ -9,7 +9,7 @@ namespace {
 
 // ODE reports only by a message that its solver gave up. The message comes in the thread that
 // solves.
-void note_message(int, const char*, va_list) { IslandCrew::note_give_up(); }
+void note_message(int, const char*, va_list) { OdeThreading::note_give_up(); }
 
 [[noreturn]] void fail(int, const char* format, va_list arguments) {
   std::array<char, 256> text{};
@@ -38,18 +38,18 @@ void prepare_ode() {
   }
 }
 
-OdeWorld::OdeWorld(base::ThreadPool& pool) : islands_(pool) {
+OdeWorld::OdeWorld(base::ThreadPool& pool) : threading_(pool) {
   prepare_ode();
   world_ = dWorldCreate();
-  islands_.serve(world_);
+  threading_.serve(world_);
 }
 
 OdeWorld::~OdeWorld() { dWorldDestroy(world_); }
 
 bool OdeWorld::step(double step, std::size_t islands) {
-  islands_.expect(islands);
+  threading_.expect(islands);
   if (!dWorldStep(world_, step)) throw std::bad_alloc();
-  return !islands_.gave_up();
+  return !threading_.gave_up();
 }
 
 }  // namespace elsie::physics

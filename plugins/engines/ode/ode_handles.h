@@ -10,7 +10,7 @@
 
 #include "elsie/api/geometry.h"
 
-#include "island_crew.h"
+#include "ode_threading.h"
 
 namespace elsie::physics {
 
@@ -35,7 +35,7 @@ class OdeWorld {
   dWorldID get() const { return world_; }
 
   /// Takes another pool.
-  void work_with(base::ThreadPool& pool) { islands_.work_with(pool); }
+  void work_with(base::ThreadPool& pool) { threading_.work_with(pool); }
 
   /// Takes a step of about so many islands. Returns false if ODE's solver gave up: the world has
   /// moved, but bodies may have passed through their contacts. Throws OdeFailure if it stopped half
@@ -43,7 +43,7 @@ class OdeWorld {
   bool step(double step, std::size_t islands);
 
  private:
-  IslandCrew islands_;
+  OdeThreading threading_;
   dWorldID world_;
 };
 

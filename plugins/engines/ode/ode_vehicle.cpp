@@ -7,6 +7,7 @@
 
 #include "body_states.h"
 #include "part_bodies.h"
+#include "steering.h"
 
 namespace elsie::physics {
 namespace {
@@ -17,6 +18,9 @@ constexpr double kTieBreaker = 1e-6;
 // ODE's stop of a joint stands before the joint's limit by this angle, so that a joint at its limit
 // is beyond the stop despite rounding.
 constexpr double kStopSlack = 1e-6;  // rad
+
+// The additional distance that it may move in a step because it is accelerated.
+constexpr double kRobotSlack = 1e-3;  // m
 
 // A wheel that is flush with the side of the chassis is inside.
 constexpr double kFlush = 1e-9;  // m
@@ -47,11 +51,6 @@ Vector3 unit(const Vector3& v, const Vector3& otherwise) {
   return length > 1e-6 ? (1.0 / length) * v : otherwise;
 }
 
-/// Moves a value towards another one by at most `most`.
-double approach(double from, double to, double most) {
-  return std::abs(to - from) <= most ? to : from + std::copysign(most, to - from);
-}
-
 }  // namespace
 
 OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
@@ -70,7 +69,7 @@ OdeVehicle::OdeVehicle(dWorldID world, std::span<const Part> parts) {
   for (const Part& part : parts) {
     if (std::holds_alternative<CasterJoint>(part.joint)) add_caster(world, part);
   }
-  lump_ = lump_of(parts);
+  composite_ = composite_of(parts);
   solids_.wheels_inside = wheels_are_inside();
 }
 
@@ -306,20 +305,9 @@ void OdeVehicle::begin_step(double step) {
 
 void OdeVehicle::steer(Wheel& wheel, double step) {
   const WheelJoint& joint = wheel.joint;
-  double wanted = wheel.wanted.angle_rad;
-  const bool all_round = joint.max_steer_rad >= std::numbers::pi;
-  if (all_round) {
-    wanted = wheel.now.angle_rad + wrap_angle(wanted - wheel.now.angle_rad);  // the shorter way
-  } else {
-    wanted = std::clamp(wanted, -joint.max_steer_rad, joint.max_steer_rad);
+  if (!physics::steer(wheel.now, wheel.wanted, joint.max_steer_rad, joint.steer_rate_rad_s, step)) {
+    return;
   }
-  const double rate = wheel.wanted.turn_rad_s == 0.0
-                          ? joint.steer_rate_rad_s
-                          : std::min(std::abs(wheel.wanted.turn_rad_s), joint.steer_rate_rad_s);
-  const double angle = approach(wheel.now.angle_rad, wanted, step * rate);
-  wheel.now.turn_rad_s = (angle - wheel.now.angle_rad) / step;
-  if (angle == wheel.now.angle_rad) return;
-  wheel.now.angle_rad = all_round ? wrap_angle(angle) : angle;
   read_shapes();
   if (wheel.motor) {
     turn_wheel(wheel, dBodyGetQuaternion(chassis_));
@@ -492,9 +480,37 @@ void OdeVehicle::read_shapes() {
   }
 }
 
+/// Its reach is how far its speed carries it in a step.
 bool OdeVehicle::place_in(Scene& scene, Scene::Id id, double step) const {
-  return place_vehicle(scene, id, shape_, solids_.chassis.shape.center, wheel_shapes_,
-                       {frame_, velocity_, turning_}, step);
+  const OrientedBox chassis{
+      solids_.chassis.shape.center, {frame_.forward, frame_.left, frame_.up}, 0.5 * shape_.size};
+  // From the floor to the deck, as wide and long as chassis and wheels together.
+  double top = dot(chassis.center - frame_.origin, frame_.up) + chassis.half.z + kSensorDeck;
+  double half_length = chassis.half.x, half_width = chassis.half.y;
+  double radius = shape_.radius();  // of a round chassis
+  for (const Cylinder& wheel : wheel_shapes_) {
+    const Vector3 at = wheel.center - frame_.origin;
+    const double along = std::abs(dot(wheel.axis, frame_.forward));  // 0: it rolls straight ahead
+    const double ahead = along == 0.0 ? wheel.radius : wheel.radius + along * wheel.half_length;
+    const double aside =
+        along == 0.0 ? wheel.half_length : wheel.half_length + along * wheel.radius;
+    const double front = std::abs(dot(at, frame_.forward)) + ahead;
+    const double side = std::abs(dot(at, frame_.left)) + aside;
+    half_length = std::max(half_length, front);
+    half_width = std::max(half_width, side);
+    if (shape_.is_round()) radius = std::max(radius, std::hypot(front, side));
+    top = std::max(top, 2.0 * wheel.radius);
+  }
+  const Vector3 half{half_length, half_width, 0.5 * top};
+  const Vector3 center = frame_.point({0.0, 0.0, half.z});
+  const Aabb enclosing = shape_.is_round() ? bounds(Cylinder{center, frame_.up, radius, half.z})
+                                           : bounds(OrientedBox{center, chassis.axes, half});
+  const double size = half.x + half.y + 2.0 * half.z;
+  const double speed =
+      std::sqrt(dot(velocity_, velocity_)) + size * std::sqrt(dot(turning_, turning_));
+  SensedSolid sensed(shape_);
+  sensed.put(with_deck(shape_, chassis));
+  return scene.place_robot(id, sensed, wheel_shapes_, enclosing, step * speed + kRobotSlack);
 }
 
 }  // namespace elsie::physics

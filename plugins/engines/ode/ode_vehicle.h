@@ -8,12 +8,12 @@
 #include "elsie/api/body.h"
 #include "elsie/physics/engine.h"
 
-#include "lump.h"
+#include "composite.h"
 #include "ode_contacts.h"
 #include "ode_handles.h"
 #include "part_bodies.h"
 #include "scene.h"
-#include "vehicle.h"
+#include "solids.h"
 
 namespace elsie::physics {
 
@@ -61,6 +61,7 @@ class OdeVehicle {
   /// After a step of `step` s: puts joints back in place and reads the new state. `front` is the
   /// frame of the vehicle in front. False if a number is not finite.
   bool settle(double step, const Frame* front);
+  /// Puts it into the scene, for sensors and neighbours; see Scene::place_robot().
   bool place_in(Scene& scene, Scene::Id id, double step) const;
 
   /// A wheel with a motor.
@@ -95,7 +96,7 @@ class OdeVehicle {
   /// The rate at which the motor turns the hitch in this step, rad/s.
   double hitch_rate() const { return hitch_state_.rate; }
   /// All parts that move as one with the chassis.
-  const Lump& lump() const { return lump_; }
+  const Composite& composite() const { return composite_; }
   const Vehicle& solids() const { return solids_; }
 
   /// Calls `call` with every dBodyID, always in the same order.
@@ -133,7 +134,7 @@ class OdeVehicle {
   void read_frame();
   void read_shapes();
 
-  Lump lump_;
+  Composite composite_;
   Shape shape_;     // of the chassis
   Vector3 middle_;  // of the chassis, in the vehicle's frame
   dBodyID chassis_ = nullptr;

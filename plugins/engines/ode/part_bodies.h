@@ -4,7 +4,7 @@
 #include "elsie/api/body.h"
 
 #include "ode_handles.h"
-#include "vehicle.h"
+#include "solids.h"
 
 namespace elsie::physics {
 

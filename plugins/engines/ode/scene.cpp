@@ -1,19 +1,13 @@
 #include "scene.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "ray_cast.h"
 
 namespace elsie::physics {
 namespace {
 
 constexpr double kHair = 1e-9;  // m
-
-OrientedBox box_around(const Cylinder& wheel, const OrientedBox& chassis) {
-  const Vector3& up = chassis.axes[2];
-  return {wheel.center,
-          {cross(wheel.axis, up), wheel.axis, up},
-          {wheel.radius, wheel.half_length, wheel.radius}};
-}
 
 base::Grid::Block cells(const base::Grid& grid, const Aabb& bounds) {
   return grid.block(bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);
@@ -93,53 +87,13 @@ void Scene::neighbors(Id id, std::vector<Id>& found) const {
 
 std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& direction,
                                       double max_range, std::size_t except) const {
-  if (!std::isfinite(dot(origin, origin) + dot(direction, direction))) return std::nullopt;
-  const Ray ray(origin, direction);
-  RayHit best;
-  best.distance = max_range;
-  bool found = false;
-  if (direction.z < 0.0) {
-    // The floor is seen from above; a ray from below hits it at once.
-    const double distance = std::max(0.0, -origin.z / direction.z);
-    if (distance <= max_range) {
-      best = {distance, {}, true};
-      found = true;
-    }
-  }
-
-  // From cell to cell along the ray (Amanatides and Woo 1987).
-  int x = grid_.column(origin.x), y = grid_.row(origin.y);
-  const int step_x = direction.x > 0.0 ? 1 : -1, step_y = direction.y > 0.0 ? 1 : -1;
-  const auto leave_column = [&] {
-    if (direction.x == 0.0 || (step_x > 0 ? x + 1 >= grid_.columns() : x == 0)) return kMiss;
-    return (grid_.column_border(step_x > 0 ? x + 1 : x) - origin.x) * ray.inverse.x;
+  const auto distance = [&](Id id, const Ray& ray, double range) {
+    const Entry& entry = entries_[id];
+    if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, range)) return kMiss;
+    return distance_to(ray, entry.solid, entry.wheels, entry.wheels_top);
   };
-  const auto leave_row = [&] {
-    if (direction.y == 0.0 || (step_y > 0 ? y + 1 >= grid_.rows() : y == 0)) return kMiss;
-    return (grid_.row_border(step_y > 0 ? y + 1 : y) - origin.y) * ray.inverse.y;
-  };
-  double at_column_end = leave_column(), at_row_end = leave_row();
-  while (true) {
-    for (const Id id : grid_.cell(x, y)) {
-      const Entry& entry = entries_[id];
-      if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, best.distance)) continue;
-      const double distance = distance_to(ray, entry.solid, entry.wheels, entry.wheels_top);
-      if (distance > best.distance) continue;
-      const bool wins = distance < best.distance || !found || best.floor || entry.body < best.body;
-      if (!wins) continue;
-      best = {distance, entry.body, false};
-      found = true;
-    }
-    if (best.distance <= std::min(at_column_end, at_row_end)) break;
-    if (at_column_end < at_row_end) {
-      x += step_x;
-      at_column_end = leave_column();
-    } else {
-      y += step_y;
-      at_row_end = leave_row();
-    }
-  }
-  return found ? std::optional(best) : std::nullopt;
+  return physics::cast_ray(grid_, origin, direction, max_range, distance,
+                           [&](Id id) { return entries_[id].body; });
 }
 
 bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
@@ -153,7 +107,7 @@ bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {
         if (!is_seen(entry, except) || !entry.bounds.overlaps(test.bounds(), 0.0)) continue;
         if (is_in(test, entry.solid)) return true;
         const auto is_met = [&](const Cylinder& wheel) {
-          return test.meets(box_around(wheel, entry.solid.box));
+          return test.meets(box_around(wheel, entry.solid.box.axes[2]));
         };
         if (std::any_of(entry.wheels.begin(), entry.wheels.end(), is_met)) return true;
       }

@@ -15,6 +15,7 @@
 #include "elsie/world/footprint.h"
 
 #include "dangers.h"
+#include "softness.h"
 
 namespace elsie::world {
 
@@ -65,7 +66,10 @@ struct Subject {
 
 class Search {
  public:
-  explicit Search(const World& world) : world_(world), gravity_(std::abs(world.physics.gravity)) {}
+  explicit Search(const World& world)
+      : world_(world),
+        softness_(physics::softness_of(world.physics)),
+        gravity_(std::abs(world.physics.gravity)) {}
 
   std::vector<Warning> find() {
     for (const Robot& robot : world_.robots) {
@@ -87,9 +91,6 @@ class Search {
  private:
   void add(const Subject& subject, std::string message) {
     found_.push_back({subject.about, subject.index, subject.location, std::move(message)});
-    if (found_.back().location.file.empty()) {
-      found_.back().location.file = world_.file;
-    }
   }
 
   void physics() {
@@ -97,18 +98,18 @@ class Search {
     const auto warn = [&](std::string message) {
       add({.location = p.location}, std::move(message));
     };
-    if (p.effective_cfm() < kLeastCfm) {
-      warn("cfm is " + number_text(p.effective_cfm()) +
+    if (softness_.cfm < kLeastCfm) {
+      warn("cfm is " + number_text(softness_.cfm) +
            ": contacts are rigid, and the solver often finds no motion that satisfies all of them "
            "where bodies touch; expected at least 1e-08, and 1e-05 serves most worlds");
     }
-    if (p.effective_erp() > kGreatestErp) {
-      warn("erp is " + number_text(p.effective_erp()) +
+    if (softness_.erp > kGreatestErp) {
+      warn("erp is " + number_text(softness_.erp) +
            ": errors of joints and contacts are corrected all at once, which overshoots; expected "
            "0.1 to 0.8");
     }
-    if (p.effective_erp() < kLeastErp) {
-      warn("erp is " + about(p.effective_erp()) +
+    if (softness_.erp < kLeastErp) {
+      warn("erp is " + about(softness_.erp) +
            ": errors of joints and contacts are hardly corrected, so that bodies sink into each "
            "other; expected 0.1 to 0.8");
     }
@@ -139,10 +140,10 @@ class Search {
     const Physics& p = world_.physics;
     const double force = mass * gravity_ / kSupports;
     // An erp that is too small has a warning of its own.
-    const double erp = std::max(p.effective_erp(), kLeastErp);
-    const double depth = p.effective_cfm() * p.step / erp * force;
+    const double erp = std::max(softness_.erp, kLeastErp);
+    const double depth = softness_.cfm * p.step / erp * force;
     const double deepest = kDeepestSinking * size;
-    const double speed = p.effective_cfm() * force;
+    const double speed = softness_.cfm * force;
     if (depth <= deepest && speed < kMaxCorrectingSpeed) {
       return;
     }
@@ -151,8 +152,9 @@ class Search {
     add(body, body.name + " weighs " + about(mass) + " kg, under which it sinks " +
                   (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
                                                : "through the floor") +
-                  ": contacts are too soft, with a cfm of " + about(p.effective_cfm()) +
-                  (p.kp && p.kd ? " from kp and kd" : "") + "; expected at most " + about(most));
+                  ": contacts are too soft, with a cfm of " + about(softness_.cfm) +
+                  (softness_.from_spring ? " from kp and kd" : "") + "; expected at most " +
+                  about(most));
   }
 
   void add(const Subject& subject, const std::optional<std::string>& message) {
@@ -236,6 +238,7 @@ class Search {
   static double unlike(double mass, double other) { return std::abs(std::log(mass / other)); }
 
   const World& world_;
+  physics::Softness softness_;
   double gravity_;
   std::vector<Stance> stances_;  // of the robots
   std::vector<Warning> found_;

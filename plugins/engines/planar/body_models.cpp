@@ -51,7 +51,7 @@ BodyModel::BodyModel(const BodyPlan& of, const world::Physics& physics)
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
     const std::span<const Part> parts = world::vehicle_of(plan, vehicle);
     solids.push_back(std::make_shared<std::vector<Solid>>(solids_of(parts)));
-    looks.push_back(std::make_shared<Look>(Look::of(parts)));
+    sensor_shapes.push_back(std::make_shared<SensorShape>(SensorShape::of(parts)));
     movers.push_back(mover_of(parts, physics));
     std::size_t wheels = 0;
     for (const Part& part : parts) {
@@ -70,7 +70,7 @@ BodyModel::BodyModel(const BodyPlan& of, const world::Physics& physics)
 
 void BodyModel::point(std::size_t vehicle, std::size_t wheel, double heading_rad) {
   const Direction ahead = Direction::of(heading_rad);
-  looks[vehicle]->wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
+  sensor_shapes[vehicle]->wheels[wheel].axis = {-ahead.s, ahead.c, 0.0};
   std::size_t number = 0;
   for (Solid& solid : *solids[vehicle]) {
     if (solid.is_wheel && number++ == wheel) solid.ahead = ahead;

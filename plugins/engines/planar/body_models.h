@@ -27,7 +27,7 @@ struct BodyModel {
   std::vector<Link> links;  // of the joints that can be set
   // For each vehicle:
   std::vector<std::shared_ptr<std::vector<Solid>>> solids;
-  std::vector<std::shared_ptr<Look>> looks;
+  std::vector<std::shared_ptr<SensorShape>> sensor_shapes;
   std::vector<Mover> movers;  // in their first state
 
   BodyModel(const BodyPlan& plan, const world::Physics& physics);

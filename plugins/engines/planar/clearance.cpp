@@ -13,15 +13,15 @@ double length(const Vector2& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
 
 }  // namespace
 
-Placement Clearance::placement(std::uint32_t thing, double part) const {
-  const std::uint32_t mover = things_[thing].mover;
-  return mover == Contact::kFixed ? placement(thing) : movers_[mover].after(part, physics_.step);
+Placement Clearance::placement(std::uint32_t collider, double part) const {
+  const std::uint32_t mover = colliders_[collider].mover;
+  return mover == Contact::kFixed ? placement(collider) : movers_[mover].after(part, physics_.step);
 }
 
 /// The gap between two bodies after a part of the step, or `margin` if it is wider.
 double Clearance::gap(const Pair& pair, double part, double margin, PairingSpace& space) const {
   double least = margin;
-  for_each_meeting(*things_[pair.a].solids, placement(pair.a, part), *things_[pair.b].solids,
+  for_each_meeting(*colliders_[pair.a].solids, placement(pair.a, part), *colliders_[pair.b].solids,
                    placement(pair.b, part), margin, space,
                    [&](std::size_t, std::size_t, const Meeting& met) {
                      for (std::size_t n = 0; n < met.count; ++n) {
@@ -33,12 +33,12 @@ double Clearance::gap(const Pair& pair, double part, double margin, PairingSpace
 
 double Clearance::part(const Pair& pair, double most, PairingSpace& space) const {
   const Twist still;
-  const auto twist = [&](std::uint32_t thing) {
-    const std::uint32_t mover = things_[thing].mover;
+  const auto twist = [&](std::uint32_t collider) {
+    const std::uint32_t mover = colliders_[collider].mover;
     return mover == Contact::kFixed ? still : movers_[mover].moving();
   };
-  const auto turning = [&](std::uint32_t thing) {
-    const std::uint32_t mover = things_[thing].mover;
+  const auto turning = [&](std::uint32_t collider) {
+    const std::uint32_t mover = colliders_[collider].mover;
     if (mover == Contact::kFixed) return 0.0;
     const Mover& m = movers_[mover];
     return std::abs(m.moving().turn) * (m.reach() + length(m.inertia().center));
@@ -70,7 +70,8 @@ double Clearance::part(std::span<const std::uint32_t> bodies, std::span<const Co
     const double edge = angle * mover.reach();
     aside = std::max(aside, angle * (way + edge));  // of two bodies
     // Farther away, nobody has looked for others.
-    if (mover.gives_way() && most * (way + edge) > 0.5 * margin) most = 0.5 * margin / (way + edge);
+    if (mover.is_dynamic() && most * (way + edge) > 0.5 * margin)
+      most = 0.5 * margin / (way + edge);
   }
   const auto may_enter = [&](const Contact& contact) {
     return step * solver_.parting(contact) - aside < std::min(0.0, -contact.gap) - kSlop;
@@ -78,8 +79,9 @@ double Clearance::part(std::span<const std::uint32_t> bodies, std::span<const Co
   if (kept && aside <= kSlop) return most;
   if (std::none_of(contacts.begin(), contacts.end(), may_enter)) return most;
   for (auto contact = contacts.begin(); contact != contacts.end();) {
-    Pair pair{contact->thing_a, contact->thing_b, contact->gap};
-    for (; contact != contacts.end() && contact->thing_a == pair.a && contact->thing_b == pair.b;
+    Pair pair{contact->collider_a, contact->collider_b, contact->gap};
+    for (; contact != contacts.end() && contact->collider_a == pair.a &&
+           contact->collider_b == pair.b;
          ++contact) {
       pair.gap = std::min(pair.gap, contact->gap);
     }

@@ -13,7 +13,7 @@
 namespace elsie::physics {
 
 /// A body of the engine: a wall, a box, or a vehicle of a robot. Its index is its id in the scene.
-struct Thing {
+struct Collider {
   Body body;
   std::uint64_t number = 0;  // an engine that takes it over keeps it
   std::uint32_t mover = Contact::kFixed;
@@ -31,9 +31,9 @@ struct Thing {
 /// then.
 class Clearance {
  public:
-  Clearance(const world::Physics& physics, const std::vector<Thing>& things,
+  Clearance(const world::Physics& physics, const std::vector<Collider>& colliders,
             const std::vector<Mover>& movers, const PlanarScene& scene, const ContactSolver& solver)
-      : physics_(physics), things_(things), movers_(movers), scene_(scene), solver_(solver) {}
+      : physics_(physics), colliders_(colliders), movers_(movers), scene_(scene), solver_(solver) {}
 
   /// The part of its way in this step that an island can move, in [0, 1]. Its bodies have been
   /// entered and have their velocities. `kept`: at these, no point of a contact comes nearer than
@@ -42,24 +42,25 @@ class Clearance {
               double margin, PairingSpace& space) const;
 
   /// Where a body is at the beginning of the step.
-  Placement placement(std::uint32_t thing) const {
+  Placement placement(std::uint32_t collider) const {
     // Boxes that move along their own path are a little away from where the scene has them.
-    const std::uint32_t mover = things_[thing].mover;
-    return mover == Contact::kFixed ? Placement{scene_.place_of(thing), scene_.ahead_of(thing)}
-                                    : Placement{movers_[mover].place(), movers_[mover].ahead()};
+    const std::uint32_t mover = colliders_[collider].mover;
+    return mover == Contact::kFixed
+               ? Placement{scene_.place_of(collider), scene_.ahead_of(collider)}
+               : Placement{movers_[mover].place(), movers_[mover].ahead()};
   }
 
  private:
   struct Pair {
-    std::uint32_t a = 0, b = 0;  // things
+    std::uint32_t a = 0, b = 0;  // colliders
     double gap = 0.0;            // m, at the beginning
   };
   double part(const Pair& pair, double most, PairingSpace& space) const;
   double gap(const Pair& pair, double part, double margin, PairingSpace& space) const;
-  Placement placement(std::uint32_t thing, double part) const;
+  Placement placement(std::uint32_t collider, double part) const;
 
   const world::Physics& physics_;
-  const std::vector<Thing>& things_;
+  const std::vector<Collider>& colliders_;
   const std::vector<Mover>& movers_;
   const PlanarScene& scene_;
   const ContactSolver& solver_;

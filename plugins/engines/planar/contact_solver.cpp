@@ -32,14 +32,14 @@ Contact::Row ContactSolver::row(const Contact& contact, const Vector2& direction
   const Mover& a = movers_[contact.a];
   row.a = at_point(direction, minus(contact.at, a.center()));
   row.change_a = a.response() * row.a;
-  double softness = dot(row.a, row.change_a);
+  double inverse = dot(row.a, row.change_a);  // of the effective mass
   if (contact.b != Contact::kFixed) {
     const Mover& b = movers_[contact.b];
     row.b = -1.0 * at_point(direction, minus(contact.at, b.center()));
     row.change_b = b.response() * row.b;
-    softness += dot(row.b, row.change_b);
+    inverse += dot(row.b, row.change_b);
   }
-  row.scale = softness > 0.0 ? 1.0 / softness : 0.0;
+  row.mass = inverse > 0.0 ? 1.0 / inverse : 0.0;
   return row;
 }
 
@@ -62,8 +62,8 @@ bool ContactSolver::is_needed(const Contact& contact) const {
 }
 
 bool ContactSolver::is_driven(const Contact& contact) const {
-  return !movers_[contact.a].gives_way() ||
-         (contact.b != Contact::kFixed && !movers_[contact.b].gives_way());
+  return !movers_[contact.a].is_dynamic() ||
+         (contact.b != Contact::kFixed && !movers_[contact.b].is_dynamic());
 }
 
 void ContactSolver::prepare(Contact& contact) const {
@@ -74,10 +74,10 @@ void ContactSolver::prepare(Contact& contact) const {
 inline void ContactSolver::apply(const Contact& contact, const Contact::Row& row, double impulse) {
   // A box that nothing stops takes no impulse, and other islands meet it, too.
   Mover& a = movers_[contact.a];
-  if (a.gives_way()) a.add(impulse * row.a, impulse * row.change_a);
+  if (a.is_dynamic()) a.add(impulse * row.a, impulse * row.change_a);
   if (contact.b == Contact::kFixed) return;
   Mover& b = movers_[contact.b];
-  if (b.gives_way()) b.add(impulse * row.b, impulse * row.change_b);
+  if (b.is_dynamic()) b.add(impulse * row.b, impulse * row.change_b);
 }
 
 void ContactSolver::aim(Contact& contact) const {
@@ -94,25 +94,26 @@ void ContactSolver::aim(Contact& contact) const {
 }
 
 void ContactSolver::warm(Contact& contact) {
-  apply(contact, contact.across, contact.push);
-  apply(contact, contact.along, contact.rub);
+  apply(contact, contact.across, contact.normal_impulse);
+  apply(contact, contact.along, contact.friction_impulse);
 }
 
 double ContactSolver::relax(Contact& contact, double friction) {
   const double off = contact.target - speed(contact, contact.across);
-  const double push = std::max(0.0, contact.push + contact.across.scale * off);
-  const double pushed = push - contact.push;
-  contact.push = push;
+  const double normal = std::max(0.0, contact.normal_impulse + contact.across.mass * off);
+  const double pushed = normal - contact.normal_impulse;
+  contact.normal_impulse = normal;
   if (pushed != 0.0) apply(contact, contact.across, pushed);
 
-  const double most = friction * push;
+  const double most = friction * normal;
   const double sliding = speed(contact, contact.along);
-  const double rub = std::clamp(contact.rub - contact.along.scale * sliding, -most, most);
-  const double rubbed = rub - contact.rub;
-  contact.rub = rub;
-  if (rubbed != 0.0) apply(contact, contact.along, rubbed);
-  return std::max(contact.across.scale > 0.0 ? std::abs(pushed) / contact.across.scale : 0.0,
-                  contact.along.scale > 0.0 ? std::abs(rubbed) / contact.along.scale : 0.0);
+  const double tangential =
+      std::clamp(contact.friction_impulse - contact.along.mass * sliding, -most, most);
+  const double braked = tangential - contact.friction_impulse;
+  contact.friction_impulse = tangential;
+  if (braked != 0.0) apply(contact, contact.along, braked);
+  return std::max(contact.across.mass > 0.0 ? std::abs(pushed) / contact.across.mass : 0.0,
+                  contact.along.mass > 0.0 ? std::abs(braked) / contact.along.mass : 0.0);
 }
 
 void ContactSolver::prepare(Hinge& hinge) const {
@@ -134,7 +135,7 @@ void ContactSolver::prepare(Hinge& hinge) const {
   };
   add(front, hinge.from_front);
   add(behind, hinge.from_behind);
-  hinge.turn_scale = 1.0 / (front.response().tt + behind.response().tt);
+  hinge.turn_mass = 1.0 / (front.response().tt + behind.response().tt);
 }
 
 void ContactSolver::warm(Hinge& hinge) {
@@ -146,6 +147,11 @@ void ContactSolver::warm(Hinge& hinge) {
   act(front, -1.0 * (at_point(hinge.pull, hinge.from_front) + Twist{0.0, 0.0, hinge.twist}));
 }
 
+/// The joint's two equations at once: with the velocities u of the joint's end at either body,
+///
+///   K pull = -(u_behind - u_front),   K = J A J' of both bodies, a matrix of 2 x 2.
+///
+/// Its motor or limit is a row in the turning alone.
 double ContactSolver::relax(Hinge& hinge) {
   Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
   const auto act = [](Mover& mover, const Twist& impulse) {
@@ -158,13 +164,13 @@ double ContactSolver::relax(Hinge& hinge) {
     const double wanted = std::clamp((hinge.wanted_yaw_rad - hinge.yaw_rad) / step,
                                      -hinge.joint.yaw_rate_rad_s, hinge.joint.yaw_rate_rad_s);
     const double most = step * hinge.joint.torque;
-    twist = std::clamp(hinge.twist + hinge.turn_scale * (wanted - rate), -most, most);
+    twist = std::clamp(hinge.twist + hinge.turn_mass * (wanted - rate), -most, most);
   } else {
     const double least = (-hinge.joint.max_yaw_rad - hinge.yaw_rad) / step;
     const double most = (hinge.joint.max_yaw_rad - hinge.yaw_rad) / step;
     // The impulse of the limit that either end would need.
-    const double up = hinge.twist + hinge.turn_scale * (least - rate);
-    const double down = hinge.twist + hinge.turn_scale * (most - rate);
+    const double up = hinge.twist + hinge.turn_mass * (least - rate);
+    const double down = hinge.twist + hinge.turn_mass * (most - rate);
     twist = up > 0.0 ? up : down < 0.0 ? down : 0.0;
   }
   const Twist turned{0.0, 0.0, twist - hinge.twist};
@@ -223,6 +229,8 @@ bool ContactSolver::sweep(std::span<const std::uint32_t> bodies, std::span<Conta
   return settled;
 }
 
+/// With the factor s of all impulses, the power of the contacts is at most s (free + s (now -
+/// free)), which is not positive up to s = free / (free - now).
 void ContactSolver::limit_power(std::span<const std::uint32_t> bodies, std::span<Contact> contacts,
                                 std::span<Hinge* const> hinges) {
   for (int i = 0; i <= kScalings; ++i) {
@@ -231,10 +239,11 @@ void ContactSolver::limit_power(std::span<const std::uint32_t> bodies, std::span
     // With the velocities to these impulses, and to none.
     double now = 0.0, free = 0.0;
     for (const Contact& contact : contacts) {
-      const double returned = contact.push * std::max(contact.target, 0.0);
-      now += contact.push * speed(contact, contact.across) +
-             contact.rub * speed(contact, contact.along) - returned;
-      free += contact.push * contact.parted + contact.rub * contact.slid - returned;
+      const double returned = contact.normal_impulse * std::max(contact.target, 0.0);
+      now += contact.normal_impulse * speed(contact, contact.across) +
+             contact.friction_impulse * speed(contact, contact.along) - returned;
+      free += contact.normal_impulse * contact.parted + contact.friction_impulse * contact.slid -
+              returned;
     }
     for (const Hinge* const hinge : hinges) {
       const Mover &front = movers_[hinge->front], &behind = movers_[hinge->behind];
@@ -249,8 +258,8 @@ void ContactSolver::limit_power(std::span<const std::uint32_t> bodies, std::span
     const double factor = free < 0.0 ? free / (free - now) : 0.0;
     for (const std::uint32_t body : bodies) movers_[body].scale(factor);
     for (Contact& contact : contacts) {
-      contact.push *= factor;
-      contact.rub *= factor;
+      contact.normal_impulse *= factor;
+      contact.friction_impulse *= factor;
     }
     for (Hinge* const hinge : hinges) {
       hinge->pull = {factor * hinge->pull.x, factor * hinge->pull.y};
@@ -261,8 +270,8 @@ void ContactSolver::limit_power(std::span<const std::uint32_t> bodies, std::span
 
 /// The energy that the impulses of a contact add, J: exact if nothing but contacts acts.
 double ContactSolver::work(const Contact& contact) const {
-  return 0.5 * (contact.push * (contact.parted + speed(contact, contact.across)) +
-                contact.rub * (contact.slid + speed(contact, contact.along)));
+  return 0.5 * (contact.normal_impulse * (contact.parted + speed(contact, contact.across)) +
+                contact.friction_impulse * (contact.slid + speed(contact, contact.along)));
 }
 
 /// The share by which bounces are too strong: so much more energy they return than contacts have
@@ -272,7 +281,7 @@ double ContactSolver::excess(std::span<const Contact> contacts) const {
   for (const Contact& contact : contacts) {
     const double more = work(contact) - contact.stored;
     gained += contact.coming > 0.0 ? std::max(0.0, more) : more;  // takes now, returns later
-    returned += 0.5 * contact.push * std::max(contact.target, 0.0);
+    returned += 0.5 * contact.normal_impulse * std::max(contact.target, 0.0);
   }
   const bool too_much = returned > 0.0 && gained > kMostGain * returned;
   return too_much ? std::min(gained / returned, 0.5) : 0.0;
@@ -321,20 +330,19 @@ double ContactSolver::shifted_apart(const Contact& contact) const {
 void ContactSolver::separate(std::span<const std::uint32_t> bodies,
                              std::span<const Contact> contacts, double part) {
   bool moved = false;
-  const auto light = [this](std::uint32_t mover) {
-    return mover != Contact::kFixed && movers_[mover].gives_way()
+  const auto inverse_mass = [this](std::uint32_t mover) {
+    return mover != Contact::kFixed && movers_[mover].is_dynamic()
                ? 1.0 / movers_[mover].inertia().mass
                : 0.0;
   };
   for (int i = 0; i < kSeparations; ++i) {
     for (const Contact& contact : contacts) {
       if (contact.gap >= -kLeastDepth) continue;
-      const double of_a = light(contact.a), of_b = light(contact.b);
+      const double of_a = inverse_mass(contact.a), of_b = inverse_mass(contact.b);
       const double depth = -contact.gap - kLeastDepth - shifted_apart(contact);
       if (depth <= 0.0 || of_a + of_b == 0.0) continue;
       const double way =
-          std::min(physics_.effective_erp() * depth, world::kMaxCorrectingSpeed * physics_.step) /
-          (of_a + of_b);
+          std::min(erp_ * depth, world::kMaxCorrectingSpeed * physics_.step) / (of_a + of_b);
       moved = true;
       if (of_a > 0.0) {
         movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});

@@ -8,6 +8,7 @@
 #include "elsie/world/description.h"
 
 #include "mover.h"
+#include "softness.h"
 
 namespace elsie::physics {
 
@@ -31,14 +32,14 @@ struct Contact {
   Key key;
   std::uint32_t a = 0;       // a mover
   std::uint32_t b = kFixed;  // a mover, or a fixed body
-  std::uint32_t thing_a = 0, thing_b = 0;
+  std::uint32_t collider_a = 0, collider_b = 0;
   Vector2 at;
   Vector2 normal;  // from b into a
   double gap = 0.0;
 
-  double coming = 0.0;  // m/s, the speed at which they came nearer before they met
-  double push = 0.0;    // N s
-  double rub = 0.0;     // N s, along the normal turned to the left
+  double coming = 0.0;            // m/s, the speed at which they came nearer before they met
+  double normal_impulse = 0.0;    // N s
+  double friction_impulse = 0.0;  // N s, along the normal turned to the left
   double stored = 0.0;  // J, taken from the bodies since `coming`; the bounce returns at most this
 
   // Used by the solver only.
@@ -47,7 +48,7 @@ struct Contact {
   struct Row {
     Twist a, b;                // velocities of the bodies to the speed of the row
     Twist change_a, change_b;  // impulse of the row to changes of velocity
-    double scale = 0.0;
+    double mass = 0.0;         // kg, effective: of impulse to change of the speed
   };
   Row across, along;
 };
@@ -64,13 +65,23 @@ struct Hinge {
   // Used by the solver only.
   Vector2 from_front, from_behind;
   double kxx = 0.0, kxy = 0.0, kyy = 0.0;
-  double turn_scale = 0.0;
+  double turn_mass = 0.0;
 };
 
 /// Finds impulses that keep bodies from entering each other: projected Gauss-Seidel, beginning with
-/// those of the last step (Catto, "Iterative Dynamics with Temporal Coherence", 2005). Wheels and
-/// the floor's friction are solved anew after each sweep, exactly, and contacts take account of
-/// them from the start: each body answers to an impulse as its undercarriage lets it.
+/// those of the last step (Catto, "Iterative Dynamics with Temporal Coherence", 2005). With the
+/// normal's direction in J, the gap g and the friction mu, a contact has
+///
+///   p >= 0,   J v >= -g / h,   p (J v + g / h) = 0,   |p_t| <= mu p,   p_t along -J_t v,
+///
+/// or J v >= bounce times the speed of approach where they touch already. A sweep gives each row
+/// the impulse that satisfies it alone:
+///
+///   p' = max(0, p + m (target - J v)),   m = 1 / (J A J'),   v' = v + A J' (p' - p).
+///
+/// A is not M^-1, but the change of velocity that wheels and the floor's friction let through
+/// (Mover::response()): they are solved anew after each sweep, exactly, and contacts take account
+/// of them from the start.
 ///
 /// The sweeps need not converge: where much friction meets many bodies they may go round in a
 /// circle. So the power of the impulses p at the velocities v(p) that follow from them is limited.
@@ -81,7 +92,7 @@ struct Hinge {
 class ContactSolver {
  public:
   ContactSolver(const world::Physics& physics, std::vector<Mover>& movers)
-      : physics_(physics), movers_(movers) {}
+      : physics_(physics), erp_(softness_of(physics).erp), movers_(movers) {}
 
   /// Solves an island; the bodies have been entered. Contacts and hinges are in a fixed order.
   /// Returns whether the velocities keep all contacts.
@@ -131,6 +142,7 @@ class ContactSolver {
   [[gnu::always_inline]] double speed(const Contact& contact, const Contact::Row& row) const;
 
   const world::Physics& physics_;
+  double erp_;
   std::vector<Mover>& movers_;
 };
 

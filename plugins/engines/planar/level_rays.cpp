@@ -23,6 +23,9 @@ ELSIE_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return b < a ? b : a
 ELSIE_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 ELSIE_INLINE Lanes size_of(const Lanes& a) { return a < 0.0 ? -a : a; }
 
+/// With the vector x to the circle's middle and the ray's direction d, not a unit vector: the line
+/// passes the middle at |x cross d| / |d|, which must not exceed the radius, and the middle lies x
+/// d along the ray.
 ELSIE_INLINE Flags meets_circle(const Group& rays, const SceneBody& target) {
   const Lanes x = target.place.x - rays.x, y = target.place.y - rays.y;
   const Lanes across = x * rays.along_y - y * rays.along_x;
@@ -31,7 +34,9 @@ ELSIE_INLINE Flags meets_circle(const Group& rays, const SceneBody& target) {
          (to_middle - target.reach <= rays.nearest) & (to_middle + target.reach >= 0.0);
 }
 
-/// Where rays are within `half` of 0, in one direction (slab method, Kay and Kajiya 1986).
+/// Where rays are within `half` of 0, in one direction (slab method, Kay and Kajiya 1986):
+/// |from + t along| <= half between the two t = (+-half - from) / along. A ray is in a box where it
+/// is between both pairs of sides, from the latest entry to the earliest exit.
 ELSIE_INLINE void clip(const Lanes& from, const Lanes& along, double half, Lanes& enter,
                        Lanes& leave) {
   // A ray that runs along the sides is always between them, or never: a and b are infinite. On a

@@ -66,7 +66,7 @@ void Mover::carry(double step) {
 
 void Mover::begin() {
   impact_ = nullptr;
-  if (gives_way()) velocity_ = ground(free_);
+  if (is_dynamic()) velocity_ = ground(free_);
 }
 
 void Mover::enter(double step, Impact& impact) {
@@ -82,7 +82,7 @@ void Mover::enter(double step, Impact& impact) {
 
 Symmetric Mover::answer() const {
   if (wheels_) return wheels_.response().turned(impact_->middle);
-  if (!gives_way()) return {};
+  if (!is_dynamic()) return {};
   Symmetric free;
   free.xx = free.yy = 1.0 / sled_->inertia.mass;
   free.tt = 1.0 / sled_->inertia.about_center;
@@ -90,7 +90,7 @@ Symmetric Mover::answer() const {
 }
 
 Mover::Stand Mover::stand() {
-  if (!gives_way()) return {};
+  if (!is_dynamic()) return {};
   Impact& now = *impact_;
   const Twist before = now.moving;
   const std::uint32_t known = wheels_ ? wheels_.changes() : 0;
@@ -124,13 +124,13 @@ inline Placement Mover::along(const Twist& velocity, const HalfTurn& turn, const
 
 Placement Mover::after(double part, double step) const {
   const double time = part * step;
-  const Twist velocity = gives_way() ? impact_->middle.turn_back(impact_->moving) : velocity_;
+  const Twist velocity = is_dynamic() ? impact_->middle.turn_back(impact_->moving) : velocity_;
   return along(velocity, HalfTurn(0.5 * time * velocity.turn), impact_->middle, time);
 }
 
 void Mover::advance(double step) {
   const Impact* const impact = std::exchange(impact_, nullptr);
-  if (impact && gives_way()) {
+  if (impact && is_dynamic()) {
     velocity_ = impact->middle.turn_back(impact->moving);
     step *= impact->part;
   }

@@ -82,7 +82,7 @@ class alignas(64) Mover {
     return wheels_ ? wheels_.inertia() : sled_ ? sled_->inertia : kNoInertia;
   }
   double reach() const { return reach_; }
-  bool gives_way() const { return wheels_ || sled_; }
+  bool is_dynamic() const { return wheels_ || sled_; }
   Undercarriage& wheels() { return wheels_; }
   const Undercarriage& wheels() const { return wheels_; }
   const Vector2& place() const { return place_; }
@@ -113,7 +113,7 @@ class alignas(64) Mover {
   /// Continues as if it had met nothing. A box that nothing stops does so anyway, and others may
   /// still meet it.
   void release() {
-    if (gives_way()) impact_ = nullptr;
+    if (is_dynamic()) impact_ = nullptr;
   }
 
   /// Moves it without changing its velocity.

@@ -30,7 +30,7 @@ PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& phys
       physics_(with_step(physics, physics.step / parts_)),
       scene_(arena),
       models_(physics_),
-      encounters_(physics_, things_, movers_, scene_),
+      pipeline_(physics_, colliders_, movers_, scene_),
       bounds_(arena, physics) {
   refuse_if(fault_of(physics));
   std::size_t index = 0;
@@ -42,27 +42,28 @@ PlanarEngine::PlanarEngine(const world::Arena& arena, const world::Physics& phys
   }
 }
 
-std::uint32_t PlanarEngine::add_thing(const Body& body, std::size_t vehicle,
-                                      std::shared_ptr<const std::vector<Solid>> solids,
-                                      std::shared_ptr<const Look> look, bool sensed,
-                                      const Pose& pose, std::optional<Mover> mover) {
-  Thing thing;
-  thing.body = body;
-  thing.vehicle = static_cast<std::uint32_t>(vehicle);
-  thing.number = next_number_++;
-  thing.solids = std::move(solids);
+std::uint32_t PlanarEngine::add_collider(const Body& body, std::size_t vehicle,
+                                         std::shared_ptr<const std::vector<Solid>> solids,
+                                         std::shared_ptr<const SensorShape> sensor_shape,
+                                         bool sensed, const Pose& pose,
+                                         std::optional<Mover> mover) {
+  Collider collider;
+  collider.body = body;
+  collider.vehicle = static_cast<std::uint32_t>(vehicle);
+  collider.number = next_number_++;
+  collider.solids = std::move(solids);
   const Vector2 place{pose.x, pose.y};
-  const double reach = look->reach;
-  const std::uint32_t id = scene_.add(body, sensed, mover.has_value(), std::move(look), place,
-                                      Direction::of(pose.heading_rad));
+  const double reach = sensor_shape->reach;
+  const std::uint32_t id = scene_.add(body, sensed, mover.has_value(), std::move(sensor_shape),
+                                      place, Direction::of(pose.heading_rad));
   if (mover) {
     mover->set_reach(reach);
     mover->put(place, pose.heading_rad);
-    thing.mover = static_cast<std::uint32_t>(movers_.size());
+    collider.mover = static_cast<std::uint32_t>(movers_.size());
     movers_.push_back(std::move(*mover));
-    moving_.push_back({id, thing.mover, reach});
+    moving_.push_back({id, collider.mover, reach});
   }
-  things_.push_back(std::move(thing));
+  colliders_.push_back(std::move(collider));
   return id;
 }
 
@@ -70,8 +71,9 @@ std::uint32_t PlanarEngine::add_upright(const Body& body, const Shape& shape, do
                                         const Pose& pose, bool sensed, std::optional<Mover> mover) {
   auto solids = std::make_shared<std::vector<Solid>>();
   solids->push_back({Outline::of(shape, bottom + 0.5 * shape.size.z), {}, {}});
-  return add_thing(body, 0, std::move(solids), std::make_shared<Look>(Look::of(shape, bottom)),
-                   sensed, pose, std::move(mover));
+  return add_collider(body, 0, std::move(solids),
+                      std::make_shared<SensorShape>(SensorShape::of(shape, bottom)), sensed, pose,
+                      std::move(mover));
 }
 
 std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, double z) {
@@ -81,11 +83,11 @@ std::size_t PlanarEngine::add_robot(const BodyPlan& plan, const Pose& pose, doub
   refuse_if(fault_of(plan, "a robot"));
   const std::size_t index = robots_.size();
   const auto first = static_cast<std::uint32_t>(movers_.size());
-  robot_bodies_.push_back({static_cast<std::uint32_t>(things_.size()), false});
+  robot_bodies_.push_back({static_cast<std::uint32_t>(colliders_.size()), false});
   const std::shared_ptr<BodyModel> model = models_.model_of(plan);
   for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
-    add_thing({BodyKind::robot, index}, vehicle, model->solids[vehicle], model->looks[vehicle],
-              true, pose, model->movers[vehicle]);
+    add_collider({BodyKind::robot, index}, vehicle, model->solids[vehicle],
+                 model->sensor_shapes[vehicle], true, pose, model->movers[vehicle]);
   }
   robots_.emplace_back(model, first);
   robots_.back().put(pose, movers_);
@@ -109,8 +111,8 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
   made.take(same);
   for (std::uint32_t i = 0; i < made.vehicles(); ++i) {
     movers_[made.first() + i].take(before.movers_[same.first() + i], physics_.step);
-    things_[robot_bodies_[index].first_thing + i].number =
-        before.things_[before.robot_bodies_[robot].first_thing + i].number;
+    colliders_[robot_bodies_[index].first_collider + i].number =
+        before.colliders_[before.robot_bodies_[robot].first_collider + i].number;
   }
   enter_robot(index);
   return index;
@@ -147,10 +149,10 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   BoxBody& made = boxes_.emplace_back();
   made.kind = box.kind;
   made.bottom = box.z;
-  made.thing =
+  made.collider =
       add_upright({BodyKind::box, index}, shape, box.z, {box.x, box.y, radians(box.heading_deg)},
                   box.seen_by_range_sensors, std::move(mover));
-  if (things_[made.thing].mover != Contact::kFixed) {
+  if (colliders_[made.collider].mover != Contact::kFixed) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));
   }
   made.stays_within = is_dynamic && bounds_.within_walls({box.x, box.y, 0.0});
@@ -162,15 +164,15 @@ std::size_t PlanarEngine::add_box_of(const Engine& other, std::size_t box,
   const auto& before = dynamic_cast<const PlanarEngine&>(other);
   const BoxBody& same = before.boxes_.at(box);
   const std::size_t index = add_box(added);
-  Thing& thing = things_[boxes_[index].thing];
-  const Thing& known = before.things_[same.thing];
-  thing.number = known.number;
+  Collider& collider = colliders_[boxes_[index].collider];
+  const Collider& known = before.colliders_[same.collider];
+  collider.number = known.number;
   if (!same.present) {
     remove_box(index);
-  } else if (thing.mover != Contact::kFixed) {
-    Mover& mover = movers_[thing.mover];
+  } else if (collider.mover != Contact::kFixed) {
+    Mover& mover = movers_[collider.mover];
     mover.take(before.movers_[known.mover], physics_.step);
-    scene_.move(boxes_[index].thing, mover.place(), mover.ahead(), moves_.front());
+    scene_.move(boxes_[index].collider, mover.place(), mover.ahead(), moves_.front());
     scene_.settle(moves_);
     boxes_[index].stays_within = boxes_[index].kind == world::BoxKind::dynamic &&
                                  bounds_.within_walls({mover.place().x, mover.place().y, 0.0});
@@ -183,15 +185,15 @@ void PlanarEngine::go_on_from(const Engine& other) {
   time_ = before.time_;
   next_number_ = std::max(next_number_, before.next_number_);
   bounds_.add(before.bounds_);
-  encounters_.take(before.encounters_);
+  pipeline_.take(before.pipeline_);
 }
 
 void PlanarEngine::remove_box(std::size_t box) {
   BoxBody& gone = boxes_.at(box);
   if (!gone.present) return;
   gone.present = false;
-  scene_.remove(gone.thing);
-  std::erase_if(moving_, [&](const auto& moving) { return moving.thing == gone.thing; });
+  scene_.remove(gone.collider);
+  std::erase_if(moving_, [&](const auto& moving) { return moving.collider == gone.collider; });
   std::erase(mobile_boxes_, static_cast<std::uint32_t>(box));
 }
 
@@ -200,18 +202,6 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   refuse_if(physics::fault_of_height(z, "a robot"));
   robots_.at(robot).put(pose, movers_);
   enter_robot(robot);
-}
-
-/// Releases the memory that was kept for more bodies.
-void PlanarEngine::fit() {
-  fitted_ = things_.size();
-  things_.shrink_to_fit();
-  movers_.shrink_to_fit();
-  moving_.shrink_to_fit();
-  robots_.shrink_to_fit();
-  robot_bodies_.shrink_to_fit();
-  boxes_.shrink_to_fit();
-  scene_.fit();
 }
 
 }  // namespace elsie::physics

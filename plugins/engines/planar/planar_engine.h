@@ -12,7 +12,7 @@
 
 #include "body_models.h"
 #include "bounds.h"
-#include "encounters.h"
+#include "collision_pipeline.h"
 #include "mover.h"
 #include "planar_robot.h"
 #include "planar_scene.h"
@@ -51,7 +51,7 @@ class PlanarEngine final : public Engine {
   SegmentState segment(std::size_t robot, std::size_t segment) const override;
   Frame box(std::size_t box) const override;
   bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
-  std::span<const Touch> touches() const override { return encounters_.touches(); }
+  std::span<const Touch> touches() const override { return pipeline_.touches(); }
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
     return scene_.cast_ray(origin, direction, max_range, except);
@@ -69,7 +69,7 @@ class PlanarEngine final : public Engine {
   struct BoxBody {
     world::BoxKind kind = world::BoxKind::fixed;
     bool present = true;
-    std::uint32_t thing = 0;
+    std::uint32_t collider = 0;
     double bottom = 0.0;
     bool stays_within = false;  // within the arena's walls
     // For a moving box: its place at the end of the next step.
@@ -77,19 +77,18 @@ class PlanarEngine final : public Engine {
     Vector2 target;
   };
   struct RobotBody {
-    std::uint32_t first_thing = 0;
+    std::uint32_t first_collider = 0;
     bool stays_within = false;
   };
 
-  std::uint32_t add_thing(const Body& body, std::size_t vehicle,
-                          std::shared_ptr<const std::vector<Solid>> solids,
-                          std::shared_ptr<const Look> look, bool sensed, const Pose& pose,
-                          std::optional<Mover> mover);
+  std::uint32_t add_collider(const Body& body, std::size_t vehicle,
+                             std::shared_ptr<const std::vector<Solid>> solids,
+                             std::shared_ptr<const SensorShape> sensor_shape, bool sensed,
+                             const Pose& pose, std::optional<Mover> mover);
   std::uint32_t add_upright(const Body& body, const Shape& shape, double bottom, const Pose& pose,
                             bool sensed, std::optional<Mover> mover);
-  Mover& mover_of_box(const BoxBody& box) { return movers_[things_[box.thing].mover]; }
+  Mover& mover_of_box(const BoxBody& box) { return movers_[colliders_[box.collider].mover]; }
   void enter_robot(std::size_t robot);
-  void fit();
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
   void stop_moving_boxes();
@@ -108,16 +107,15 @@ class PlanarEngine final : public Engine {
   double time_ = 0.0;
   std::uint64_t next_number_ = 0;
   PlanarScene scene_;
-  std::vector<Thing> things_;
-  std::size_t fitted_ = 0;  // the number of things at the last fit()
+  std::vector<Collider> colliders_;
   std::vector<Mover> movers_;
-  std::vector<Encounters::Moving> moving_;
+  std::vector<CollisionPipeline::Moving> moving_;
   BodyModels models_;
   std::vector<PlanarRobot> robots_;
   std::vector<RobotBody> robot_bodies_;
   std::vector<BoxBody> boxes_;
   std::vector<std::uint32_t> mobile_boxes_;
-  Encounters encounters_;
+  CollisionPipeline pipeline_;
   Bounds bounds_;
   std::vector<std::uint32_t> jointed_;  // robots with steering or segments
   std::vector<Hinge*> hinges_;          // of all robots, in each step

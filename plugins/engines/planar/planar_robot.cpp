@@ -2,21 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "elsie/world/parts.h"
 
+#include "steering.h"
+
 namespace elsie::physics {
-namespace {
-
-/// Moves a value towards another one by at most `most`.
-double approach(double from, double to, double most) {
-  return std::abs(to - from) <= most ? to : from + std::copysign(most, to - from);
-}
-
-}  // namespace
-
 PlanarRobot::PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first)
     : first_(first),
       vehicles_(static_cast<std::uint32_t>(model->movers.size())),
@@ -115,19 +107,7 @@ void PlanarRobot::begin(double step, std::span<Mover> movers) {
 
 void PlanarRobot::steer(const Steering& steering, double step, std::span<Mover> movers) {
   JointSetting& now = joints_[steering.joint];
-  double wanted = steering.wanted.angle_rad;
-  const bool all_round = steering.most_rad >= std::numbers::pi;
-  if (all_round) {
-    wanted = now.angle_rad + wrap_angle(wanted - now.angle_rad);  // the shorter way
-  } else {
-    wanted = std::clamp(wanted, -steering.most_rad, steering.most_rad);
-  }
-  const double asked = std::abs(steering.wanted.turn_rad_s);
-  const double rate = asked == 0.0 ? steering.rate_rad_s : std::min(asked, steering.rate_rad_s);
-  const double angle = approach(now.angle_rad, wanted, step * rate);
-  now.turn_rad_s = (angle - now.angle_rad) / step;
-  if (angle == now.angle_rad) return;
-  now.angle_rad = all_round ? wrap_angle(angle) : angle;
+  if (!physics::steer(now, steering.wanted, steering.most_rad, steering.rate_rad_s, step)) return;
   movers[first_ + links()[steering.joint].vehicle].wheels().point(
       steering.wheel, steering.rest_rad + now.angle_rad);
 }

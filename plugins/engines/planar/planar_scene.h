@@ -20,22 +20,9 @@
 #include "level_rays.h"
 #include "plane.h"
 #include "scene_body.h"
-#include "sensed_solid.h"
+#include "sensor_shape.h"
 
 namespace elsie::physics {
-
-/// A body as range sensors see it, in its own upright frame.
-struct Look {
-  SensedSolid solid;  // with the sensor deck
-  std::vector<Cylinder> wheels;
-  double wheels_top = 0.0;  // m
-  double reach = 0.0;       // m, from above: the radius of the circle around it
-
-  /// `vehicle`: a chassis and the parts below it.
-  static Look of(std::span<const Part> vehicle);
-  /// An obstacle, charger or wall.
-  static Look of(const Shape& shape, double bottom);
-};
 
 class PlanarScene {
  public:
@@ -46,8 +33,8 @@ class PlanarScene {
   /// Adds a body; its ids count upwards from 0. Only `sensed` bodies take part in rays and
   /// pyramids.
   /// `moves`: move() will be called.
-  Id add(Body body, bool sensed, bool moves, std::shared_ptr<const Look> look, const Vector2& place,
-         const Direction& ahead);
+  Id add(Body body, bool sensed, bool moves, std::shared_ptr<const SensorShape> sensor_shape,
+         const Vector2& place, const Direction& ahead);
   /// What one thread notes in a round of moves.
   struct Moves {
     double farthest = 0.0;    // m2
@@ -58,8 +45,6 @@ class PlanarScene {
   /// Ends a round.
   void settle(std::span<Moves> moves);
   void remove(Id id);
-  /// Releases the memory that was kept for more bodies.
-  void fit();
 
   // Since the last round:
   const Vector2& place_of(Id id) const { return entries_[id].place; }
@@ -83,16 +68,18 @@ class PlanarScene {
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:
-  struct Best {
-    RayHit hit;
-    bool found = false;
-  };
-  /// What is around a robot, so that most queries need not search the grid (the neighbour lists of
-  /// Verlet, "Computer experiments on classical fluids", 1967).
-  struct Around {
+  /// What is around a robot, so that most queries need not search the grid (Verlet, "Computer
+  /// experiments on classical fluids", 1967). A list of all bodies within R of the middle m, made
+  /// when the odometer read o, still has all within r of the place p at the reading o' if
+  ///
+  ///   r + |p - m| + (o' - o) <= R,
+  ///
+  /// because the odometer adds up the farthest move of any body in each round: no body has come
+  /// nearer by more than o' - o.
+  struct NeighborList {
     std::vector<Id> near;  // all that came within the radius, but not the robot itself
     Vector2 middle;
-    double until = -1.0;       // m, the radius and the odometer when it was made
+    double until = -1.0;       // m, R + o
     double wanted = 0.0;       // m, the largest radius that was asked for
     std::uint32_t bodies = 0;  // the number of bodies when it was made
     bool pulls = false;        // the robot has segments, which may meet each other
@@ -111,7 +98,7 @@ class PlanarScene {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
     const double far = entry.reach + distance;
     if (dx * dx + dy * dy > far * far) return false;
-    if (entry.moves || entry.outside != SceneBody::Outside::box) return true;
+    if (entry.moves || entry.section != SceneBody::Section::box) return true;
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
     return std::abs(at.x) <= entry.half.x + distance + kHair &&
            std::abs(at.y) <= entry.half.y + distance + kHair;
@@ -119,7 +106,7 @@ class PlanarScene {
   /// The distance of the body from a point, or less.
   static double distance_to(const SceneBody& entry, double x, double y) {
     const double dx = x - entry.place.x, dy = y - entry.place.y;
-    if (entry.moves || entry.outside != SceneBody::Outside::box) {
+    if (entry.moves || entry.section != SceneBody::Section::box) {
       return std::sqrt(dx * dx + dy * dy) - entry.reach;
     }
     const Vector2 at = entry.ahead.turn_back(Vector2{dx, dy});
@@ -128,26 +115,27 @@ class PlanarScene {
   double distance_to(Id id, const Ray& ray, double range) const;
   double distance_past_circle(const SceneBody& entry, Id id, const Vector3& origin,
                               const Vector3& direction, double range) const;
-  const Around* around(std::size_t robot, const Vector2& middle, double radius) const;
+  const NeighborList* neighbors_of(std::size_t robot, const Vector2& middle, double radius) const;
   bool cast_together(std::span<RayQuery> rays, LevelRays& level, std::size_t except) const;
-  void walk(const Ray& ray, std::size_t except, Best& best) const;
 
   base::Grid grid_;
   std::vector<SceneBody> entries_;
   std::vector<base::Grid::Block> blocks_;  // of the entries
-  std::vector<std::shared_ptr<const Look>> looks_;
-  /// The reading of the odometer up to which nothing can touch a body's circle.
+  std::vector<std::shared_ptr<const SensorShape>> sensor_shapes_;
+  /// The reading of the odometer up to which nothing can touch a body's circle: the gap g to the
+  /// nearest body closes by at most twice the odometer's way, so that o + g / 2 is such a reading.
   mutable std::vector<double> clear_until_;
-  mutable std::vector<Around> around_;  // of robots; each belongs to the thread that asks for it
-  double odometer_ = 0.0;               // m: the sum of the farthest moves of all rounds
+  mutable std::vector<NeighborList>
+      neighbors_;          // of robots; each belongs to the thread that asks for it
+  double odometer_ = 0.0;  // m: the sum of the farthest moves of all rounds
 };
 
 template <class Call>
 void PlanarScene::for_each_near(Id id, double margin, Call call) const {
   const SceneBody& self = entries_[id];
   const double x0 = self.place.x, y0 = self.place.y, reach = self.reach + margin;
-  const bool is_alone = self.kind == BodyKind::robot && !around_[self.index].pulls;
-  if (const Around* near = is_alone ? around(self.index, self.place, reach) : nullptr) {
+  const bool is_alone = self.kind == BodyKind::robot && !neighbors_[self.index].pulls;
+  if (const NeighborList* near = is_alone ? neighbors_of(self.index, self.place, reach) : nullptr) {
     // Nothing nearer than this is missing in the list.
     double distance =
         near->until - odometer_ - std::hypot(x0 - near->middle.x, y0 - near->middle.y);

@@ -27,22 +27,13 @@ Frame frame_at(const Vector2& place, double z, const Direction& ahead) {
 
 void PlanarEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
   PlanarRobot& set = robots_.at(robot);
-  require(settings.size() == set.joints().size(),
-          "A robot needs one setting for each joint with a motor or steering.");
-  double sum = 0.0;
-  for (const JointSetting& setting : settings) {
-    sum += setting.rate_rad_s + setting.angle_rad + setting.turn_rad_s;
-  }
-  require(std::isfinite(sum),
-          "The rates and angles that a robot's joints are to hold must be finite.");
+  check(settings, set.joints().size());
   bounds_.add_robot_speed(set.lever() * set.set_joints(settings, movers_));
 }
 
 void PlanarEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
   BoxBody& driven = boxes_.at(box);
-  require(driven.kind == world::BoxKind::moving, "Only a moving box can be driven.");
-  require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
-          "The position and velocity of a moving box must be finite.");
+  check_drive(driven.kind, position, velocity);
   if (!driven.present) return;
   driven.driven = true;
   driven.target = position;
@@ -71,11 +62,11 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
 
 Frame PlanarEngine::box(std::size_t box) const {
   const BoxBody& asked = boxes_.at(box);
-  const Thing& thing = things_[asked.thing];
-  if (thing.mover == Contact::kFixed) {
-    return frame_at(scene_.place_of(asked.thing), asked.bottom, scene_.ahead_of(asked.thing));
+  const Collider& collider = colliders_[asked.collider];
+  if (collider.mover == Contact::kFixed) {
+    return frame_at(scene_.place_of(asked.collider), asked.bottom, scene_.ahead_of(asked.collider));
   }
-  const Mover& mover = movers_[thing.mover];
+  const Mover& mover = movers_[collider.mover];
   return frame_at(mover.place(), asked.bottom, mover.ahead());
 }
 
@@ -104,7 +95,7 @@ void PlanarEngine::stop_moving_boxes() {
     box.driven = false;
     Mover& mover = mover_of_box(box);
     mover.shift({box.target.x - mover.place().x, box.target.y - mover.place().y});
-    scene_.move(box.thing, mover.place(), mover.ahead(), moves_.front());
+    scene_.move(box.collider, mover.place(), mover.ahead(), moves_.front());
   }
 }
 
@@ -128,11 +119,10 @@ double PlanarEngine::begin_movers() {
 }
 
 void PlanarEngine::step() {
-  if (fitted_ != things_.size()) fit();
   moves_.resize(pool_->threads());
   fastest_.resize(pool_->threads());
   start_moving_boxes();
-  encounters_.forget_touches();
+  pipeline_.forget_touches();
   const double from = time_;
   for (int part = 1; part <= parts_; ++part) {
     time_ = from + part * physics_.step;
@@ -149,8 +139,8 @@ void PlanarEngine::move_on() {
     robots_[i].begin(physics_.step, movers_);
     for (Hinge& hinge : robots_[i].hinges()) hinges_.push_back(&hinge);
   }
-  encounters_.find(moving_, begin_movers(), *pool_);
-  encounters_.solve(hinges_, *pool_);
+  pipeline_.find(moving_, begin_movers(), *pool_);
+  pipeline_.solve(hinges_, *pool_);
   settle();
   fail_if_pressed();
 }
@@ -164,10 +154,10 @@ inline bool PlanarEngine::is_well(const Mover& mover, double limit, bool stays_w
 
 void PlanarEngine::place_in_scene(std::size_t robot, PlanarScene::Moves& moves) {
   const PlanarRobot& made = robots_[robot];
-  std::uint32_t thing = robot_bodies_[robot].first_thing;
+  std::uint32_t collider = robot_bodies_[robot].first_collider;
   made.point_shapes();
   for (const Mover& mover : std::span(movers_).subspan(made.first(), made.vehicles())) {
-    scene_.move(thing++, mover.place(), mover.ahead(), moves);
+    scene_.move(collider++, mover.place(), mover.ahead(), moves);
   }
 }
 
@@ -221,7 +211,7 @@ void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
     if (box.kind == world::BoxKind::dynamic && !is_well(mover, limit, box.stays_within)) {
       fail(mover, box.stays_within, {BodyKind::box, index}, std::nullopt);
     }
-    scene_.move(box.thing, mover.place(), mover.ahead(), moves);
+    scene_.move(box.collider, mover.place(), mover.ahead(), moves);
   }
 }
 
@@ -243,23 +233,23 @@ void PlanarEngine::fail(const Mover& mover, bool stays_within, const Body& body,
 
 /// Fails if a box that nothing stops leaves a body no room.
 void PlanarEngine::fail_if_pressed() const {
-  const auto presses = encounters_.presses();
+  const auto presses = pipeline_.presses();
   if (presses.empty()) return;
   // The same one, whatever the order in which they were found.
-  const auto rank = [this](const Encounters::Press& each) {
-    const Thing& thing = things_[each.body];
-    return std::tie(thing.body, thing.vehicle, things_[each.box].body);
+  const auto rank = [this](const CollisionPipeline::Press& each) {
+    const Collider& collider = colliders_[each.body];
+    return std::tie(collider.body, collider.vehicle, colliders_[each.box].body);
   };
-  const Encounters::Press& press =
+  const CollisionPipeline::Press& press =
       *std::min_element(presses.begin(), presses.end(),
                         [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  const Thing& thing = things_[press.body];
-  const Vector2& at = movers_[thing.mover].place();
+  const Collider& collider = colliders_[press.body];
+  const Vector2& at = movers_[collider.mover].place();
   Failure failure;
   failure.kind = Failure::Kind::pressed;
-  failure.body = thing.body;
-  if (thing.vehicle > 0) failure.segment = thing.vehicle - 1;
-  failure.presser = things_[press.box].body;
+  failure.body = collider.body;
+  if (collider.vehicle > 0) failure.segment = collider.vehicle - 1;
+  failure.presser = colliders_[press.box].body;
   failure.place = {at.x, at.y, 0.0};
   failure.time_s = time_;
   throw PhysicsFailure(failure);
@@ -268,18 +258,18 @@ void PlanarEngine::fail_if_pressed() const {
 std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   base::Fnv1a all(hash);
   const auto add = [&](std::uint32_t id) {
-    const Thing& thing = things_[id];
-    const bool moves = thing.mover != Contact::kFixed;
-    const Vector2& at = moves ? movers_[thing.mover].place() : scene_.place_of(id);
-    const Direction& ahead = moves ? movers_[thing.mover].ahead() : scene_.ahead_of(id);
+    const Collider& collider = colliders_[id];
+    const bool moves = collider.mover != Contact::kFixed;
+    const Vector2& at = moves ? movers_[collider.mover].place() : scene_.place_of(id);
+    const Direction& ahead = moves ? movers_[collider.mover].ahead() : scene_.ahead_of(id);
     for (const double number : {at.x, at.y, ahead.c, ahead.s}) all.add(number);
     if (!moves) return;
-    const Twist& v = movers_[thing.mover].velocity();
+    const Twist& v = movers_[collider.mover].velocity();
     for (const double number : {v.x, v.y, v.turn}) all.add(number);
   };
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     for (std::uint32_t k = 0; k < robots_[i].vehicles(); ++k) {
-      add(robot_bodies_[i].first_thing + k);
+      add(robot_bodies_[i].first_collider + k);
     }
     for (const JointSetting& joint : robots_[i].joints()) {
       all.add(joint.rate_rad_s);
@@ -288,7 +278,7 @@ std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   }
   for (const BoxBody& box : boxes_) {
     all.add(std::uint64_t{box.present});
-    if (box.present) add(box.thing);
+    if (box.present) add(box.collider);
   }
   return all.value();
 }

@@ -7,6 +7,8 @@
 
 #include "elsie/base/number_text.h"
 
+#include "softness.h"
+
 namespace elsie::physics {
 namespace {
 
@@ -62,12 +64,20 @@ std::optional<std::string> fault_of(const BodyPlan& plan, const std::string& wha
 
 }  // namespace elsie::physics
 
+// Contacts are rigid: there is no cfm.
+extern "C" __attribute__((visibility("default"))) void elsie_engine_parameters(
+    std::vector<elsie::world::AttributeSpec>& parameters) {
+  parameters = elsie::physics::softness_parameters();
+  std::erase_if(parameters, [](const auto& parameter) { return parameter.name == "cfm"; });
+}
+
 extern "C" __attribute__((visibility("default"))) void elsie_check_world(
     const elsie::world::World& world, elsie::base::Problems& problems) {
   using namespace elsie::physics;
   const auto add = [&](const elsie::world::Location& where, const auto& fault) {
     if (fault) problems.add(where, *fault);
   };
+  check_softness(world.physics, problems);
   add(world.physics.location, fault_of(world.physics));
   for (const elsie::world::Box& box : world.boxes) {
     add(box.location, fault_of(box, "the box '" + box.id + "'"));

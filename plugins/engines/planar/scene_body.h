@@ -17,8 +17,8 @@ inline constexpr double kHair = 1e-9;  // m, so that rounding never hides a body
 /// around something else. In two lines of the processor's cache: what tells whether it is near, and
 /// the rest.
 struct alignas(64) SceneBody {
-  /// How much of its look the frequent rays need.
-  enum class Outside : std::uint8_t { box, disc, other };
+  /// Its horizontal section, if rays that run level above its wheels need no more of its shape.
+  enum class Section : std::uint8_t { box, disc, other };
 
   Vector2 place;
   Direction ahead;
@@ -26,7 +26,7 @@ struct alignas(64) SceneBody {
   double reach = 0.0;       // m, the radius of the circle around it
   std::uint32_t index = 0;  // among its kind
   BodyKind kind = BodyKind::wall;
-  Outside outside = Outside::box;
+  Section section = Section::box;
   bool sensed : 1 = false;
   bool placed : 1 = false;
   bool moves : 1 = false;

@@ -136,9 +136,12 @@ void Undercarriage::take(const Undercarriage& other) {
   is_known_ = false;
 }
 
+/// Of a motor that holds its rate, s = wanted, so that F = (g wanted - J V) / slip. With the motor
+/// at its limit T, the motor's equation for s in the tyre's equation gives
+///
+///   F = (g (s0 + h T / I) - J V) / (slip + g^2 h / I).
 inline Undercarriage::Law Undercarriage::law(const Grip& grip, const Turning& now) const {
   if (now.hold == Hold::rolls) return {model_->stiffness, grip.rim * now.wanted};
-  // The motor gives its most, and the wheel turns as tyre and motor make it.
   const double torque = now.hold == Hold::motor_up ? grip.torque : -grip.torque;
   return {grip.stiffness, grip.rim * (now.rate + grip.per_torque * torque)};
 }
@@ -188,6 +191,12 @@ inline Undercarriage::Hold Undercarriage::fitting(const Grip& grip, const Turnin
   return is_short ? now.hold : Hold::rolls;
 }
 
+/// With the forces of law() in the body's equation,
+///
+///   (M + h sum of k J' J) V = M V0 + h sum of J' k speed + h sum of J' (+- limit),
+///
+/// where the last sum is over the grips that slide. The inverse of the matrix on the left is the
+/// response to an impulse, too.
 void Undercarriage::respond() {
   is_known_ = true;
   ++changes_;
@@ -250,7 +259,8 @@ Twist Undercarriage::solve(const Twist& free) {
   return search(momentum);
 }
 
-/// The velocity, and the limits that fit to it.
+/// The velocity, and the limits that fit to it: those of the last velocity are tried until none
+/// changes.
 Twist Undercarriage::search(const Twist& momentum) {
   Twist velocity;
   for (int search = 1; search <= kMostSearches; ++search) {
@@ -304,28 +314,6 @@ void Undercarriage::settle(const Twist& velocity) {
       now.rate = turning(grip, now, std::clamp(pull, -grip.limit, grip.limit));
     }
   }
-}
-
-FloorFriction::FloorFriction(const Inertia& inertia, double lever, const world::Physics& physics)
-    : inertia_(inertia),
-      force_(physics.step * physics.friction * inertia.mass * std::abs(physics.gravity)),
-      torque_(lever * force_) {}
-
-Twist FloorFriction::solve(const Twist& free) const {
-  const double speed = std::hypot(free.x, free.y);
-  if (speed == 0.0 && free.turn == 0.0) return free;
-  const double by_force = inertia_.mass * speed / force_;
-  const double by_torque = inertia_.about_center * std::abs(free.turn) / torque_;
-  if (by_force * by_force + by_torque * by_torque <= 1.0) return {};
-  // The impulse on the ellipsoid that takes the most energy.
-  const double x = force_ * speed, t = torque_ * free.turn;
-  const double scale = std::hypot(x, t);
-  if (!(scale > 0.0)) return free;
-  const double braked = force_ * x / scale / inertia_.mass;
-  const double turned = torque_ * std::abs(t) / scale / inertia_.about_center;
-  const double factor = speed > braked ? 1.0 - braked / speed : 0.0;
-  const double turn = std::max(0.0, std::abs(free.turn) - turned);
-  return {factor * free.x, factor * free.y, std::copysign(turn, free.turn)};
 }
 
 }  // namespace elsie::physics

@@ -1,5 +1,4 @@
-// What holds a body on the floor: the wheels of a vehicle, or the friction of something that
-// slides.
+// What holds a vehicle on the floor: its wheels.
 #pragma once
 
 #include <cstddef>
@@ -11,34 +10,25 @@
 #include "elsie/api/body.h"
 #include "elsie/world/description.h"
 
+#include "floor_friction.h"
 #include "plane.h"
 
 namespace elsie::physics {
 
-/// The mass of a vehicle in the plane.
-struct Inertia {
-  double mass = 0.0;          // kg
-  Vector2 center;             // m, of mass, in the frame of its origin
-  double about_center = 0.0;  // kg m2, about the vertical axis through the center of mass
-
-  /// The velocity after an impulse, which is given in the same frame.
-  Twist after(const Twist& velocity, const Twist& impulse) const {
-    return {velocity.x + impulse.x / mass, velocity.y + impulse.y / mass,
-            velocity.turn + impulse.turn / about_center};
-  }
-};
-
 /// The wheels of a vehicle, with their motors and tyres.
 ///
 /// A tyre grips in two directions, ahead and across; a wheel with rollers only along their axles,
-/// one without a motor only across. In each direction the contact glides at `slip` times the force,
-/// and the force is at most the friction of the wheel's load. So a grip with the velocity J V of
-/// the body above it, and the speed g s of the rim of a wheel that turns at the rate s, has the
-/// force F = (g s - J V) / slip. A motor holds its rate within its torque limit.
+/// one without a motor only across. The equations of a step of the length h, for the velocity V of
+/// the body, and for each grip its direction J, its force F, the rate s of its wheel, and the speed
+/// g s of the wheel's rim:
 ///
-/// The velocity after a step follows from a linear system of three unknowns, as long as it is known
-/// which motors and tyres are at their limits. solve() begins with those of the last step, and
-/// changes them until they fit; usually nothing changes.
+///   F = (g s - J V) / slip,  |F| <= friction times the wheel's load     the tyre
+///   I (s - s0) = h (T - g F),  |T| <= torque; s = wanted, if T can       the motor
+///   M (V - V0) = h sum of J' F                                         the body
+///
+/// As long as it is known which motors and tyres are at their limits, the forces are linear in V,
+/// which follows from a system of three equations. solve() begins with the limits of the last step,
+/// and changes them until they fit; usually nothing changes.
 class Undercarriage {
  public:
   Undercarriage() = default;  // without wheels
@@ -120,7 +110,7 @@ class Undercarriage {
     double wanted = 0.0;  // rad/s
     Hold hold = Hold::rolls;
   };
-  /// A force that depends on the velocity J V: stiffness (speed - J V).
+  /// The force of a grip that does not slide: F = stiffness (speed - J V).
   struct Law {
     double stiffness = 0.0;
     double speed = 0.0;
@@ -147,24 +137,6 @@ class Undercarriage {
   bool is_loose_ = false;  // a grip is at a limit, or its motor is
   bool is_known_ = false;  // the response
   Symmetric response_;
-};
-
-/// The friction of a body that slides on the floor, for translation and turning together: the
-/// forces lie within an ellipsoid (Howe and Cutkosky, "Practical force-motion models for sliding
-/// manipulation", 1996).
-class FloorFriction {
- public:
-  FloorFriction() = default;  // none
-  /// `lever`: the mean distance of its support from its middle, m.
-  FloorFriction(const Inertia& inertia, double lever, const world::Physics& physics);
-
-  /// As Undercarriage::solve(), in any frame.
-  Twist solve(const Twist& free) const;
-
- private:
-  Inertia inertia_;
-  double force_ = 0.0;   // N s, the most in a step
-  double torque_ = 0.0;  // N m s
 };
 
 }  // namespace elsie::physics

@@ -13,6 +13,7 @@
 
 #include "dangers.h"
 #include "refusals.h"
+#include "softness.h"
 
 namespace elsie::world {
 namespace {
@@ -32,28 +33,20 @@ class Search {
  private:
   void add(Warning::About about, std::size_t index, const Location& location,
            const std::optional<std::string>& message) {
-    if (!message) return;
-    found_.push_back({about, index, location, *message});
-    if (location.file.empty()) found_.back().location.file = world_.file;
+    if (message) found_.push_back({about, index, location, *message});
   }
 
   void physics() {
     const Physics& p = world_.physics;
-    if (p.cfm != Physics{}.cfm) {
-      add(Warning::About::no_effect, 0, p.location,
-          "cfm=\"" + base::number_text(p.cfm) +
-              "\" has no effect, because contacts are rigid in the engine 'planar'; expected "
-              "erp, friction or bounce, or the engine 'ode'");
-    }
     if (const int parts = physics::parts_of(p.step); parts > 1) {
       add(Warning::About::no_effect, 0, p.location,
           "the engine 'planar' does a step of " + base::number_text(p.step) + " s in " +
               std::to_string(parts) +
               " equal parts, because contacts need steps of at most 0.01 s");
     }
-    if (p.effective_erp() < kLeastErp) {
+    if (const double erp = physics::softness_of(p).erp; erp < kLeastErp) {
       add(Warning::About::physics, 0, p.location,
-          "erp is " + base::number_text(p.effective_erp(), 3) +
+          "erp is " + base::number_text(erp, 3) +
               ": bodies that overlap are hardly moved apart; expected 0.1 to 0.8");
     }
   }

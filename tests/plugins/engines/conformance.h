@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "elsie/base/random.h"
+#include "elsie/base/thread_pool.h"
 #include "elsie/plugin/engine_libraries.h"
 
 #include "physics_context.h"
@@ -30,6 +34,49 @@ inline double cross_z(const Frame& a, const Frame& b) {
 
 inline double across(const Vector3& a, const Vector3& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// A square of robots in a small arena, which run into everything: boxes between them, a train, and
+/// a box that moves through them. Half way, one box is removed.
+struct Bustle {
+  std::uint64_t seed = 1;
+  int steps = 400;
+  int side = 3;
+  double apart = 0.8;  // m
+};
+
+/// The hash after each step.
+inline std::vector<std::uint64_t> history(const std::string& engine, const Bustle& bustle,
+                                          std::size_t threads = 1) {
+  base::ThreadPool pool(threads);
+  const auto [seed, steps, side, apart] = bustle;
+  const double size = apart * (side + 0.2), first = -0.5 * apart * (side - 1);
+  PhysicsContext context(with(engine), {.length = size, .width = size});
+  context.engine->work_with(pool);
+  Random random(seed);
+  const auto robots = static_cast<std::size_t>(side * side);
+  for (int i = 0; i < side * side; ++i) {
+    context.robot(first + apart * (i % side), first + apart * (i / side),
+                  random.uniform(-180, 180));
+  }
+  for (int i = 0; i < (side - 1) * (side - 1); ++i) {
+    context.box(world::BoxKind::dynamic, first + apart * (i % (side - 1) + 0.5),
+                first + apart * (i / (side - 1) + 0.5), {0.1, 0.15, 0.1}, 30.0 * i);
+  }
+  context.train(0.0, 0.07 - 0.5 * size, 0.0, {world::Segment(), world::Segment()});
+  const double y = first + 0.5 * apart;
+  const std::size_t moving = context.box(world::BoxKind::moving, first, y, {0.1, 0.1, 0.1});
+  std::vector<std::uint64_t> hashes;
+  for (int i = 0; i < steps; ++i) {
+    for (std::size_t robot = 0; i % 20 == 0 && robot <= robots; ++robot) {
+      context.drive(robot, {random.uniform(-5, 25), random.uniform(-5, 25)});
+    }
+    if (i == steps / 2) context.engine->remove_box(2);
+    context.engine->drive_box(moving, {first + 0.003 * (i + 1), y}, {0.3, 0.0});
+    context.engine->step();
+    hashes.push_back(context.engine->hash_state());
+  }
+  return hashes;
 }
 
 }  // namespace elsie::physics

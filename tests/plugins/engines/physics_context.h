@@ -35,7 +35,7 @@ struct PhysicsContext {
   }
 
   std::size_t box(world::BoxKind kind, double x, double y, const Vector3& size,
-                  double heading_deg = 0.0, double z = 0.0) {
+                  double heading_deg = 0.0, double z = 0.0, double mass = world::Box{}.mass) {
     world::Box box;
     box.kind = kind;
     box.x = x;
@@ -45,6 +45,7 @@ struct PhysicsContext {
     box.width = size.y;
     box.height = size.z;
     box.heading_deg = heading_deg;
+    box.mass = mass;
     return engine->add_box(box);
   }
 

@@ -82,26 +82,6 @@ class Crowd : public PhysicsContext {
   std::size_t robots_;
 };
 
-/// How far a robot moves the first of so many boxes of 20 g in a row before it, in 3 s.
-double pushed(int boxes) {
-  PhysicsContext context({}, open_field());
-  const std::size_t robot = context.robot(0, 0);
-  std::size_t first = 0;
-  for (int i = 0; i < boxes; ++i) {
-    world::Box box;
-    box.kind = BoxKind::dynamic;
-    box.mass = 0.02;
-    box.length = box.width = box.height = 0.05;
-    box.x = 0.0651 + 0.0501 * i;
-    const std::size_t index = context.engine->add_box(box);
-    if (i == 0) first = index;
-  }
-  const double before = context.engine->box(first).origin.x;
-  context.drive(robot, {10, 10});
-  context.run(3.0);
-  return context.engine->box(first).origin.x - before;
-}
-
 }  // namespace
 
 TEST_CASE("A crowd has the same bits in two runs, also when two take turns") {
@@ -156,13 +136,6 @@ TEST_CASE("A heap of robots that fall on each other comes to rest on the floor")
   }
   CHECK(heap.lowest() > -0.01);
   CHECK(fastest < 0.05);
-}
-
-// The motors press with 1 N, and a box holds against it with 0.3 x 0.02 kg x 9.81 m/s2 = 0.059 N.
-TEST_CASE("A robot pushes as many boxes in a row as its motors can, and no more") {
-  CHECK(pushed(12) > 0.2);
-  CHECK(pushed(14) > 0.2);
-  CHECK(pushed(20) < 0.02);  // as far as it takes them to close up
 }
 
 TEST_CASE("A row of boxes that is pushed arrives as a row") {

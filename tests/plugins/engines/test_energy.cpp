@@ -298,6 +298,8 @@ TEST_CASE(
     CHECK(without.failure->kind == Failure::Kind::pressed);
     CHECK(without.failure->body == robot_body(0));
     CHECK(without.failure->presser == box_body(1));
+    CHECK(without.failure->time_s > 0.5 / speed);  // not before they meet
+    CHECK(without.failure->place.x < 0.96 + kDeepest);
     CHECK(without.farthest < 0.96 + kDeepest);
   }
 }

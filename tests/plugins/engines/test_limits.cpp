@@ -21,11 +21,8 @@ bool finite_or_reported(const world::Physics& physics, const world::RobotBody& b
   PhysicsContext context(physics);
   const double ahead = 0.5 * body.length + 0.15;
   const std::size_t robot = context.robot(0, 0, 0, body);
-  world::Box box;
-  box.kind = BoxKind::dynamic;
-  box.x = ahead;
-  box.mass = box_mass;
-  const std::size_t pushed = context.engine->add_box(box);
+  const std::size_t pushed =
+      context.box(BoxKind::dynamic, ahead, 0, {0.2, 0.2, 0.2}, 0, 0, box_mass);
   context.drive(robot, {25, 25});
   try {
     context.run(200 * physics.step);
@@ -49,11 +46,11 @@ TEST_CASE("Extreme physics stays finite or is reported") {
   world::Physics physics;
   SECTION("tiny step") { physics.step = 1e-6; }
   SECTION("huge step") { physics.step = 1.0; }
-  SECTION("no cfm") { physics.cfm = 0.0; }
-  SECTION("tiny cfm") { physics.cfm = 1e-15; }
-  SECTION("huge cfm") { physics.cfm = 10.0; }
-  SECTION("tiny erp") { physics.erp = 1e-9; }
-  SECTION("full erp") { physics.erp = 1.0; }
+  SECTION("no cfm") { physics.parameters["cfm"] = 0.0; }
+  SECTION("tiny cfm") { physics.parameters["cfm"] = 1e-15; }
+  SECTION("huge cfm") { physics.parameters["cfm"] = 10.0; }
+  SECTION("tiny erp") { physics.parameters["erp"] = 1e-9; }
+  SECTION("full erp") { physics.parameters["erp"] = 1.0; }
   SECTION("no friction") { physics.friction = 0.0; }
   SECTION("huge friction") { physics.friction = 1e6; }
   SECTION("no slip") { physics.wheel_slip = 0.0; }
@@ -62,12 +59,12 @@ TEST_CASE("Extreme physics stays finite or is reported") {
   SECTION("heavy gravity") { physics.gravity = -1000.0; }
   SECTION("gravity upwards") { physics.gravity = 9.81; }
   SECTION("stiff spring") {
-    physics.kp = 1e12;
-    physics.kd = 1.0;
+    physics.parameters["kp"] = 1e12;
+    physics.parameters["kd"] = 1.0;
   }
   SECTION("no damping") {
-    physics.kp = 1e3;
-    physics.kd = 0.0;
+    physics.parameters["kp"] = 1e3;
+    physics.parameters["kd"] = 0.0;
   }
   CHECK(finite_or_reported(physics));
 }
@@ -162,8 +159,8 @@ TEST_CASE("Impossible worlds are refused with a sentence") {
   SECTION("step of zero") { physics.step = 0.0; }
   SECTION("negative step") { physics.step = -0.01; }
   SECTION("step that is no number") { physics.step = nan; }
-  SECTION("erp of zero") { physics.erp = 0.0; }
-  SECTION("negative cfm") { physics.cfm = -1.0; }
+  SECTION("erp of zero") { physics.parameters["erp"] = 0.0; }
+  SECTION("negative cfm") { physics.parameters["cfm"] = -1.0; }
   SECTION("gravity that is no number") { physics.gravity = nan; }
   SECTION("negative friction") { physics.friction = -1.0; }
   SECTION("bounce above 1") { physics.bounce = 1.5; }

@@ -173,33 +173,7 @@ TEST_CASE("In a steady circle each axle of a long train runs at the radius of th
   Train pulled = train(context, steady(30));
   pulled.drive(18, 20);
   context.run(25.0);
-  const double radius = world::RobotBody{}.half_axle() * 19.0;
-  const Pose pose = context.pose(0);
-  const Vector2 center{pose.x - radius * std::sin(pose.heading_rad),
-                       pose.y + radius * std::cos(pose.heading_rad)};
-  double squared = radius * radius;
-  for (std::size_t i = 0; i < 30; ++i) {
-    const world::Coupling& joint = pulled.joints[i];
-    squared += joint.behind * joint.behind - joint.ahead * joint.ahead;
-    const Pose axle = pulled.segment(i).pose;
-    CAPTURE(i);
-    CHECK(std::hypot(axle.x - center.x, axle.y - center.y) ==
-          Approx(std::sqrt(squared)).margin(1e-3));
-  }
-}
-
-TEST_CASE("A long train at rest stays where it is, level and in line") {
-  const double step = GENERATE(0.001, 0.01, 0.1);
-  CAPTURE(step);
-  PhysicsContext context(with_step(step));
-  Train standing = train(context, std::vector<world::Segment>(30), 4, 0);
-  context.run(100 * step);
-  for (std::size_t i = 0; i < 30; ++i) {
-    const SegmentState state = standing.segment(i);
-    CHECK(std::hypot(state.pose.x - (4 - standing.joints[i].place), state.pose.y) < 1e-6);
-    CHECK(std::abs(state.frame.origin.z) < 1e-4);
-    CHECK(std::abs(state.yaw_rad) < 1e-6);
-  }
+  check_circle(pulled, {18, 20}, 1e-3);
 }
 
 TEST_CASE("A wall stops a long train that is pushed against it") {

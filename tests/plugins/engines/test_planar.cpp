@@ -7,8 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/physics/failure.h"
-
 #include "physics_context.h"
 
 using namespace elsie;
@@ -195,22 +193,6 @@ TEST_CASE("Many rays at once find what single rays find, wherever the bodies hav
       CAPTURE(step, robot, ray.from->origin.x, ray.from->forward.x);
       REQUIRE(ray.distance_m == (hit ? hit->distance : RayQuery::kNothing));
     }
-  }
-}
-
-TEST_CASE("A body that two others press to death ends the run, and is named") {
-  PhysicsContext context(planar());
-  const std::size_t robot = context.robot(4.8, 0.0, 0);
-  const std::size_t ram = context.box(BoxKind::moving, 4.5, 0.0, {0.2, 0.2, 0.2});
-  try {
-    context.drive(ram, {0.2, 0.0}, 3.0);
-    FAIL("nothing was said");
-  } catch (const PhysicsFailure& failure) {
-    CHECK(failure.failure.kind == Failure::Kind::pressed);
-    CHECK(failure.failure.body == robot_body(robot));
-    CHECK(failure.failure.presser == box_body(ram));
-    CHECK(failure.failure.time_s == Approx(1.6).margin(0.03));
-    CHECK(failure.failure.place.x < 4.962);
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "elsie/base/random.h"
 
-#include "physics_context.h"
+#include "conformance.h"
 
 using namespace elsie;
 using namespace elsie::physics;
@@ -77,7 +77,7 @@ bool overlap(const Pyramid& pyramid, const Frame& middle, const Vector3& half) {
 }  // namespace
 
 TEST_CASE("A box ahead is in the pyramid up to its far face") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 1.5, 0.0, {0.2, 0.2, 0.4});  // from x = 1.4
   CHECK(context.engine->anything_in(wide({0.4 + kNear, 0, 0.2}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0.4 - kNear, 0, 0.2}), kNobody));
@@ -85,14 +85,14 @@ TEST_CASE("A box ahead is in the pyramid up to its far face") {
 }
 
 TEST_CASE("The far face is flat: its corners reach further than the range") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   // Beside the axis, at a distance of 1.27 m from the sensor, 0.98 m along the axis.
   context.box(BoxKind::fixed, 1.0, 0.82, {0.04, 0.04, 0.4});
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
 }
 
 TEST_CASE("A box beside the pyramid is in it from its side face on") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   // The corner of the box is at (0.5, 0.5): on the left face of a pyramid at the origin.
   context.box(BoxKind::fixed, 0.4, 0.6, {0.2, 0.2, 0.4});
   CHECK(context.engine->anything_in(wide({0, kNear, 0.2}), kNobody));
@@ -100,14 +100,14 @@ TEST_CASE("A box beside the pyramid is in it from its side face on") {
 }
 
 TEST_CASE("A box above the pyramid is in it from its upper face on") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 0.8, 0.0, {0.4, 0.1, 0.1}, 0, 0.7);  // (1.0, 0.7) is lowest and last
   CHECK(context.engine->anything_in(wide({0, 0, 0.2 + kNear}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0, 0, 0.2 - kNear}), kNobody));
 }
 
 TEST_CASE("Edge meets edge") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   // An upright edge at (0.6, 0.5) points at the far left edge of the pyramid, which lies at
   // x = 0.6 and runs up and down at y = 1 from an apex at (-0.4, -0.5).
   context.box(BoxKind::fixed, 0.6, 0.5 + 0.1 * std::sqrt(2.0), {0.2, 0.2, 0.4}, 45);
@@ -116,16 +116,16 @@ TEST_CASE("Edge meets edge") {
 }
 
 TEST_CASE("A pyramid within a box, and a box within a pyramid") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 0.0, 0.0, {3.0, 3.0, 3.0});
   CHECK(context.engine->anything_in(wide({-0.5, 0, 1.0}), kNobody));
-  PhysicsContext other;
+  PhysicsContext other(context.physics);
   other.box(BoxKind::fixed, 0.8, 0.0, {0.02, 0.02, 0.02}, 0, 0.2);
   CHECK(other.engine->anything_in(wide({0, 0, 0.2}), kNobody));
 }
 
 TEST_CASE("Walls, robots and visible boxes count, the floor and what is left out do not") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   CHECK_FALSE(context.engine->anything_in(wide({0, 0, 0.05}), kNobody));  // reaches below the floor
   CHECK(context.engine->anything_in(wide({4.5, 0, 0.2}), kNobody));
   const std::size_t robot = context.robot(0.5, 0);
@@ -140,7 +140,7 @@ TEST_CASE("Walls, robots and visible boxes count, the floor and what is left out
 }
 
 TEST_CASE("A proximity sensor on a chassis sees a robot of its own size") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   const world::RobotBody body;
   const std::size_t self = context.robot(0, 0);
   context.robot(0.4, 0.0, 90);
@@ -150,7 +150,7 @@ TEST_CASE("A proximity sensor on a chassis sees a robot of its own size") {
 }
 
 TEST_CASE("A box that was taken is in no pyramid") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   const std::size_t box = context.box(BoxKind::resource, 0.5, 0.0, {0.1, 0.1, 0.4});
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
   context.engine->remove_box(box);
@@ -158,7 +158,7 @@ TEST_CASE("A box that was taken is in no pyramid") {
 }
 
 TEST_CASE("A pyramid without height holds nothing") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 0.0, 0.0, {0.1, 0.1, 0.4});
   Pyramid pyramid = wide({0, 0, 0.2});
   pyramid.range_m = 0.0;
@@ -167,9 +167,10 @@ TEST_CASE("A pyramid without height holds nothing") {
 
 TEST_CASE("Pyramids against random boxes agree with cutting them to pieces") {
   Random random(7);
+  const world::Physics physics = with(each_engine());
   int in = 0, out = 0;
   for (int world = 0; world < 40; ++world) {
-    PhysicsContext context({}, open_field(6.0));
+    PhysicsContext context(physics, open_field(6.0));
     std::vector<std::pair<Frame, Vector3>> boxes;
     for (int i = 0; i < 6; ++i) {
       world::Box box;
@@ -207,7 +208,7 @@ TEST_CASE("A round chassis is in the pyramid from its nearest point on, not the 
   const double near = GENERATE(-1e-6, 1e-6);
   // The left face of a pyramid at the origin is the plane y = x; the disc touches it at (0.5, 0.5).
   const double r = 0.1, aside = r * std::sqrt(0.5) + near;
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.engine->add_robot(alone(Shape::pillar(r, 0.3)), {0.5 - aside, 0.5 + aside, 0.0});
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody) == (near < 0.0));
   context.engine->add_robot(alone(Shape::box({2 * r, 2 * r, 0.3})), {0.5 - aside, 0.5 + aside, 0});

@@ -8,7 +8,7 @@
 
 #include "elsie/base/random.h"
 
-#include "physics_context.h"
+#include "conformance.h"
 
 using namespace elsie;
 using namespace elsie::physics;
@@ -106,7 +106,7 @@ TEST_CASE("A ray finds the walls at their exact distance") {
   world::Arena arena;
   arena.length = 8.0;
   arena.width = 6.0;
-  PhysicsContext context({}, arena);
+  PhysicsContext context(with(each_engine()), arena);
   CHECK(cast(context, {0, 0, 0.1}, level(0)) == Approx(4.0).margin(1e-9));
   CHECK(cast(context, {0, 0, 0.1}, level(90)) == Approx(3.0).margin(1e-9));
   CHECK(cast(context, {1, 0, 0.1}, level(180)) == Approx(5.0).margin(1e-9));
@@ -122,7 +122,7 @@ TEST_CASE("A ray finds the walls at their exact distance") {
 }
 
 TEST_CASE("A ray finds an oriented box at its exact distance") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   const double turned = GENERATE(0.0, 17.0, 45.0, 90.0, -130.0);
   const std::size_t box = context.box(BoxKind::fixed, 1.0, 2.0, {0.6, 0.4, 0.2}, turned);
   const Frame frame = Frame::turned({1.0, 2.0, 0.1}, radians(turned), 0.0);
@@ -140,7 +140,7 @@ TEST_CASE("A ray finds an oriented box at its exact distance") {
 }
 
 TEST_CASE("A grazing ray belongs to the box within its face and to nothing beside it") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 1.0, 0.0, {0.5, 0.5, 0.5});
   CHECK(cast(context, {0, 0.25 - 1e-9, 0.1}, level(0), 2) == Approx(0.75).margin(1e-9));
   CHECK(cast(context, {0, 0.25, 0.1}, level(0), 2) == Approx(0.75).margin(1e-9));
@@ -149,7 +149,7 @@ TEST_CASE("A grazing ray belongs to the box within its face and to nothing besid
 }
 
 TEST_CASE("The range limits a ray, its end included") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 1.25, 0.0, {0.5, 0.5, 0.5});
   CHECK(cast(context, {0, 0, 0.1}, level(0), 1.0) == 1.0);
   CHECK(cast(context, {0, 0, 0.1}, level(0), 0.999999) == kNone);
@@ -158,25 +158,27 @@ TEST_CASE("The range limits a ray, its end included") {
 }
 
 TEST_CASE("A ray that starts in a body meets it at once") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 1.0, 0.0, {0.5, 0.5, 0.5});
   CHECK(cast(context, {1.1, 0.1, 0.1}, level(33)) == 0.0);
   CHECK(cast(context, {0.75, 0.0, 0.1}, level(180), 1.0) == 0.0);
 }
 
 TEST_CASE("A ray that looks down finds the floor") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   const auto hit = context.engine->cast_ray({0, 0, 0.1}, {std::sqrt(0.75), 0, -0.5}, 1.0, kNobody);
   REQUIRE(hit);
   CHECK(hit->floor);
   CHECK(hit->distance == Approx(0.2).margin(1e-9));
   CHECK(cast(context, {0, 0, 0.1}, {0, 0, -1}) == Approx(0.1).margin(1e-12));
+  context.box(BoxKind::fixed, 1.0, 0.0, {0.2, 0.4, 0.3});
+  CHECK(cast(context, {1.0, 0.1, 1.0}, {0, 0, -1}) == Approx(0.7).margin(1e-12));
   CHECK(cast(context, {0, 0, 0.1}, {0, 0, 1}) == kNone);
   CHECK(cast(context, {0, 0, 0.0}, level(0), 1.0) == kNone);
 }
 
 TEST_CASE("A robot sees another of its size over its own chassis' top, but not itself") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   const std::size_t self = context.robot(0, 0);
   const std::size_t other = context.robot(0.5, 0, 90);
   const world::RobotBody body;
@@ -188,13 +190,16 @@ TEST_CASE("A robot sees another of its size over its own chassis' top, but not i
   CHECK(hit->distance == Approx(0.5 - 0.04 - 0.04).margin(1e-9));
   CHECK(context.engine->cast_ray(sensor, level(180), 1.0, self) == std::nullopt);
   CHECK(cast(context, sensor, level(180), 1.0, kNobody) == 0.0);
+  const std::size_t disc = context.robot(0.0, 1.0, 20, round_body(0.12));
+  CHECK(cast(context, {0, 0.04, 0.05}, level(90), 2.0, self) == Approx(0.9).margin(1e-9));
+  CHECK(cast(context, {0, 0.04, 0.05}, level(90), 2.0, disc) == kNone);
   // The sensor deck ends 2 cm above the chassis.
   CHECK(cast(context, {0, 0, body.top() + 0.019}, level(0), 1.0, self) < 1.0);
   CHECK(cast(context, {0, 0, body.top() + 0.021}, level(0), 1.0, self) == kNone);
 }
 
 TEST_CASE("A wheel is seen as the cylinder that it is") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.robot(0, 0);
   const world::RobotBody body;
   // From ahead, past the chassis, onto the tyre; at axle height and above.
@@ -207,7 +212,7 @@ TEST_CASE("A wheel is seen as the cylinder that it is") {
 }
 
 TEST_CASE("Boxes that range sensors do not see let rays through") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   world::Box glass;
   glass.x = 1.0;
   glass.seen_by_range_sensors = false;
@@ -219,7 +224,7 @@ TEST_CASE("Boxes that range sensors do not see let rays through") {
 }
 
 TEST_CASE("Rays see bodies where they have moved to") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   const std::size_t robot = context.robot(-3.0, 0);
   const std::size_t moving = context.box(BoxKind::moving, 2.0, 2.0, {0.2, 0.2, 0.2});
   context.drive(robot, {25, 25});
@@ -231,7 +236,7 @@ TEST_CASE("Rays see bodies where they have moved to") {
 }
 
 TEST_CASE("Of two bodies at the same distance the first is met") {
-  PhysicsContext context;
+  PhysicsContext context(with(each_engine()));
   context.box(BoxKind::fixed, 1.0, 0.1, {0.2, 0.2, 0.2});
   context.box(BoxKind::fixed, 1.0, -0.1, {0.2, 0.2, 0.2});
   CHECK(context.engine->cast_ray({0, 0, 0.1}, level(0), 5, kNobody)->body == box_body(0));
@@ -243,7 +248,7 @@ TEST_CASE("Pruning changes no answer: random worlds, every body asked one by one
   world::Arena arena;
   arena.length = seed == 3 ? 70.0 : 6.0;
   arena.width = 4.0;
-  PhysicsContext context({}, arena);
+  PhysicsContext context(with(each_engine()), arena);
   std::vector<Seen> all;
   const double lx = 0.5 * arena.length, ly = 0.5 * arena.width;
   for (std::size_t wall = 0; wall < 4; ++wall) {

@@ -13,7 +13,7 @@
 
 #include "elsie/base/random.h"
 
-#include "lump.h"
+#include "composite.h"
 #include "physics_context.h"
 #include "prism_contact.h"
 
@@ -27,10 +27,10 @@ constexpr double kPressed = 1e-3;  // m: how far bodies may be pressed into each
 
 /// The moments of inertia of a body that stands alone.
 Vector3 moments(const Shape& shape, double mass) {
-  const Lump lump = lump_of(alone(shape, mass).parts);
-  CHECK(lump.mass == Approx(mass));
-  CHECK(dot(lump.center, lump.center) == Approx(0.0).margin(1e-18));
-  const auto& [x, y, z] = lump.inverse_inertia;
+  const Composite composite = composite_of(alone(shape, mass).parts);
+  CHECK(composite.mass == Approx(mass));
+  CHECK(dot(composite.center, composite.center) == Approx(0.0).margin(1e-18));
+  const auto& [x, y, z] = composite.inverse_inertia;
   for (const double off : {x.y, x.z, y.x, y.z, z.x, z.y}) CHECK(off == Approx(0.0).margin(1e-9));
   return {1.0 / x.x, 1.0 / y.y, 1.0 / z.z};
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <catch2/catch.hpp>
+
 #include "elsie/world/parts.h"
 
 #include "physics_context.h"
@@ -36,6 +38,22 @@ struct Train {
 inline Train train(PhysicsContext& context, const std::vector<world::Segment>& segments,
                    double x = 0.0, double y = 0.0, double heading_deg = 0.0) {
   return {context, context.train(x, y, heading_deg, segments), segments};
+}
+
+/// After a while with these rates: each axle runs at the radius of the closed form (test_segments).
+inline void check_circle(const Train& train, const WheelRates& rates, double margin) {
+  const world::RobotBody body;
+  const double radius = body.half_axle() * (rates.right + rates.left) / (rates.right - rates.left);
+  const Vector2 center = point_of(train.context.pose(train.robot), {0.0, radius});
+  double squared = radius * radius;
+  for (std::size_t i = 0; i < train.segments.size(); ++i) {
+    const world::Coupling& joint = train.joints[i];
+    squared += joint.behind * joint.behind - joint.ahead * joint.ahead;
+    const Pose axle = train.segment(i).pose;
+    CAPTURE(i);
+    CHECK(std::hypot(axle.x - center.x, axle.y - center.y) ==
+          Approx(std::sqrt(squared)).margin(margin));
+  }
 }
 
 /// Kinetic energy as positions tell it, and potential energy, of a train in motion.

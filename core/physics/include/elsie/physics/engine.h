@@ -57,14 +57,15 @@ struct SegmentState {
 struct Touch {
   Body a;
   Body b;
+
+  friend auto operator<=>(const Touch&, const Touch&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// Steps in which ODE's solver found no motion that satisfies all contacts, joints and motors. Such
-/// a step is repeated with softer and softer contacts, up to 81 times.
+/// Steps in which the engine found no motion that satisfies all constraints: contacts, joints and
+/// motors. It has then relaxed them.
 struct GiveUps {
-  std::uint64_t steps = 0;  // in which it gave up at least once
-  /// Of them, those in which softer contacts did not help. The iterative solver, which always
-  /// returns a result, then moved all bodies.
+  std::uint64_t steps = 0;
+  /// Of them, those whose motion is an approximation only, because no relaxing helped.
   std::uint64_t unsolved = 0;
   double first_s = 0.0;  // the end of the first such step
 
@@ -175,20 +176,20 @@ class Engine {
 };
 
 /// Makes the engine that `physics.engine` names. Throws plugin::PluginError if there is none, and
-/// std::invalid_argument for an arena or parameters that it cannot use (a step that is not
-/// positive, an erp outside of (0, 1]...).
+/// std::invalid_argument for an arena or parameters that it cannot use, such as a step that is not
+/// positive.
 std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
 
-/// The function that the library of an engine exports as `elsie_make_engine`; it also exports a
-/// world::EngineCheck and a world::EngineWarnings. The caller owns the engine. Throws
-/// std::invalid_argument as make_engine() does.
+/// The function that the library of an engine exports as `elsie_make_engine`; it also exports
+/// world::EngineParameters, world::EngineCheck and world::EngineWarnings. The caller owns the
+/// engine. Throws std::invalid_argument as make_engine() does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 
 /// The object that it exports as `elsie_engine_interface`: the version of this header (raise it
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 4;
+  std::uint32_t version = 5;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t box = sizeof(world::Box);

@@ -42,20 +42,13 @@ struct Physics {
   double gravity = -9.81;      // m/s2
   double step = 0.01;          // s
   int control_steps = 1;       // steps in one control period
-  double erp = 0.2;            // error reduction, in (0, 1]
-  double cfm = 1e-5;           // constraint force mixing
-  /// Spring and damping constant instead of erp and cfm, which then follow from them and the step:
-  /// erp = h kp / (h kp + kd), cfm = 1 / (h kp + kd) (ODE manual, "Spring and damper constants").
-  std::optional<double> kp;
-  std::optional<double> kd;
-  double friction = 0.3;     // Coulomb coefficient of contacts between bodies and with the floor;
-                             // that of tyres is three times as high
-  double wheel_slip = 1e-3;  // force-dependent slip of a wheel on the floor, m/s per N
-  double bounce = 0.0;       // restitution, in [0, 1]
+  double friction = 0.3;       // Coulomb coefficient of contacts between bodies and with the floor;
+                               // that of tyres is three times as high
+  double wheel_slip = 1e-3;    // force-dependent slip of a wheel on the floor, m/s per N
+  double bounce = 0.0;         // restitution, in [0, 1]
+  /// Those that engines declare, as far as the file sets them; see engine_facts.h.
+  std::map<std::string, ParameterValue> parameters{};
   Location location{};
-
-  double effective_erp() const { return kp && kd ? step * *kp / (step * *kp + *kd) : erp; }
-  double effective_cfm() const { return kp && kd ? 1.0 / (step * *kp + *kd) : cfm; }
 };
 
 using elsie::Colour;

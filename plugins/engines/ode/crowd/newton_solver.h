@@ -69,7 +69,7 @@ class NewtonSolver {
     std::ptrdiff_t offset = 0;  // of a's block in the columns of b's
     double target = 0.0;
     double softness = 0.0;
-    double gives_way = 0.0;  // J M^-1 J'
+    double inverse_mass = 0.0;  // J M^-1 J'
     double lower = 0.0, upper = 0.0;
     double error = 0.0;   // target - J v
     double change = 0.0;  // J d, where d is the step

@@ -1,4 +1,4 @@
-// A vehicle as collision detection and sensors see it.
+// Solids, and a vehicle of them, as collision detection sees it.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,6 @@
 
 #include "ode_handles.h"
 #include "outlines.h"
-#include "scene.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -34,18 +33,5 @@ struct Vehicle {
   bool wheels_inside = false;
   std::vector<Solid> casters;
 };
-
-/// How a vehicle moves.
-struct VehicleMotion {
-  Frame frame;       // origin on the floor side
-  Vector3 velocity;  // m/s, of the middle of the chassis
-  Vector3 turning;   // rad/s
-};
-
-/// Puts a vehicle into the scene, for sensors and neighbours: a chassis of this shape with its
-/// middle there, and wheels. Its reach is how far its speed carries it in a step. See
-/// Scene::place_robot().
-bool place_vehicle(Scene& scene, Scene::Id id, const Shape& shape, const Vector3& middle,
-                   const std::vector<Cylinder>& wheels, const VehicleMotion& motion, double step);
 
 }  // namespace elsie::physics

@@ -1,4 +1,4 @@
-// Steps the islands of an ODE world with the threads of a pool.
+// ODE's steps with several threads.
 #pragma once
 
 #include <atomic>
@@ -13,16 +13,17 @@
 
 namespace elsie::physics {
 
-/// A scheduler of ODE's calls (ode/threading.h). One thread makes all calls for an island, always
-/// in the same order, so that the state after a step does not depend on the number of threads.
-/// Unlike ODE's schedulers it passes exceptions on: dWorldStep() throws what a call threw.
-class IslandCrew {
+/// An implementation of ODE's threading interface (ode/threading.h). One thread makes all calls for
+/// an island, always in the same order, so that the state after a step does not depend on the
+/// number of threads. Unlike ODE's own implementations it passes exceptions on: dWorldStep() throws
+/// what a call threw.
+class OdeThreading {
  public:
   /// The pool must outlive the steps.
-  explicit IslandCrew(base::ThreadPool& pool);
-  ~IslandCrew();
-  IslandCrew(const IslandCrew&) = delete;
-  IslandCrew& operator=(const IslandCrew&) = delete;
+  explicit OdeThreading(base::ThreadPool& pool);
+  ~OdeThreading();
+  OdeThreading(const OdeThreading&) = delete;
+  OdeThreading& operator=(const OdeThreading&) = delete;
 
   /// Takes another pool.
   void work_with(base::ThreadPool& pool);
@@ -42,8 +43,8 @@ class IslandCrew {
   struct Locks;
   struct Blocks;
 
-  static IslandCrew& of(dThreadingImplementationID id) {
-    return *reinterpret_cast<IslandCrew*>(id);
+  static OdeThreading& of(dThreadingImplementationID id) {
+    return *reinterpret_cast<OdeThreading*>(id);
   }
   static const dThreadingFunctionsInfo& functions();
   static void* allocate(std::size_t size);
@@ -55,7 +56,7 @@ class IslandCrew {
   void make(Call& first, std::size_t thread);
   void finish(Call& call);
 
-  // The chain that this thread is making.
+  // Of this thread, while it makes calls.
   static constinit thread_local Chain* present_;
 
   base::ThreadPool* pool_;

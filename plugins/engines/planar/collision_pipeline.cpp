@@ -1,4 +1,4 @@
-#include "encounters.h"
+#include "collision_pipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kNone = Contact::kFixed;
 
 // Bodies in the share of a thread; fewer are not worth waking it.
-constexpr std::size_t kLeastThings = 32;
+constexpr std::size_t kLeastColliders = 32;
 constexpr std::size_t kLeastIslands = 4;
 
 // A body that would come this deep into others has no room before a box that nothing stops.
@@ -20,29 +20,30 @@ constexpr double kPressing = 1e-6;  // m
 
 }  // namespace
 
-bool Encounters::may_meet(const Thing& a, const Thing& b) const {
-  const bool gives_way = (a.mover != kNone && movers_[a.mover].gives_way()) ||
-                         (b.mover != kNone && movers_[b.mover].gives_way());
+bool CollisionPipeline::may_meet(const Collider& a, const Collider& b) const {
+  const bool is_dynamic = (a.mover != kNone && movers_[a.mover].is_dynamic()) ||
+                          (b.mover != kNone && movers_[b.mover].is_dynamic());
   // The limits of their joint keep neighbours apart.
   const bool neighbours =
       a.body == b.body && a.vehicle + 1 >= b.vehicle && b.vehicle + 1 >= a.vehicle;
-  return gives_way && !neighbours;
+  return is_dynamic && !neighbours;
 }
 
 /// An order that does not depend on the numbers of the bodies.
-bool Encounters::is_before(const Thing& a, const Thing& b) const {
+bool CollisionPipeline::is_before(const Collider& a, const Collider& b) const {
   if (a.mover == kNone || b.mover == kNone) return a.mover != kNone;
   const Vector2 &at_a = movers_[a.mover].place(), &at_b = movers_[b.mover].place();
   return std::tie(at_a.x, at_a.y, a.number) < std::tie(at_b.x, at_b.y, b.number);
 }
 
-void Encounters::find(std::span<const Moving> moving, double margin, base::ThreadPool& pool) {
+void CollisionPipeline::find(std::span<const Moving> moving, double margin,
+                             base::ThreadPool& pool) {
   found_.resize(pool.threads());
   scene_.begin_search();
-  pool.divide(moving.size(), kLeastThings, [&](const base::ThreadPool::Share& share) {
+  pool.divide(moving.size(), kLeastColliders, [&](const base::ThreadPool::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) {
-      if (scene_.is_clear(moving[i].thing, margin)) continue;
-      look_around(moving[i], margin, found_[share.thread]);
+      if (scene_.is_clear(moving[i].collider, margin)) continue;
+      find_contacts_of(moving[i], margin, found_[share.thread]);
     }
   });
   margin_ = margin;
@@ -54,29 +55,24 @@ void Encounters::find(std::span<const Moving> moving, double margin, base::Threa
     each.contacts.clear();
     each.touches.clear();
   }
-  if (touches_.size() < 2) return;
-  std::sort(touches_.begin(), touches_.end(),
-            [](const Touch& x, const Touch& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  std::sort(touches_.begin(), touches_.end());
   // Several of a robot's vehicles may touch the same body.
-  touches_.erase(
-      std::unique(touches_.begin(), touches_.end(),
-                  [](const Touch& x, const Touch& y) { return x.a == y.a && x.b == y.b; }),
-      touches_.end());
+  touches_.erase(std::unique(touches_.begin(), touches_.end()), touches_.end());
 }
 
-void Encounters::look_around(const Moving& moving, double margin, Found& found) const {
-  const std::uint32_t id = moving.thing;
+void CollisionPipeline::find_contacts_of(const Moving& moving, double margin, Found& found) const {
+  const std::uint32_t id = moving.collider;
   std::vector<std::uint32_t>& near = found.near;
   near.clear();
   scene_.for_each_near(id, margin, [&](std::uint32_t other) {
     // Two movers find each other.
-    if (things_[other].mover == kNone || id < other) near.push_back(other);
+    if (colliders_[other].mover == kNone || id < other) near.push_back(other);
   });
   if (near.empty()) return;
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   for (const std::uint32_t other : near) {
-    const Thing &a = things_[id], &b = things_[other];
+    const Collider &a = colliders_[id], &b = colliders_[other];
     if (!may_meet(a, b)) continue;
     const double nearer = b.mover == kNone ? 0.5 * margin : margin;  // only one of them moves
     if (is_before(a, b)) {
@@ -87,9 +83,9 @@ void Encounters::look_around(const Moving& moving, double margin, Found& found) 
   }
 }
 
-void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
-                      Found& found) const {
-  const Thing &a = things_[first], &b = things_[second];
+void CollisionPipeline::meet(std::uint32_t first, std::uint32_t second, double margin,
+                             Found& found) const {
+  const Collider &a = colliders_[first], &b = colliders_[second];
   bool touches = false;
   for_each_meeting(*a.solids, clearance_.placement(first), *b.solids, clearance_.placement(second),
                    margin, found.space, [&](std::size_t i, std::size_t k, const Meeting& met) {
@@ -101,8 +97,8 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
                                           met.points[n].feature};
                        contact.a = a.mover;
                        contact.b = b.mover;
-                       contact.thing_a = first;
-                       contact.thing_b = second;
+                       contact.collider_a = first;
+                       contact.collider_b = second;
                        contact.at = met.points[n].at;
                        contact.normal = met.normal;
                        contact.gap = met.points[n].gap;
@@ -115,49 +111,49 @@ void Encounters::meet(std::uint32_t first, std::uint32_t second, double margin,
 }
 
 /// Whether they pushed each other in the last step; perhaps they have bounced off since.
-bool Encounters::pushed(std::uint64_t a, std::uint64_t b) const {
+bool CollisionPipeline::pushed(std::uint64_t a, std::uint64_t b) const {
   for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
     const Contact::Key least{first, second, 0};
-    for (auto known =
-             std::lower_bound(memory_.begin(), memory_.end(), least,
-                              [](const Memory&m, const Contact::Key&key) { return m.key < key; });
-         known != memory_.end() && known->key.a == first && known->key.b == second; ++known) {
-      if (known->push > 0.0) return true;
+    for (auto known = std::lower_bound(
+             cache_.begin(), cache_.end(), least,
+             [](const CachedContact&m, const Contact::Key&key) { return m.key < key; });
+         known != cache_.end() && known->key.a == first && known->key.b == second; ++known) {
+      if (known->normal_impulse > 0.0) return true;
     }
   }
   return false;
 }
 
-void Encounters::recall(Contact& contact) const {
+void CollisionPipeline::recall(Contact& contact) const {
   const auto known =
-      std::lower_bound(memory_.begin(), memory_.end(), contact.key,
-                       [](const Memory& m, const Contact::Key& key) { return m.key < key; });
-  if (known == memory_.end() || known->key != contact.key) return;
-  contact.push = known->push;
-  contact.rub = known->rub;
+      std::lower_bound(cache_.begin(), cache_.end(), contact.key,
+                       [](const CachedContact& m, const Contact::Key& key) { return m.key < key; });
+  if (known == cache_.end() || known->key != contact.key) return;
+  contact.normal_impulse = known->normal_impulse;
+  contact.friction_impulse = known->friction_impulse;
   contact.coming = known->coming;
   contact.stored = known->stored;
 }
 
-std::uint32_t Encounters::root(std::uint32_t mover) {
+std::uint32_t CollisionPipeline::root(std::uint32_t mover) {
   while (parents_[mover] != mover) {
     mover = parents_[mover] = parents_[parents_[mover]];
   }
   return mover;
 }
 
-void Encounters::join(std::uint32_t a, std::uint32_t b) {
+void CollisionPipeline::join(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t of_a = root(a), of_b = root(b);
   if (of_a != of_b) parents_[std::max(of_a, of_b)] = std::min(of_a, of_b);
 }
 
-void Encounters::involve(std::uint32_t mover) {
+void CollisionPipeline::involve(std::uint32_t mover) {
   if (parents_[mover] != kNone) return;
   parents_[mover] = mover;
   involved_.push_back(mover);
 }
 
-void Encounters::order(std::span<Hinge* const> hinges) {
+void CollisionPipeline::order(std::span<Hinge* const> hinges) {
   for (const std::uint32_t mover : involved_) parents_[mover] = kNone;
   involved_.clear();
   parents_.resize(movers_.size(), kNone);
@@ -167,7 +163,7 @@ void Encounters::order(std::span<Hinge* const> hinges) {
     if (b == kNone) return;
     involve(b);
     // A box that nothing stops passes nothing on.
-    if (movers_[a].gives_way() && movers_[b].gives_way()) join(a, b);
+    if (movers_[a].is_dynamic() && movers_[b].is_dynamic()) join(a, b);
   };
   for (const Contact& contact : contacts_) link(contact.a, contact.b);
   for (const Hinge* const hinge : hinges) link(hinge->front, hinge->behind);
@@ -182,7 +178,7 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   }
   in_order_.clear();
   for (const Contact& contact : contacts_) {
-    const bool is_of_a = movers_[contact.a].gives_way();
+    const bool is_of_a = movers_[contact.a].is_dynamic();
     in_order_.push_back({root(is_of_a ? contact.a : contact.b),
                          solver_.is_driven(contact),  // boxes that nothing stops come last
                          ranks_[contact.a], contact.b == kNone ? kNone : ranks_[contact.b],
@@ -203,10 +199,10 @@ void Encounters::order(std::span<Hinge* const> hinges) {
   });
 }
 
-void Encounters::solve(std::span<Hinge* const> hinges, base::ThreadPool& pool) {
+void CollisionPipeline::solve(std::span<Hinge* const> hinges, base::ThreadPool& pool) {
   presses_.clear();
   if (contacts_.empty() && hinges.empty()) {
-    memory_.clear();
+    cache_.clear();
     return;
   }
   order(hinges);
@@ -218,7 +214,7 @@ void Encounters::solve(std::span<Hinge* const> hinges, base::ThreadPool& pool) {
     const auto last = std::find_if(first, involved_.end(),
                                    [&](std::uint32_t mover) { return root(mover) != island; });
     const auto last_contact = std::find_if(contact, contacts_.end(), [&](const Contact& each) {
-      return root(movers_[each.a].gives_way() ? each.a : each.b) != island;
+      return root(movers_[each.a].is_dynamic() ? each.a : each.b) != island;
     });
     const auto last_hinge = std::find_if(
         hinge, hinges_.end(), [&](const Hinge* each) { return root(each->front) != island; });
@@ -236,17 +232,18 @@ void Encounters::solve(std::span<Hinge* const> hinges, base::ThreadPool& pool) {
     presses_.insert(presses_.end(), each.presses.begin(), each.presses.end());
     each.presses.clear();
   }
-  memory_.clear();
+  cache_.clear();
   for (const Contact& each : contacts_) {
-    if (each.push > 0.0 || each.coming > 0.0) {
-      memory_.push_back({each.key, each.push, each.rub, each.coming, each.stored});
+    if (each.normal_impulse > 0.0 || each.coming > 0.0) {
+      cache_.push_back(
+          {each.key, each.normal_impulse, each.friction_impulse, each.coming, each.stored});
     }
   }
-  std::sort(memory_.begin(), memory_.end(),
-            [](const Memory& a, const Memory& b) { return a.key < b.key; });
+  std::sort(cache_.begin(), cache_.end(),
+            [](const CachedContact& a, const CachedContact& b) { return a.key < b.key; });
 }
 
-void Encounters::solve_island(const Island& island, Found& found) {
+void CollisionPipeline::solve_island(const Island& island, Found& found) {
   const auto& [bodies, contacts, hinges] = island;
   for (Contact& contact : contacts) recall(contact);
   const bool act =
@@ -263,7 +260,7 @@ void Encounters::solve_island(const Island& island, Found& found) {
       if (find_press(contacts)) found.presses.push_back(*press);
     }
   } else {
-    for (Contact& contact : contacts) contact.push = contact.rub = 0.0;
+    for (Contact& contact : contacts) contact.normal_impulse = contact.friction_impulse = 0.0;
   }
   const double part = clearance_.part(bodies, contacts, kept, margin_, found.space);
   if (act) solver_.separate(bodies, contacts, part);
@@ -277,23 +274,24 @@ void Encounters::solve_island(const Island& island, Found& found) {
 }
 
 /// A box that nothing stops and a body to which it leaves no room, if any.
-std::optional<Encounters::Press> Encounters::find_press(std::span<const Contact> contacts) const {
+std::optional<CollisionPipeline::Press> CollisionPipeline::find_press(
+    std::span<const Contact> contacts) const {
   // Their contacts come last.
   if (contacts.empty() || !solver_.is_driven(contacts.back())) return std::nullopt;
   const Contact* presser = nullptr;
   double deepest = 0.0;
   for (const Contact& contact : contacts) {
-    if (solver_.is_driven(contact) && contact.push > 0.0 &&
-        (!presser || contact.push > presser->push)) {
+    if (solver_.is_driven(contact) && contact.normal_impulse > 0.0 &&
+        (!presser || contact.normal_impulse > presser->normal_impulse)) {
       presser = &contact;
     }
     const double nearer = -physics_.step * solver_.parting(contact);
     if (nearer > kPressing) deepest = std::max(deepest, nearer - contact.gap);
   }
   if (!presser || deepest <= kDeepest) return std::nullopt;
-  const bool is_of_a = movers_[presser->a].gives_way();
-  return Press{is_of_a ? presser->thing_a : presser->thing_b,
-               is_of_a ? presser->thing_b : presser->thing_a, deepest};
+  const bool is_of_a = movers_[presser->a].is_dynamic();
+  return Press{is_of_a ? presser->collider_a : presser->collider_b,
+               is_of_a ? presser->collider_b : presser->collider_a, deepest};
 }
 
 }  // namespace elsie::physics

@@ -14,6 +14,11 @@ namespace elsie::physics {
 /// 2005), over all rows in a fixed order, forwards and backwards in turn. The time of a sweep is
 /// proportional to the number of rows, and the result depends only on bodies and rows.
 ///
+/// A sweep visits one row after the other and gives each the impulse that satisfies it alone,
+///
+///   p' = clamp(p + (target - softness p - J v) / (J M^-1 J' + softness), lower, upper),
+///   v' = v + M^-1 J' (p' - p).
+///
 /// Impulses never leave their limits, so an inexact solution stops bodies a little too slowly, but
 /// adds no energy.
 class ImpulseSolver {
@@ -73,7 +78,7 @@ class ImpulseSolver {
   /// The effect of an impulse of a row on its bodies and spins.
   struct Response {
     Vector3 turn_a, turn_b;  // rad/s per N s
-    double scale = 0.0;      // N s per m/s
+    double mass = 0.0;       // N s per m/s: 1 / (J M^-1 J' + softness)
   };
 
   Response response(const Row& row) const;

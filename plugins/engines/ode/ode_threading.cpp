@@ -1,4 +1,4 @@
-#include "island_crew.h"
+#include "ode_threading.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -18,7 +18,7 @@ constexpr std::size_t kLeast = 8;
 
 }  // namespace
 
-struct IslandCrew::Call {
+struct OdeThreading::Call {
   dThreadedCallFunction* function = nullptr;
   void* context = nullptr;
   std::size_t index = 0;
@@ -32,8 +32,8 @@ struct IslandCrew::Call {
 };
 
 /// The calls that follow from one call of ODE, in the thread that made this one.
-struct IslandCrew::Chain {
-  IslandCrew* pool = nullptr;
+struct OdeThreading::Chain {
+  OdeThreading* threading = nullptr;
   std::vector<Call*> ready;
   std::deque<Call> calls;
   std::vector<Call*> unused;
@@ -41,16 +41,16 @@ struct IslandCrew::Chain {
 
 /// Only memory is shared between islands. What is locked for the bodies of an island is used by one
 /// thread, and no geometry is in a space.
-struct IslandCrew::Locks {
+struct OdeThreading::Locks {
   std::mutex memory;
   std::vector<bool> are_needed;
 };
 
 /// The blocks of memory that ODE works with in steps. It loses those of an island whose step ends
 /// with an exception.
-struct IslandCrew::Blocks {
+struct OdeThreading::Blocks {
   std::mutex guard;
-  std::unordered_map<void*, const IslandCrew*> owners;
+  std::unordered_map<void*, const OdeThreading*> owners;
 
   static Blocks& all() {
     static auto* const blocks = new Blocks;  // worlds may live until the very end of the process
@@ -58,11 +58,11 @@ struct IslandCrew::Blocks {
   }
 };
 
-constinit thread_local IslandCrew::Chain* IslandCrew::present_ = nullptr;
+constinit thread_local OdeThreading::Chain* OdeThreading::present_ = nullptr;
 
-IslandCrew::IslandCrew(base::ThreadPool& pool) : pool_(&pool), chains_(pool.threads()) {}
+OdeThreading::OdeThreading(base::ThreadPool& pool) : pool_(&pool), chains_(pool.threads()) {}
 
-IslandCrew::~IslandCrew() {
+OdeThreading::~OdeThreading() {
   Blocks& blocks = Blocks::all();
   const std::lock_guard lock(blocks.guard);
   std::erase_if(blocks.owners, [this](const auto& block) {
@@ -72,12 +72,12 @@ IslandCrew::~IslandCrew() {
   });
 }
 
-void IslandCrew::work_with(base::ThreadPool& pool) {
+void OdeThreading::work_with(base::ThreadPool& pool) {
   pool_ = &pool;
   chains_ = std::vector<Chain>(pool.threads());
 }
 
-void IslandCrew::serve(dWorldID world) {
+void OdeThreading::serve(dWorldID world) {
   dWorldSetStepThreadingImplementation(world, &functions(),
                                        reinterpret_cast<dThreadingImplementationID>(this));
   dWorldStepMemoryFunctionsInfo memory{};
@@ -88,32 +88,32 @@ void IslandCrew::serve(dWorldID world) {
   if (!dWorldSetStepMemoryManager(world, &memory)) throw std::bad_alloc();
 }
 
-void* IslandCrew::allocate(std::size_t size) {
+void* OdeThreading::allocate(std::size_t size) {
   void* const block = std::malloc(size);
   if (!block) return nullptr;
   Blocks& blocks = Blocks::all();
   const std::lock_guard lock(blocks.guard);
-  blocks.owners.emplace(block, present_ ? present_->pool : nullptr);
+  blocks.owners.emplace(block, present_ ? present_->threading : nullptr);
   return block;
 }
 
-void IslandCrew::release(void* block) {
+void OdeThreading::release(void* block) {
   Blocks& blocks = Blocks::all();
   const std::lock_guard lock(blocks.guard);
   blocks.owners.erase(block);
   std::free(block);
 }
 
-void IslandCrew::expect(std::size_t islands) {
+void OdeThreading::expect(std::size_t islands) {
   threads_ = std::clamp<std::size_t>(islands / kLeast, 1, pool_->threads());
 }
 
-void IslandCrew::note_give_up() {
-  if (present_) present_->pool->gave_up_ = true;
+void OdeThreading::note_give_up() {
+  if (present_) present_->threading->gave_up_ = true;
 }
 
-void IslandCrew::post(int* fault, dCallReleaseeID* posted, std::size_t waits_for, Call* dependent,
-                      dThreadedCallFunction* function, void* context, std::size_t index) {
+void OdeThreading::post(int* fault, dCallReleaseeID* posted, std::size_t waits_for, Call* dependent,
+                        dThreadedCallFunction* function, void* context, std::size_t index) {
   Chain* const chain = present_;
   Call* call = nullptr;
   if (!chain) {
@@ -137,7 +137,7 @@ void IslandCrew::post(int* fault, dCallReleaseeID* posted, std::size_t waits_for
   if (waits_for == 0) (chain ? chain->ready : ready_).push_back(call);
 }
 
-void IslandCrew::change_waiting(Call& call, std::ptrdiff_t by) {
+void OdeThreading::change_waiting(Call& call, std::ptrdiff_t by) {
   if (call.waits_for.fetch_add(by, std::memory_order_acq_rel) + by != 0) return;
   if (call.is_begun) {
     finish(call);
@@ -146,7 +146,7 @@ void IslandCrew::change_waiting(Call& call, std::ptrdiff_t by) {
   }
 }
 
-void IslandCrew::make_all() {
+void OdeThreading::make_all() {
   const std::vector<Call*> first = std::exchange(ready_, {});
   pool_->divide(first.size(), 1, [&](const base::ThreadPool::Share& share) {
     for (std::size_t i = share.first; i < share.end; ++i) make(*first[i], share.thread);
@@ -155,10 +155,10 @@ void IslandCrew::make_all() {
 }
 
 /// Makes a call, and all that follow from it.
-void IslandCrew::make(Call& first, std::size_t thread) {
+void OdeThreading::make(Call& first, std::size_t thread) {
   prepare_ode();
   Chain& chain = chains_[thread];
-  chain.pool = this;
+  chain.threading = this;
   chain.ready.assign(1, &first);
   struct Presence {
     explicit Presence(Chain& chain) { present_ = &chain; }
@@ -175,7 +175,7 @@ void IslandCrew::make(Call& first, std::size_t thread) {
   }
 }
 
-void IslandCrew::finish(Call& call) {
+void OdeThreading::finish(Call& call) {
   const bool failed = call.failed.load(std::memory_order_relaxed);
   if (failed && call.fault) *call.fault = 1;
   Call* const dependent = call.dependent;
@@ -185,7 +185,7 @@ void IslandCrew::finish(Call& call) {
   change_waiting(*dependent, -1);
 }
 
-const dThreadingFunctionsInfo& IslandCrew::functions() {
+const dThreadingFunctionsInfo& OdeThreading::functions() {
   static const dThreadingFunctionsInfo all = [] {
     dThreadingFunctionsInfo info{};
     info.struct_size = sizeof(info);

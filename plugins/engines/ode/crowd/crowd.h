@@ -10,6 +10,7 @@
 #include "newton_solver.h"
 #include "ode_contacts.h"
 #include "ode_robot.h"
+#include "softness.h"
 
 namespace elsie::physics {
 
@@ -19,13 +20,30 @@ namespace elsie::physics {
 /// cube of their number: it takes 1.8 s for a second of thirty robots that drive to one point, half
 /// a minute for a hundred, and 6 s for a train of a hundred segments. Here the cost grows with the
 /// number. The wheels and casters of a robot only turn against its chassis, so a robot is one rigid
-/// body with spinning wheels, without rows for their joints; contacts, motors and the joints
-/// between vehicles are rows of a solver.
+/// composite with spinning wheels, without rows for their joints.
+///
+/// A step of the length h changes the velocities v by gravity g and by the impulses p of the rows,
+///
+///   v1 = v0 + h g + M^-1 J' p,   J v1 = target - softness p,   lower <= p <= upper,
+///
+/// and moves the bodies with v1. The rows J, with erp and cfm as in softness.h:
+///
+///   contact   along the normal, p >= 0: target = erp depth / h, at most kMaxCorrectingSpeed, or
+///   the
+///             speed of a bounce; softness = cfm / h
+///   friction  along two tangents, |p| <= mu p_normal; softness = slip / h, so that a tyre glides
+///   at
+///             the slip times its force, p / h
+///   motor     a wheel against its chassis: target = the rate that is set, |p| <= h torque
+///   hitch     three rows hold its point and one prevents roll: target = 0. Its stops are rows with
+///             p >= 0 and target = -(way to the limit) / h; a motor instead of the yaw's stop is as
+///             the motor of a wheel
 ///
 /// Differences from ODE's step: the turning of casters and gyroscopic torques are left out.
 class Crowd {
  public:
-  explicit Crowd(const world::Physics& physics) : physics_(physics) {}
+  explicit Crowd(const world::Physics& physics)
+      : physics_(physics), softness_(softness_of(physics)) {}
 
   void clear();
   void add_robot(const OdeRobot& robot);
@@ -73,6 +91,7 @@ class Crowd {
   double normal_speed(const Row& row) const;
 
   world::Physics physics_;
+  Softness softness_;
   ImpulseSolver solver_;
   NewtonSolver newton_;
   std::unordered_map<dBodyID, Place> places_;

@@ -67,8 +67,8 @@ int Crowd::add_rigid(dBodyID body) {
   rigid.center = to_vector(dBodyGetPosition(body));
   rigid.velocity = to_vector(dBodyGetLinearVel(body));
   rigid.turning = to_vector(dBodyGetAngularVel(body));
-  const bool gives_way = dBodyIsKinematic(body) == 0;
-  if (gives_way) {
+  const bool is_dynamic = dBodyIsKinematic(body) == 0;
+  if (is_dynamic) {
     dMass mass;
     dBodyGetMass(body, &mass);
     rigid.inverse_mass = 1.0 / mass.mass;
@@ -77,7 +77,7 @@ int Crowd::add_rigid(dBodyID body) {
   }
   const int index = solver_.add(rigid);
   places_[body].body = index;
-  if (gives_way) moved_.push_back({body, index, {}});
+  if (is_dynamic) moved_.push_back({body, index, {}});
   return index;
 }
 
@@ -96,15 +96,16 @@ void Crowd::add_robot(const OdeRobot& robot) {
 
 int Crowd::add_vehicle(const OdeVehicle& vehicle) {
   const Frame& frame = vehicle.frame();
-  const Lump& lump = vehicle.lump();
-  const Vector3 from_middle = frame.direction(lump.center);
+  const Composite& composite = vehicle.composite();
+  const Vector3 from_middle = frame.direction(composite.center);
   ImpulseSolver::Body rigid;
   rigid.turning = vehicle.turning();
   rigid.center = vehicle.solids().chassis.shape.center + from_middle;
   rigid.velocity = vehicle.velocity() + cross(rigid.turning, from_middle);
   rigid.velocity.z += physics_.step * physics_.gravity;
-  rigid.inverse_mass = 1.0 / lump.mass;
-  rigid.inverse_inertia = in_the_world({frame.forward, frame.left, frame.up}, lump.inverse_inertia);
+  rigid.inverse_mass = 1.0 / composite.mass;
+  rigid.inverse_inertia =
+      in_the_world({frame.forward, frame.left, frame.up}, composite.inverse_inertia);
   const int index = solver_.add(rigid);
   places_[vehicle.chassis()].body = index;
   moved_.push_back({vehicle.chassis(), index, -1.0 * from_middle});
@@ -132,14 +133,14 @@ void Crowd::add_motor(const OdeVehicle::Motor& motor, int carrier, int spin, con
   row.spin_a = spin;
   row.roll_a = 1.0;
   row.target = dJointGetHingeParam(motor.hinge, dParamVel);
-  row.softness = physics_.effective_cfm() / physics_.step;
+  row.softness = softness_.cfm / physics_.step;
   row.upper = physics_.step * dJointGetHingeParam(motor.hinge, dParamFMax);
   row.lower = -row.upper;
   solver_.add(row);
 }
 
 void Crowd::add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_frame, int body) {
-  const double softness = physics_.effective_cfm() / physics_.step;
+  const double softness = softness_.cfm / physics_.step;
   const Frame& frame = vehicle.frame();
   const HitchJoint& hitch = *vehicle.hitch();
   const Vector3 at = vehicle.hitch_place();
@@ -236,8 +237,8 @@ void Crowd::add_contact(const FoundContact& contact) {
   Row row = row_along(contact, normal);
   row.lower = 0.0;
   row.softness = surface.soft_cfm / step;
-  row.target = std::min(physics_.effective_erp() / step * contact.contact.geom.depth,
-                        world::kMaxCorrectingSpeed);
+  row.target =
+      std::min(softness_.erp / step * contact.contact.geom.depth, world::kMaxCorrectingSpeed);
   if (surface.mode & dContactMotionN) row.target += surface.motionN;
   if (surface.mode & dContactBounce) {
     const double coming = -normal_speed(row);
@@ -253,7 +254,7 @@ void Crowd::add_contact(const FoundContact& contact) {
     dPlaneSpace(contact.contact.geom.normal, p, q);
     first = to_vector(p);
   }
-  const auto rub = [&](const Vector3& along, double mu, double softness) {
+  const auto add_friction = [&](const Vector3& along, double mu, double softness) {
     if (mu <= 0.0) return;
     Row friction = row_along(contact, along);
     friction.normal = normal_row;
@@ -261,10 +262,10 @@ void Crowd::add_contact(const FoundContact& contact) {
     friction.softness = softness / step;
     solver_.add(friction);
   };
-  const double cfm = physics_.effective_cfm();
-  rub(first, surface.mu, (surface.mode & dContactSlip1) ? surface.slip1 : cfm);
-  rub(cross(normal, first), (surface.mode & dContactMu2) ? surface.mu2 : surface.mu,
-      (surface.mode & dContactSlip2) ? surface.slip2 : cfm);
+  const double cfm = softness_.cfm;
+  add_friction(first, surface.mu, (surface.mode & dContactSlip1) ? surface.slip1 : cfm);
+  add_friction(cross(normal, first), (surface.mode & dContactMu2) ? surface.mu2 : surface.mu,
+               (surface.mode & dContactSlip2) ? surface.slip2 : cfm);
 }
 
 void Crowd::step(Method method) {

@@ -1,4 +1,4 @@
-// Which bodies meet in a step, and how that changes their motion.
+// From places and velocities to contacts, islands and impulses.
 #pragma once
 
 #include <cstddef>
@@ -18,23 +18,30 @@
 
 namespace elsie::physics {
 
-/// Finds pairs of bodies that meet or may meet in this step, divides them into islands, and solves
-/// each. Results depend neither on the order in which bodies were added nor on far bodies: within
-/// an island, bodies are taken from west to east.
-class Encounters {
+/// What happens between bodies in a step:
+///
+///   broad phase   find_contacts_of(): the scene's grid lists the bodies near each moving one
+///   narrow phase  meet(): the outlines of two bodies meet at up to two points for each pair of
+///                 their prisms (pairing.h), which become contacts
+///   islands       order(): contacts and hinges link bodies that can be moved
+///   impulses      solve_island(): ContactSolver, then Clearance
+///
+/// Results depend neither on the order in which bodies were added nor on far bodies: within an
+/// island, bodies are taken from west to east.
+class CollisionPipeline {
  public:
-  Encounters(const world::Physics& physics, std::vector<Thing>& things, std::vector<Mover>& movers,
-             PlanarScene& scene)
+  CollisionPipeline(const world::Physics& physics, std::vector<Collider>& colliders,
+                    std::vector<Mover>& movers, PlanarScene& scene)
       : physics_(physics),
-        things_(things),
+        colliders_(colliders),
         movers_(movers),
         scene_(scene),
         solver_(physics, movers),
-        clearance_(physics, things, movers, scene, solver_) {}
+        clearance_(physics, colliders, movers, scene, solver_) {}
 
   /// A body with a mover.
   struct Moving {
-    std::uint32_t thing = 0;
+    std::uint32_t collider = 0;
     std::uint32_t mover = 0;
     double reach = 0.0;  // m, of its farthest point from its place
   };
@@ -51,19 +58,19 @@ class Encounters {
   std::span<const Touch> touches() const { return touches_; }
   /// A body that a box presses into others, because nothing stops the box.
   struct Press {
-    std::uint32_t body = 0, box = 0;  // things
+    std::uint32_t body = 0, box = 0;  // colliders
     double depth = 0.0;               // m, at the end of the step
   };
   /// The presses that solve() found, of most islands none.
   std::span<const Press> presses() const { return presses_; }
   /// Takes over what another engine remembers of the last step.
-  void take(const Encounters& other) { memory_ = other.memory_; }
+  void take(const CollisionPipeline& other) { cache_ = other.cache_; }
 
  private:
-  /// A contact of the last step.
-  struct Memory {
+  /// A contact of the last step, with which the solver begins.
+  struct CachedContact {
     Contact::Key key;
-    double push, rub, coming, stored;
+    double normal_impulse, friction_impulse, coming, stored;
   };
 
   /// What one thread finds.
@@ -82,10 +89,10 @@ class Encounters {
     std::span<Hinge* const> hinges;
   };
 
-  void look_around(const Moving& moving, double margin, Found& found) const;
+  void find_contacts_of(const Moving& moving, double margin, Found& found) const;
   void meet(std::uint32_t first, std::uint32_t second, double margin, Found& found) const;
-  bool may_meet(const Thing& a, const Thing& b) const;
-  bool is_before(const Thing& a, const Thing& b) const;
+  bool may_meet(const Collider& a, const Collider& b) const;
+  bool is_before(const Collider& a, const Collider& b) const;
   bool pushed(std::uint64_t a, std::uint64_t b) const;
   void recall(Contact& contact) const;
   std::uint32_t root(std::uint32_t mover);
@@ -96,7 +103,7 @@ class Encounters {
   std::optional<Press> find_press(std::span<const Contact> contacts) const;
 
   const world::Physics& physics_;
-  std::vector<Thing>& things_;
+  std::vector<Collider>& colliders_;
   std::vector<Mover>& movers_;
   PlanarScene& scene_;
   ContactSolver solver_;
@@ -105,8 +112,8 @@ class Encounters {
   std::vector<Contact> contacts_;
   std::vector<Touch> touches_;
   std::vector<Press> presses_;
-  std::vector<Memory> memory_;  // ascending
-  std::vector<Found> found_;    // by each thread
+  std::vector<CachedContact> cache_;  // ascending
+  std::vector<Found> found_;          // by each thread
   // Kept to reuse their memory.
   std::vector<Island> islands_;
   /// Island, whether a box that nothing stops takes part, ranks, place, feature, number, and index.

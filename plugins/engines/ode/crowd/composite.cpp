@@ -1,4 +1,4 @@
-#include "lump.h"
+#include "composite.h"
 
 #include <Eigen/Dense>
 
@@ -12,7 +12,6 @@ namespace {
 /// The inertia of a part about its middle, along the axes of its frame, kg m2.
 Eigen::Matrix3d own_inertia(const Part& part) {
   Eigen::Vector3d moments = to_eigen(inertia_of(part.shape, part.mass));
-  // Spinning wheels keep this part of the inertia for themselves.
   if (std::holds_alternative<WheelJoint>(part.joint)) {
     moments(static_cast<int>(part.shape.axis)) = 0.0;
   }
@@ -21,7 +20,7 @@ Eigen::Matrix3d own_inertia(const Part& part) {
 
 }  // namespace
 
-Lump lump_of(std::span<const Part> parts) {
+Composite composite_of(std::span<const Part> parts) {
   const Vector3& middle = parts.front().frame.origin;
   double mass = 0.0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();

@@ -1,10 +1,9 @@
 // An engine gives parts of a step to the threads of a pool.
-#include <cstdint>
+#include <string>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "elsie/base/random.h"
 #include "elsie/base/thread_pool.h"
 #include "elsie/physics/failure.h"
 
@@ -14,48 +13,14 @@ using namespace elsie;
 using namespace elsie::physics;
 using world::BoxKind;
 
-namespace {
-
-/// Robots, boxes that they push, a train and a box that moves through them, close enough to meet;
-/// one box is removed on the way. The hash after each step.
-std::vector<std::uint64_t> history(const std::string& engine, std::size_t threads, int steps) {
-  base::ThreadPool pool(threads);
-  PhysicsContext context(with(engine), {.length = 4.0, .width = 4.0});
-  context.engine->work_with(pool);
-  Random random(3);
-  for (int i = 0; i < 81; ++i) {
-    context.robot(0.45 * (i % 9 - 4), 0.45 * (i / 9 - 4), random.uniform(-180, 180));
-  }
-  for (int i = 0; i < 16; ++i) {
-    context.box(BoxKind::dynamic, 0.225 + 0.9 * (i % 4 - 2), 0.225 + 0.9 * (i / 4 - 2),
-                {0.1, 0.15, 0.1}, 30.0 * i);
-  }
-  context.train(0.0, -1.93, 0.0, {world::Segment(), world::Segment()});
-  const std::size_t moving = context.box(BoxKind::moving, -1.6, 0.225, {0.1, 0.1, 0.1});
-  std::vector<std::uint64_t> hashes;
-  for (int i = 0; i < steps; ++i) {
-    if (i % 20 == 0) {
-      for (std::size_t robot = 0; robot < 82; ++robot) {
-        context.drive(robot, {random.uniform(-5, 25), random.uniform(-5, 25)});
-      }
-    }
-    if (i == steps / 2) context.engine->remove_box(5);
-    context.engine->drive_box(moving, {-1.6 + 0.02 * (i + 1), 0.225}, {2.0, 0.0});
-    context.engine->step();
-    hashes.push_back(context.engine->hash_state());
-  }
-  return hashes;
-}
-
-}  // namespace
-
 TEST_CASE("A step is the same with any crew") {
   const std::string engine = each_engine();
   CAPTURE(engine);
-  const auto alone = history(engine, 1, 150);
+  const Bustle bustle{.seed = 3, .steps = 150, .side = 9, .apart = 0.45};
+  const auto alone = history(engine, bustle);
   for (const std::size_t threads : {2, 3, 8}) {
     CAPTURE(threads);
-    CHECK(history(engine, threads, 150) == alone);
+    CHECK(history(engine, bustle, threads) == alone);
   }
 }
 

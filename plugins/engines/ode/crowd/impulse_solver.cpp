@@ -41,20 +41,20 @@ int ImpulseSolver::add(const Row& row) {
 
 ImpulseSolver::Response ImpulseSolver::response(const Row& row) const {
   Response made;
-  double gives_way = row.softness;  // m/s per N s
+  double inverse = row.softness;  // of the effective mass, m/s per N s
   if (row.a != kNone) {
     const Body& a = body(row.a);
     made.turn_a = product(a.inverse_inertia, row.turn_a);
-    gives_way += a.inverse_mass * dot(row.linear, row.linear) + dot(row.turn_a, made.turn_a);
+    inverse += a.inverse_mass * dot(row.linear, row.linear) + dot(row.turn_a, made.turn_a);
   }
   if (row.b != kNone) {
     const Body& b = body(row.b);
     made.turn_b = product(b.inverse_inertia, row.turn_b);
-    gives_way += b.inverse_mass * dot(row.linear, row.linear) + dot(row.turn_b, made.turn_b);
+    inverse += b.inverse_mass * dot(row.linear, row.linear) + dot(row.turn_b, made.turn_b);
   }
-  if (row.spin_a != kNone) gives_way += row.roll_a * row.roll_a * spin(row.spin_a).inverse_inertia;
-  if (row.spin_b != kNone) gives_way += row.roll_b * row.roll_b * spin(row.spin_b).inverse_inertia;
-  made.scale = gives_way > 0.0 ? 1.0 / gives_way : 0.0;
+  if (row.spin_a != kNone) inverse += row.roll_a * row.roll_a * spin(row.spin_a).inverse_inertia;
+  if (row.spin_b != kNone) inverse += row.roll_b * row.roll_b * spin(row.spin_b).inverse_inertia;
+  made.mass = inverse > 0.0 ? 1.0 / inverse : 0.0;
   return made;
 }
 
@@ -76,7 +76,7 @@ void ImpulseSolver::relax(Row& row, const Response& response) {
     lower = -upper;
   }
   const double wanted =
-      row.impulse + response.scale * (row.target - row.softness * row.impulse - speed);
+      row.impulse + response.mass * (row.target - row.softness * row.impulse - speed);
   const double now = std::clamp(wanted, lower, upper);
   const double more = now - row.impulse;
   row.impulse = now;

@@ -107,10 +107,10 @@ NewtonSolver::Side NewtonSolver::side_of(const ImpulseSolver& problem, const Arm
   const auto& inertia = body.inverse_inertia;
   const Vector3 turned{dot(inertia[0], arm.turn), dot(inertia[1], arm.turn),
                        dot(inertia[2], arm.turn)};
-  term.gives_way += body.inverse_mass * dot(arm.linear, arm.linear) + dot(arm.turn, turned);
+  term.inverse_mass += body.inverse_mass * dot(arm.linear, arm.linear) + dot(arm.turn, turned);
   if (arm.spin == ImpulseSolver::kNone) return side;
   enter(place_of_[place(arm.spin)], arm.roll);
-  term.gives_way += arm.roll * arm.roll * problem.spin(arm.spin).inverse_inertia;
+  term.inverse_mass += arm.roll * arm.roll * problem.spin(arm.spin).inverse_inertia;
   return side;
 }
 
@@ -122,7 +122,7 @@ void NewtonSolver::add_term(const ImpulseSolver& problem, const Row& row) {
   term.a = side_of(problem, {row.a, row.linear, row.turn_a, row.spin_a, row.roll_a}, term);
   term.b = side_of(problem, {row.b, -1.0 * row.linear, row.turn_b, row.spin_b, row.roll_b}, term);
   if (term.a.block < term.b.block) std::swap(term.a, term.b);
-  term.softness = std::max(row.softness, kLeastSoftness * term.gives_way);
+  term.softness = std::max(row.softness, kLeastSoftness * term.inverse_mass);
 }
 
 /// Gives every number of the matrix its place. Those in the columns of a block: its own, then of
