@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table weigh coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table weigh mutants coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -103,6 +103,10 @@ library-table: all
 # How much there is to read, and to touch for a change.
 weigh: all
 	scripts/weigh . $(BUILD)
+
+# How many planted faults the unit tests notice.
+mutants: dependencies
+	scripts/mutants
 
 # How often the intervals of reports hold the true value: docs/research/statistics.md.
 coverage: configure

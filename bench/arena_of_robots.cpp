@@ -58,14 +58,14 @@ world::World arena_of_robots(int robots) {
   world.arena.length = world.arena.width = size;
   for (int i = 0; i < 20 * tiles * tiles; ++i) {
     const int tile = i / 20, place = i % 20;
-    world::Box box;
+    world::Obstacle box;
     box.id = "b" + std::to_string(i);
     box.x = -3.6 + 1.8 * (place % 5) + kTile * (tile % tiles - 0.5 * (tiles - 1));
     box.y = -2.7 + 1.8 * (place / 5) + kTile * (tile / tiles - 0.5 * (tiles - 1));
     box.heading_deg = 17.0 * i;
     box.length = 0.3;
     box.width = 0.2;
-    world.boxes.push_back(box);
+    world.obstacles.push_back(box);
   }
   const int side = static_cast<int>(std::ceil(std::sqrt(robots)));
   for (int i = 0; i < robots; ++i) {

@@ -109,11 +109,11 @@ class Robot final : public Enki::DifferentialWheeled {
 
 class BareEnki::Impl {
  public:
-  Impl(std::span<const Pose> poses, std::span<const world::Box> boxes,
+  Impl(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
        const world::Physics& physics, const world::Arena& arena, Rule rule)
       : world_(kCm * arena.length, kCm * arena.width), rule_(std::move(rule)), step_(physics.step) {
     const Enki::Point middle(0.5 * world_.w, 0.5 * world_.h);
-    for (const world::Box& box : boxes) {
+    for (const world::Obstacle& box : boxes) {
       auto* made = new Enki::PhysicalObject;
       made->setRectangular(kCm * box.length, kCm * box.width, kCm * box.height, -1.0);
       made->pos = middle + Enki::Vector(kCm * box.x, kCm * box.y);
@@ -144,7 +144,7 @@ class BareEnki::Impl {
   std::vector<Robot*> robots_;
 };
 
-BareEnki::BareEnki(std::span<const Pose> poses, std::span<const world::Box> boxes,
+BareEnki::BareEnki(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
                    const world::Physics& physics, const world::Arena& arena, Rule rule)
     : impl_(std::make_unique<Impl>(poses, boxes, physics, arena, std::move(rule))) {}
 BareEnki::~BareEnki() = default;

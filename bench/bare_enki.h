@@ -20,7 +20,7 @@ namespace elsie::bench {
 class BareEnki {
  public:
   /// One robot with the default body, as a disc of the same area, for each pose.
-  BareEnki(std::span<const Pose> poses, std::span<const world::Box> boxes,
+  BareEnki(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
            const world::Physics& physics, const world::Arena& arena, Rule rule);
   ~BareEnki();
   BareEnki(const BareEnki&) = delete;

@@ -43,8 +43,9 @@ class BareOde::Impl {
     dAllocateODEDataForThread(dAllocateMaskAll);
     world_ = dWorldCreate();
     dWorldSetGravity(world_, 0, 0, physics.gravity);
-    dWorldSetERP(world_, physics.effective_erp());
-    dWorldSetCFM(world_, physics.effective_cfm());
+    // Softness as in Elsie without parameters of the engine.
+    dWorldSetERP(world_, 0.2);
+    dWorldSetCFM(world_, 1e-5);
     space_ = dHashSpaceCreate(nullptr);
     floor_ = dCreatePlane(nullptr, 0, 0, 1, 0);
     contacts_ = dJointGroupCreate(0);
@@ -60,8 +61,8 @@ class BareOde::Impl {
     dWorldDestroy(world_);
   }
 
-  void add_box(double x, double y, double z, double heading, double length, double width,
-               double height) {
+  void add_obstacle(double x, double y, double z, double heading, double length, double width,
+                    double height) {
     const dGeomID geom = dCreateBox(space_, length, width, height);
     dMatrix3 rotation;
     dRFromAxisAndAngle(rotation, 0, 0, 1, heading);
@@ -253,19 +254,19 @@ class BareOde::Impl {
   std::vector<Robot> robots_;
 };
 
-BareOde::BareOde(std::span<const Pose> poses, std::span<const world::Box> boxes,
+BareOde::BareOde(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
                  std::span<const double> azimuths, const world::Physics& physics,
                  const world::Arena& arena, Rule rule)
     : impl_(std::make_unique<Impl>(azimuths.first(kBeams), physics, std::move(rule))) {
   const double t = arena.wall_thickness, h = arena.wall_height;
   const double x = 0.5 * (arena.length + t), y = 0.5 * (arena.width + t);
   for (const double side : {1.0, -1.0}) {
-    impl_->add_box(side * x, 0, 0, 0, t, arena.width, h);
-    impl_->add_box(0, side * y, 0, 0, arena.length + 2 * t, t, h);
+    impl_->add_obstacle(side * x, 0, 0, 0, t, arena.width, h);
+    impl_->add_obstacle(0, side * y, 0, 0, arena.length + 2 * t, t, h);
   }
-  for (const world::Box& box : boxes) {
-    impl_->add_box(box.x, box.y, box.z, radians(box.heading_deg), box.length, box.width,
-                   box.height);
+  for (const world::Obstacle& box : boxes) {
+    impl_->add_obstacle(box.x, box.y, box.z, radians(box.heading_deg), box.length, box.width,
+                        box.height);
   }
   for (const Pose& pose : poses) impl_->add_robot(pose);
 }

@@ -22,7 +22,7 @@ class BareOde {
 
   /// One robot with the default body for each pose. Each robot has a beam in each azimuth (rad,
   /// from its heading), which starts on top of the chassis at its front edge.
-  BareOde(std::span<const Pose> poses, std::span<const world::Box> boxes,
+  BareOde(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
           std::span<const double> azimuths, const world::Physics& physics,
           const world::Arena& arena, Rule rule);
   ~BareOde();

@@ -11,7 +11,7 @@ constexpr double kCell = 1.0;  // m
 
 }  // namespace
 
-BarePlane::BarePlane(std::span<const Pose> poses, std::span<const world::Box> boxes,
+BarePlane::BarePlane(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
                      const world::Physics& physics, const world::Arena& arena)
     : half_(0.5 * arena.length),
       columns_(static_cast<int>(std::ceil(arena.length / kCell)) + 2),
@@ -27,7 +27,7 @@ BarePlane::BarePlane(std::span<const Pose> poses, std::span<const world::Box> bo
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_);
   blocks_in_.resize(cells);
   first_.resize(cells + 1);
-  for (const world::Box& box : boxes) {
+  for (const world::Obstacle& box : boxes) {
     const double heading = radians(box.heading_deg), c = std::cos(heading), s = std::sin(heading);
     const Point half{0.5 * box.length, 0.5 * box.width};
     const double x = std::abs(c) * half.x + std::abs(s) * half.y;

@@ -17,7 +17,7 @@ namespace elsie::bench {
 /// of boxes and of walls. A grid of 1 m finds what is near.
 class BarePlane {
  public:
-  BarePlane(std::span<const Pose> poses, std::span<const world::Box> boxes,
+  BarePlane(std::span<const Pose> poses, std::span<const world::Obstacle> boxes,
             const world::Physics& physics, const world::Arena& arena);
 
   void step();

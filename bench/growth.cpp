@@ -69,19 +69,19 @@ std::vector<Side> sides_of(const elsie::plugin::Host& host) {
   return {{"Elsie, planar", 100'000, elsie_on("planar")},
           {"bare loop in the plane", 100'000,
            [](const auto& arena) {
-             return stepping<bench::BarePlane>(bench::poses_of(arena), arena.boxes, arena.physics,
-                                               arena.arena);
+             return stepping<bench::BarePlane>(bench::poses_of(arena), arena.obstacles,
+                                               arena.physics, arena.arena);
            }},
           // Its cost grows with the square of the robots.
           {"Enki", 1'000,
            [](const auto& arena) {
-             return stepping<bench::BareEnki>(bench::poses_of(arena), arena.boxes, arena.physics,
-                                              arena.arena, bench::steer);
+             return stepping<bench::BareEnki>(bench::poses_of(arena), arena.obstacles,
+                                              arena.physics, arena.arena, bench::steer);
            }},
           {"Elsie, ODE", 10'000, elsie_on("ode")},
           // As above: a ray of ODE's looks at all bodies.
           {"bare loop on ODE", 1'000, [azimuths](const auto& arena) {
-             return stepping<bench::BareOde>(bench::poses_of(arena), arena.boxes, azimuths,
+             return stepping<bench::BareOde>(bench::poses_of(arena), arena.obstacles, azimuths,
                                              arena.physics, arena.arena, bench::steer);
            }}};
 }

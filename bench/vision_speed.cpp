@@ -37,21 +37,23 @@ elsie::world::World world(int robots, bool cameras) {
   world.name = "benchmark";
   world.limits.time = 1e6;
   world.teams = {{"red", {}}};
-  const auto add_box = [&world](elsie::world::BoxKind kind, double x, double y) -> auto& {
-    elsie::world::Box& box = world.boxes.emplace_back();
-    box.id = "b" + std::to_string(world.boxes.size());
+  const auto add_box = [&world](elsie::world::ObstacleKind kind, double x, double y) -> auto& {
+    elsie::world::Obstacle& box = world.obstacles.emplace_back();
+    box.id = "b" + std::to_string(world.obstacles.size());
     box.kind = kind;
     box.x = x;
     box.y = y;
-    box.heading_deg = 17.0 * static_cast<double>(world.boxes.size());
+    box.heading_deg = 17.0 * static_cast<double>(world.obstacles.size());
     return box;
   };
   for (int i = 0; i < 20; ++i) {
-    auto& box = add_box(elsie::world::BoxKind::fixed, -3.6 + 1.8 * (i % 5), -2.7 + 1.8 * (i / 5));
+    auto& box =
+        add_obstacle(elsie::world::ObstacleKind::fixed, -3.6 + 1.8 * (i % 5), -2.7 + 1.8 * (i / 5));
     box.length = 0.3;
   }
   for (int i = 0; i < 8; ++i) {
-    add_box(elsie::world::BoxKind::resource, -4.5 + 9.0 * (i % 3) / 2.0, -3.6 + 1.8 * (i / 2));
+    add_obstacle(elsie::world::ObstacleKind::resource, -4.5 + 9.0 * (i % 3) / 2.0,
+                 -3.6 + 1.8 * (i / 2));
   }
   const int side = static_cast<int>(std::ceil(std::sqrt(robots)));
   for (int i = 0; i < robots; ++i) {

@@ -102,7 +102,8 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
   const auto world = read(drawing, std::move(tree), problems);
   std::vector<Body> bodies;
   if (world) {
-    for (const world::Box& box : world->boxes) bodies.push_back({world::footprint_of(box)});
+    for (const world::Obstacle& box : world->obstacles)
+      bodies.push_back({world::footprint_of(box)});
     for (const auto& charger : world->chargers) bodies.push_back({footprint_of(charger)});
     for (const world::Robot& robot : world->robots) bodies.push_back(body_of(robot));
   }
@@ -116,7 +117,7 @@ bool Occupied::add_world(const Drawing& drawing) {
   if (!world) {
     return false;
   }
-  for (const world::Box& box : world->boxes) add({world::footprint_of(box)});
+  for (const world::Obstacle& box : world->obstacles) add({world::footprint_of(box)});
   for (const world::Charger& charger : world->chargers) add({footprint_of(charger)});
   for (const world::Robot& robot : world->robots) add(body_of(robot));
   return true;

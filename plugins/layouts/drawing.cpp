@@ -57,8 +57,8 @@ void Drawing::add(const std::string& list, Element element) {
   holder->children.push_back(std::move(element));
 }
 
-void Drawing::add_box(const std::string& id, const Area& area, double heading_deg, double height,
-                      const Location& where) {
+void Drawing::add_obstacle(const std::string& id, const Area& area, double heading_deg,
+                           double height, const Location& where) {
   Element box;
   box.name = "static_box";
   box.where = where;
@@ -78,10 +78,10 @@ void Drawing::add_box(const std::string& id, const Area& area, double heading_de
 void Drawing::add_wall(const std::string& id, const Wall& wall, double thickness, double height,
                        const Location& where) {
   const double dx = wall.x2 - wall.x1, dy = wall.y2 - wall.y1;
-  add_box(id,
-          {0.5 * (wall.x1 + wall.x2), 0.5 * (wall.y1 + wall.y2), std::hypot(dx, dy) + thickness,
-           thickness},
-          degrees(std::atan2(dy, dx)), height, where);
+  add_obstacle(id,
+               {0.5 * (wall.x1 + wall.x2), 0.5 * (wall.y1 + wall.y2),
+                std::hypot(dx, dy) + thickness, thickness},
+               degrees(std::atan2(dy, dx)), height, where);
 }
 
 const char* list_of(const std::string& name) {

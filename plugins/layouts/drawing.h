@@ -68,8 +68,8 @@ struct Drawing {
   /// corners.
   void add_wall(const std::string& id, const Wall& wall, double thickness, double height,
                 const Location& where);
-  void add_box(const std::string& id, const Area& area, double heading_deg, double height,
-               const Location& where);
+  void add_obstacle(const std::string& id, const Area& area, double heading_deg, double height,
+                    const Location& where);
 };
 
 }  // namespace elsie::layouts

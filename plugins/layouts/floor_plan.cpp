@@ -107,9 +107,9 @@ class Planning {
       const double right = edge(area.left() + metres * static_cast<double>(box.x + box.width));
       const double high = edge(top - metres * static_cast<double>(box.y));
       const double low = edge(top - metres * static_cast<double>(box.y + box.height));
-      drawing_.add_box(next_id(),
-                       {0.5 * (left + right), 0.5 * (low + high), right - left, high - low}, 0.0,
-                       plan_.wall_height, plan_.location);
+      drawing_.add_obstacle(next_id(),
+                            {0.5 * (left + right), 0.5 * (low + high), right - left, high - low},
+                            0.0, plan_.wall_height, plan_.location);
     }
   }
 

@@ -185,12 +185,12 @@ TEST_CASE("A member that is named by its place yields its name to one that is gi
 </world>
 )");
   const std::string before = d.text();
-  CHECK(d.world().boxes[2].id == "static_box_3");
+  CHECK(d.world().obstacles[2].id == "static_box_3");
   const editing::Undo undo = d.apply({"obstacle[2]/@remove=true"});
-  CHECK(d.world().boxes[1].id == "static_box_2");
+  CHECK(d.world().obstacles[1].id == "static_box_2");
   d.undo(undo);
   CHECK(d.text() == before);
-  CHECK(d.world().boxes[2].id == "static_box_3");
+  CHECK(d.world().obstacles[2].id == "static_box_3");
 }
 
 TEST_CASE("A member that is named elsewhere keeps its name when its place changes") {

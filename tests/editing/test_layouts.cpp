@@ -48,34 +48,34 @@ std::string layout_refusal(const std::string& edit) {
 
 TEST_CASE("An edit of a layout changes its text, and the world follows") {
   Document d = layout_document();
-  CHECK(d.world().boxes.size() == 4);
+  CHECK(d.world().obstacles.size() == 4);
   const auto undo = d.apply({"scatter[clutter]/@count=9"});
-  CHECK(d.world().boxes.size() == 10);
+  CHECK(d.world().obstacles.size() == 10);
   CHECK_THAT(d.text(), Contains("<scatter id=\"clutter\" count=\"9\">"));
   d.undo(undo);
   CHECK(d.text() == kLayouts);
-  CHECK(d.world().boxes.size() == 4);
+  CHECK(d.world().obstacles.size() == 4);
 }
 
 TEST_CASE("The seed of layouts is edited, and that is undone") {
   Document d = layout_document();
-  const double before = d.world().boxes.back().x;
+  const double before = d.world().obstacles.back().x;
   const auto undo = d.apply({"layouts/@seed=5"});
   CHECK_THAT(d.text(), Contains("<layouts seed=\"5\"> <!-- drawn -->"));
-  CHECK(d.world().boxes.back().x != before);
+  CHECK(d.world().obstacles.back().x != before);
   d.undo(undo);
-  CHECK(d.world().boxes.back().x == before);
+  CHECK(d.world().obstacles.back().x == before);
 }
 
 TEST_CASE("Layouts are added and removed") {
   Document d = layout_document();
   d.apply({"scatter[+]=<scatter id=\"food\"><resource/></scatter>"});
-  CHECK(d.world().boxes.size() == 5);
+  CHECK(d.world().obstacles.size() == 5);
   d.apply({"scatter[clutter]/@remove=true"});
-  CHECK(d.world().boxes.size() == 2);
+  CHECK(d.world().obstacles.size() == 2);
   Document empty = layout_document(1, "<world format=\"1\"/>\n");
   empty.apply({"layout[+]=<maze columns=\"3\" rows=\"3\"/>"});
-  CHECK(empty.world().boxes.size() > 1);
+  CHECK(empty.world().obstacles.size() > 1);
 }
 
 TEST_CASE("An edit of what a layout has drawn is refused, with the layout's name") {
@@ -90,7 +90,7 @@ TEST_CASE("An edit of what a layout has drawn is refused, with the layout's name
 TEST_CASE("What is there beside layouts is edited as ever, and the layouts keep clear of it") {
   Document d = layout_document();
   d.apply({"obstacle[wall]/@length=4"});
-  CHECK(d.world().boxes[0].length == 4.0);
+  CHECK(d.world().obstacles[0].length == 4.0);
   d.apply({"robot[*]/@max_speed=0.3"});
   CHECK_THAT(d.text(), Contains("<robot id=\"r\" max_speed=\"0.3\"/>"));
   CHECK(d.world().robots.at(1).max_speed == 0.3);
@@ -138,5 +138,5 @@ TEST_CASE("An edit of an attribute that a <draw> draws is refused, with the layo
              Contains("the layout 'clutter' draws this"));
   CHECK(layout_refusal("scatter[clutter]/in_box/@length=4") == "");
   CHECK(layout_refusal("obstacle[wall]/@x=2") == "");
-  CHECK(d.world().boxes[0].x == 2.0);
+  CHECK(d.world().obstacles[0].x == 2.0);
 }

@@ -61,7 +61,7 @@ world::World reduced(world::World world) {
   for (world::PluginUse& measure : world.measures) {
     reduce(measure, PluginKind::measure);
   }
-  for (world::Box& box : world.boxes) {
+  for (world::Obstacle& box : world.obstacles) {
     box.id.clear();
   }
   for (world::Charger& charger : world.chargers) {

@@ -66,31 +66,31 @@ TEST_CASE("What comes from a template is overridden in the robot's own element")
            "+    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\">\n" +
            lines + "+    </robot>\n";
   };
-  CHECK(files.edit("robot[r1]/@max_speed=0.3") ==
+  CHECK(files.change("robot[r1]/@max_speed=0.3") ==
         "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
         "+    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\" max_speed=\"0.3\"/>\n");
-  CHECK(files.edit("robot[r1]/@max_speed/@remove=true") ==
+  CHECK(files.change("robot[r1]/@max_speed/@remove=true") ==
         "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
         "+    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\" max_speed=\"0.5\"/>\n");
-  CHECK(files.edit("robot[r1]/body/@mass=3") == in_r1("+      <body mass=\"3\"/>\n"));
-  CHECK(files.edit("robot[r1]/sensor[left]/@yaw_deg=9") ==
+  CHECK(files.change("robot[r1]/body/@mass=3") == in_r1("+      <body mass=\"3\"/>\n"));
+  CHECK(files.change("robot[r1]/sensor[left]/@yaw_deg=9") ==
         in_r1("+      <sensors>\n+        <beam id=\"left\" yaw_deg=\"9\"/>\n"
               "+      </sensors>\n"));
   CHECK(
-      files.edit("robot[r2]/sensor[left]/@yaw_deg=9") ==
+      files.change("robot[r2]/sensor[left]/@yaw_deg=9") ==
       "-        <beam id=\"left\" yaw_deg=\"30\"/>\n+        <beam id=\"left\" yaw_deg=\"9\"/>\n");
-  CHECK(files.edit("robot[r1]/sensor[bumper]/@remove=true") ==
+  CHECK(files.change("robot[r1]/sensor[bumper]/@remove=true") ==
         in_r1("+      <sensors>\n+        <bumper id=\"bumper\" remove=\"true\"/>\n"
               "+      </sensors>\n"));
-  CHECK(files.edit("robot[r2]/sensor[left]/@remove=true") ==
+  CHECK(files.change("robot[r2]/sensor[left]/@remove=true") ==
         "-        <beam id=\"left\" yaw_deg=\"30\"/>\n"
         "+        <beam id=\"left\" remove=\"true\"/>\n");
-  CHECK(files.edit("robot[r1]/coordinator/@weighted=false") ==
+  CHECK(files.change("robot[r1]/coordinator/@weighted=false") ==
         in_r1("+      <coordinator>\n+        <sum weighted=\"false\"/>\n"
               "+      </coordinator>\n"));
-  CHECK(files.edit("robot[r1]/coordinator=<pick/>") ==
+  CHECK(files.change("robot[r1]/coordinator=<pick/>") ==
         in_r1("+      <coordinator>\n+        <pick/>\n+      </coordinator>\n"));
-  CHECK(files.edit("robot[r1]/behavior[both]/behavior[roam]/@speed=9") ==
+  CHECK(files.change("robot[r1]/behavior[both]/behavior[roam]/@speed=9") ==
         in_r1("+      <behaviors>\n+        <blend id=\"both\">\n+          <behaviors>\n"
               "+            <roam id=\"roam\" speed=\"9\"/>\n"
               "+          </behaviors>\n+        </blend>\n+      </behaviors>\n"));
@@ -98,13 +98,13 @@ TEST_CASE("What comes from a template is overridden in the robot's own element")
 
 TEST_CASE("What is added to a robot with a template does not override the template") {
   const Templated files;
-  CHECK(files.edit("robot[r2]/sensor[+]=<bumper/>") == "+        <bumper id=\"bumper_2\"/>\n");
-  CHECK(files.edit("robot[r2]/sensor[+]=<beam/>") == "+        <beam/>\n");
-  CHECK(files.edit("robot[+]=<robot id='r3' template='../robots/two.xml' x='3'/>") ==
+  CHECK(files.change("robot[r2]/sensor[+]=<bumper/>") == "+        <bumper id=\"bumper_2\"/>\n");
+  CHECK(files.change("robot[r2]/sensor[+]=<beam/>") == "+        <beam/>\n");
+  CHECK(files.change("robot[+]=<robot id='r3' template='../robots/two.xml' x='3'/>") ==
         "+    <robot id=\"r3\" template=\"../robots/two.xml\" x=\"3\"/>\n");
-  CHECK(files.edit("robot[r1]/@remove=true") ==
+  CHECK(files.change("robot[r1]/@remove=true") ==
         "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n");
-  CHECK(files.edit("robot[r1]/@template/@remove=true") ==
+  CHECK(files.change("robot[r1]/@template/@remove=true") ==
         "-    <robot id=\"r1\" template=\"../robots/two.xml\" x=\"1\"/>\n"
         "+    <robot id=\"r1\" x=\"1\"/>\n");
 }

@@ -21,14 +21,14 @@ world::World world_of_everything() {
   world::World world;
   world.name = "Everything <&> \"quoted\"";
   world.teams = {{"red", Colour{208, 49, 30}}, {"blue", Colour{31, 95, 191}}};
-  using world::BoxKind;
-  for (const BoxKind kind :
-       {BoxKind::fixed, BoxKind::dynamic, BoxKind::moving, BoxKind::resource}) {
-    world::Box box;
+  using world::ObstacleKind;
+  for (const ObstacleKind kind :
+       {ObstacleKind::fixed, ObstacleKind::dynamic, ObstacleKind::moving, ObstacleKind::resource}) {
+    world::Obstacle box;
     box.kind = kind;
     box.x = static_cast<double>(static_cast<int>(kind)) - 2;
     box.waypoints = {{1, 1}, {2, 3}};
-    world.boxes.push_back(box);
+    world.obstacles.push_back(box);
   }
   world::Robot robot;
   robot.id = "r1";

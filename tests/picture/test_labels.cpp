@@ -137,19 +137,19 @@ TEST_CASE("Goals in one place have one label") {
 
 TEST_CASE("The legend has keys of what is in the picture only") {
   world::World world = world_of(1, 0.0);
-  world::Box box;
-  box.kind = world::BoxKind::dynamic;
+  world::Obstacle box;
+  box.kind = world::ObstacleKind::dynamic;
   box.x = 2.0;
-  world.boxes = {box};
+  world.obstacles = {box};
   TopView view{world};
   CHECK(has(labels_of(view), "dynamic box"));
   CHECK_FALSE(tells(labels_of(view), "path"));
   CHECK_FALSE(tells(labels_of(view), "static box"));
   view.boxes = {Pose{3.0, 0.0, 0.0}};
   CHECK(has(labels_of(view), "dynamic box, dashed where it started"));
-  world.boxes[0].kind = world::BoxKind::moving;
+  world.obstacles[0].kind = world::ObstacleKind::moving;
   CHECK(has(labels_of(view), "moving box"));
-  world.boxes[0].waypoints = {{2, 2}};
+  world.obstacles[0].waypoints = {{2, 2}};
   CHECK(has(labels_of(view), "moving box and its way"));
 }
 

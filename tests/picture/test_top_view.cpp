@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/picture/top_view.h"
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/description.h"
 
 #include "support.h"
@@ -38,14 +38,14 @@ struct Scene {
     world.robots.push_back(robot);
     return world.robots.back();
   }
-  world::Box& add_box(world::BoxKind kind, double x, double y, double edge) {
-    world::Box box;
+  world::Obstacle& add_obstacle(world::ObstacleKind kind, double x, double y, double edge) {
+    world::Obstacle box;
     box.kind = kind;
     box.x = x;
     box.y = y;
     box.length = box.width = edge;
-    world.boxes.push_back(box);
-    return world.boxes.back();
+    world.obstacles.push_back(box);
+    return world.obstacles.back();
   }
   Bitmap image(const Size& size = {}) {
     save_top_view(view, folder / "view.png", size);
@@ -236,8 +236,8 @@ TEST_CASE("A touch is a small red cross") {
 
 TEST_CASE("A resource is filled in its team's colour, and hollow where it was collected") {
   Scene scene;
-  scene.add_box(world::BoxKind::resource, -2, 0, 0.4).team = "red";
-  scene.add_box(world::BoxKind::resource, 2, 0, 0.4).team = "red";
+  scene.add_obstacle(world::ObstacleKind::resource, -2, 0, 0.4).team = "red";
+  scene.add_obstacle(world::ObstacleKind::resource, 2, 0, 0.4).team = "red";
   scene.view.boxes = {Pose{-2, 0, 0}, std::nullopt};
   const Bitmap image = scene.image();
   CHECK(image.at(scene.place(-2 + 0.16, 0.16)).reddish());
@@ -248,13 +248,13 @@ TEST_CASE("A resource is filled in its team's colour, and hollow where it was co
 
 TEST_CASE("A resource for all is green, as cameras see it") {
   Scene scene;
-  scene.add_box(world::BoxKind::resource, -2, 0, 0.4);
+  scene.add_obstacle(world::ObstacleKind::resource, -2, 0, 0.4);
   CHECK(scene.image().at(scene.place(-2 + 0.16, 0.16)).greenish());
 }
 
 TEST_CASE("A box that was pushed is drawn where it is, with an outline where it started") {
   Scene scene;
-  scene.add_box(world::BoxKind::dynamic, -2.5, 0.5, 0.6);
+  scene.add_obstacle(world::ObstacleKind::dynamic, -2.5, 0.5, 0.6);
   scene.view.boxes = {Pose{1.5, 0.5, 0}};
   const Bitmap image = scene.image();
   const auto ochre = [](const Pixel& p) { return p.red > p.blue + 30; };
@@ -265,9 +265,9 @@ TEST_CASE("A box that was pushed is drawn where it is, with an outline where it 
 
 TEST_CASE("Boxes show their kinds, and a fixed one its own colour") {
   Scene scene;
-  scene.add_box(world::BoxKind::fixed, -3.5, 0.5, 0.6);
-  scene.add_box(world::BoxKind::moving, -0.5, 0.5, 0.6);
-  scene.add_box(world::BoxKind::fixed, 2.5, 0.5, 0.6).colour = world::Colour{0, 160, 60};
+  scene.add_obstacle(world::ObstacleKind::fixed, -3.5, 0.5, 0.6);
+  scene.add_obstacle(world::ObstacleKind::moving, -0.5, 0.5, 0.6);
+  scene.add_obstacle(world::ObstacleKind::fixed, 2.5, 0.5, 0.6).colour = world::Colour{0, 160, 60};
   scene.view.boxes = {};
   const Bitmap image = scene.image();
   const Pixel fixed = image.at(scene.place(-3.5, 0.5)), moving = image.at(scene.place(-0.5, 0.5));
@@ -318,7 +318,7 @@ TEST_CASE("Positions that are not finite are left out") {
   Scene scene;
   scene.add_robot("r", "red", {0, 0, 0});
   scene.add_robot("s", "red", {2, 2, 0});
-  scene.add_box(world::BoxKind::dynamic, 1, 1, 0.3);
+  scene.add_obstacle(world::ObstacleKind::dynamic, 1, 1, 0.3);
   scene.view.robots = {{"r",
                         {{0, 0, 0}, {nan, 0, 0}, {1, infinity, 0}, {1e300, 0, 0}, {1, 1, 0}},
                         {nan, nan, nan},
@@ -365,12 +365,12 @@ TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot"
 
 TEST_CASE("Cylinders and prisms have their own outlines") {
   Scene scene;
-  world::Box& cylinder = scene.add_box(world::BoxKind::fixed, -2.0, 0.0, 0.2);
-  cylinder.shape = BoxShape::cylinder;
+  world::Obstacle& cylinder = scene.add_obstacle(world::ObstacleKind::fixed, -2.0, 0.0, 0.2);
+  cylinder.shape = ObstacleShape::cylinder;
   cylinder.radius = 0.8;
   cylinder.colour = Colour{220, 30, 20};
-  world::Box& prism = scene.add_box(world::BoxKind::fixed, 2.0, 0.0, 0.2);
-  prism.shape = BoxShape::prism;
+  world::Obstacle& prism = scene.add_obstacle(world::ObstacleKind::fixed, 2.0, 0.0, 0.2);
+  prism.shape = ObstacleShape::prism;
   prism.points = {{0, 0}, {1.5, 0}, {0, 1.5}};  // its middle is 0.5 m from both legs
   prism.heading_deg = 90.0;                     // the right angle is in the south-east
   prism.colour = Colour{220, 30, 20};

@@ -12,17 +12,17 @@ using elsie::test::Watcher;
 
 namespace {
 
-world::Box resource(double x, double y, const std::string& team = "red") {
-  world::Box box;
-  box.kind = world::BoxKind::resource;
+world::Obstacle resource(double x, double y, const std::string& team = "red") {
+  world::Obstacle box;
+  box.kind = world::ObstacleKind::resource;
   box.x = x;
   box.y = y;
   box.team = team;
   return box;
 }
 
-world::Box obstacle(double x, double y) {
-  world::Box box;
+world::Obstacle obstacle(double x, double y) {
+  world::Obstacle box;
   box.x = x;
   box.y = y;
   return box;
@@ -69,8 +69,8 @@ TEST_CASE(
       scout.mount.x = 0.0;
       const double x = distance * std::cos(radians(bearing));
       const double y = distance * std::sin(radians(bearing));
-      scout.world.boxes = {resource(x, y)};
-      scout.world.boxes[0].length = scout.world.boxes[0].width = 0.06;
+      scout.world.obstacles = {resource(x, y)};
+      scout.world.obstacles[0].length = scout.world.obstacles[0].width = 0.06;
       const VisionReading& seen = scout.look();
       CAPTURE(distance, bearing, seen.column, seen.area_px);
       REQUIRE(seen.found);
@@ -93,9 +93,9 @@ TEST_CASE("A mounting off the middle, turned and tilted, is taken into account")
       const double angle = radians(yaw + 5.0);
       const double x = scout.mount.x + 2.0 * std::cos(angle);
       const double y = scout.mount.y + 2.0 * std::sin(angle);
-      scout.world.boxes = {resource(x, y)};
-      scout.world.boxes[0].length = scout.world.boxes[0].width = 0.05;
-      scout.world.boxes[0].heading_deg = degrees(angle);
+      scout.world.obstacles = {resource(x, y)};
+      scout.world.obstacles[0].length = scout.world.obstacles[0].width = 0.05;
+      scout.world.obstacles[0].heading_deg = degrees(angle);
       const VisionReading& seen = scout.look();
       CAPTURE(yaw, pitch, seen.column, seen.row);
       REQUIRE(seen.found);
@@ -112,7 +112,7 @@ TEST_CASE("A mounting off the middle, turned and tilted, is taken into account")
 
 TEST_CASE("Where there is no resource nothing is found") {
   Scout scout;
-  scout.world.boxes = {obstacle(1.0, 0.0), obstacle(2.0, 0.3)};
+  scout.world.obstacles = {obstacle(1.0, 0.0), obstacle(2.0, 0.3)};
   scout.world.chargers.emplace_back().x = 1.5;
   world::Robot& mate = scout.world.robots.emplace_back();
   mate.team = "red";
@@ -129,29 +129,29 @@ TEST_CASE("Where there is no resource nothing is found") {
 
 TEST_CASE("An obstacle hides what is behind it, wholly or in part") {
   Scout scout;
-  scout.world.boxes = {resource(2.0, 0.0)};
+  scout.world.obstacles = {resource(2.0, 0.0)};
   const double whole = scout.look().area_px;
   CHECK(whole > 200);
 
-  scout.world.boxes.push_back(obstacle(1.0, 0.0));
+  scout.world.obstacles.push_back(obstacle(1.0, 0.0));
   CHECK_FALSE(scout.look().found);
 
-  scout.world.boxes[1].y = 0.1;  // its right face is on the camera's axis
+  scout.world.obstacles[1].y = 0.1;  // its right face is on the camera's axis
   const VisionReading& part = scout.look();
   CHECK(part.area_px == Approx(0.5 * whole).epsilon(0.1));
   CHECK(part.column > 53.0);
 
-  scout.world.boxes[1].x = 3.0;
+  scout.world.obstacles[1].x = 3.0;
   CHECK(scout.look().area_px == whole);
 }
 
 TEST_CASE("Resources of another team are not seen; those for all are") {
   Scout scout;
-  scout.world.boxes = {resource(1.5, 0.0, "blue")};
+  scout.world.obstacles = {resource(1.5, 0.0, "blue")};
   CHECK_FALSE(scout.look().found);
-  scout.world.boxes.push_back(resource(2.0, 0.4));
+  scout.world.obstacles.push_back(resource(2.0, 0.4));
   CHECK(scout.look().column < 20);
-  scout.world.boxes = {resource(1.5, 0.0, "")};
+  scout.world.obstacles = {resource(1.5, 0.0, "")};
   CHECK_FALSE(scout.look().found);  // the red robot looks for red ones only
   scout.watcher().world.colours = {world::kRedTeam, world::kResourceOfNoTeam};
   CHECK(scout.look().found);
@@ -159,7 +159,7 @@ TEST_CASE("Resources of another team are not seen; those for all are") {
 
 TEST_CASE("Of several resources the reading is about the largest") {
   Scout scout;
-  scout.world.boxes = {resource(3.0, 0.4), resource(1.5, -0.2), resource(4.0, 0.0)};
+  scout.world.obstacles = {resource(3.0, 0.4), resource(1.5, -0.2), resource(4.0, 0.0)};
   const VisionReading& seen = scout.look();
   CHECK(std::abs(seen.column - scout.column_of(1.5, -0.2)) <= 2.0);
   // The mask shows all three.
@@ -169,8 +169,8 @@ TEST_CASE("Of several resources the reading is about the largest") {
 
 TEST_CASE("The reading's blob is the one in the mask, and its centre the mean of its pixels") {
   Scout scout;
-  scout.world.boxes = {resource(1.2, 0.15)};
-  scout.world.boxes[0].heading_deg = 30;
+  scout.world.obstacles = {resource(1.2, 0.15)};
+  scout.world.obstacles[0].heading_deg = 30;
   const VisionReading& seen = scout.look();
   double area = 0, column = 0, row = 0;
   for (int y = 0; y < 100; ++y) {
@@ -204,8 +204,8 @@ TEST_CASE("Resources of many colours are found from all sides, whichever way the
                               {255, 255, 255}}) {
     Scout scout;
     scout.watcher().world.colours = {colour};
-    scout.world.boxes = {resource(0.0, 0.0)};
-    scout.world.boxes[0].colour = colour;
+    scout.world.obstacles = {resource(0.0, 0.0)};
+    scout.world.obstacles[0].colour = colour;
     CAPTURE(static_cast<int>(colour.red), static_cast<int>(colour.green),
             static_cast<int>(colour.blue));
     for (double around = 0; around < 360; around += 30) {
@@ -225,7 +225,7 @@ TEST_CASE("Resources of many colours are found from all sides, whichever way the
 
 TEST_CASE("A grey that floor and walls have, too, is refused with a sentence") {
   Scout scout;
-  scout.world.boxes = {resource(1.0, 0.0)};
+  scout.world.obstacles = {resource(1.0, 0.0)};
   scout.watcher().world.colours = {{128, 128, 128}};
   CHECK_THROWS_WITH(scout.look(), Catch::Contains("cannot look for the colour #808080") &&
                                       Catch::Contains("give the objects to find a colour"));
@@ -237,15 +237,15 @@ TEST_CASE("A grey that floor and walls have, too, is refused with a sentence") {
 
 TEST_CASE("A robot that may collect nothing finds nothing") {
   Scout scout;
-  scout.world.boxes = {resource(1.0, 0.0)};
+  scout.world.obstacles = {resource(1.0, 0.0)};
   scout.watcher().world.colours.clear();
   CHECK_FALSE(scout.look().found);
 }
 
 TEST_CASE("Size and field of view can be set") {
   Scout scout({{"width", std::int64_t{160}}, {"height", std::int64_t{40}}, {"fov_deg", 70.0}});
-  scout.world.boxes = {resource(1.5, 0.6)};
-  scout.world.boxes[0].length = scout.world.boxes[0].width = 0.06;
+  scout.world.obstacles = {resource(1.5, 0.6)};
+  scout.world.obstacles[0].length = scout.world.obstacles[0].width = 0.06;
   const VisionReading& seen = scout.look();
   CHECK(seen.width == 160);
   CHECK(seen.height == 40);
@@ -258,7 +258,7 @@ TEST_CASE("Size and field of view can be set") {
 
 TEST_CASE("The error is noise on every pixel, from the sensor's own stream") {
   Scout clean, noisy({{"error", 0.02}});
-  clean.world.boxes = noisy.world.boxes = {resource(1.0, 0.0)};
+  clean.world.obstacles = noisy.world.obstacles = {resource(1.0, 0.0)};
   const VisionReading reference = clean.look();
   const VisionReading seen = noisy.look();
   double sum = 0, squares = 0;
@@ -273,7 +273,7 @@ TEST_CASE("The error is noise on every pixel, from the sensor's own stream") {
   CHECK(seen.column == Approx(reference.column).margin(0.5));
   // The same stream gives the same picture; the next picture differs.
   Scout again({{"error", 0.02}});
-  again.world.boxes = noisy.world.boxes;
+  again.world.obstacles = noisy.world.obstacles;
   CHECK(again.look().raw.bytes == seen.raw.bytes);
   CHECK(again.look().raw.bytes != seen.raw.bytes);
 }

@@ -171,7 +171,7 @@ TEST_CASE("Tracks keep a pose a period, and where a robot collided") {
   world::World world;
   world.robots.push_back(
       robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
-  world.boxes.push_back(box("b", world::BoxKind::fixed, 0.5, 0));
+  world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0.5, 0));
   world.limits.time = 2;
   traces::TrackRecorder tracks(0.25);
   simulation::Observer* const observers[] = {&tracks};

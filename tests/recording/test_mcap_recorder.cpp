@@ -3,7 +3,7 @@
 #include "elsie/api/measure.h"
 #include "elsie/picture/image_file.h"
 #include "elsie/render/world_cameras.h"
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/writer.h"
 
 #include "recorded.h"
@@ -218,7 +218,7 @@ TEST_CASE("Events are written when they happen, with the robot's place") {
   world::World world;
   world.robots.push_back(
       robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
-  world.boxes.push_back(box("b", world::BoxKind::fixed, 0.5, 0));
+  world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0.5, 0));
   world.limits.time = 2;
   Simulation simulation(world, shipped());
   const simulation::TimedEdit changes[] = {{1.5, {"robot[r1]/@max_speed", "0.3"}}};
@@ -247,8 +247,8 @@ TEST_CASE("The scene is written at the start, and again when a box has left it")
   world::World world;
   world.robots.push_back(
       robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
-  world.boxes.push_back(box("prey", world::BoxKind::resource, 0.5, 0));
-  world.boxes.push_back(box("pushed", world::BoxKind::dynamic, 0, 2));
+  world.obstacles.push_back(box("prey", world::ObstacleKind::resource, 0.5, 0));
+  world.obstacles.push_back(box("pushed", world::ObstacleKind::dynamic, 0, 2));
   world.limits.time = 3;
   Simulation simulation(world, shipped());
   record(simulation, file.path);
@@ -391,13 +391,13 @@ TEST_CASE("A round robot is a cylinder that stands, on two that lie") {
 TEST_CASE("Cylinders are cylinders, and prisms are triangles that enclose their volume") {
   McapFile file;
   world::World world;
-  world.boxes.push_back(box("drum", world::BoxKind::dynamic, 1, 0));
-  world.boxes.back().shape = BoxShape::cylinder;
-  world.boxes.back().radius = 0.3;
-  world.boxes.push_back(box("wedge", world::BoxKind::fixed, 0, 1));
-  world.boxes.back().shape = BoxShape::prism;
-  world.boxes.back().points = {{0, 0}, {0, 1}, {1, 1}, {1.5, 0.5}, {1, 0}};
-  world.boxes.back().height = 0.4;
+  world.obstacles.push_back(box("drum", world::ObstacleKind::dynamic, 1, 0));
+  world.obstacles.back().shape = ObstacleShape::cylinder;
+  world.obstacles.back().radius = 0.3;
+  world.obstacles.push_back(box("wedge", world::ObstacleKind::fixed, 0, 1));
+  world.obstacles.back().shape = ObstacleShape::prism;
+  world.obstacles.back().points = {{0, 0}, {0, 1}, {1, 1}, {1.5, 0.5}, {1, 0}};
+  world.obstacles.back().height = 0.4;
   world.limits.time = 0.1;
   Simulation simulation(world, shipped());
   record(simulation, file.path);

@@ -218,7 +218,7 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.robots.push_back(robot("r2", 2, 0, 0, behavior("wander", 1, {{"speed", 20.0}})));
   world.robots[1].behaviors[0].parameters["restlessness"] = 0.0;
-  world.boxes.push_back(box("apple", world::BoxKind::resource, 2.5, 0));
+  world.obstacles.push_back(box("apple", world::ObstacleKind::resource, 2.5, 0));
   world.limits.time = 2;
   Simulation simulation(std::move(world), scripted.host);
   const auto result = record(simulation, file.path);

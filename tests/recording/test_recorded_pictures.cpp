@@ -36,8 +36,8 @@ void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
     }
     view.robots.push_back(std::move(drawn));
   }
-  for (std::size_t i = 0; i < simulation.world().boxes.size(); ++i) {
-    view.boxes.push_back(simulation.box(i));
+  for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
+    view.boxes.push_back(simulation.obstacle(i));
   }
   view.subtitles = {"end"};
   view.path_period_s = tracks.period_s();

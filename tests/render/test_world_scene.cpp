@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/render/world_scene.h"
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/parts.h"
 
@@ -16,8 +16,8 @@ using namespace elsie::render::test;
 
 namespace {
 
-world::Box box_at(double x, double y, world::BoxKind kind = world::BoxKind::fixed) {
-  world::Box box;
+world::Obstacle box_at(double x, double y, world::ObstacleKind kind = world::ObstacleKind::fixed) {
+  world::Obstacle box;
   box.kind = kind;
   box.x = x;
   box.y = y;
@@ -53,8 +53,10 @@ int coloured_pixels(const Image& picture) {
 
 TEST_CASE("Floor, sky, walls, obstacles and robots of any team have no hue") {
   world::World world = empty_world();
-  for (const auto kind : {world::BoxKind::fixed, world::BoxKind::dynamic, world::BoxKind::moving}) {
-    world.boxes.push_back(box_at(1.0, -0.4 + 0.4 * static_cast<double>(world.boxes.size()), kind));
+  for (const auto kind :
+       {world::ObstacleKind::fixed, world::ObstacleKind::dynamic, world::ObstacleKind::moving}) {
+    world.obstacles.push_back(
+        box_at(1.0, -0.4 + 0.4 * static_cast<double>(world.obstacles.size()), kind));
   }
   for (const char* team : {"red", "green"}) {
     world::Robot& robot = world.robots.emplace_back();
@@ -75,12 +77,12 @@ TEST_CASE("Floor, sky, walls, obstacles and robots of any team have no hue") {
 }
 
 TEST_CASE("A resource has its own colour, its team's, or the one of resources for all") {
-  const auto area = [](const world::Box& box, const Colour& colour) {
+  const auto area = [](const world::Obstacle& box, const Colour& colour) {
     world::World world = empty_world();
-    world.boxes = {box};
+    world.obstacles = {box};
     return find(picture_of(world, view_from({0, 0, 0.1})), colour).area;
   };
-  world::Box resource = box_at(1.0, 0.0, world::BoxKind::resource);
+  world::Obstacle resource = box_at(1.0, 0.0, world::ObstacleKind::resource);
   CHECK(area(resource, world::kResourceOfNoTeam) > 100);
   resource.team = "green";
   CHECK(area(resource, {20, 180, 40}) > 100);
@@ -88,7 +90,7 @@ TEST_CASE("A resource has its own colour, its team's, or the one of resources fo
   CHECK(area(resource, world::kBlueTeam) > 100);
   resource.colour = Colour{200, 0, 200};
   CHECK(area(resource, {200, 0, 200}) > 100);
-  world::Box obstacle = box_at(1.0, 0.0);
+  world::Obstacle obstacle = box_at(1.0, 0.0);
   obstacle.colour = Colour{250, 120, 0};
   CHECK(area(obstacle, {250, 120, 0}) > 100);
 }
@@ -131,8 +133,8 @@ TEST_CASE("Walls stand around the arena, or do not") {
 
 TEST_CASE("Robots and boxes are where they are put; a removed box is not seen") {
   world::World world = empty_world();
-  world.boxes = {box_at(1.0, 0.0, world::BoxKind::resource)};
-  world.boxes[0].team = "red";
+  world.obstacles = {box_at(1.0, 0.0, world::ObstacleKind::resource)};
+  world.obstacles[0].team = "red";
   world.robots.resize(1);
   WorldScene scene(world);
   const View view = view_from({0, 0, 0.1});
@@ -232,9 +234,10 @@ TEST_CASE("A robot's segments are drawn behind it, and are not in its own pictur
 namespace {
 
 /// A cylinder, or a triangle with its slope towards the west, 2 m ahead of the camera.
-world::World with_form(BoxShape shape) {
+world::World with_form(ObstacleShape shape) {
   world::World world = empty_world();
-  world::Box& box = world.boxes.emplace_back(box_at(2.0, 0.0, world::BoxKind::dynamic));
+  world::Obstacle& box =
+      world.obstacles.emplace_back(box_at(2.0, 0.0, world::ObstacleKind::dynamic));
   box.shape = shape;
   box.radius = 0.2;
   box.points = {{0, 0.3}, {-0.6, 0}, {0, -0.3}};  // its middle is 0.2 m west of the east side
@@ -248,8 +251,8 @@ constexpr Camera kWide{400, 300, radians(30.0)};
 }  // namespace
 
 TEST_CASE("A camera sees a cylinder as wide as its tangents") {
-  const Patch seen =
-      find(picture_of(with_form(BoxShape::cylinder), view_from({0, 0, 0.15}, 0, 0, kWide)), kRed);
+  const Patch seen = find(
+      picture_of(with_form(ObstacleShape::cylinder), view_from({0, 0, 0.15}, 0, 0, kWide)), kRed);
   const double half = std::tan(std::asin(0.2 / 2.0));  // for one unit along the axis
   const double pixels = 200.0 / std::tan(radians(15.0));
   CHECK(seen.right - seen.left + 1 == Approx(2.0 * half * pixels).epsilon(0.015));  // 20 sides
@@ -259,7 +262,7 @@ TEST_CASE("A camera sees a cylinder as wide as its tangents") {
 }
 
 TEST_CASE("A camera sees a prism between its outermost corners, and each side in its own light") {
-  const world::World world = with_form(BoxShape::prism);
+  const world::World world = with_form(ObstacleShape::prism);
   const Image picture = picture_of(world, view_from({0, 0, 0.15}, 0, 0, kWide));
   const Patch seen = find(picture, kRed);
   const double pixels = 200.0 / std::tan(radians(15.0));
@@ -274,7 +277,7 @@ TEST_CASE("A camera sees a prism between its outermost corners, and each side in
 }
 
 TEST_CASE("Cylinders and prisms move, and leave, as boxes do") {
-  for (const auto shape : {BoxShape::cylinder, BoxShape::prism}) {
+  for (const auto shape : {ObstacleShape::cylinder, ObstacleShape::prism}) {
     WorldScene scene(with_form(shape));
     const View view = view_from({0, 0, 0.15}, 0, 0, kWide);
     const Patch before = find(take(scene.scene(), view), kRed);

@@ -28,17 +28,18 @@ world::SensorUse camera(const std::string& id, double yaw_deg = 0.0, Parameters 
   return use;
 }
 
-world::Box resource(const std::string& id, double x, double y, const std::string& team = "red") {
-  world::Box made = box(id, world::BoxKind::resource, x, y);
+world::Obstacle resource(const std::string& id, double x, double y,
+                         const std::string& team = "red") {
+  world::Obstacle made = box(id, world::ObstacleKind::resource, x, y);
   made.team = team;
   return made;
 }
 
 /// A robot with a camera, and what it may meet.
-world::World world_with(std::vector<world::Box> boxes) {
+world::World world_with(std::vector<world::Obstacle> obstacles) {
   world::World world;
   world.teams = {{"red", world::kRedTeam}, {"blue", world::kBlueTeam}};
-  world.boxes = std::move(boxes);
+  world.obstacles = std::move(obstacles);
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   world.robots[0].sensors = {camera("eye")};
   world.limits.time = 100;
@@ -65,7 +66,7 @@ double column_of(const Frame& sensor, double x, double y) {
 TEST_CASE("A robot sees a resource where the pinhole model says, while it drives past") {
   const ScriptedHost host = driving(5.0);
   auto world = world_with({resource("food", 3.0, 0.35)});
-  world.boxes[0].length = world.boxes[0].width = 0.05;
+  world.obstacles[0].length = world.obstacles[0].width = 0.05;
   Simulation simulation(world, host.host, {.cameras = render::world_cameras});
   for (int i = 0; i < 120; ++i) {
     const Frame eye = simulation.sensor_frame(0, 0);  // where it is when the picture is taken
@@ -79,12 +80,13 @@ TEST_CASE("A robot sees a resource where the pinhole model says, while it drives
 
 TEST_CASE("What a camera sees is the world as it is at that instant, without its own robot") {
   const ScriptedHost host = driving(16.0);
-  auto world = world_with({resource("food", 2.0, 0.5), box("wall", world::BoxKind::fixed, 2, -0.5),
-                           box("crate", world::BoxKind::dynamic, 0.4, 0.0),
-                           box("cart", world::BoxKind::moving, 1.5, 1.0)});
-  world.boxes[2].mass = 0.02;
-  world.boxes[2].length = world.boxes[2].width = world.boxes[2].height = 0.1;
-  world.boxes[3].waypoints = {{1.5, -1.0}};
+  auto world =
+      world_with({resource("food", 2.0, 0.5), box("wall", world::ObstacleKind::fixed, 2, -0.5),
+                  box("crate", world::ObstacleKind::dynamic, 0.4, 0.0),
+                  box("cart", world::ObstacleKind::moving, 1.5, 1.0)});
+  world.obstacles[2].mass = 0.02;
+  world.obstacles[2].length = world.obstacles[2].width = world.obstacles[2].height = 0.1;
+  world.obstacles[3].waypoints = {{1.5, -1.0}};
   world.robots.push_back(robot("r2", 1.0, 0.3, 180, behavior("scripted")));
   world.robots[0].sensors.push_back(camera("wide", 20.0, {{"fov_deg", 80.0}}));
   world.robots[1].sensors = {camera("eye")};
@@ -99,8 +101,8 @@ TEST_CASE("What a camera sees is the world as it is at that instant, without its
     const Pose& pose = simulation.robot(i).state->pose;
     scene.place_robot(i, Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0));
   }
-  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    const Pose pose = *simulation.box(i);
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    const Pose pose = *simulation.obstacle(i);
     scene.place_box(i, Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0));
   }
   simulation.step();
@@ -116,7 +118,7 @@ TEST_CASE("What a camera sees is the world as it is at that instant, without its
     different += std::abs(seen.bytes[i] - expected.bytes[i]) > 1;
   }
   CHECK(different < 60);
-  CHECK(simulation.box(2)->x > 0.45);  // the crate was pushed
+  CHECK(simulation.obstacle(2)->x > 0.45);  // the crate was pushed
   // Each sensor has its own picture.
   CHECK(reading(simulation, 0, 0).raw.bytes != seen.bytes);
   CHECK(reading(simulation, 1, 0).raw.bytes != reading(simulation, 0, 0).raw.bytes);
@@ -160,10 +162,10 @@ TEST_CASE("A collected resource is seen no more, and is back after a reset") {
                         {.cameras = render::world_cameras});
   simulation.step();
   CHECK(reading(simulation).found);
-  for (int i = 0; i < 300 && simulation.box(0); ++i) {
+  for (int i = 0; i < 300 && simulation.obstacle(0); ++i) {
     simulation.step();
   }
-  REQUIRE_FALSE(simulation.box(0));
+  REQUIRE_FALSE(simulation.obstacle(0));
   simulation.step();
   CHECK_FALSE(reading(simulation).found);
   simulation.reset();
@@ -174,7 +176,7 @@ TEST_CASE("A collected resource is seen no more, and is back after a reset") {
 
 TEST_CASE("A robot looks for the resources that it may collect, by their colours") {
   const ScriptedHost host = driving(0.0);
-  const auto finds = [&](const world::Box& box) {
+  const auto finds = [&](const world::Obstacle& box) {
     Simulation simulation(world_with({box}), host.host, {.cameras = render::world_cameras});
     simulation.step();
     return reading(simulation).found;
@@ -182,10 +184,10 @@ TEST_CASE("A robot looks for the resources that it may collect, by their colours
   CHECK(finds(resource("food", 1, 0, "red")));
   CHECK(finds(resource("food", 1, 0, "")));
   CHECK_FALSE(finds(resource("food", 1, 0, "blue")));
-  world::Box violet = resource("food", 1, 0, "red");
+  world::Obstacle violet = resource("food", 1, 0, "red");
   violet.colour = Colour{160, 20, 200};
   CHECK(finds(violet));
-  violet.kind = world::BoxKind::fixed;
+  violet.kind = world::ObstacleKind::fixed;
   CHECK_FALSE(finds(violet));
 
   // The list: each colour once, in file order.
@@ -233,7 +235,7 @@ TEST_CASE("A camera that cannot look for a resource's colour is refused, whoseso
     }
   };
   auto world = world_with({resource("food", 1, 0)});
-  world.boxes[0].colour = Colour{128, 128, 128};
+  world.obstacles[0].colour = Colour{128, 128, 128};
   CHECK_THAT(refusal(world),
              Catch::Contains("here.xml:12: plugin 'vision': it cannot look for the colour "
                              "#808080, a grey like those of floor, walls and sky") &&
@@ -251,9 +253,9 @@ TEST_CASE("A camera that cannot look for a resource's colour is refused, whoseso
   }
   // It is no matter to a camera that need not look for it.
   world.robots.resize(1);
-  world.boxes[0].team = "blue";
+  world.obstacles[0].team = "blue";
   CHECK(refusal(world).empty());
-  world.boxes[0].team = "red";
+  world.obstacles[0].team = "red";
   world.robots[0].sensors[0].elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
   CHECK(refusal(world).empty());
 }
@@ -279,7 +281,8 @@ TEST_CASE("Cameras take pictures once every control period, none when the batter
 
 TEST_CASE("The same seed gives the same pictures, from whatever thread each step is taken") {
   const ScriptedHost host = driving(12.0);
-  auto world = world_with({resource("food", 2.0, 0.3), box("b", world::BoxKind::dynamic, 0.5, 0)});
+  auto world =
+      world_with({resource("food", 2.0, 0.3), box("b", world::ObstacleKind::dynamic, 0.5, 0)});
   world.robots[0].sensors[0].parameters = {{"error", 0.05}};
   Simulation one(world, host.host, {.seed = 4, .cameras = render::world_cameras}),
       other(world, host.host, {.seed = 4, .cameras = render::world_cameras});

@@ -86,9 +86,9 @@ TEST_CASE("A place that is not free is refused with a sentence, and nothing has 
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted")),
                   robot("pusher", 2, 2, 0, behavior("scripted"))};
   world.robots[1].segments = {segment("cart")};
-  world.boxes = {box("brick", world::BoxKind::fixed, -2, 0),
-                 box("crate", world::BoxKind::dynamic, 2.2, 2)};
-  world.boxes[1].mass = 0.05;
+  world.obstacles = {box("brick", world::ObstacleKind::fixed, -2, 0),
+                     box("crate", world::ObstacleKind::dynamic, 2.2, 2)};
+  world.obstacles[1].mass = 0.05;
   world::Charger& post = world.chargers.emplace_back();
   post.id = "post";
   post.x = post.y = -3;
@@ -97,7 +97,7 @@ TEST_CASE("A place that is not free is refused with a sentence, and nothing has 
   Simulation simulation = fresh(), other = fresh();
   advance(simulation, 300);
   advance(other, 300);
-  const Pose crate = *simulation.box(1);
+  const Pose crate = *simulation.obstacle(1);
   REQUIRE(crate.x > 2.3);  // it was pushed
   const Pose pusher = simulation.robot(1).state->pose;
 
@@ -245,7 +245,7 @@ TEST_CASE("What a path does not lead to is refused") {
   world.robots = {robot("r1", 0, 0, 0, behavior("wander"))};
   world.robots[0].sensors = {beam("left", 15)};
   world.robots[0].segments = {segment("cart")};
-  world.boxes = {box("brick", world::BoxKind::fixed, 2, 2)};
+  world.obstacles = {box("brick", world::ObstacleKind::fixed, 2, 2)};
   world.goals.emplace_back(world::EndureGoal{});
   Simulation simulation(world, scripted.host);
   advance(simulation, 5);

@@ -26,11 +26,11 @@ world::World lively() {
     r.sensors.push_back(beam("right", -20, {{"error_m", 0.01}}));
     world.robots.push_back(std::move(r));
   }
-  world.boxes.push_back(box("crate", world::BoxKind::dynamic, 0.5, -0.8));
-  world.boxes.push_back(box("shuttle", world::BoxKind::moving, -1, 1));
-  world.boxes.back().waypoints = {{1, 1}, {1, -1}};
-  world.boxes.push_back(box("rock", world::BoxKind::fixed, -0.7, -0.7));
-  world.boxes.push_back(box("food", world::BoxKind::resource, 0.9, 0.5));
+  world.obstacles.push_back(box("crate", world::ObstacleKind::dynamic, 0.5, -0.8));
+  world.obstacles.push_back(box("shuttle", world::ObstacleKind::moving, -1, 1));
+  world.obstacles.back().waypoints = {{1, 1}, {1, -1}};
+  world.obstacles.push_back(box("rock", world::ObstacleKind::fixed, -0.7, -0.7));
+  world.obstacles.push_back(box("food", world::ObstacleKind::resource, 0.9, 0.5));
   world.limits.time = 20;
   return world;
 }
@@ -92,7 +92,7 @@ TEST_CASE("Another sensor does not change the noise of the first") {
       return Motion{};
     });
     world::World world;
-    world.boxes.push_back(box("b", world::BoxKind::fixed, 0.6, 0));
+    world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0.6, 0));
     world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
     if (with_another) {
       world.robots[0].sensors.push_back(beam("other", 5, {{"error", 0.1}}));

@@ -208,10 +208,10 @@ TEST_CASE("What one edit of a step adds, another one may set") {
   const std::vector<simulation::Edit> both{
       {"obstacle[+]", "<static_box id=\"late\" x=\"1\" y=\"2.5\"/>"}, {"obstacle[late]/@y", "2"}};
   simulation.edit(both);
-  const auto& boxes = simulation.world().boxes;
-  const auto late = std::find_if(boxes.begin(), boxes.end(),
-                                 [](const world::Box& box) { return box.id == "late"; });
-  REQUIRE(late != boxes.end());
+  const auto& obstacles = simulation.world().obstacles;
+  const auto late = std::find_if(obstacles.begin(), obstacles.end(),
+                                 [](const world::Obstacle& box) { return box.id == "late"; });
+  REQUIRE(late != obstacles.end());
   CHECK(late->y == 2.0);
 }
 
@@ -280,13 +280,13 @@ TEST_CASE("Goals and limits count from their edit on") {
 TEST_CASE("A collected resource stays away, a box that moves goes on") {
   Simulation simulation(lively(), shipped(), {7});
   advance(simulation, 200);
-  const auto cart = simulation.box(2);
+  const auto cart = simulation.obstacle(2);
   REQUIRE(cart);
   simulation.edit("obstacle[mast]/@remove", "true");
-  REQUIRE(simulation.box(1));
-  CHECK(*simulation.box(1) == *cart);
+  REQUIRE(simulation.obstacle(1));
+  CHECK(*simulation.obstacle(1) == *cart);
   simulation.step();
-  CHECK(std::abs(simulation.box(1)->x - cart->x) == Approx(0.001).margin(1e-9));
+  CHECK(std::abs(simulation.obstacle(1)->x - cart->x) == Approx(0.001).margin(1e-9));
 }
 
 TEST_CASE("Edits are events, with which recorders go on") {

@@ -104,8 +104,8 @@ TEST_CASE("A robot that starts empty never moves, with or without sensors") {
 TEST_CASE("A resource fills the battery up to its capacity, and one robot only") {
   ScriptedHost scripted([](const Perception&) { return wheels(20, 20); });
   world::World world;
-  world.boxes.push_back(box("gold", world::BoxKind::resource, 0, 0));
-  world.boxes[0].energy = 900;
+  world.obstacles.push_back(box("gold", world::ObstacleKind::resource, 0, 0));
+  world.obstacles[0].energy = 900;
   world.robots.push_back(robot("r1", -0.5, 0, 0, behavior("scripted")));
   world.robots.push_back(robot("r2", 0.5, 0, 180, behavior("scripted")));
   world.robots[0].energy = world.robots[1].energy = 4500;

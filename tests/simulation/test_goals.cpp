@@ -54,10 +54,10 @@ TEST_CASE("Travel and endure: how far and how long") {
 
 TEST_CASE("Collect: all resources of the team") {
   auto world = driving(world::CollectGoal{"red"});
-  world.boxes.push_back(box("a", world::BoxKind::resource, 1, 0));
-  world.boxes[0].team = "red";
-  world.boxes.push_back(box("b", world::BoxKind::resource, 0, 3));
-  world.boxes[1].team = "blue";
+  world.obstacles.push_back(box("a", world::ObstacleKind::resource, 1, 0));
+  world.obstacles[0].team = "red";
+  world.obstacles.push_back(box("b", world::ObstacleKind::resource, 0, 3));
+  world.obstacles[1].team = "blue";
   CHECK(run(world).outcome == Outcome::success);
   world.goals[0] = world::CollectGoal{""};
   CHECK(run(world).outcome == Outcome::time_limit);
@@ -65,8 +65,8 @@ TEST_CASE("Collect: all resources of the team") {
 
 TEST_CASE("Push: a box brought to its place") {
   auto world = driving(world::PushGoal{"crate", 1.5, 0, 0.1});
-  world.boxes.push_back(box("crate", world::BoxKind::dynamic, 0.5, 0));
-  world.boxes[0].mass = 0.05;
+  world.obstacles.push_back(box("crate", world::ObstacleKind::dynamic, 0.5, 0));
+  world.obstacles[0].mass = 0.05;
   CHECK(run(world).outcome == Outcome::success);
 }
 

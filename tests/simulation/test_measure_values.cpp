@@ -27,9 +27,9 @@ TEST_CASE("Every run has six values, whatever its world measures") {
   world::Robot other = robot("r2", 2, 0, 90, behavior("scripted"));
   other.energy = 400.0;
   run.world.robots.push_back(other);
-  world::Box food = box("food", world::BoxKind::resource, 0.25, 0.0);
+  world::Obstacle food = box("food", world::ObstacleKind::resource, 0.25, 0.0);
   food.energy = 0.0;
-  run.world.boxes.push_back(food);
+  run.world.obstacles.push_back(food);
   const RunResult result = run.run();
   REQUIRE(result.robots.size() == 2);
   REQUIRE(result.measures.size() == simulation::kMeasuresOfEveryRun);

@@ -71,26 +71,26 @@ TEST_CASE("A measure sees the start, then every step once it is made") {
 }
 
 TEST_CASE("Measures see what is in the world, and what is gone") {
-  std::vector<std::size_t> boxes;
+  std::vector<std::size_t> obstacles;
   std::vector<double> cart_x;
   Script script;
   script.observe = [&](const Observation& now) {
-    boxes.push_back(now.boxes.size());
-    for (const ObservedBox& box : now.boxes) {
-      if (box.kind == ObservedBox::Kind::moving) {
+    obstacles.push_back(now.obstacles.size());
+    for (const ObservedObstacle& box : now.obstacles) {
+      if (box.kind == ObservedObstacle::Kind::moving) {
         cart_x.push_back(box.pose.x);
       }
       CHECK((box.id == "food" || box.id == "cart"));
-      CHECK((box.id != "food" || box.kind == ObservedBox::Kind::resource));
+      CHECK((box.id != "food" || box.kind == ObservedObstacle::Kind::resource));
     }
   };
   Run run(script);
-  world::Box cart = box("cart", world::BoxKind::moving, -2, 0);
+  world::Obstacle cart = box("cart", world::ObstacleKind::moving, -2, 0);
   cart.waypoints = {{-3.0, 0.0}};
-  run.world.boxes = {cart, box("food", world::BoxKind::resource, 0.2, 0.0)};
+  run.world.obstacles = {cart, box("food", world::ObstacleKind::resource, 0.2, 0.0)};
   run.run();
-  CHECK(boxes.front() == 2);
-  CHECK(boxes.back() == 1);
+  CHECK(obstacles.front() == 2);
+  CHECK(obstacles.back() == 1);
   CHECK(cart_x.front() == Approx(-2.0));
   CHECK(cart_x.back() == Approx(-2.2).margin(0.02));  // 0.2 m/s for a second
 }

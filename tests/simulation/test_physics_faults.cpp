@@ -86,13 +86,13 @@ TEST_CASE("A robot that gets out of the arena ends the run") {
 }
 
 TEST_CASE("Steps in which the solver gave up are counted and reported") {
-  const std::string boxes = "<obstacles><dynamic_box x='-0.3' y='0' mass='0.01'/></obstacles>";
+  const std::string obstacles = "<obstacles><dynamic_box x='-0.3' y='0' mass='0.01'/></obstacles>";
   const std::string two =
       "<robots><robot id='r1'><behaviors><wander speed='20'/></behaviors><coordinator>"
       "<arbiter_suppression/></coordinator></robot><robot id='r2' x='0.3'><behaviors><go_to_point "
       "x='-1' y='0' speed='1'/></behaviors><coordinator><arbiter_suppression/></coordinator>"
       "</robot></robots>";
-  simulation::Simulation run(read(world_of("cfm='0' friction='1000'", boxes + two)), host());
+  simulation::Simulation run(read(world_of("cfm='0' friction='1000'", obstacles + two)), host());
   const simulation::RunResult result = run.run();
   CHECK(result.solver.gave_up > 100);
   CHECK(result.solver.gave_up <= result.steps);

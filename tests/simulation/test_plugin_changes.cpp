@@ -328,8 +328,8 @@ TEST_CASE("A network that is to be trained otherwise is trained again, and says 
 TEST_CASE("A camera is not made to look for what no camera can find while a run goes on, either") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
-  world.boxes = {box("food", world::BoxKind::resource, 1, 0)};
-  world.boxes[0].colour = Colour{128, 128, 128};
+  world.obstacles = {box("food", world::ObstacleKind::resource, 1, 0)};
+  world.obstacles[0].colour = Colour{128, 128, 128};
   world::SensorUse eye;
   eye.plugin = "vision";
   eye.id = "eye";
@@ -347,7 +347,7 @@ TEST_CASE("A camera is not made to look for what no camera can find while a run 
 TEST_CASE("A camera that is changed goes on looking for the resources' colours") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   world::World world = one_robot(behavior("scripted"));
-  world.boxes = {box("food", world::BoxKind::resource, 1, 0)};
+  world.obstacles = {box("food", world::ObstacleKind::resource, 1, 0)};
   world::SensorUse eye;
   eye.plugin = eye.id = "vision";
   world.robots[0].sensors = {eye};

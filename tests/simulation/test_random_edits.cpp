@@ -168,12 +168,12 @@ class RunningEdits {
         false);
   }
   Drawn obstacles() {
-    std::vector<world::Box> boxes;
-    for (const world::Box& box : world_->boxes) {
-      if (box.kind != world::BoxKind::resource) boxes.push_back(box);
+    std::vector<world::Obstacle> obstacles;
+    for (const world::Obstacle& box : world_->obstacles) {
+      if (box.kind != world::ObstacleKind::resource) obstacles.push_back(box);
     }
     return in_list(
-        "", "obstacle", boxes,
+        "", "obstacle", obstacles,
         {{"colour", {"#123456"}}, {"height", {"0.3", "0.5"}}, {"heading_deg", {"12", "0"}}},
         [&](const std::string& id) {
           const std::string kind = one_of(std::vector<std::string>{"static", "dynamic", "moving"});
@@ -184,12 +184,12 @@ class RunningEdits {
         true);
   }
   Drawn resources() {
-    std::vector<world::Box> boxes;
-    for (const world::Box& box : world_->boxes) {
-      if (box.kind == world::BoxKind::resource) boxes.push_back(box);
+    std::vector<world::Obstacle> obstacles;
+    for (const world::Obstacle& box : world_->obstacles) {
+      if (box.kind == world::ObstacleKind::resource) obstacles.push_back(box);
     }
     return in_list(
-        "", "resource", boxes, {{"energy", {"1", "5"}}, {"length", {"0.1", "0.2"}}},
+        "", "resource", obstacles, {{"energy", {"1", "5"}}, {"length", {"0.1", "0.2"}}},
         [&](const std::string& id) { return "<resource id=\"" + id + "\"" + place() + "/>"; },
         true);
   }

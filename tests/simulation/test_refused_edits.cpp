@@ -93,7 +93,7 @@ TEST_CASE("An arena does not shrink into a robot or a box") {
 
 TEST_CASE("A change for later of a world that no file could hold is refused in a sentence") {
   world::World world = lively();
-  world.boxes[0].id = "two words";
+  world.obstacles[0].id = "two words";
   const Simulation simulation(world, shipped());
   const std::string why = why_not([&] {
     simulation.check(std::vector<TimedEdit>{{1.0, {"obstacle[1]/@y", "2"}}});

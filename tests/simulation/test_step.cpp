@@ -195,7 +195,7 @@ TEST_CASE("Beams read the distance from where they are mounted") {
     return Motion{};
   });
   world::World world;
-  world.boxes.push_back(box("b", world::BoxKind::fixed, 0.6, 0));
+  world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0.6, 0));
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.robots[0].sensors.push_back(beam("ahead", 0));
   world.robots[0].sensors.push_back(beam("left", 90, {{"max_range", 8.0}}));
@@ -209,9 +209,9 @@ TEST_CASE("A resource is collected at a touch: by its team, or by any when it ha
   ScriptedHost scripted([](const Perception&) { return wheels(20, 20); });
   const auto run = [&](const std::string& team) {
     world::World world;
-    world.boxes.push_back(box("gold", world::BoxKind::resource, 0.5, 0));
-    world.boxes[0].team = team;
-    world.boxes[0].energy = 700;
+    world.obstacles.push_back(box("gold", world::ObstacleKind::resource, 0.5, 0));
+    world.obstacles[0].team = team;
+    world.obstacles[0].energy = 700;
     world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
     world.robots[0].energy = 1000;
     world.limits.time = 3;
@@ -275,14 +275,14 @@ TEST_CASE("What a behaviour raises is logged, and perceived at the next step") {
 
 TEST_CASE("A moving obstacle goes its way") {
   world::World world;
-  world.boxes.push_back(box("shuttle", world::BoxKind::moving, -1, 1));
-  world.boxes[0].waypoints = {{1, 1}};
-  world.boxes[0].speed = 0.5;
+  world.obstacles.push_back(box("shuttle", world::ObstacleKind::moving, -1, 1));
+  world.obstacles[0].waypoints = {{1, 1}};
+  world.obstacles[0].speed = 0.5;
   Simulation simulation(world, shipped());
   for (int i = 0; i < 600; ++i) {
     simulation.step();
   }
-  const auto pose = simulation.box(0);
+  const auto pose = simulation.obstacle(0);
   REQUIRE(pose);
   CHECK(pose->x == Approx(0).margin(1e-6));  // 3 m of a way of 2 m there and 2 m back
   CHECK(pose->y == Approx(1));
@@ -298,7 +298,7 @@ TEST_CASE("A beam looks from its own place, in its own direction") {
     return Motion{};
   });
   world::World world;
-  world.boxes.push_back(box("b", world::BoxKind::fixed, 0, 0.6));
+  world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0, 0.6));
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.robots[0].sensors.push_back(beam("down", 0));
   world.robots[0].sensors.back().pitch_deg = -45;

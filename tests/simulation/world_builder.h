@@ -92,8 +92,8 @@ inline world::Robot robot(const std::string& id, double x, double y, double head
   return robot;
 }
 
-inline world::Box box(const std::string& id, world::BoxKind kind, double x, double y) {
-  world::Box box;
+inline world::Obstacle box(const std::string& id, world::ObstacleKind kind, double x, double y) {
+  world::Obstacle box;
   box.id = id;
   box.kind = kind;
   box.x = x;

@@ -136,8 +136,8 @@ class Witness final : public simulation::Observer {
       fastest = std::max(fastest, robot.max_speed * reach / axle);
       highest = std::max(highest, body.top());
     }
-    for (const world::Box& box : world.boxes) {
-      if (box.kind == world::BoxKind::moving) {
+    for (const world::Obstacle& box : world.obstacles) {
+      if (box.kind == world::ObstacleKind::moving) {
         fastest = std::max(fastest, box.speed);
       }
       highest = std::max(highest, box.height);
@@ -157,9 +157,9 @@ class Witness final : public simulation::Observer {
       judge("robot", i, frame.point({0.0, 0.0, body.clearance + 0.5 * body.height}), true,
             run.time_s());
     }
-    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-      const bool is_free = world_.boxes[i].kind == world::BoxKind::dynamic;
-      if (const auto pose = run.box(i); pose && is_free) {
+    for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
+      const bool is_free = world_.obstacles[i].kind == world::ObstacleKind::dynamic;
+      if (const auto pose = run.obstacle(i); pose && is_free) {
         judge("box", i, {pose->x, pose->y, 0.0}, false, run.time_s());
       }
     }

@@ -124,7 +124,7 @@ TEST_CASE("A coordinator over a scripted way is as it was") {
   });
   Coordinator fusion("fusion_fuzzy", team);
   Sequence way(0.1);
-  way.edit(1.0, [](double t) { return Situation().beam(0, 1.0 - t); });
+  way.change(1.0, [](double t) { return Situation().beam(0, 1.0 - t); });
   CHECK_THAT(record(fusion, team, way), equals_golden("golden/fusion_fuzzy.golden"));
 }
 

@@ -1,7 +1,7 @@
 #include "elsie/testing/catch.h"
 
 using namespace elsie::testing;
-using elsie::ObservedBox;
+using elsie::ObservedObstacle;
 using elsie::RunEnd;
 
 TEST_CASE("A measure watches a scene that changes from step to step") {
@@ -38,14 +38,14 @@ TEST_CASE("A copy of a scene is a scene of its own") {
   Scene other = now;
   other["r1"].pose.x = 5.0;
   other.behavior("r1", "wander").share = 1.0;
-  other.remove_box("food");
+  other.remove_obstacle("food");
   CHECK(now.observation().robot("r1").pose.x == 1.0);
   CHECK(now.observation().robot("r1").pose.heading_rad == Approx(elsie::radians(90)));
   CHECK(now.observation().robot("r1").behavior("wander")->share == 0.0);
-  REQUIRE(now.observation().boxes.size() == 1);
-  CHECK(now.observation().boxes[0].kind == ObservedBox::Kind::resource);
+  REQUIRE(now.observation().obstacles.size() == 1);
+  CHECK(now.observation().obstacles[0].kind == ObservedObstacle::Kind::resource);
   CHECK(other.observation().robot("r1").behavior("wander")->share == 1.0);
-  CHECK(other.observation().boxes.empty());
+  CHECK(other.observation().obstacles.empty());
   now = Scene();
   CHECK(other.observation().robot("r1").team == "green");
   CHECK(other.observation().teams.size() == 3);

@@ -73,16 +73,16 @@ TEST_CASE("Wrong worlds, and wrong ids, are reported") {
 }
 
 TEST_CASE("A reset with another seed draws layouts that follow the run's seed again") {
-  const auto boxes = [](const World& world) {
+  const auto obstacles = [](const World& world) {
     std::vector<double> places;
-    for (const auto& box : world.simulation().world().boxes) places.push_back(box.x);
+    for (const auto& box : world.simulation().world().obstacles) places.push_back(box.x);
     return places;
   };
   World world = World::from_text(
       "<world format='1'><layouts><scatter id='c' count='3'><static_box/></scatter>"
       "</layouts></world>",
       {.seed = 4});
-  const auto first = boxes(world);
-  CHECK(boxes(world.reset(5)) != first);
-  CHECK(boxes(world.reset(4)) == first);
+  const auto first = obstacles(world);
+  CHECK(obstacles(world.reset(5)) != first);
+  CHECK(obstacles(world.reset(4)) == first);
 }

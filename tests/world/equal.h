@@ -19,7 +19,7 @@ inline auto members(const world::Physics& p) {
                   p.parameters);
 }
 inline auto members(const world::Team& t) { return std::tie(t.id, t.colour); }
-inline auto members(const world::Box& b) {
+inline auto members(const world::Obstacle& b) {
   return std::tie(b.id, b.kind, b.shape, b.x, b.y, b.z, b.heading_deg, b.length, b.width, b.radius,
                   b.points, b.height, b.colour, b.seen_by_range_sensors, b.mass, b.waypoints,
                   b.speed, b.round_trip, b.team, b.energy);
@@ -52,7 +52,7 @@ inline auto members(const world::CollectGoal& g) { return std::tie(g.team); }
 inline auto members(const world::ReachGoal& g) {
   return std::tie(g.robot, g.x, g.y, g.radius, g.of);
 }
-inline auto members(const world::PushGoal& g) { return std::tie(g.box, g.x, g.y, g.radius); }
+inline auto members(const world::PushGoal& g) { return std::tie(g.obstacle, g.x, g.y, g.radius); }
 inline auto members(const world::GatherGoal& g) { return std::tie(g.team, g.distance); }
 inline auto members(const world::TravelGoal& g) { return std::tie(g.robot, g.distance); }
 inline auto members(const world::EndureGoal& g) { return std::tie(g.time); }
@@ -130,7 +130,7 @@ bool same(const base::List<T>& a, const base::List<T>& b) {
 }
 inline bool same(const world::World& a, const world::World& b) {
   return a.name == b.name && a.description == b.description && same(a.arena, b.arena) &&
-         same(a.physics, b.physics) && same(a.teams, b.teams) && same(a.boxes, b.boxes) &&
+         same(a.physics, b.physics) && same(a.teams, b.teams) && same(a.obstacles, b.obstacles) &&
          same(a.chargers, b.chargers) && same(a.robots, b.robots) && same(a.goals, b.goals) &&
          same(a.measures, b.measures) && same(a.edits, b.edits) && same(a.limits, b.limits);
 }

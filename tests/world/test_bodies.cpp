@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/shapes/outline.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
@@ -129,8 +129,8 @@ TEST_CASE("Discs overlap where their middles are nearer than their radii") {
 
 TEST_CASE("Prisms overlap where their outlines do, not the boxes around them") {
   const auto prism = [](double x, double y, double heading_deg) {
-    world::Box box;
-    box.shape = BoxShape::prism;
+    world::Obstacle box;
+    box.shape = ObstacleShape::prism;
     box.points = {{5.0, 5.0}, {5.0, 5.3}, {5.6, 5.0}};  // clockwise, from another origin
     box.x = x;
     box.y = y;

@@ -61,7 +61,7 @@ TEST_CASE("An element is added at the end of a list or before a member") {
                 .behaviors[1]
                 .inside.at(0)
                 .behaviors) == "avoid roam");
-  CHECK(ids(edited({"dynamic_box[+1]=<dynamic_box id=\"crate\" x=\"3\"/>"}).boxes) ==
+  CHECK(ids(edited({"dynamic_box[+1]=<dynamic_box id=\"crate\" x=\"3\"/>"}).obstacles) ==
         "wall crate dynamic_box_1");
   CHECK(std::get<world::EndureGoal>(edited({"goal[+1]=<endure time=\"1\"/>"}).goals[0]).time == 1);
 }
@@ -98,7 +98,7 @@ TEST_CASE("An added element without an id gets one as in a file, and others keep
                     "robot[r1]/sensor[+1]=<eye/>"})
                 .robots[0]
                 .sensors) == "eye_2 beam left eye beam_2");
-  CHECK(ids(edited({"obstacle[+1]=<dynamic_box x=\"3\"/>"}).boxes) ==
+  CHECK(ids(edited({"obstacle[+1]=<dynamic_box x=\"3\"/>"}).obstacles) ==
         "dynamic_box_2 wall dynamic_box_1");
 }
 

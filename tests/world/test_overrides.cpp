@@ -40,9 +40,9 @@ TEST_CASE("A path leads to any attribute") {
   CHECK(with({"robot[r1]/sensor[2]/@yaw_deg=9"}).robots[0].sensors[1].yaw_deg == 9);
   CHECK(with({"robot[r1]/sensor[bumper]/@yaw_deg=9"}).robots[0].sensors[2].yaw_deg == 9);
   CHECK(with({"robot[r1]/beam[right]/@yaw_deg=9"}).robots[0].sensors[1].yaw_deg == 9);
-  CHECK(with({"obstacle[crate]/@mass=4"}).boxes[1].mass == 4);
-  CHECK(with({"static_box[1]/@height=4"}).boxes[0].height == 4);
-  CHECK(with({"obstacle[static_box_1]/@height=4"}).boxes[0].height == 4);
+  CHECK(with({"obstacle[crate]/@mass=4"}).obstacles[1].mass == 4);
+  CHECK(with({"static_box[1]/@height=4"}).obstacles[0].height == 4);
+  CHECK(with({"obstacle[static_box_1]/@height=4"}).obstacles[0].height == 4);
   CHECK(std::get<world::EndureGoal>(with({"goal[1]/@time=7"}).goals[0]).time == 7);
   CHECK(std::get<bool>(with({"robot[r2]/coordinator/@weighted=true"})
                            .robots[1]
@@ -69,7 +69,7 @@ TEST_CASE("A path that begins at a group finds each of its members once") {
     CAPTURE(path);
     CHECK(one(std::string(path) + "/@x=0.5").robots[0].x == 0.5);
   }
-  CHECK(one("obstacles/static_box/@height=4").boxes[0].height == 4);
+  CHECK(one("obstacles/static_box/@height=4").obstacles[0].height == 4);
   CHECK(one("robots/robot/behaviors/avoid/@priority=3").robots[0].behaviors[0].priority == 3);
   CHECK(problems(kOneOfEach, {"goals/travel[2]/@distance=1"}) ==
         "--set goals/travel[2]/@distance=1: there is no travel[2]; they are numbered from 1 to 1");
@@ -328,10 +328,10 @@ TEST_CASE("An override may take away whatever may stand any number of times") {
   CHECK(crowd({"robot[r2]/@remove=true"}).robots.at(1).id == "r3");
   CHECK(crowd({"robot[*]/@remove=true", "travel/@remove=false", "goal[2]/@remove=true"})
             .robots.empty());
-  CHECK(crowd({"obstacle[wall]/@remove=true"}).boxes.at(0).id == "static_box_2");
-  CHECK(crowd({"obstacles/static_box[2]/@remove=true"}).boxes.at(1).id == "cart");
-  CHECK(crowd({"moving_box[cart]/waypoint[1]/@remove=true"}).boxes.at(2).waypoints.size() == 1);
-  CHECK(crowd({"resource/@remove=true"}).boxes.size() == 3);
+  CHECK(crowd({"obstacle[wall]/@remove=true"}).obstacles.at(0).id == "static_box_2");
+  CHECK(crowd({"obstacles/static_box[2]/@remove=true"}).obstacles.at(1).id == "cart");
+  CHECK(crowd({"moving_box[cart]/waypoint[1]/@remove=true"}).obstacles.at(2).waypoints.size() == 1);
+  CHECK(crowd({"resource/@remove=true"}).obstacles.size() == 3);
   CHECK(crowd({"charger[dock]/@remove=true"}).chargers.empty());
   CHECK(crowd({"goal[1]/@remove=true"}).goals.size() == 1);
   CHECK(crowd({"robot[r1]/segment[last]/@remove=true"}).robots.at(0).segments.size() == 1);

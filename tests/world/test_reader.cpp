@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/colours.h"
 
 #include "equal.h"
@@ -21,7 +21,7 @@ TEST_CASE("An empty world has the default of everything") {
   CHECK(same(world.physics, world::Physics{}));
   CHECK(same(world.limits, world::Limits{}));
   CHECK(world.robots.empty());
-  CHECK(world.boxes.empty());
+  CHECK(world.obstacles.empty());
   REQUIRE(world.teams.size() == 2);
   CHECK(world.teams[0].id == "red");
   CHECK(world.teams[1].id == "blue");
@@ -55,30 +55,30 @@ TEST_CASE("A world says everything") {
   CHECK(w.teams[2].id == "green");
 
   // Obstacles in file order, then resources, whatever stands first in the file.
-  REQUIRE(w.boxes.size() == 13);
-  CHECK(w.boxes[0].id == "patrol");
-  CHECK(w.boxes[0].kind == world::BoxKind::moving);
-  CHECK_FALSE(w.boxes[0].round_trip);
-  REQUIRE(w.boxes[0].waypoints.size() == 2);
-  CHECK(w.boxes[0].waypoints[1] == Vector2{2, 3.25});
-  CHECK(w.boxes[1].id == "static_box_1");
-  CHECK(w.boxes[1].colour == world::Colour{0x12, 0x34, 0x56});
-  CHECK(w.boxes[2].kind == world::BoxKind::dynamic);
-  CHECK(w.boxes[2].mass == 0.123456789012345);
-  CHECK(w.boxes[3].id == "static_box_2");
-  CHECK(w.boxes[4].id == "moving_box_2");
-  CHECK(w.boxes[5].shape == BoxShape::cylinder);
-  CHECK(w.boxes[5].radius == 0.15);
-  CHECK(w.boxes[6].id == "static_prism_1");
-  CHECK(w.boxes[6].shape == BoxShape::prism);
-  CHECK(w.boxes[6].points == std::vector<Vector2>{{0, 0}, {0.7, 0.1}, {0.2, 0.5}});
-  CHECK(w.boxes[8].kind == world::BoxKind::moving);
-  CHECK(w.boxes[10].points.size() == 4);
-  CHECK(w.boxes[10].waypoints.size() == 1);
-  CHECK(w.boxes[11].kind == world::BoxKind::resource);
-  CHECK(w.boxes[11].team == "green");
-  CHECK(w.boxes[11].energy == 12.5);
-  CHECK(w.boxes[12].id == "resource_2");
+  REQUIRE(w.obstacles.size() == 13);
+  CHECK(w.obstacles[0].id == "patrol");
+  CHECK(w.obstacles[0].kind == world::ObstacleKind::moving);
+  CHECK_FALSE(w.obstacles[0].round_trip);
+  REQUIRE(w.obstacles[0].waypoints.size() == 2);
+  CHECK(w.obstacles[0].waypoints[1] == Vector2{2, 3.25});
+  CHECK(w.obstacles[1].id == "static_box_1");
+  CHECK(w.obstacles[1].colour == world::Colour{0x12, 0x34, 0x56});
+  CHECK(w.obstacles[2].kind == world::ObstacleKind::dynamic);
+  CHECK(w.obstacles[2].mass == 0.123456789012345);
+  CHECK(w.obstacles[3].id == "static_box_2");
+  CHECK(w.obstacles[4].id == "moving_box_2");
+  CHECK(w.obstacles[5].shape == ObstacleShape::cylinder);
+  CHECK(w.obstacles[5].radius == 0.15);
+  CHECK(w.obstacles[6].id == "static_prism_1");
+  CHECK(w.obstacles[6].shape == ObstacleShape::prism);
+  CHECK(w.obstacles[6].points == std::vector<Vector2>{{0, 0}, {0.7, 0.1}, {0.2, 0.5}});
+  CHECK(w.obstacles[8].kind == world::ObstacleKind::moving);
+  CHECK(w.obstacles[10].points.size() == 4);
+  CHECK(w.obstacles[10].waypoints.size() == 1);
+  CHECK(w.obstacles[11].kind == world::ObstacleKind::resource);
+  CHECK(w.obstacles[11].team == "green");
+  CHECK(w.obstacles[11].energy == 12.5);
+  CHECK(w.obstacles[12].id == "resource_2");
   CHECK(w.chargers.at(1).id == "charger_2");
 
   REQUIRE(w.robots.size() == 2);
@@ -321,9 +321,9 @@ TEST_CASE("Default ids keep clear of those that are given") {
   const world::World w = read(
       "<obstacles><static_box x='1'/><static_box id='static_box_1' x='2'/><static_box x='3'/>"
       "</obstacles>");
-  CHECK(w.boxes[0].id == "static_box_2");
-  CHECK(w.boxes[1].id == "static_box_1");
-  CHECK(w.boxes[2].id == "static_box_3");
+  CHECK(w.obstacles[0].id == "static_box_2");
+  CHECK(w.obstacles[1].id == "static_box_1");
+  CHECK(w.obstacles[2].id == "static_box_3");
 }
 
 TEST_CASE("What plugins say of their parameters is heard only when asked for") {

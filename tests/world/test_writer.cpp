@@ -25,7 +25,7 @@ TEST_CASE("Nothing is lost in writing and reading") {
   CHECK(same(w.arena, copy.arena));
   CHECK(same(w.physics, copy.physics));
   CHECK(same(w.teams, copy.teams));
-  CHECK(same(w.boxes, copy.boxes));
+  CHECK(same(w.obstacles, copy.obstacles));
   CHECK(same(w.chargers, copy.chargers));
   CHECK(same(w.robots, copy.robots));
   CHECK(same(w.goals, copy.goals));
@@ -84,14 +84,14 @@ TEST_CASE("Numbers survive to the last bit") {
   std::mt19937_64 bits(1);
   for (int i = 0; i < 200; ++i) {
     world::World w;
-    w.boxes.resize(1);
-    w.boxes[0].id = "b";
-    w.boxes[0].x = std::uniform_real_distribution<double>(-5, 5)(bits);
-    w.boxes[0].length = std::exp(std::uniform_real_distribution<double>(-9, 2)(bits));
+    w.obstacles.resize(1);
+    w.obstacles[0].id = "b";
+    w.obstacles[0].x = std::uniform_real_distribution<double>(-5, 5)(bits);
+    w.obstacles[0].length = std::exp(std::uniform_real_distribution<double>(-9, 2)(bits));
     w.physics.parameters["cfm"] = std::exp(std::uniform_real_distribution<double>(-600, 0)(bits));
     const world::World copy = again(w);
-    CHECK(copy.boxes.at(0).x == w.boxes[0].x);
-    CHECK(copy.boxes.at(0).length == w.boxes[0].length);
+    CHECK(copy.obstacles.at(0).x == w.obstacles[0].x);
+    CHECK(copy.obstacles.at(0).length == w.obstacles[0].length);
     CHECK(copy.physics.parameters == w.physics.parameters);
   }
 }

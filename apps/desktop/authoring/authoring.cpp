@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "elsie/api/geometry.h"
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/shapes/shape.h"
 
 #include "authoring/pieces.h"

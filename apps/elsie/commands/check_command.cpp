@@ -62,11 +62,11 @@ std::string check_world(const std::string& text, const std::string& file, const 
   if (options.expand) {
     data_out() << world::write_world(world);
   }
-  const auto resources = static_cast<std::size_t>(
-      std::count_if(world.boxes.begin(), world.boxes.end(),
-                    [](const world::Box& box) { return box.kind == world::BoxKind::resource; }));
+  const auto resources = static_cast<std::size_t>(std::count_if(
+      world.obstacles.begin(), world.obstacles.end(),
+      [](const world::Obstacle& box) { return box.kind == world::ObstacleKind::resource; }));
   return base::counted(world.robots.size(), "robot") + ", " +
-         base::counted(world.boxes.size() - resources, "obstacle") +
+         base::counted(world.obstacles.size() - resources, "obstacle") +
          (resources > 0 ? ", " + base::counted(resources, "resource") : "");
 }
 

@@ -76,8 +76,8 @@ class Doubts {
     if (!goal.of.empty() || robot == world_.robots.end() || !world_.edits.empty()) {
       return;
     }
-    for (const world::Box& box : world_.boxes) {
-      if (box.kind == world::BoxKind::fixed && box.z < kHair && fills(box, goal, *robot)) {
+    for (const world::Obstacle& box : world_.obstacles) {
+      if (box.kind == world::ObstacleKind::fixed && box.z < kHair && fills(box, goal, *robot)) {
         add(goal.location, "<reach>: no place within " + number_text(goal.radius) + " m of (" +
                                number_text(goal.x) + ", " + number_text(goal.y) +
                                ") is free: " + box.in_words() + " stands there");
@@ -87,7 +87,7 @@ class Doubts {
   }
 
   /// Whether the middle of the robot comes nowhere near enough to the place because of this box.
-  static bool fills(const world::Box& box, const world::ReachGoal& goal,
+  static bool fills(const world::Obstacle& box, const world::ReachGoal& goal,
                     const world::Robot& robot) {
     const double narrow = 0.5 * std::min(robot.body.length, robot.body.width);
     const world::Footprint kept_free = world::footprint_of(box).grown(narrow);
@@ -130,7 +130,7 @@ class Doubts {
     if (!any) {
       return;
     }
-    for (const world::Box& box : world_.boxes) {
+    for (const world::Obstacle& box : world_.obstacles) {
       if (box.seen_by_range_sensors && box.z < kHair && box.height <= lowest_m + kHair) {
         add(box.location, box.in_words() + " is " + number_text(box.height) +
                               " m high, and all beams of the robot '" + world_.robots[robot].id +

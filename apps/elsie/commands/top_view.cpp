@@ -41,8 +41,8 @@ void draw(const simulation::Simulation& simulation, const traces::TrackRecorder*
     }
     view.robots.push_back(std::move(track));
   }
-  for (std::size_t i = 0; i < simulation.world().boxes.size(); ++i) {
-    view.boxes.push_back(simulation.box(i));
+  for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
+    view.boxes.push_back(simulation.obstacle(i));
   }
   view.subtitles = subtitles;
   view.paths = paths;

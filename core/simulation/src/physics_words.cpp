@@ -29,8 +29,8 @@ std::string name_of(const world::World& world, const physics::Body& body,
     const world::Segment& segment = robot.segments.at(*number - of_drive);
     return "the segment '" + segment.id + "' of " + name + file_and_line_of(segment.location);
   }
-  const world::Box& box = world.boxes.at(body.index);
-  return box.in_words() + file_and_line_of(box.location);
+  const world::Obstacle& obstacle = world.obstacles.at(body.index);
+  return obstacle.in_words() + file_and_line_of(obstacle.location);
 }
 
 /// The warnings of what the physics may not simulate well.
@@ -46,7 +46,7 @@ std::string likely_cause(const world::World& world, const physics::Failure& fail
   const bool is_robot = failure.body && failure.body->kind == physics::BodyKind::robot;
   const auto rank = [&](const world::Warning& warning) {
     const bool is_of_body = failure.body && warning.index == failure.body->index &&
-                            warning.about == (is_robot ? About::robot : About::box);
+                            warning.about == (is_robot ? About::robot : About::obstacle);
     return is_of_body ? 2 : warning.about == About::physics ? 1 : 0;
   };
   const auto found = std::max_element(

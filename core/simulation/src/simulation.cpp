@@ -56,8 +56,8 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   engine_->work_with(loop_.pool());
   goal_starts_.assign(world_.goals.size(), {});
   moving_.clear();
-  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-    add_box(i);
+  for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
+    add_obstacle(i);
   }
   add_charger_boxes();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -82,21 +82,21 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   measuring_->ask(said_);
 }
 
-void Simulation::Impl::add_box(std::size_t i) {
-  engine_->add_box(world_.boxes[i]);
-  if (world_.boxes[i].kind == world::BoxKind::moving) {
-    moving_.push_back({i, BoxPath(world_.boxes[i]), time_s()});
+void Simulation::Impl::add_obstacle(std::size_t i) {
+  engine_->add_obstacle(world_.obstacles[i]);
+  if (world_.obstacles[i].kind == world::ObstacleKind::moving) {
+    moving_.push_back({i, WaypointPath(world_.obstacles[i]), time_s()});
   }
 }
 
 void Simulation::Impl::add_charger_boxes() {
   for (const world::Charger& charger : world_.chargers) {
     if (charger.seen_by_range_sensors) {
-      world::Box box;
-      box.x = charger.x;
-      box.y = charger.y;
-      box.length = box.width = box.height = world::Charger::kBoxEdge;
-      engine_->add_box(box);
+      world::Obstacle obstacle;
+      obstacle.x = charger.x;
+      obstacle.y = charger.y;
+      obstacle.length = obstacle.width = obstacle.height = world::Charger::kBoxEdge;
+      engine_->add_obstacle(obstacle);
     }
   }
 }
@@ -311,9 +311,9 @@ SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
   return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
           state.yaw_rad, state.pitch_rad};
 }
-std::optional<Pose> Simulation::box(std::size_t index) const {
-  if (!impl_->engine_->has_box(index)) return std::nullopt;
-  const Frame frame = impl_->engine_->box(index);
+std::optional<Pose> Simulation::obstacle(std::size_t index) const {
+  if (!impl_->engine_->has_obstacle(index)) return std::nullopt;
+  const Frame frame = impl_->engine_->obstacle(index);
   return Pose{frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
 }
 

@@ -25,13 +25,13 @@
 #include "physics_words.h"
 #include "replacement/swap.h"
 #include "robot/robot_surroundings.h"
-#include "step/box_path.h"
 #include "step/cameras.h"
 #include "step/goals.h"
 #include "step/neighbours.h"
 #include "step/robot_loop.h"
 #include "step/teams.h"
 #include "step/touches.h"
+#include "step/waypoint_path.h"
 
 namespace elsie::simulation {
 
@@ -91,9 +91,9 @@ class Simulation::Impl {
   std::uint64_t new_schedules_ = 0;  // how often World::edits changed
 
  private:
-  struct MovingBox {
+  struct MovingObstacle {
     std::size_t index;
-    BoxPath path;
+    WaypointPath path;
     double since_s;  // start of its motion
   };
 
@@ -113,7 +113,7 @@ class Simulation::Impl {
   void become_goals(const world::World& was);
   void settle(EditTransaction& transaction);
 
-  void add_box(std::size_t i);
+  void add_obstacle(std::size_t i);
   void add_charger_boxes();
 
   InPlaceEdits::Stage stage() { return {robots_, *engine_, *cameras_, time_s()}; }
@@ -158,7 +158,7 @@ class Simulation::Impl {
   // The last change of the length of a step or of a control period.
   std::uint64_t base_steps_ = 0;
   double base_time_s_ = 0.0;
-  std::vector<MovingBox> moving_;
+  std::vector<MovingObstacle> moving_;
   std::vector<GoalStart> goal_starts_;  // of the world's goals
   RobotLoop loop_;
   std::vector<SensingMemory> memory_;  // of each thread

@@ -64,7 +64,7 @@ class MentionCheck {
     const auto [what, is_any] =
         mention.kind == Reference::team    ? std::pair("team", !world_.teams.empty())
         : mention.kind == Reference::robot ? std::pair("robot", !world_.robots.empty())
-                                           : std::pair("box", !world_.boxes.empty());
+                                           : std::pair("box", !world_.obstacles.empty());
     const std::vector<std::string> all = ids(mention.kind);
     problems_.add(mention.where,
                   mention.in_words +
@@ -88,7 +88,7 @@ class MentionCheck {
   std::vector<std::string> ids(Reference kind) const {
     return kind == Reference::team    ? ids_of(world_.teams)
            : kind == Reference::robot ? ids_of(world_.robots)
-                                      : ids_of(world_.boxes);
+                                      : ids_of(world_.obstacles);
   }
 
   const World& world_;
@@ -265,9 +265,11 @@ struct GoalCheck {
   Problems& problems;
 
   void operator()(const CollectGoal& goal) const {
-    const bool any = std::any_of(world.boxes.begin(), world.boxes.end(), [&](const Box& box) {
-      return box.kind == BoxKind::resource && (goal.team.empty() || box.team == goal.team);
-    });
+    const bool any =
+        std::any_of(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
+          return obstacle.kind == ObstacleKind::resource &&
+                 (goal.team.empty() || obstacle.team == goal.team);
+        });
     if (!any) {
       problems.add(goal.location,
                    goal.team.empty()
@@ -287,11 +289,11 @@ struct GoalCheck {
   }
   void operator()(const PushGoal& goal) const {
     check_place("<push>", goal.x, goal.y, goal.location);
-    for (const Box& box : world.boxes) {
-      if (box.id == goal.box && box.kind != BoxKind::dynamic) {
-        problems.add(goal.location, "<push>: " + box.in_words() +
+    for (const Obstacle& obstacle : world.obstacles) {
+      if (obstacle.id == goal.obstacle && obstacle.kind != ObstacleKind::dynamic) {
+        problems.add(goal.location, "<push>: " + obstacle.in_words() +
                                         " cannot be pushed; expected a <dynamic_" +
-                                        box.shape_name() + ">");
+                                        obstacle.shape_name() + ">");
       }
     }
   }

@@ -60,8 +60,8 @@ void colour_teams(World& world) {
   for (const Colour& colour : {kRedTeam, kBlueTeam, kResourceOfNoTeam, kChargerColour}) {
     use(colour);
   }
-  for (const Box& box : world.boxes) {
-    use(box.colour);
+  for (const Obstacle& obstacle : world.obstacles) {
+    use(obstacle.colour);
   }
   for (Team& team : world.teams) {
     if (!team.colour && (team.id == "red" || team.id == "blue")) {
@@ -84,16 +84,16 @@ Colour team_colour(const World& world, std::string_view team) {
   return team == "red" ? kRedTeam : team == "blue" ? kBlueTeam : kNoTeam;
 }
 
-Colour resource_colour(const World& world, const Box& resource) {
+Colour resource_colour(const World& world, const Obstacle& resource) {
   if (resource.colour) return *resource.colour;
   return resource.team.empty() ? kResourceOfNoTeam : team_colour(world, resource.team);
 }
 
-Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise) {
-  if (box.kind == BoxKind::resource) return resource_colour(world, box);
-  return box.colour.value_or(box.kind == BoxKind::fixed     ? otherwise.fixed
-                             : box.kind == BoxKind::dynamic ? otherwise.dynamic
-                                                            : otherwise.moving);
+Colour box_colour(const World& world, const Obstacle& obstacle, const BoxColours& otherwise) {
+  if (obstacle.kind == ObstacleKind::resource) return resource_colour(world, obstacle);
+  return obstacle.colour.value_or(obstacle.kind == ObstacleKind::fixed     ? otherwise.fixed
+                                  : obstacle.kind == ObstacleKind::dynamic ? otherwise.dynamic
+                                                                           : otherwise.moving);
 }
 
 }  // namespace elsie::world

@@ -109,8 +109,8 @@ Footprint footprint_of(const Shape& shape, const Frame& middle) {
   return area;
 }
 
-Footprint footprint_of(const Box& box) {
-  const Fixture fixture = fixture_of(box);
+Footprint footprint_of(const Obstacle& obstacle) {
+  const Fixture fixture = fixture_of(obstacle);
   return footprint_of(fixture.shape, fixture.frame);
 }
 

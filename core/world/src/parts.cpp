@@ -6,8 +6,8 @@
 
 #include "elsie/world/footprint.h"
 
-#include "box_shapes.h"
 #include "differential.h"
+#include "obstacle_shapes.h"
 
 namespace elsie::world {
 namespace {
@@ -64,9 +64,9 @@ std::vector<Fixture> walls_of(const Arena& arena) {
           wall(3, 0.0, -y, along)};
 }
 
-Fixture fixture_of(const Box& box, std::size_t index) {
-  return upright(Fixture::Kind::box, index, {box.x, box.y, box.z}, radians(box.heading_deg),
-                 form_of(box.shape).solid(box));
+Fixture fixture_of(const Obstacle& obstacle, std::size_t index) {
+  return upright(Fixture::Kind::obstacle, index, {obstacle.x, obstacle.y, obstacle.z},
+                 radians(obstacle.heading_deg), form_of(obstacle.shape).solid(obstacle));
 }
 
 Fixture fixture_of(const Charger& charger, std::size_t index) {

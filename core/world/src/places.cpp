@@ -77,15 +77,15 @@ class PlaceCheck {
     }
   }
 
-  void check_path(const Box& box) {
-    Vector2 last{box.x, box.y};
-    for (const Vector2& point : box.waypoints) {
-      check_point("a waypoint of " + box.in_words(), point.x, point.y, box.location);
+  void check_path(const Obstacle& obstacle) {
+    Vector2 last{obstacle.x, obstacle.y};
+    for (const Vector2& point : obstacle.waypoints) {
+      check_point("a waypoint of " + obstacle.in_words(), point.x, point.y, obstacle.location);
       if (point == last) {
-        problems_.add(box.location, "a waypoint of " + box.in_words() + " at (" +
-                                        number_text(point.x) + ", " + number_text(point.y) +
-                                        ") is where the " + box.shape_name() +
-                                        " comes from; take it out");
+        problems_.add(obstacle.location, "a waypoint of " + obstacle.in_words() + " at (" +
+                                             number_text(point.x) + ", " + number_text(point.y) +
+                                             ") is where the " + obstacle.shape_name() +
+                                             " comes from; take it out");
       }
       last = point;
     }
@@ -122,28 +122,28 @@ class PlaceCheck {
 void check_places(const Reading& reading, bool is_running, Problems& problems) {
   const World& world = reading.world;
   PlaceCheck check(world.arena, problems);
-  std::vector<BoxKind> kinds;
-  const auto is_free = [](BoxKind kind) {
-    return kind == BoxKind::dynamic || kind == BoxKind::resource;
+  std::vector<ObstacleKind> kinds;
+  const auto is_free = [](ObstacleKind kind) {
+    return kind == ObstacleKind::dynamic || kind == ObstacleKind::resource;
   };
-  for (const Box& box : world.boxes) {
-    if (!reading.sound(box.location)) continue;
-    if (const auto problem = problem_of(box)) {
-      problems.add(box.location, box.in_words() + " " + *problem);
+  for (const Obstacle& obstacle : world.obstacles) {
+    if (!reading.sound(obstacle.location)) continue;
+    if (const auto problem = problem_of(obstacle)) {
+      problems.add(obstacle.location, obstacle.in_words() + " " + *problem);
       continue;
     }
-    const Block block{footprint_of(box), box.in_words(), box.location};
-    check.check_path(box);
-    if (box.kind == BoxKind::fixed || box.kind == BoxKind::moving) {
-      check.check_point(block.in_words, box.x, box.y, box.location);
+    const Block block{footprint_of(obstacle), obstacle.in_words(), obstacle.location};
+    check.check_path(obstacle);
+    if (obstacle.kind == ObstacleKind::fixed || obstacle.kind == ObstacleKind::moving) {
+      check.check_point(block.in_words, obstacle.x, obstacle.y, obstacle.location);
     } else if (!is_running) {
       check.check_free_of_walls(block);
     }
     if (is_running) continue;
     check.check_apart({&block, 1}, [&](std::size_t other) {
-      return !is_free(kinds[other]) && !is_free(box.kind);
+      return !is_free(kinds[other]) && !is_free(obstacle.kind);
     });
-    kinds.push_back(box.kind);
+    kinds.push_back(obstacle.kind);
   }
   for (const Charger& charger : world.chargers) {
     if (reading.sound(charger.location)) {

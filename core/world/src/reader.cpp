@@ -153,8 +153,9 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   add_default_teams(world.teams);
   colour_teams(world);
   build_bodies(reading, host, problems);
-  std::stable_partition(world.boxes.begin(), world.boxes.end(),
-                        [](const Box& box) { return box.kind != BoxKind::resource; });
+  std::stable_partition(
+      world.obstacles.begin(), world.obstacles.end(),
+      [](const Obstacle& obstacle) { return obstacle.kind != ObstacleKind::resource; });
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
   if (options.check_plugins && !options.is_running) {

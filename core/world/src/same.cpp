@@ -73,8 +73,8 @@ bool same_part(const ElementSpec& spec, const char* part, const void* a, const v
                     });
 }
 
-bool same(const Box& a, const Box& b, Cost least) {
-  const char* const list = a.kind == BoxKind::resource ? "resources" : "obstacles";
+bool same(const Obstacle& a, const Obstacle& b, Cost least) {
+  const char* const list = a.kind == ObstacleKind::resource ? "resources" : "obstacles";
   return a.element() == b.element() &&
          same(*vocabulary().child(list)->child(a.element()), &a, &b, least);
 }

@@ -8,7 +8,7 @@
 #include "elsie/world/facts.h"
 #include "elsie/world/layouts.h"
 
-#include "box_shapes.h"
+#include "obstacle_shapes.h"
 
 namespace elsie::world {
 
@@ -57,22 +57,23 @@ ElementSpec team() {
 }
 
 // The attributes that all kinds of boxes have.
-Describe<Box> box(const std::string& name, const std::string& meaning,
-                  BoxShape shape = BoxShape::box) {
+Describe<Obstacle> obstacle(const std::string& name, const std::string& meaning,
+                            ObstacleShape shape = ObstacleShape::box) {
   auto placed =
-      Describe<Box>(name, meaning)
+      Describe<Obstacle>(name, meaning)
           .costs(Cost::engine)
-          .attribute("id", &Box::id, fact("its name; by default its element's, with a number"), kId)
-          .attribute("x", &Box::x, metres("its middle, east"))
-          .attribute("y", &Box::y, metres("its middle, north"))
-          .attribute("z", &Box::z, range("m", 0, 100, "its bottom"))
-          .attribute("heading_deg", &Box::heading_deg, angle("counter-clockwise from east"));
+          .attribute("id", &Obstacle::id, fact("its name; by default its element's, with a number"),
+                     kId)
+          .attribute("x", &Obstacle::x, metres("its middle, east"))
+          .attribute("y", &Obstacle::y, metres("its middle, north"))
+          .attribute("z", &Obstacle::z, range("m", 0, 100, "its bottom"))
+          .attribute("heading_deg", &Obstacle::heading_deg, angle("counter-clockwise from east"));
   return form_of(shape)
       .with_size(std::move(placed))
-      .attribute("height", &Box::height, size("along z"))
-      .attribute("colour", &Box::colour, fact("in pictures; by default that of its kind"),
+      .attribute("height", &Obstacle::height, size("along z"))
+      .attribute("colour", &Obstacle::colour, fact("in pictures; by default that of its kind"),
                  {.cost = Cost::nothing})
-      .attribute("seen_by_range_sensors", &Box::seen_by_range_sensors,
+      .attribute("seen_by_range_sensors", &Obstacle::seen_by_range_sensors,
                  fact("whether range and proximity sensors see it"));
 }
 
@@ -84,36 +85,37 @@ ElementSpec waypoint() {
       .attribute("y", &Vector2::y, metres("north"), kRequired);
 }
 
-ElementSpec obstacle(BoxKind kind, BoxShape shape) {
-  Box example;
+ElementSpec obstacle(ObstacleKind kind, ObstacleShape shape) {
+  Obstacle example;
   example.kind = kind;
   example.shape = shape;
   const std::string form = form_of(shape).words;
-  if (kind == BoxKind::fixed) {
-    return box(example.element(), "An obstacle that never moves" + form, shape);
+  if (kind == ObstacleKind::fixed) {
+    return obstacle(example.element(), "An obstacle that never moves" + form, shape);
   }
-  if (kind == BoxKind::dynamic) {
-    return box(example.element(), "An obstacle that can be pushed" + form, shape)
-        .attribute("mass", &Box::mass, mass("its mass", 1e6));
+  if (kind == ObstacleKind::dynamic) {
+    return obstacle(example.element(), "An obstacle that can be pushed" + form, shape)
+        .attribute("mass", &Obstacle::mass, mass("its mass", 1e6));
   }
-  return box(example.element(),
+  return obstacle(
+             example.element(),
              "An obstacle that moves from its start through its waypoints; robots cannot push it" +
                  form,
              shape)
-      .attribute("speed", &Box::speed, positive("m/s", 100, "along its path"))
+      .attribute("speed", &Obstacle::speed, positive("m/s", 100, "along its path"))
       .choice(
-          "path", &Box::round_trip,
+          "path", &Obstacle::round_trip,
           {.choices = {"round", "to_and_fro"},
            .meaning = "how it returns from the last waypoint: straight to its start, or back the "
                       "same way"},
           "round")
-      .each(waypoint(), &Box::waypoints);
+      .each(waypoint(), &Obstacle::waypoints);
 }
 
 ElementSpec resource() {
-  return box("resource", "A box that a robot collects by touching it")
-      .attribute("team", &Box::team, fact("whose robots may take it; by default any"), kTeam)
-      .attribute("energy", &Box::energy,
+  return obstacle("resource", "A box that a robot collects by touching it")
+      .attribute("team", &Obstacle::team, fact("whose robots may take it; by default any"), kTeam)
+      .attribute("energy", &Obstacle::energy,
                  range("units", 0, 1e12, "the energy that the collector gains"), kCheap);
 }
 
@@ -153,8 +155,8 @@ Describe<World> goals() {
                          kRobot),
           &World::goals)
       .each_of(Describe<PushGoal>("push", "To reach: a box is at a place")
-                   .attribute("box", &PushGoal::box, fact("which one"),
-                              {TextForm::id, Reference::box, true})
+                   .attribute("box", &PushGoal::obstacle, fact("which one"),
+                              {TextForm::id, Reference::obstacle, true})
                    .attribute("x", &PushGoal::x, metres("the place, east"), kRequired)
                    .attribute("y", &PushGoal::y, metres("the place, north"), kRequired)
                    .attribute("radius", &PushGoal::radius, radius),
@@ -215,12 +217,12 @@ ElementSpec limits() {
 }
 
 // Adds the boxes of one kind and shape to a list.
-Describe<World> boxes(Describe<World> list, ElementSpec box, BoxKind kind,
-                      BoxShape shape = BoxShape::box) {
+Describe<World> obstacles(Describe<World> list, ElementSpec obstacle, ObstacleKind kind,
+                          ObstacleShape shape = ObstacleShape::box) {
   return std::move(list).each(
-      std::move(box), &World::boxes,
-      [=](const Box& each) { return each.kind == kind && each.shape == shape; },
-      [=](Box& made) {
+      std::move(obstacle), &World::obstacles,
+      [=](const Obstacle& each) { return each.kind == kind && each.shape == shape; },
+      [=](Obstacle& made) {
         made.kind = kind;
         made.shape = shape;
       });
@@ -229,9 +231,10 @@ Describe<World> boxes(Describe<World> list, ElementSpec box, BoxKind kind,
 Describe<World> obstacles() {
   auto list = Describe<World>("obstacles", "What stands in the way").members("obstacle");
   for (std::size_t i = 0; i < kBoxShapes.size(); ++i) {
-    const auto shape = static_cast<BoxShape>(i);
-    for (const BoxKind kind : {BoxKind::fixed, BoxKind::dynamic, BoxKind::moving}) {
-      list = boxes(std::move(list), obstacle(kind, shape), kind, shape);
+    const auto shape = static_cast<ObstacleShape>(i);
+    for (const ObstacleKind kind :
+         {ObstacleKind::fixed, ObstacleKind::dynamic, ObstacleKind::moving}) {
+      list = obstacles(std::move(list), obstacle(kind, shape), kind, shape);
     }
   }
   return list;
@@ -245,7 +248,7 @@ ElementSpec world() {
       .one(physics(), &World::physics)
       .group(Describe<World>("teams", "The teams").each(team(), &World::teams))
       .group(obstacles())
-      .group(boxes({"resources", "Boxes to be collected"}, resource(), BoxKind::resource))
+      .group(obstacles({"resources", "Boxes to be collected"}, resource(), ObstacleKind::resource))
       .group(Describe<World>("chargers", "Where robots charge").each(charger(), &World::chargers))
       .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())

@@ -97,7 +97,7 @@ class MeasureTrial final : public Trial {
     }
     if (laps > 0.0) {
       for (const std::string& box : input_.gone) {
-        now_.remove_box(box);
+        now_.remove_obstacle(box);
       }
     }
     now_.at_step(static_cast<int>(step) + 1);

@@ -31,7 +31,7 @@ Scene random_world(int number, Random& random) {
     made.resource("food_" + std::to_string(i + 1), random.uniform(-4, 4), random.uniform(-4, 4),
                   i == 3 ? "blue" : "");
   }
-  made.box("crate", ObservedBox::Kind::dynamic, random.uniform(-4, 4), random.uniform(-4, 4));
+  made.box("crate", ObservedObstacle::Kind::dynamic, random.uniform(-4, 4), random.uniform(-4, 4));
   return made;
 }
 
@@ -99,11 +99,11 @@ std::vector<Cast> casts_of(const Observation& now) {
 
 /// The id of some resource; "" if a randomly chosen box is none.
 std::string some_resource(const Observation& now, Random& random) {
-  if (now.boxes.empty()) {
+  if (now.obstacles.empty()) {
     return "";
   }
-  const ObservedBox& box = now.boxes[index(random, now.boxes.size())];
-  return box.kind == ObservedBox::Kind::resource ? std::string(box.id) : "";
+  const ObservedObstacle& box = now.obstacles[index(random, now.obstacles.size())];
+  return box.kind == ObservedObstacle::Kind::resource ? std::string(box.id) : "";
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ Input InputMaker::make_watched(int number, Random& random) const {
         !box.empty() && !casts.empty() && random.chance(0.1)) {
       input.gone.push_back(box);
       ++now[casts[index(random, casts.size())].robot].collected;
-      now.remove_box(box);
+      now.remove_obstacle(box);
     }
     input.watched.push_back(now);
   }

@@ -70,18 +70,18 @@ Scene& Scene::behaves(const std::string& path, const std::string& plugin) {
   return *this;
 }
 
-Scene& Scene::box(const std::string& id, ObservedBox::Kind kind, double x, double y,
+Scene& Scene::box(const std::string& id, ObservedObstacle::Kind kind, double x, double y,
                   const std::string& team) {
   boxes_.push_back({keep(id), kind, keep(team), {x, y, 0.0}});
   return *this;
 }
 
 Scene& Scene::resource(const std::string& id, double x, double y, const std::string& team) {
-  return box(id, ObservedBox::Kind::resource, x, y, team);
+  return box(id, ObservedObstacle::Kind::resource, x, y, team);
 }
 
-Scene& Scene::remove_box(const std::string& id) {
-  std::erase_if(boxes_, [&](const ObservedBox& box) { return box.id == id; });
+Scene& Scene::remove_obstacle(const std::string& id) {
+  std::erase_if(boxes_, [&](const ObservedObstacle& box) { return box.id == id; });
   return *this;
 }
 
@@ -129,7 +129,7 @@ const Observation& Scene::observation() const {
   view_ = now_;
   view_.period_s = now_.step_s * static_cast<double>(control_steps_);
   view_.robots = seen_;
-  view_.boxes = boxes_;
+  view_.obstacles = boxes_;
   view_.teams = teams_;
   return view_;
 }

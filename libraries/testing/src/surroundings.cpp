@@ -30,16 +30,16 @@ Surroundings& Surroundings::at(double x, double y, double heading_deg) {
   return *this;
 }
 
-Surroundings& Surroundings::add(const world::Box& box) {
-  engine_->bodies->add_box(box);
-  world_.boxes.push_back(box);
+Surroundings& Surroundings::add(const world::Obstacle& box) {
+  engine_->bodies->add_obstacle(box);
+  world_.obstacles.push_back(box);
   return *this;
 }
 
 Surroundings& Surroundings::box(double x, double y, double length, double width, double height,
                                 double heading_deg) {
-  world::Box box;
-  box.id = "box" + std::to_string(world_.boxes.size());
+  world::Obstacle box;
+  box.id = "box" + std::to_string(world_.obstacles.size());
   box.x = x;
   box.y = y;
   box.length = length;
@@ -57,9 +57,9 @@ Surroundings& Surroundings::wall(double x1, double y1, double x2, double y2) {
 }
 
 Surroundings& Surroundings::resource(double x, double y, const Colour& colour) {
-  world::Box box;
-  box.id = "resource" + std::to_string(world_.boxes.size());
-  box.kind = world::BoxKind::resource;
+  world::Obstacle box;
+  box.id = "resource" + std::to_string(world_.obstacles.size());
+  box.kind = world::ObstacleKind::resource;
   box.x = x;
   box.y = y;
   box.colour = colour;

@@ -41,13 +41,13 @@ void check(const Pose& pose, double z) {
           "The pose of a robot must be finite.");
 }
 
-void check(const world::Box& box) {
+void check(const world::Obstacle& box) {
   const auto problem = world::problem_of(box);
   require(!problem, std::string("A ") + box.shape_name() + " " + problem.value_or(""));
   const Vector3 size = world::fixture_of(box).shape.size;
   require(is_positive(size.x) && is_positive(size.y) && is_positive(size.z),
           "The length, width, radius and height of a box must be positive and finite.");
-  require(box.kind != world::BoxKind::dynamic || is_positive(box.mass),
+  require(box.kind != world::ObstacleKind::dynamic || is_positive(box.mass),
           "The mass of a dynamic box must be positive and finite.");
   require(std::isfinite(box.x + box.y + box.z + box.heading_deg),
           "The place and heading of a box must be finite.");
@@ -64,8 +64,8 @@ void check(std::span<const JointSetting> settings, std::size_t joints) {
           "The rates and angles that a robot's joints are to hold must be finite.");
 }
 
-void check_drive(world::BoxKind kind, const Vector2& position, const Vector2& velocity) {
-  require(kind == world::BoxKind::moving, "Only a moving box can be driven.");
+void check_drive(world::ObstacleKind kind, const Vector2& position, const Vector2& velocity) {
+  require(kind == world::ObstacleKind::moving, "Only a moving box can be driven.");
   require(std::isfinite(position.x + position.y + velocity.x + velocity.y),
           "The position and velocity of a moving box must be finite.");
 }

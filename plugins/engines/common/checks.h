@@ -24,10 +24,10 @@ inline void require(bool holds, const char* sentence) {  // in each step: makes 
 
 void check(const world::Arena& arena, const world::Physics& physics);
 void check(const Pose& pose, double z);
-void check(const world::Box& box);
+void check(const world::Obstacle& box);
 /// Of a robot with so many joints that can be set.
 void check(std::span<const JointSetting> settings, std::size_t joints);
-/// What Engine::drive_box() is told of a box of this kind.
-void check_drive(world::BoxKind kind, const Vector2& position, const Vector2& velocity);
+/// What Engine::drive_obstacle() is told of a box of this kind.
+void check_drive(world::ObstacleKind kind, const Vector2& position, const Vector2& velocity);
 
 }  // namespace elsie::physics

@@ -47,9 +47,9 @@ std::optional<std::string> danger_of_height(const std::string& name, const world
          (most > 0.0 ? "height of at most " + about(most) + " m" : "wider or longer chassis");
 }
 
-std::optional<std::string> danger_of_path(const world::World& world, const world::Box& box,
+std::optional<std::string> danger_of_path(const world::World& world, const world::Obstacle& box,
                                           const std::string& effect) {
-  if (!world.arena.walls || box.kind != world::BoxKind::moving || box.waypoints.empty()) {
+  if (!world.arena.walls || box.kind != world::ObstacleKind::moving || box.waypoints.empty()) {
     return std::nullopt;
   }
   const world::Footprint footprint = world::footprint_of(box);

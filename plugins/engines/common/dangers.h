@@ -18,7 +18,7 @@ std::optional<std::string> danger_of_speed(const std::string& name, double speed
 std::optional<std::string> danger_of_height(const std::string& name, const world::Robot& robot,
                                             const std::string& effect);
 /// Of a moving box whose path reaches into a wall of the arena.
-std::optional<std::string> danger_of_path(const world::World& world, const world::Box& box,
+std::optional<std::string> danger_of_path(const world::World& world, const world::Obstacle& box,
                                           const std::string& effect);
 
 }  // namespace elsie::physics

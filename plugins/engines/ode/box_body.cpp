@@ -7,7 +7,7 @@
 
 namespace elsie::physics {
 
-BoxBody::BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixture& fixture,
+BoxBody::BoxBody(dWorldID world, world::ObstacleKind kind_of_box, const world::Fixture& fixture,
                  double mass)
     : kind(kind_of_box),
       solid_shape(fixture.shape),
@@ -24,7 +24,7 @@ BoxBody::BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixtur
     return;
   }
   body = dBodyCreate(world);
-  if (kind == world::BoxKind::dynamic) {
+  if (kind == world::ObstacleKind::dynamic) {
     const dMass own = mass_of(solid_shape, mass);
     dBodySetMass(body, &own);
     dBodySetFiniteRotationMode(body, 1);

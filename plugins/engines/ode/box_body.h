@@ -18,10 +18,11 @@ namespace elsie::physics {
 struct BoxBody {
   /// Makes the body at the place of the fixture. `mass`: kg, of a dynamic one. Throws OdeFailure if
   /// ODE cannot use the mass.
-  BoxBody(dWorldID world, world::BoxKind kind_of_box, const world::Fixture& fixture, double mass);
+  BoxBody(dWorldID world, world::ObstacleKind kind_of_box, const world::Fixture& fixture,
+          double mass);
 
   bool is_mobile() const {
-    return kind == world::BoxKind::dynamic || kind == world::BoxKind::moving;
+    return kind == world::ObstacleKind::dynamic || kind == world::ObstacleKind::moving;
   }
   Solid solid() const { return {body, geom.get(), form, shape, solid_shape.outline}; }
   /// Its origin is in the middle of its lower side.
@@ -36,7 +37,7 @@ struct BoxBody {
   double most_speed() const;
   void add_to(base::Fnv1a& hash) const;
 
-  world::BoxKind kind;
+  world::ObstacleKind kind;
   bool present = true;
   Scene::Id id = 0;
   dBodyID body = nullptr;  // null for a fixed body

@@ -40,7 +40,7 @@ bool meet(OdeContacts& contacts, const OdeBodies& bodies, Scene::Id first, Scene
   }
   const BoxBody &box_a = bodies.box_of(a), &box_b = bodies.box_of(b);
   const bool can_give =
-      box_a.kind == world::BoxKind::dynamic || box_b.kind == world::BoxKind::dynamic;
+      box_a.kind == world::ObstacleKind::dynamic || box_b.kind == world::ObstacleKind::dynamic;
   return can_give && meet_solids(contacts, box_a.solid(), box_b.solid());
 }
 
@@ -86,7 +86,7 @@ void ContactFinder::find_floor(const OdeBodies& bodies, base::ThreadPool& pool) 
   });
   OdeContacts& of_boxes = blocks_[blocks_of(robots)].contacts;
   for (const BoxBody& box : bodies.boxes) {
-    if (box.present && box.kind == world::BoxKind::dynamic) box.meet_floor(of_boxes);
+    if (box.present && box.kind == world::ObstacleKind::dynamic) box.meet_floor(of_boxes);
   }
 }
 

@@ -53,19 +53,20 @@ class OdeEngine final : public Engine {
   OdeEngine(const world::Arena& arena, const world::Physics& physics);
 
   std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
-  std::size_t add_box(const world::Box& box) override;
+  std::size_t add_obstacle(const world::Obstacle& box) override;
   std::size_t add_robot_of(const Engine& other, std::size_t robot) override;
   std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
                            const Pose& pose) override;
-  std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) override;
+  std::size_t add_obstacle_of(const Engine& other, std::size_t box,
+                              const world::Obstacle& added) override;
   void go_on_from(const Engine& other) override;
-  void remove_box(std::size_t box) override;
+  void remove_obstacle(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
   std::span<const JointSetting> joints(std::size_t robot) const override {
     return bodies_.robots.at(robot).joints();
   }
-  void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void drive_obstacle(std::size_t box, const Vector2& position, const Vector2& velocity) override;
   void work_with(base::ThreadPool& pool) override {
     pool_ = &pool;
     world_.work_with(pool);
@@ -79,8 +80,8 @@ class OdeEngine final : public Engine {
   SegmentState segment(std::size_t robot, std::size_t segment) const override {
     return bodies_.robots.at(robot).segment(segment);
   }
-  Frame box(std::size_t box) const override;
-  bool has_box(std::size_t box) const override { return bodies_.boxes.at(box).present; }
+  Frame obstacle(std::size_t box) const override;
+  bool has_obstacle(std::size_t box) const override { return bodies_.boxes.at(box).present; }
   std::span<const Touch> touches() const override { return finder_.touches(); }
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
@@ -100,7 +101,7 @@ class OdeEngine final : public Engine {
     std::optional<Failure> failure;
   };
 
-  std::size_t add_upright(std::vector<BoxBody>& list, BodyKind kind, world::BoxKind box_kind,
+  std::size_t add_upright(std::vector<BoxBody>& list, BodyKind kind, world::ObstacleKind box_kind,
                           const world::Fixture& fixture, double mass, bool sensed);
   std::size_t enter_robot(double top);
   void take_step();
@@ -150,7 +151,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
   dWorldSetCFM(world_.get(), softness.cfm);
   dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
   for (const world::Fixture& wall : world::walls_of(arena)) {
-    add_upright(bodies_.walls, BodyKind::wall, world::BoxKind::fixed, wall, 0.0, true);
+    add_upright(bodies_.walls, BodyKind::wall, world::ObstacleKind::fixed, wall, 0.0, true);
   }
 }
 
@@ -194,11 +195,12 @@ std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, cons
   return index;
 }
 
-std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const world::Box& added) {
+std::size_t OdeEngine::add_obstacle_of(const Engine& other, std::size_t box,
+                                       const world::Obstacle& added) {
   const BoxBody& same = dynamic_cast<const OdeEngine&>(other).bodies_.boxes.at(box);
-  const std::size_t index = add_box(added);
+  const std::size_t index = add_obstacle(added);
   if (!same.present) {
-    remove_box(index);
+    remove_obstacle(index);
     return index;
   }
   BoxBody& made = bodies_.boxes[index];
@@ -206,7 +208,7 @@ std::size_t OdeEngine::add_box_of(const Engine& other, std::size_t box, const wo
     copy_state(same.body, made.body);
     made.shape = same.shape;
     made.stays_within =
-        made.kind == world::BoxKind::dynamic && bounds_.within_walls(made.shape.center);
+        made.kind == world::ObstacleKind::dynamic && bounds_.within_walls(made.shape.center);
     bodies_.scene.place_box(made.id, made.shape, physics_.step * made.most_speed() + kSlack);
     bounds_.add_height(made.shape.center.z + made.shape.half.z);
   }
@@ -238,7 +240,7 @@ void OdeEngine::place_in_scene(std::size_t robot) {
 }
 
 std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
-                                   world::BoxKind box_kind, const world::Fixture& fixture,
+                                   world::ObstacleKind box_kind, const world::Fixture& fixture,
                                    double mass, bool sensed) {
   const std::size_t index = list.size();
   BoxBody& made = list.emplace_back(world_.get(), box_kind, fixture, mass);
@@ -249,23 +251,23 @@ std::size_t OdeEngine::add_upright(std::vector<BoxBody>& list, BodyKind kind,
   return index;
 }
 
-std::size_t OdeEngine::add_box(const world::Box& box) {
+std::size_t OdeEngine::add_obstacle(const world::Obstacle& box) {
   check(box);
   prepare_ode();
   std::size_t index = 0;
   accept("a box", [&] {
-    index = add_upright(bodies_.boxes, BodyKind::box, box.kind, world::fixture_of(box), box.mass,
-                        box.seen_by_range_sensors);
+    index = add_upright(bodies_.boxes, BodyKind::obstacle, box.kind, world::fixture_of(box),
+                        box.mass, box.seen_by_range_sensors);
   });
-  if (bodies_.boxes[index].is_mobile()) islands_.add_box(bodies_.boxes[index].body);
-  if (box.kind == world::BoxKind::dynamic) {
+  if (bodies_.boxes[index].is_mobile()) islands_.add_obstacle(bodies_.boxes[index].body);
+  if (box.kind == world::ObstacleKind::dynamic) {
     bodies_.boxes[index].stays_within = bounds_.within_walls(bodies_.boxes[index].shape.center);
     bounds_.add_height(box.z + box.height);
   }
   return index;
 }
 
-void OdeEngine::remove_box(std::size_t box) {
+void OdeEngine::remove_obstacle(std::size_t box) {
   BoxBody& gone = bodies_.boxes.at(box);
   if (!gone.present) return;
   gone.present = false;
@@ -273,7 +275,7 @@ void OdeEngine::remove_box(std::size_t box) {
   std::erase(bodies_.mobile, gone.id);
   gone.geom.reset();
   if (gone.body) {
-    islands_.remove_box(gone.body);
+    islands_.remove_obstacle(gone.body);
     dBodyDestroy(gone.body);
   }
   gone.body = nullptr;
@@ -286,7 +288,7 @@ void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> sett
   bounds_.add_robot_speed(set.most_speed(settings));
 }
 
-void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
+void OdeEngine::drive_obstacle(std::size_t box, const Vector2& position, const Vector2& velocity) {
   BoxBody& driven = bodies_.boxes.at(box);
   check_drive(driven.kind, position, velocity);
   if (!driven.present) return;
@@ -296,7 +298,7 @@ void OdeEngine::drive_box(std::size_t box, const Vector2& position, const Vector
   dBodySetLinearVel(driven.body, velocity.x, velocity.y, 0.0);
 }
 
-Frame OdeEngine::box(std::size_t box) const { return bodies_.boxes.at(box).frame(); }
+Frame OdeEngine::obstacle(std::size_t box) const { return bodies_.boxes.at(box).frame(); }
 
 void OdeEngine::step() {
   prepare_ode();
@@ -370,7 +372,7 @@ void OdeEngine::find_contacts(Islands::OdeTakes takes) {
 
 void OdeEngine::start_moving_boxes() {
   for (BoxBody& box : bodies_.boxes) {
-    if (!box.present || box.kind != world::BoxKind::moving) continue;
+    if (!box.present || box.kind != world::ObstacleKind::moving) continue;
     if (!box.driven) {
       dBodySetLinearVel(box.body, 0.0, 0.0, 0.0);
       continue;
@@ -418,7 +420,7 @@ void OdeEngine::settle_robot(std::size_t robot, Share& share) {
 }
 
 void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
-  if (box.kind == world::BoxKind::moving) {
+  if (box.kind == world::ObstacleKind::moving) {
     if (!box.driven) return;
     box.driven = false;
     box.shape.center = box.target;
@@ -433,11 +435,11 @@ void OdeEngine::settle_box(BoxBody& box, std::size_t index) {
   if (!std::isfinite(center.x + center.y + center.z + forward.x + left.y + up.z + speed)) {
     Failure failure;
     failure.kind = Failure::Kind::not_finite;
-    failure.body = Body{BodyKind::box, index};
+    failure.body = Body{BodyKind::obstacle, index};
     fail(failure);
   }
   if (const auto failure = judge(center, to_vector(dBodyGetLinearVel(box.body)), box.stays_within,
-                                 {BodyKind::box, index})) {
+                                 {BodyKind::obstacle, index})) {
     fail(*failure);
   }
   bodies_.scene.place_box(box.id, box.shape, physics_.step * speed + kSlack);

@@ -81,9 +81,9 @@ class Search {
       this->robot(robot, stances_[i],
                   {Warning::About::robot, i, robot.location, "the robot '" + robot.id + "'"});
     }
-    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-      const Box& box = world_.boxes[i];
-      this->box(box, {Warning::About::box, i, box.location, box.in_words()});
+    for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
+      const Obstacle& box = world_.obstacles[i];
+      this->box(box, {Warning::About::obstacle, i, box.location, box.in_words()});
     }
     return std::move(found_);
   }
@@ -214,8 +214,8 @@ class Search {
     }
   }
 
-  void box(const Box& box, const Subject& subject) {
-    if (box.kind == BoxKind::dynamic) {
+  void box(const Obstacle& box, const Subject& subject) {
+    if (box.kind == ObstacleKind::dynamic) {
       sinking(subject, box.mass, box.height);
       const auto least =
           std::max_element(stances_.begin(), stances_.end(), [&](const Stance& a, const Stance& b) {
@@ -226,7 +226,7 @@ class Search {
         ratio(subject, subject.name, box.mass, "the robot '" + robot.id + "'", least->mass);
       }
     }
-    if (box.kind == BoxKind::moving && !box.waypoints.empty()) {
+    if (box.kind == ObstacleKind::moving && !box.waypoints.empty()) {
       const Vector3 size = fixture_of(box).shape.size;
       crossing(subject, box.speed, std::min(size.x, size.y));
       // Nothing stops a moving box.

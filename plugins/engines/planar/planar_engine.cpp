@@ -132,9 +132,9 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, c
   return index;
 }
 
-std::size_t PlanarEngine::add_box(const world::Box& box) {
+std::size_t PlanarEngine::add_obstacle(const world::Obstacle& box) {
   check(box);
-  const bool is_dynamic = box.kind == world::BoxKind::dynamic;
+  const bool is_dynamic = box.kind == world::ObstacleKind::dynamic;
   refuse_if(fault_of(box, "a box"));
   const std::size_t index = boxes_.size();
   const Shape shape = world::fixture_of(box).shape;
@@ -143,15 +143,15 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
     const Inertia inertia{box.mass, {}, box.mass * spread_of(shape)};
     const double lever = physics::lever_of(Outline::of(shape, 0.0));
     mover.emplace(inertia, FloorFriction(inertia, lever, physics_));
-  } else if (box.kind == world::BoxKind::moving) {
+  } else if (box.kind == world::ObstacleKind::moving) {
     mover.emplace();
   }
   BoxBody& made = boxes_.emplace_back();
   made.kind = box.kind;
   made.bottom = box.z;
-  made.collider =
-      add_upright({BodyKind::box, index}, shape, box.z, {box.x, box.y, radians(box.heading_deg)},
-                  box.seen_by_range_sensors, std::move(mover));
+  made.collider = add_upright({BodyKind::obstacle, index}, shape, box.z,
+                              {box.x, box.y, radians(box.heading_deg)}, box.seen_by_range_sensors,
+                              std::move(mover));
   if (colliders_[made.collider].mover != Contact::kFixed) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));
   }
@@ -159,22 +159,22 @@ std::size_t PlanarEngine::add_box(const world::Box& box) {
   return index;
 }
 
-std::size_t PlanarEngine::add_box_of(const Engine& other, std::size_t box,
-                                     const world::Box& added) {
+std::size_t PlanarEngine::add_obstacle_of(const Engine& other, std::size_t box,
+                                          const world::Obstacle& added) {
   const auto& before = dynamic_cast<const PlanarEngine&>(other);
   const BoxBody& same = before.boxes_.at(box);
-  const std::size_t index = add_box(added);
+  const std::size_t index = add_obstacle(added);
   Collider& collider = colliders_[boxes_[index].collider];
   const Collider& known = before.colliders_[same.collider];
   collider.number = known.number;
   if (!same.present) {
-    remove_box(index);
+    remove_obstacle(index);
   } else if (collider.mover != Contact::kFixed) {
     Mover& mover = movers_[collider.mover];
     mover.take(before.movers_[known.mover], physics_.step);
     scene_.move(boxes_[index].collider, mover.place(), mover.ahead(), moves_.front());
     scene_.settle(moves_);
-    boxes_[index].stays_within = boxes_[index].kind == world::BoxKind::dynamic &&
+    boxes_[index].stays_within = boxes_[index].kind == world::ObstacleKind::dynamic &&
                                  bounds_.within_walls({mover.place().x, mover.place().y, 0.0});
   }
   return index;
@@ -188,7 +188,7 @@ void PlanarEngine::go_on_from(const Engine& other) {
   pipeline_.take(before.pipeline_);
 }
 
-void PlanarEngine::remove_box(std::size_t box) {
+void PlanarEngine::remove_obstacle(std::size_t box) {
   BoxBody& gone = boxes_.at(box);
   if (!gone.present) return;
   gone.present = false;

@@ -25,13 +25,14 @@ class PlanarEngine final : public Engine {
   PlanarEngine(const world::Arena& arena, const world::Physics& physics);
 
   std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z) override;
-  std::size_t add_box(const world::Box& box) override;
+  std::size_t add_obstacle(const world::Obstacle& box) override;
   std::size_t add_robot_of(const Engine& other, std::size_t robot) override;
   std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
                            const Pose& pose) override;
-  std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) override;
+  std::size_t add_obstacle_of(const Engine& other, std::size_t box,
+                              const world::Obstacle& added) override;
   void go_on_from(const Engine& other) override;
-  void remove_box(std::size_t box) override;
+  void remove_obstacle(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
   std::optional<std::string> fault_of_height(double z) const override {
     return physics::fault_of_height(z, "the robot");
@@ -40,7 +41,7 @@ class PlanarEngine final : public Engine {
   std::span<const JointSetting> joints(std::size_t robot) const override {
     return robots_.at(robot).joints();
   }
-  void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) override;
+  void drive_obstacle(std::size_t box, const Vector2& position, const Vector2& velocity) override;
   void work_with(base::ThreadPool& pool) override { pool_ = &pool; }
   void step() override;
 
@@ -49,8 +50,8 @@ class PlanarEngine final : public Engine {
     return robots_.at(robot).vehicles() - 1;
   }
   SegmentState segment(std::size_t robot, std::size_t segment) const override;
-  Frame box(std::size_t box) const override;
-  bool has_box(std::size_t box) const override { return boxes_.at(box).present; }
+  Frame obstacle(std::size_t box) const override;
+  bool has_obstacle(std::size_t box) const override { return boxes_.at(box).present; }
   std::span<const Touch> touches() const override { return pipeline_.touches(); }
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
@@ -67,7 +68,7 @@ class PlanarEngine final : public Engine {
 
  private:
   struct BoxBody {
-    world::BoxKind kind = world::BoxKind::fixed;
+    world::ObstacleKind kind = world::ObstacleKind::fixed;
     bool present = true;
     std::uint32_t collider = 0;
     double bottom = 0.0;

@@ -31,7 +31,8 @@ void PlanarEngine::set_joints(std::size_t robot, std::span<const JointSetting> s
   bounds_.add_robot_speed(set.lever() * set.set_joints(settings, movers_));
 }
 
-void PlanarEngine::drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) {
+void PlanarEngine::drive_obstacle(std::size_t box, const Vector2& position,
+                                  const Vector2& velocity) {
   BoxBody& driven = boxes_.at(box);
   check_drive(driven.kind, position, velocity);
   if (!driven.present) return;
@@ -60,7 +61,7 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
   return {frame_at(at, 0.0, mover.ahead()), {at.x, at.y, mover.heading_rad()}, hinge.yaw_rad, 0.0};
 }
 
-Frame PlanarEngine::box(std::size_t box) const {
+Frame PlanarEngine::obstacle(std::size_t box) const {
   const BoxBody& asked = boxes_.at(box);
   const Collider& collider = colliders_[asked.collider];
   if (collider.mover == Contact::kFixed) {
@@ -73,7 +74,7 @@ Frame PlanarEngine::box(std::size_t box) const {
 void PlanarEngine::start_moving_boxes() {
   for (const std::uint32_t index : mobile_boxes_) {
     BoxBody& box = boxes_[index];
-    if (box.kind != world::BoxKind::moving) continue;
+    if (box.kind != world::ObstacleKind::moving) continue;
     Mover& mover = mover_of_box(box);
     if (!box.driven) {
       mover.drive({});
@@ -208,8 +209,8 @@ void PlanarEngine::settle_boxes(double limit, PlanarScene::Moves& moves) {
     BoxBody& box = boxes_[index];
     Mover& mover = mover_of_box(box);
     mover.advance(physics_.step);
-    if (box.kind == world::BoxKind::dynamic && !is_well(mover, limit, box.stays_within)) {
-      fail(mover, box.stays_within, {BodyKind::box, index}, std::nullopt);
+    if (box.kind == world::ObstacleKind::dynamic && !is_well(mover, limit, box.stays_within)) {
+      fail(mover, box.stays_within, {BodyKind::obstacle, index}, std::nullopt);
     }
     scene_.move(box.collider, mover.place(), mover.ahead(), moves);
   }

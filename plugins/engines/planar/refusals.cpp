@@ -42,8 +42,8 @@ std::optional<std::string> fault_of(const world::Physics& physics) {
          kOther;
 }
 
-std::optional<std::string> fault_of(const world::Box& box, const std::string& what) {
-  if (box.kind != world::BoxKind::dynamic || box.z == 0.0) return std::nullopt;
+std::optional<std::string> fault_of(const world::Obstacle& box, const std::string& what) {
+  if (box.kind != world::ObstacleKind::dynamic || box.z == 0.0) return std::nullopt;
   return above(what, box.z, "fall");
 }
 
@@ -79,7 +79,7 @@ extern "C" __attribute__((visibility("default"))) void elsie_check_world(
   };
   check_softness(world.physics, problems);
   add(world.physics.location, fault_of(world.physics));
-  for (const elsie::world::Box& box : world.boxes) {
+  for (const elsie::world::Obstacle& box : world.obstacles) {
     add(box.location, fault_of(box, "the box '" + box.id + "'"));
   }
   for (const elsie::world::Robot& robot : world.robots) {

@@ -13,7 +13,7 @@ int parts_of(double step);
 
 std::optional<std::string> fault_of(const world::Physics& physics);
 /// Begins with `what`: "the box 'crate'".
-std::optional<std::string> fault_of(const world::Box& box, const std::string& what);
+std::optional<std::string> fault_of(const world::Obstacle& box, const std::string& what);
 std::optional<std::string> fault_of_height(double z, const std::string& what);
 std::optional<std::string> fault_of(const BodyPlan& plan, const std::string& what);
 

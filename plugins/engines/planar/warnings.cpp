@@ -27,7 +27,7 @@ class Search {
   void find() {
     physics();
     for (std::size_t i = 0; i < world_.robots.size(); ++i) robot(world_.robots[i], i);
-    for (std::size_t i = 0; i < world_.boxes.size(); ++i) box(world_.boxes[i], i);
+    for (std::size_t i = 0; i < world_.obstacles.size(); ++i) box(world_.obstacles[i], i);
   }
 
  private:
@@ -68,12 +68,12 @@ class Search {
             name, robot, ", and would topple, but the engine 'planar' keeps everything upright"));
   }
 
-  void box(const Box& box, std::size_t index) {
-    if (box.kind != BoxKind::moving || box.waypoints.empty()) return;
+  void box(const Obstacle& box, std::size_t index) {
+    if (box.kind != ObstacleKind::moving || box.waypoints.empty()) return;
     const Vector3 size = fixture_of(box).shape.size;
-    speed(Warning::About::box, index, box.location, box.in_words(), box.speed,
+    speed(Warning::About::obstacle, index, box.location, box.in_words(), box.speed,
           std::min(size.x, size.y));
-    add(Warning::About::box, index, box.location,
+    add(Warning::About::obstacle, index, box.location,
         physics::danger_of_path(world_, box, ", and ends the run where it presses a body into it"));
   }
 

@@ -60,19 +60,20 @@ inline std::vector<std::uint64_t> history(const std::string& engine, const Bustl
                   random.uniform(-180, 180));
   }
   for (int i = 0; i < (side - 1) * (side - 1); ++i) {
-    context.box(world::BoxKind::dynamic, first + apart * (i % (side - 1) + 0.5),
-                first + apart * (i / (side - 1) + 0.5), {0.1, 0.15, 0.1}, 30.0 * i);
+    context.obstacle(world::ObstacleKind::dynamic, first + apart * (i % (side - 1) + 0.5),
+                     first + apart * (i / (side - 1) + 0.5), {0.1, 0.15, 0.1}, 30.0 * i);
   }
   context.train(0.0, 0.07 - 0.5 * size, 0.0, {world::Segment(), world::Segment()});
   const double y = first + 0.5 * apart;
-  const std::size_t moving = context.box(world::BoxKind::moving, first, y, {0.1, 0.1, 0.1});
+  const std::size_t moving =
+      context.obstacle(world::ObstacleKind::moving, first, y, {0.1, 0.1, 0.1});
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < steps; ++i) {
     for (std::size_t robot = 0; i % 20 == 0 && robot <= robots; ++robot) {
       context.drive(robot, {random.uniform(-5, 25), random.uniform(-5, 25)});
     }
-    if (i == steps / 2) context.engine->remove_box(2);
-    context.engine->drive_box(moving, {first + 0.003 * (i + 1), y}, {0.3, 0.0});
+    if (i == steps / 2) context.engine->remove_obstacle(2);
+    context.engine->drive_obstacle(moving, {first + 0.003 * (i + 1), y}, {0.3, 0.0});
     context.engine->step();
     hashes.push_back(context.engine->hash_state());
   }

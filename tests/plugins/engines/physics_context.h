@@ -34,9 +34,10 @@ struct PhysicsContext {
     engine->set_joints(robot, joints);
   }
 
-  std::size_t box(world::BoxKind kind, double x, double y, const Vector3& size,
-                  double heading_deg = 0.0, double z = 0.0, double mass = world::Box{}.mass) {
-    world::Box box;
+  std::size_t obstacle(world::ObstacleKind kind, double x, double y, const Vector3& size,
+                       double heading_deg = 0.0, double z = 0.0,
+                       double mass = world::Obstacle{}.mass) {
+    world::Obstacle box;
     box.kind = kind;
     box.x = x;
     box.y = y;
@@ -46,7 +47,7 @@ struct PhysicsContext {
     box.height = size.z;
     box.heading_deg = heading_deg;
     box.mass = mass;
-    return engine->add_box(box);
+    return engine->add_obstacle(box);
   }
 
   /// Steps for a time, and calls `each` after every step.
@@ -72,11 +73,11 @@ struct PhysicsContext {
   void drive(
       std::size_t box, const Vector2& velocity, double seconds,
       const std::function<void()>& each = [] {}) {
-    Vector3 at = engine->box(box).origin;
+    Vector3 at = engine->obstacle(box).origin;
     const long steps = std::lround(seconds / physics.step);
     for (long i = 0; i < steps; ++i) {
       at = at + physics.step * Vector3{velocity.x, velocity.y, 0.0};
-      engine->drive_box(box, {at.x, at.y}, velocity);
+      engine->drive_obstacle(box, {at.x, at.y}, velocity);
       engine->step();
       each();
     }
@@ -88,7 +89,7 @@ struct PhysicsContext {
 };
 
 inline Body robot_body(std::size_t index) { return {BodyKind::robot, index}; }
-inline Body box_body(std::size_t index) { return {BodyKind::box, index}; }
+inline Body box_body(std::size_t index) { return {BodyKind::obstacle, index}; }
 inline Body wall_body(std::size_t index) { return {BodyKind::wall, index}; }
 
 inline world::Physics with_step(double step) {

@@ -16,7 +16,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 TEST_CASE("Straight on: the wheels' rate gives the speed") {
   const std::string engine = each_engine();
@@ -87,29 +87,29 @@ TEST_CASE("A push: a box goes along, and friction stops it") {
   const double step = each_step();
   CAPTURE(engine, step);
   PhysicsContext context(with(engine, step), open_field());
-  const std::size_t ram = context.box(BoxKind::moving, -0.3, 0.0, {0.2, 0.2, 0.2});
-  const std::size_t box = context.box(BoxKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, -0.3, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
   context.drive(ram, {1.0, 0.0}, 0.5);
-  const Vector3 let_go = context.engine->box(box).origin;
+  const Vector3 let_go = context.engine->obstacle(box).origin;
   CHECK(let_go.x == Approx(0.4).margin(0.025));
   context.drive(ram, {-1.0, 0.0}, 0.01);
   context.run(2.0);
-  const Vector3 end = context.engine->box(box).origin;
+  const Vector3 end = context.engine->obstacle(box).origin;
   // v2 / (2 mu g)
   CHECK(end.x - let_go.x == Approx(1.0 / (2 * 0.3 * 9.81)).margin(0.025));
   CHECK(std::abs(end.y) < 2e-3);
   context.run(5.0);
-  CHECK(across(context.engine->box(box).origin, end) < 1e-4);
+  CHECK(across(context.engine->obstacle(box).origin, end) < 1e-4);
 }
 
 TEST_CASE("A push off the middle turns the box") {
   const std::string engine = each_engine();
   CAPTURE(engine);
   PhysicsContext context(with(engine), open_field());
-  const std::size_t ram = context.box(BoxKind::moving, -0.2, 0.08, {0.1, 0.02, 0.1});
-  const std::size_t box = context.box(BoxKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, -0.2, 0.08, {0.1, 0.02, 0.1});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
   context.drive(ram, {0.2, 0.0}, 1.0);
-  const Frame frame = context.engine->box(box);
+  const Frame frame = context.engine->obstacle(box);
   const double turned = std::atan2(frame.forward.y, frame.forward.x);
   CHECK(turned < -0.05);
   CHECK(turned > -1.5);
@@ -159,19 +159,20 @@ TEST_CASE("A wall: whatever the heading, a robot is not thrown off") {
 // The motors press with 1 N, and each box holds against it with 0.3 x 0.02 kg x 9.81 m/s2.
 TEST_CASE("A stack of pushes: a row of boxes gives way if the motors are strong enough") {
   const std::string engine = each_engine();
-  const int boxes = GENERATE(1, 3, 10, 14, 20, 22);
-  CAPTURE(engine, boxes);
+  const int obstacles = GENERATE(1, 3, 10, 14, 20, 22);
+  CAPTURE(engine, obstacles);
   PhysicsContext context(with(engine), open_field());
   const std::size_t robot = context.robot(0, 0);
   std::size_t last = 0;
-  for (int i = 0; i < boxes; ++i) {
-    last = context.box(BoxKind::dynamic, 0.1 + 0.081 * i, 0, {0.08, 0.08, 0.08}, 0, 0, 0.02);
+  for (int i = 0; i < obstacles; ++i) {
+    last =
+        context.obstacle(ObstacleKind::dynamic, 0.1 + 0.081 * i, 0, {0.08, 0.08, 0.08}, 0, 0, 0.02);
   }
-  const double from = context.engine->box(last).origin.x;
+  const double from = context.engine->obstacle(last).origin.x;
   context.drive(robot, {10, 10});
   context.run(5.0);
-  const double pushed = context.engine->box(last).origin.x - from;
-  if (boxes < 17) {
+  const double pushed = context.engine->obstacle(last).origin.x - from;
+  if (obstacles < 17) {
     CHECK(pushed > 0.2);
   } else {
     CHECK(pushed < 0.03);
@@ -189,7 +190,7 @@ TEST_CASE("No tunnelling: nothing goes through a thin wall at the greatest speed
   if (is_fast) body.wheel_torque = 0.05;
   const double from = is_fast ? -3.0 : -0.7, rate = is_fast ? 250 : 25;
   const std::size_t robot = context.robot(from, from * std::tan(radians(heading)), heading, body);
-  const std::size_t wall = context.box(BoxKind::fixed, 0.0, 0.0, {0.002, 6.0, 0.3});
+  const std::size_t wall = context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {0.002, 6.0, 0.3});
   context.drive(robot, {rate, rate});
   double farthest = from;
   bool touched = false;
@@ -211,12 +212,13 @@ TEST_CASE("No tunnelling: a light box that is hit does not leave the arena") {
   arena.length = arena.width = 1.0;
   arena.wall_thickness = 0.005;
   PhysicsContext context(with(engine, step), arena);
-  const std::size_t box = context.box(BoxKind::dynamic, 0.2, 0, {0.05, 0.05, 0.05}, 0, 0, 0.005);
-  const std::size_t ram = context.box(BoxKind::moving, -0.2, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box =
+      context.obstacle(ObstacleKind::dynamic, 0.2, 0, {0.05, 0.05, 0.05}, 0, 0, 0.005);
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, -0.2, 0.0, {0.2, 0.2, 0.2});
   context.drive(ram, {2.0, 0.0}, 0.2);
   context.run(1.0);
-  CHECK(context.engine->box(box).origin.x < 0.48);
-  CHECK(context.engine->box(box).origin.x > 0.2);
+  CHECK(context.engine->obstacle(box).origin.x < 0.48);
+  CHECK(context.engine->obstacle(box).origin.x > 0.2);
 }
 
 TEST_CASE("At rest, nothing creeps") {
@@ -225,18 +227,18 @@ TEST_CASE("At rest, nothing creeps") {
   CAPTURE(engine, step);
   PhysicsContext context(with(engine, step));
   const std::size_t robot = context.robot(1.0, 1.0, 40);
-  const std::size_t box = context.box(BoxKind::dynamic, -1.0, 2.0, {0.1, 0.2, 0.3}, 25);
-  const Frame turned = context.engine->box(box);
-  const std::size_t beside = context.box(BoxKind::dynamic, -1.5, 0.0, {0.2, 0.2, 0.2});
-  context.box(BoxKind::dynamic, -1.3, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, -1.0, 2.0, {0.1, 0.2, 0.3}, 25);
+  const Frame turned = context.engine->obstacle(box);
+  const std::size_t beside = context.obstacle(ObstacleKind::dynamic, -1.5, 0.0, {0.2, 0.2, 0.2});
+  context.obstacle(ObstacleKind::dynamic, -1.3, 0.0, {0.2, 0.2, 0.2});
   context.run(60.0);
   CHECK(distance(context.pose(robot), {1.0, 1.0, 0.0}) < 1e-4);
   CHECK(context.pose(robot).heading_rad == Approx(radians(40)).margin(1e-4));
   CHECK(std::abs(context.engine->robot(robot).frame.origin.z) < 1e-4);
-  CHECK(across(context.engine->box(box).origin, {-1.0, 2.0, 0.0}) < 1e-4);
-  CHECK(std::abs(context.engine->box(box).origin.z) < 1e-4);
-  CHECK(cross_z(context.engine->box(box), turned) == Approx(0.0).margin(1e-4));
-  CHECK(across(context.engine->box(beside).origin, {-1.5, 0.0, 0.0}) < 1e-4);
+  CHECK(across(context.engine->obstacle(box).origin, {-1.0, 2.0, 0.0}) < 1e-4);
+  CHECK(std::abs(context.engine->obstacle(box).origin.z) < 1e-4);
+  CHECK(cross_z(context.engine->obstacle(box), turned) == Approx(0.0).margin(1e-4));
+  CHECK(across(context.engine->obstacle(beside).origin, {-1.5, 0.0, 0.0}) < 1e-4);
   CHECK(context.engine->robot(robot).frame.up.z == Approx(1.0));
 }
 
@@ -250,28 +252,29 @@ TEST_CASE("Energy never comes from nothing") {
   arena.length = arena.width = 1.2;
   PhysicsContext context(physics, arena);
   Random random(seed);
-  std::vector<std::size_t> boxes;
+  std::vector<std::size_t> obstacles;
   for (int i = 0; i < 9; ++i) {
-    boxes.push_back(context.box(BoxKind::dynamic, 0.14 * (i % 3 - 1), 0.14 * (i / 3 - 1),
-                                {0.1, 0.1, 0.1}, random.uniform(-20, 20)));
+    obstacles.push_back(context.obstacle(ObstacleKind::dynamic, 0.14 * (i % 3 - 1),
+                                         0.14 * (i / 3 - 1), {0.1, 0.1, 0.1},
+                                         random.uniform(-20, 20)));
   }
-  const std::size_t ram = context.box(BoxKind::moving, -0.4, 0.03, {0.1, 0.1, 0.1});
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, -0.4, 0.03, {0.1, 0.1, 0.1});
   context.drive(ram, {1.0, 0.0}, 0.25);
-  context.engine->remove_box(ram);
+  context.engine->remove_obstacle(ram);
   // The kinetic energy from the ways of the last step; boxes have 0.2 kg and 0.2/6 a2 kg m2.
   std::vector<Frame> before;
   const auto energy = [&] {
     double sum = 0.0;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const Frame now = context.engine->box(boxes[i]);
-      if (before.size() == boxes.size()) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      const Frame now = context.engine->obstacle(obstacles[i]);
+      if (before.size() == obstacles.size()) {
         const Vector3 way = now.point({0, 0, 0.05}) - before[i].point({0, 0, 0.05});
         const double turn = std::asin(std::clamp(cross_z(before[i], now), -1.0, 1.0));
         sum += 0.1 * dot(way, way) + 0.5 * 0.2 / 6.0 * 0.01 * turn * turn;
       }
     }
     before.clear();
-    for (const std::size_t box : boxes) before.push_back(context.engine->box(box));
+    for (const std::size_t box : obstacles) before.push_back(context.engine->obstacle(box));
     return sum / (physics.step * physics.step);
   };
   energy();
@@ -311,9 +314,10 @@ TEST_CASE("Energy never comes from bouncing in a pile") {
                     mass * (size.x * size.x + size.y * size.y) / 12.0});
   }
   for (const double from : {-1.0, 1.0}) {
-    const std::size_t ram = context.box(BoxKind::moving, 1.35 * from, 0.1 * from, {0.1, 0.1, 0.1});
+    const std::size_t ram =
+        context.obstacle(ObstacleKind::moving, 1.35 * from, 0.1 * from, {0.1, 0.1, 0.1});
     context.drive(ram, {-1.2 * from, 0.0}, 0.6);
-    context.engine->remove_box(ram);
+    context.engine->remove_obstacle(ram);
   }
   std::vector<double> energies;
   double most_gain = 0.0;
@@ -347,7 +351,7 @@ TEST_CASE("The order of adding does not matter") {
       robots[i] = context.robot(poses[i].x, poses[i].y, degrees(poses[i].heading_rad));
       context.drive(robots[i], {12.0 + static_cast<double>(i), 12.0});
     }
-    context.box(BoxKind::dynamic, 0.0, 0.0, {0.1, 0.1, 0.1});
+    context.obstacle(ObstacleKind::dynamic, 0.0, 0.0, {0.1, 0.1, 0.1});
     context.run(1.5);
     std::vector<Pose> found;
     for (const std::size_t robot : robots) found.push_back(context.pose(robot));
@@ -369,22 +373,22 @@ TEST_CASE("A moving box arrives where it is driven, and takes along what stands 
   CAPTURE(engine, step, heading);
   PhysicsContext context(with(engine, step));
   const std::size_t robot = context.robot(0.5, 0, heading);
-  const std::size_t box = context.box(BoxKind::moving, 0.0, 0.0, {0.2, 0.4, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::moving, 0.0, 0.0, {0.2, 0.4, 0.2});
   bool touched = false;
   context.drive(box, {0.2, 0.0}, 5.0,
                 [&] { touched = touched || context.touching(robot_body(robot), box_body(box)); });
   CHECK(touched);
-  CHECK(context.engine->box(box).origin.x == Approx(1.0));
-  CHECK(context.engine->box(box).origin.y == 0.0);
+  CHECK(context.engine->obstacle(box).origin.x == Approx(1.0));
+  CHECK(context.engine->obstacle(box).origin.y == 0.0);
   // In front of the box; a robot that was hit askew may have slipped off its end.
   const RobotState pushed = context.engine->robot(robot);
   CHECK(pushed.pose.x > 1.0 + 0.1 + 0.03);
   CHECK(pushed.frame.up.z > 0.99);
   CHECK(std::abs(pushed.frame.origin.z) < 2e-3);
-  const Frame there = context.engine->box(box);
+  const Frame there = context.engine->obstacle(box);
   context.run(1.0);
-  CHECK(context.engine->box(box).origin == there.origin);
-  CHECK(cross_z(context.engine->box(box), there) == 0.0);
+  CHECK(context.engine->obstacle(box).origin == there.origin);
+  CHECK(cross_z(context.engine->obstacle(box), there) == 0.0);
 }
 
 TEST_CASE("Segments follow: on a circle each axle keeps its own radius") {

@@ -14,7 +14,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 TEST_CASE("The same calls give the same bits, alone and beside other threads") {
   const std::string engine = each_engine();
@@ -37,8 +37,8 @@ TEST_CASE("An engine goes on where another one was, to the bit") {
   const std::string engine = each_engine();
   CAPTURE(engine);
   const world::Arena arena{.length = 3.0, .width = 3.0};
-  world::Box pushed, taken;
-  pushed.kind = BoxKind::dynamic;
+  world::Obstacle pushed, taken;
+  pushed.kind = ObstacleKind::dynamic;
   pushed.x = pushed.y = 0.4;
   taken.x = taken.y = 1.2;
   const auto hash = [&](int takeover, double friction = world::Physics{}.friction) {
@@ -52,20 +52,20 @@ TEST_CASE("An engine goes on where another one was, to the bit") {
     }
     const std::size_t train = context.train(1.0, -1.2, 180, {world::Segment{}});
     context.drive(train, {8, 10});
-    context.engine->add_box(pushed);
-    context.engine->add_box(taken);
-    context.engine->remove_box(1);
+    context.engine->add_obstacle(pushed);
+    context.engine->add_obstacle(taken);
+    context.engine->remove_obstacle(1);
     for (int i = 0; i < 300; ++i) {
       if (i == takeover) {
         auto next = make_engine(arena, after);
         next->go_on_from(*context.engine);
-        next->add_box_of(*context.engine, 0, pushed);
-        next->add_box_of(*context.engine, 1, taken);
+        next->add_obstacle_of(*context.engine, 0, pushed);
+        next->add_obstacle_of(*context.engine, 1, taken);
         for (std::size_t robot = 0; robot <= train; ++robot) {
           next->add_robot_of(*context.engine, robot);
         }
         CHECK(next->hash_state() == context.engine->hash_state());
-        CHECK_FALSE(next->has_box(1));
+        CHECK_FALSE(next->has_obstacle(1));
         context.engine = std::move(next);
       }
       context.engine->step();
@@ -84,8 +84,8 @@ TEST_CASE("Touches name each pair once, in order, while there is no gap") {
   const std::string engine = each_engine();
   CAPTURE(engine);
   PhysicsContext context(with(engine));
-  const std::size_t first = context.box(BoxKind::dynamic, 4.9, 0.0, {0.2, 0.2, 0.2});
-  context.box(BoxKind::fixed, 4.7, 0.5, {0.2, 0.2, 0.2});
+  const std::size_t first = context.obstacle(ObstacleKind::dynamic, 4.9, 0.0, {0.2, 0.2, 0.2});
+  context.obstacle(ObstacleKind::fixed, 4.7, 0.5, {0.2, 0.2, 0.2});
   const std::size_t ahead = context.robot(4.75, 0.0);
   const std::size_t behind = context.robot(4.66, 0.0);
   context.robot(0.0, 0.0);

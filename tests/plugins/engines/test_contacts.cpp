@@ -10,25 +10,25 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 TEST_CASE("A dynamic box is pushed, and comes to rest when the robot stops") {
   const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
   CAPTURE(step);
   PhysicsContext context(with_step(step));
   const std::size_t robot = context.robot(0, 0);
-  const std::size_t box = context.box(BoxKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
   context.drive(robot, {10, 10});
   context.run(5.0);
-  const Vector3 pushed = context.engine->box(box).origin;
+  const Vector3 pushed = context.engine->obstacle(box).origin;
   CHECK(pushed.x > 0.8);
   CHECK(std::abs(pushed.z) < 1e-3);
   CHECK(context.touching(robot_body(robot), box_body(box)));
   context.drive(robot, {0, 0});
   context.run(1.0);
-  const Vector3 stopped = context.engine->box(box).origin;
+  const Vector3 stopped = context.engine->obstacle(box).origin;
   context.run(5.0);
-  const Vector3 end = context.engine->box(box).origin;
+  const Vector3 end = context.engine->obstacle(box).origin;
   CHECK(std::hypot(end.x - stopped.x, end.y - stopped.y) < 1e-4);
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("A robot at 2 m/s does not go through a box of 5 cm, nor over it") {
   CAPTURE(step, height);
   PhysicsContext context(with_step(step));
   const std::size_t robot = context.robot(-2.0, 0);
-  const std::size_t box = context.box(BoxKind::fixed, 0.0, 0.0, {0.05, 0.05, height});
+  const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {0.05, 0.05, height});
   context.drive(robot, {100, 100});
   bool touched = false;
   context.run(1.6, [&] {
@@ -61,14 +61,14 @@ TEST_CASE("Walls of the arena hold robots and boxes") {
     robots.push_back(context.robot(0.5 * std::cos(i), 0.5 * std::sin(i), degrees(i)));
     context.drive(robots.back(), {25, 23.0 + 0.5 * i});
   }
-  const std::size_t box = context.box(BoxKind::dynamic, 0.8, 0.0, {0.1, 0.1, 0.1});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.8, 0.0, {0.1, 0.1, 0.1});
   context.run(10.0, [&] {
     for (const std::size_t robot : robots) {
       const Pose pose = context.pose(robot);
       CHECK(std::max(std::abs(pose.x), std::abs(pose.y)) < 1.0);
     }
   });
-  CHECK(std::abs(context.engine->box(box).origin.x) < 0.96);
+  CHECK(std::abs(context.engine->obstacle(box).origin.x) < 0.96);
   for (const std::size_t robot : robots) {
     CHECK(context.engine->robot(robot).frame.up.z > 0.9);
   }
@@ -78,7 +78,7 @@ TEST_CASE("A wheel that grazes a wall touches it") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0);
   // The wheels' outer faces are at y = 0.05.
-  const std::size_t box = context.box(BoxKind::fixed, 0.0, 0.15, {1.0, 0.2, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.0, 0.15, {1.0, 0.2, 0.2});
   context.run(0.1);
   CHECK(context.touching(robot_body(robot), box_body(box)));
 }
@@ -103,52 +103,55 @@ TEST_CASE("Two robots that drive into each other stop") {
 TEST_CASE("A box that is taken away is gone") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0);
-  const BoxKind kind = GENERATE(BoxKind::fixed, BoxKind::resource, BoxKind::dynamic);
-  const std::size_t box = context.box(kind, 0.5, 0.0, {0.2, 0.2, 0.2});
-  const std::size_t other = context.box(BoxKind::fixed, 0.5, 1.0, {0.2, 0.2, 0.2});
-  CHECK(context.engine->has_box(box));
+  const ObstacleKind kind =
+      GENERATE(ObstacleKind::fixed, ObstacleKind::resource, ObstacleKind::dynamic);
+  const std::size_t box = context.obstacle(kind, 0.5, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t other = context.obstacle(ObstacleKind::fixed, 0.5, 1.0, {0.2, 0.2, 0.2});
+  CHECK(context.engine->has_obstacle(box));
   CHECK(context.engine->cast_ray({0, 0, 0.1}, {1, 0, 0}, 1, Engine::kNobody).has_value());
-  context.engine->remove_box(box);
-  CHECK_FALSE(context.engine->has_box(box));
-  CHECK(context.engine->has_box(other));
-  context.engine->remove_box(box);  // twice is once
+  context.engine->remove_obstacle(box);
+  CHECK_FALSE(context.engine->has_obstacle(box));
+  CHECK(context.engine->has_obstacle(other));
+  context.engine->remove_obstacle(box);  // twice is once
   CHECK_FALSE(context.engine->cast_ray({0, 0, 0.1}, {1, 0, 0}, 1, robot).has_value());
   context.drive(robot, {25, 25});
   context.run(2.0);
   CHECK(context.pose(robot).x > 0.8);
-  CHECK(context.box(BoxKind::fixed, 2, 2, {0.1, 0.1, 0.1}) == 2);
+  CHECK(context.obstacle(ObstacleKind::fixed, 2, 2, {0.1, 0.1, 0.1}) == 2);
 }
 
 TEST_CASE("A resource stands fast until it is taken") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0);
-  const std::size_t box = context.box(BoxKind::resource, 0.3, 0.0, {0.1, 0.1, 0.1});
+  const std::size_t box = context.obstacle(ObstacleKind::resource, 0.3, 0.0, {0.1, 0.1, 0.1});
   context.drive(robot, {25, 25});
   context.run(1.0);
   CHECK(context.touching(robot_body(robot), box_body(box)));
-  CHECK(context.engine->box(box).origin.x == Approx(0.3));
+  CHECK(context.engine->obstacle(box).origin.x == Approx(0.3));
 }
 
 TEST_CASE("Boxes fall and stack, fixed ones float") {
   const double step = GENERATE(0.001, 0.01, 0.02);
   CAPTURE(step);
   PhysicsContext context(with_step(step));
-  const std::size_t lower = context.box(BoxKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0.05);
-  const std::size_t upper = context.box(BoxKind::dynamic, 0.02, 0, {0.2, 0.2, 0.1}, 10, 0.3);
-  const std::size_t floating = context.box(BoxKind::fixed, 2, 0, {0.2, 0.2, 0.1}, 0, 0.5);
+  const std::size_t lower = context.obstacle(ObstacleKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0.05);
+  const std::size_t upper =
+      context.obstacle(ObstacleKind::dynamic, 0.02, 0, {0.2, 0.2, 0.1}, 10, 0.3);
+  const std::size_t floating = context.obstacle(ObstacleKind::fixed, 2, 0, {0.2, 0.2, 0.1}, 0, 0.5);
   context.run(3.0);
-  CHECK(context.engine->box(lower).origin.z == Approx(0.0).margin(1e-3));
-  CHECK(context.engine->box(upper).origin.z == Approx(0.2).margin(2e-3));
-  CHECK(context.engine->box(floating).origin.z == 0.5);
+  CHECK(context.engine->obstacle(lower).origin.z == Approx(0.0).margin(1e-3));
+  CHECK(context.engine->obstacle(upper).origin.z == Approx(0.2).margin(2e-3));
+  CHECK(context.engine->obstacle(floating).origin.z == 0.5);
 }
 
 TEST_CASE("A tall box that is hit high up falls over and stays above the floor") {
   PhysicsContext context;
-  const std::size_t tall = context.box(BoxKind::dynamic, 0.0, 0.0, {0.04, 0.2, 0.5});
-  const std::size_t ram = context.box(BoxKind::moving, -0.3, 0.0, {0.2, 0.2, 0.1}, 0, 0.35);
+  const std::size_t tall = context.obstacle(ObstacleKind::dynamic, 0.0, 0.0, {0.04, 0.2, 0.5});
+  const std::size_t ram =
+      context.obstacle(ObstacleKind::moving, -0.3, 0.0, {0.2, 0.2, 0.1}, 0, 0.35);
   context.drive(ram, {0.3, 0.0}, 2.0);
   context.run(2.0);
-  const Frame lying = context.engine->box(tall);
+  const Frame lying = context.engine->obstacle(tall);
   CHECK(lying.up.z < 0.1);
   const Vector3 center = lying.point({0, 0, 0.25});
   CHECK(center.z == Approx(0.02).margin(2e-3));
@@ -157,7 +160,8 @@ TEST_CASE("A tall box that is hit high up falls over and stays above the floor")
 TEST_CASE("A robot that is tipped over lies on the floor") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0, 90);
-  const std::size_t ram = context.box(BoxKind::moving, -0.25, 0.0, {0.2, 0.2, 0.1}, 0, 0.075);
+  const std::size_t ram =
+      context.obstacle(ObstacleKind::moving, -0.25, 0.0, {0.2, 0.2, 0.1}, 0, 0.075);
   context.drive(ram, {1.5, 0.0}, 0.25);
   context.run(3.0, [&] {
     // No part of it sinks: the middle of the chassis is at least half an edge above the floor.
@@ -171,7 +175,7 @@ TEST_CASE("A robot that a moving box presses through a wall ends the run, and is
   PhysicsContext context(with_step(step));
   const std::size_t robot = context.robot(4.8, 0.0, 0);
   const std::size_t bystander = context.robot(0.0, 0.0, 0);
-  const std::size_t ram = context.box(BoxKind::moving, 4.5, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, 4.5, 0.0, {0.2, 0.2, 0.2});
   try {
     context.drive(ram, {0.2, 0.0}, 3.0);
     FAIL("nothing was said");
@@ -190,10 +194,10 @@ TEST_CASE("What bounces comes back") {
   physics.step = 0.001;
   physics.bounce = GENERATE(0.0, 0.7);
   PhysicsContext context(physics);
-  const std::size_t box = context.box(BoxKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0.5);
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0.5);
   double lowest = 1.0, highest_after = 0.0;
   context.run(1.0, [&] {
-    const double z = context.engine->box(box).origin.z;
+    const double z = context.engine->obstacle(box).origin.z;
     lowest = std::min(lowest, z);
     if (lowest < 0.01) highest_after = std::max(highest_after, z);
   });

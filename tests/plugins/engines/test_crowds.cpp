@@ -12,7 +12,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -140,14 +140,15 @@ TEST_CASE("A heap of robots that fall on each other comes to rest on the floor")
 
 TEST_CASE("A row of boxes that is pushed arrives as a row") {
   PhysicsContext context({}, open_field());
-  const std::size_t pusher = context.box(BoxKind::moving, 0, 0, {0.2, 0.2, 0.2});
-  std::vector<std::size_t> boxes;
+  const std::size_t pusher = context.obstacle(ObstacleKind::moving, 0, 0, {0.2, 0.2, 0.2});
+  std::vector<std::size_t> obstacles;
   for (int i = 0; i < 15; ++i) {
-    boxes.push_back(context.box(BoxKind::dynamic, 0.25 + 0.21 * i, 0, {0.2, 0.2, 0.2}));
+    obstacles.push_back(
+        context.obstacle(ObstacleKind::dynamic, 0.25 + 0.21 * i, 0, {0.2, 0.2, 0.2}));
   }
   context.drive(pusher, {0.3, 0.0}, 5.0);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vector3 at = context.engine->box(boxes[i]).origin;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const Vector3 at = context.engine->obstacle(obstacles[i]).origin;
     INFO("box " << i);
     CHECK(at.x > 1.5 + 0.2 * static_cast<double>(i + 1) - kTolerance * static_cast<double>(i + 1));
     CHECK(at.x < 1.5 + 0.2 * static_cast<double>(i + 1) + 0.1);

@@ -7,13 +7,13 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 TEST_CASE("An engine may go on in another thread than it was made in") {
   PhysicsContext here, there;
   for (PhysicsContext* context : {&here, &there}) {
     context->robot(0, 0);
-    context->box(BoxKind::dynamic, 0.3, 0.01, {0.2, 0.2, 0.2});
+    context->obstacle(ObstacleKind::dynamic, 0.3, 0.01, {0.2, 0.2, 0.2});
     context->drive(0, {20, 18});
     context->run(0.5);
   }
@@ -53,8 +53,8 @@ TEST_CASE("The hash tells states apart and continues from another") {
 
 TEST_CASE("The hash knows which boxes are left") {
   PhysicsContext a;
-  const std::size_t box = a.box(BoxKind::resource, 1, 1, {0.1, 0.1, 0.1});
+  const std::size_t box = a.obstacle(ObstacleKind::resource, 1, 1, {0.1, 0.1, 0.1});
   const auto before = a.engine->hash_state();
-  a.engine->remove_box(box);
+  a.engine->remove_obstacle(box);
   CHECK(a.engine->hash_state() != before);
 }

@@ -181,8 +181,9 @@ TEST_CASE("A soft floor gives way by spring and damping constant") {
   physics.parameters["kp"] = 1000.0;  // N/m
   physics.parameters["kd"] = 20.0;    // N s/m
   PhysicsContext context(physics);
-  const std::size_t heavy = context.box(world::BoxKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0, 1.0);
+  const std::size_t heavy =
+      context.obstacle(world::ObstacleKind::dynamic, 0, 0, {0.2, 0.2, 0.2}, 0, 0, 1.0);
   context.run(5.0);
   // Four corners carry it.
-  CHECK(context.engine->box(heavy).origin.z == Approx(-9.81 / (4 * 1000.0)).epsilon(0.02));
+  CHECK(context.engine->obstacle(heavy).origin.z == Approx(-9.81 / (4 * 1000.0)).epsilon(0.02));
 }

@@ -16,7 +16,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -170,9 +170,9 @@ Pressed press(const world::Physics& physics, double speed, double room, std::uin
   PhysicsContext context(physics, {.length = 8.0, .width = 8.0});
   const std::size_t robot = context.robot(0.5 + random.uniform(-0.1, 0.1),
                                           random.uniform(-0.1, 0.1), random.uniform(0, 360));
-  context.box(BoxKind::fixed, 1.005, 0.0, {0.01, 4.0, 0.5});
+  context.obstacle(ObstacleKind::fixed, 1.005, 0.0, {0.01, 4.0, 0.5});
   const double from = -1.0;
-  const std::size_t box = context.box(BoxKind::moving, from, 0.0, {0.4, 0.4, 0.4});
+  const std::size_t box = context.obstacle(ObstacleKind::moving, from, 0.0, {0.4, 0.4, 0.4});
   Pressed pressed;
   const auto look = [&] {
     const RobotState state = context.engine->robot(robot);

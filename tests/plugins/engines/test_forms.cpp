@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/shapes/outline.h"
 #include "elsie/world/footprint.h"
 
@@ -16,17 +16,18 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using elsie::BoxShape;
-using world::BoxKind;
+using elsie::ObstacleShape;
+using world::ObstacleKind;
 
 namespace {
 
 constexpr double kFront = 0.04;  // m, of a robot of the default size
 
-world::Box cylinder(BoxKind kind, double x, double y, double radius, double height = 0.2) {
-  world::Box made;
+world::Obstacle cylinder(ObstacleKind kind, double x, double y, double radius,
+                         double height = 0.2) {
+  world::Obstacle made;
   made.kind = kind;
-  made.shape = BoxShape::cylinder;
+  made.shape = ObstacleShape::cylinder;
   made.x = x;
   made.y = y;
   made.radius = radius;
@@ -34,11 +35,11 @@ world::Box cylinder(BoxKind kind, double x, double y, double radius, double heig
   return made;
 }
 
-world::Box prism(BoxKind kind, double x, double y, const std::vector<Vector2>& points,
-                 double heading_deg = 0.0) {
-  world::Box made;
+world::Obstacle prism(ObstacleKind kind, double x, double y, const std::vector<Vector2>& points,
+                      double heading_deg = 0.0) {
+  world::Obstacle made;
   made.kind = kind;
-  made.shape = BoxShape::prism;
+  made.shape = ObstacleShape::prism;
   made.x = x;
   made.y = y;
   made.points = points;
@@ -61,7 +62,7 @@ const std::vector<Vector2> kTriangle{{0.0, 0.0}, {0.6, 0.0}, {0.0, 0.3}};
 std::optional<double> distance_to_box(const PhysicsContext& context, const Vector3& from,
                                       const Vector3& along) {
   const auto hit = context.engine->cast_ray(from, along, 20.0, Engine::kNobody);
-  return hit && hit->body.kind == BodyKind::box ? std::optional(hit->distance) : std::nullopt;
+  return hit && hit->body.kind == BodyKind::obstacle ? std::optional(hit->distance) : std::nullopt;
 }
 
 bool in_pyramid(const PhysicsContext& context, const Vector3& from, double range) {
@@ -74,10 +75,10 @@ bool in_pyramid(const PhysicsContext& context, const Vector3& from, double range
 }
 
 /// How far a robot gets that drives from x = 0 towards an obstacle ahead.
-double stopped_at(const std::string& engine, const world::Box& obstacle) {
+double stopped_at(const std::string& engine, const world::Obstacle& obstacle) {
   PhysicsContext context(with(engine));
   const std::size_t robot = context.robot(0.0, 0.0);
-  context.engine->add_box(obstacle);
+  context.engine->add_obstacle(obstacle);
   context.drive(robot, {5.0, 5.0});
   context.run(12.0);
   return context.pose(robot).x;
@@ -108,9 +109,9 @@ TEST_CASE("A ray meets a cylinder and a prism at their exact distance") {
   const std::string engine = each_engine();
   CAPTURE(engine);
   PhysicsContext context(with(engine));
-  context.engine->add_box(cylinder(BoxKind::fixed, 1.0, 0.0, 0.3));
+  context.engine->add_obstacle(cylinder(ObstacleKind::fixed, 1.0, 0.0, 0.3));
   // Turned by 90 degrees, its right angle is at (-2 + 0.1, 1 - 0.2).
-  context.engine->add_box(prism(BoxKind::fixed, -2.0, 1.0, kTriangle, 90.0));
+  context.engine->add_obstacle(prism(ObstacleKind::fixed, -2.0, 1.0, kTriangle, 90.0));
   for (const double off : {0.0, 0.1, -0.25, 0.2999}) {
     CHECK(distance_to_box(context, {-0.5, off, 0.1}, {1.0, 0.0, 0.0}).value() ==
           Approx(1.5 - std::sqrt(0.09 - off * off)));
@@ -136,9 +137,9 @@ TEST_CASE("A pyramid holds a cylinder and a prism from their nearest point on") 
   const std::string engine = each_engine();
   CAPTURE(engine);
   PhysicsContext context(with(engine));
-  context.engine->add_box(cylinder(BoxKind::fixed, 1.0, 0.0, 0.3));
-  context.engine->add_box(prism(BoxKind::fixed, 1.0, 2.0, regular(6, 0.2)));
-  context.engine->add_box(prism(BoxKind::fixed, 1.0, -2.0, regular(6, 0.2), 30.0));
+  context.engine->add_obstacle(cylinder(ObstacleKind::fixed, 1.0, 0.0, 0.3));
+  context.engine->add_obstacle(prism(ObstacleKind::fixed, 1.0, 2.0, regular(6, 0.2)));
+  context.engine->add_obstacle(prism(ObstacleKind::fixed, 1.0, -2.0, regular(6, 0.2), 30.0));
   CHECK(in_pyramid(context, {0.0, 0.0, 0.1}, 0.701));
   CHECK(!in_pyramid(context, {0.0, 0.0, 0.1}, 0.699));
   CHECK(in_pyramid(context, {0.0, 2.0, 0.1}, 1.001 - 0.2 * std::cos(radians(30))));
@@ -154,16 +155,16 @@ TEST_CASE("A robot is stopped at the surface of a cylinder and of a prism") {
   constexpr double kSoft = 2e-4;  // m
   const std::string engine = each_engine();
   CAPTURE(engine);
-  CHECK(stopped_at(engine, cylinder(BoxKind::fixed, 1.0, 0.0, 0.2)) ==
+  CHECK(stopped_at(engine, cylinder(ObstacleKind::fixed, 1.0, 0.0, 0.2)) ==
         Approx(1.0 - 0.2 - kFront).margin(kSoft));
-  CHECK(stopped_at(engine, prism(BoxKind::fixed, 1.0, 0.0, regular(6, 0.2))) ==
+  CHECK(stopped_at(engine, prism(ObstacleKind::fixed, 1.0, 0.0, regular(6, 0.2))) ==
         Approx(1.0 - 0.2 * std::cos(radians(30)) - kFront).margin(kSoft));
-  CHECK(stopped_at(engine, prism(BoxKind::fixed, 1.0, 0.0, regular(3, 0.2))) ==
+  CHECK(stopped_at(engine, prism(ObstacleKind::fixed, 1.0, 0.0, regular(3, 0.2))) ==
         Approx(1.0 - 0.1 - kFront).margin(kSoft));
-  CHECK(stopped_at(engine, prism(BoxKind::moving, 1.0, 0.0, regular(16, 0.2))) ==
+  CHECK(stopped_at(engine, prism(ObstacleKind::moving, 1.0, 0.0, regular(16, 0.2))) ==
         Approx(1.0 - 0.2 * std::cos(radians(11.25)) - kFront).margin(kSoft));
   // Where no prism is, although the box around it would be.
-  CHECK(stopped_at(engine, prism(BoxKind::fixed, 0.25, 0.37, {{0, 0}, {0.5, 0.4}, {0, 0.4}})) >
+  CHECK(stopped_at(engine, prism(ObstacleKind::fixed, 0.25, 0.37, {{0, 0}, {0.5, 0.4}, {0, 0.4}})) >
         0.8);
 }
 
@@ -178,8 +179,9 @@ TEST_CASE("A round robot is stopped by a cylinder and by the corner of a prism")
   body.length = body.width = 2.0 * kRobot;
   body.axle = 0.08;
   const std::size_t robot = context.robot(0.0, 0.0, 0.0, body);
-  context.engine->add_box(is_cylinder ? cylinder(BoxKind::fixed, 0.5, 0.0, 0.2)
-                                      : prism(BoxKind::fixed, 0.5, 0.0, regular(4, 0.2), 45.0));
+  context.engine->add_obstacle(is_cylinder
+                                   ? cylinder(ObstacleKind::fixed, 0.5, 0.0, 0.2)
+                                   : prism(ObstacleKind::fixed, 0.5, 0.0, regular(4, 0.2), 45.0));
   context.drive(robot, {5.0, 5.0});
   double most = 0.0;
   context.run(6.0, [&] { most = std::max(most, context.pose(robot).x); });
@@ -192,34 +194,34 @@ TEST_CASE("A robot pushes a cylinder and a prism ahead of it") {
   CAPTURE(engine);
   PhysicsContext context(with(engine));
   const std::size_t robot = context.robot(0.0, 0.0);
-  const std::size_t pushed =
-      context.engine->add_box(reach == 0.1 ? cylinder(BoxKind::dynamic, 0.3, 0.0, 0.1)
-                                           : prism(BoxKind::dynamic, 0.3, 0.0, regular(3, 0.1)));
+  const std::size_t pushed = context.engine->add_obstacle(
+      reach == 0.1 ? cylinder(ObstacleKind::dynamic, 0.3, 0.0, 0.1)
+                   : prism(ObstacleKind::dynamic, 0.3, 0.0, regular(3, 0.1)));
   context.drive(robot, {10, 10});
   context.run(3.0);
-  const Vector3 there = context.engine->box(pushed).origin;
+  const Vector3 there = context.engine->obstacle(pushed).origin;
   CHECK(there.x > 0.5);
   CHECK(std::abs(there.z) < 1e-3);
   CHECK(there.x - context.pose(robot).x == Approx(kFront + reach).margin(5e-4));
-  CHECK(context.touching({BodyKind::robot, robot}, {BodyKind::box, pushed}));
+  CHECK(context.touching({BodyKind::robot, robot}, {BodyKind::obstacle, pushed}));
 }
 
 TEST_CASE("A cylinder and a prism that were set in motion slide until friction stops them") {
   constexpr double kSpeed = 1.0;
-  const world::Box form = GENERATE(cylinder(BoxKind::dynamic, 0.3, 0.0, 0.1, 0.05),
-                                   prism(BoxKind::dynamic, 0.3, 0.0, regular(4, 0.1)),
-                                   prism(BoxKind::dynamic, 0.3, 0.0, regular(6, 0.1)));
-  world::Box slider = form;
+  const world::Obstacle form = GENERATE(cylinder(ObstacleKind::dynamic, 0.3, 0.0, 0.1, 0.05),
+                                        prism(ObstacleKind::dynamic, 0.3, 0.0, regular(4, 0.1)),
+                                        prism(ObstacleKind::dynamic, 0.3, 0.0, regular(6, 0.1)));
+  world::Obstacle slider = form;
   slider.height = 0.05;
   const std::string engine = each_engine();
   CAPTURE(engine);
   PhysicsContext context(with(engine));
-  const std::size_t ram = context.box(BoxKind::moving, 0.0, 0.0, {0.1, 0.4, 0.05});
-  const std::size_t slid = context.engine->add_box(slider);
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, 0.0, 0.0, {0.1, 0.4, 0.05});
+  const std::size_t slid = context.engine->add_obstacle(slider);
   context.drive(ram, {kSpeed, 0.0}, 0.5);
-  const double from = context.engine->box(slid).origin.x;
+  const double from = context.engine->obstacle(slid).origin.x;
   context.run(2.0);
-  const Frame end = context.engine->box(slid);
+  const Frame end = context.engine->obstacle(slid);
   // Half a step of motion is decided before and after.
   CHECK(end.origin.x - from ==
         Approx(0.5 * kSpeed * kSpeed / (0.3 * 9.81)).margin(0.6 * kSpeed * context.physics.step));
@@ -232,12 +234,12 @@ TEST_CASE("Cylinders and prisms at rest do not creep, whatever their corners") {
   const std::string engine = each_engine();
   CAPTURE(engine);
   PhysicsContext context(with(engine));
-  const world::Box form = corners == 0
-                              ? cylinder(BoxKind::dynamic, 1.0, 2.0, 0.1)
-                              : prism(BoxKind::dynamic, 1.0, 2.0, regular(corners, 0.1), 25.0);
-  const std::size_t there = context.engine->add_box(form);
+  const world::Obstacle form =
+      corners == 0 ? cylinder(ObstacleKind::dynamic, 1.0, 2.0, 0.1)
+                   : prism(ObstacleKind::dynamic, 1.0, 2.0, regular(corners, 0.1), 25.0);
+  const std::size_t there = context.engine->add_obstacle(form);
   context.run(30.0);
-  const Frame end = context.engine->box(there);
+  const Frame end = context.engine->obstacle(there);
   CHECK(std::hypot(end.origin.x - 1.0, end.origin.y - 2.0) < 1e-4);
   CHECK(std::abs(end.origin.z) < 1e-4);
   CHECK(context.engine->give_ups().steps == 0);
@@ -245,10 +247,10 @@ TEST_CASE("Cylinders and prisms at rest do not creep, whatever their corners") {
 
 TEST_CASE("Cylinders and prisms stand on each other and on boxes") {
   const auto made = [](int form, double z) {
-    world::Box box = form == 0   ? cylinder(BoxKind::dynamic, 0.0, 0.0, 0.1, 0.1)
-                     : form == 1 ? prism(BoxKind::dynamic, 0.0, 0.0, regular(5, 0.12))
-                                 : world::Box{};
-    box.kind = BoxKind::dynamic;
+    world::Obstacle box = form == 0   ? cylinder(ObstacleKind::dynamic, 0.0, 0.0, 0.1, 0.1)
+                          : form == 1 ? prism(ObstacleKind::dynamic, 0.0, 0.0, regular(5, 0.12))
+                                      : world::Obstacle{};
+    box.kind = ObstacleKind::dynamic;
     box.height = 0.1;
     box.z = z;
     return box;
@@ -256,10 +258,10 @@ TEST_CASE("Cylinders and prisms stand on each other and on boxes") {
   const int below = GENERATE(0, 1, 2), above = GENERATE(0, 1, 2);
   CAPTURE(below, above);
   PhysicsContext context;
-  context.engine->add_box(made(below, 0.0));
-  const std::size_t top = context.engine->add_box(made(above, 0.15));
+  context.engine->add_obstacle(made(below, 0.0));
+  const std::size_t top = context.engine->add_obstacle(made(above, 0.15));
   context.run(3.0);
-  const Frame end = context.engine->box(top);
+  const Frame end = context.engine->obstacle(top);
   CHECK(end.origin.z == Approx(0.1).margin(2e-3));
   CHECK(end.up.z > 0.999);
   CHECK(std::hypot(end.origin.x, end.origin.y) < 5e-3);
@@ -267,13 +269,14 @@ TEST_CASE("Cylinders and prisms stand on each other and on boxes") {
 
 TEST_CASE("A tall prism that is hit high up falls over and lies on its side") {
   PhysicsContext context;
-  world::Box tall = prism(BoxKind::dynamic, 0.0, 0.0, regular(5, 0.05));
+  world::Obstacle tall = prism(ObstacleKind::dynamic, 0.0, 0.0, regular(5, 0.05));
   tall.height = 0.6;
-  const std::size_t falls = context.engine->add_box(tall);
-  const std::size_t ram = context.box(BoxKind::moving, -0.3, 0.0, {0.1, 0.4, 0.1}, 0.0, 0.45);
+  const std::size_t falls = context.engine->add_obstacle(tall);
+  const std::size_t ram =
+      context.obstacle(ObstacleKind::moving, -0.3, 0.0, {0.1, 0.4, 0.1}, 0.0, 0.45);
   context.drive(ram, {0.5, 0.0}, 1.0);
   context.run(5.0);
-  const Frame end = context.engine->box(falls);
+  const Frame end = context.engine->obstacle(falls);
   CHECK(std::abs(end.up.z) < 0.05);
   const Vector3 middle = end.point({0.0, 0.0, 0.3});
   CHECK(middle.z == Approx(0.05 * std::cos(radians(36))).margin(5e-3));
@@ -282,15 +285,17 @@ TEST_CASE("A tall prism that is hit high up falls over and lies on its side") {
 TEST_CASE("A new engine goes on with cylinders and prisms to the bit") {
   PhysicsContext first;
   const std::size_t robot = first.robot(0.0, 0.0);
-  const std::vector<world::Box> boxes{cylinder(BoxKind::dynamic, 0.2, 0.02, 0.1),
-                                      prism(BoxKind::dynamic, 0.5, 0.0, kTriangle, 20.0),
-                                      prism(BoxKind::moving, 2.0, 0.0, regular(5, 0.1))};
-  for (const world::Box& box : boxes) first.engine->add_box(box);
+  const std::vector<world::Obstacle> obstacles{
+      cylinder(ObstacleKind::dynamic, 0.2, 0.02, 0.1),
+      prism(ObstacleKind::dynamic, 0.5, 0.0, kTriangle, 20.0),
+      prism(ObstacleKind::moving, 2.0, 0.0, regular(5, 0.1))};
+  for (const world::Obstacle& box : obstacles) first.engine->add_obstacle(box);
   first.drive(robot, {10, 9});
   first.run(1.5);
   const auto second = make_engine(first.arena, first.physics);
   second->add_robot_of(*first.engine, robot);
-  for (std::size_t i = 0; i < boxes.size(); ++i) second->add_box_of(*first.engine, i, boxes[i]);
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    second->add_obstacle_of(*first.engine, i, obstacles[i]);
   second->go_on_from(*first.engine);
   for (int i = 0; i < 100; ++i) {
     first.engine->step();
@@ -301,9 +306,9 @@ TEST_CASE("A new engine goes on with cylinders and prisms to the bit") {
 
 TEST_CASE("Engines refuse outlines that are not convex") {
   PhysicsContext context;
-  CHECK_THROWS_AS(context.engine->add_box(prism(BoxKind::fixed, 0, 0, {{0, 0}, {1, 0}})),
+  CHECK_THROWS_AS(context.engine->add_obstacle(prism(ObstacleKind::fixed, 0, 0, {{0, 0}, {1, 0}})),
                   std::invalid_argument);
-  CHECK_THROWS_AS(context.engine->add_box(cylinder(BoxKind::fixed, 0, 0, -0.1)),
+  CHECK_THROWS_AS(context.engine->add_obstacle(cylinder(ObstacleKind::fixed, 0, 0, -0.1)),
                   std::invalid_argument);
 }
 

@@ -10,7 +10,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -22,7 +22,7 @@ bool finite_or_reported(const world::Physics& physics, const world::RobotBody& b
   const double ahead = 0.5 * body.length + 0.15;
   const std::size_t robot = context.robot(0, 0, 0, body);
   const std::size_t pushed =
-      context.box(BoxKind::dynamic, ahead, 0, {0.2, 0.2, 0.2}, 0, 0, box_mass);
+      context.obstacle(ObstacleKind::dynamic, ahead, 0, {0.2, 0.2, 0.2}, 0, 0, box_mass);
   context.drive(robot, {25, 25});
   try {
     context.run(200 * physics.step);
@@ -33,7 +33,7 @@ bool finite_or_reported(const world::Physics& physics, const world::RobotBody& b
     return true;
   }
   const RobotState state = context.engine->robot(robot);
-  const Vector3 at = context.engine->box(pushed).origin;
+  const Vector3 at = context.engine->obstacle(pushed).origin;
   return std::isfinite(state.frame.origin.x + state.frame.origin.y + state.frame.origin.z +
                        state.speed + state.turn_rate +
                        context.engine->joints(robot)[0].rate_rad_s) &&
@@ -94,11 +94,11 @@ TEST_CASE("Bodies that were put into each other come apart without a bang") {
   PhysicsContext context;
   const std::size_t a = context.robot(0, 0);
   const std::size_t b = context.robot(0.01, 0.005, 30);
-  const std::size_t box = context.box(BoxKind::dynamic, 0.05, 0.0, {0.1, 0.1, 0.1});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.05, 0.0, {0.1, 0.1, 0.1});
   context.run(3.0);
   CHECK(std::hypot(context.pose(a).x, context.pose(a).y) < 1.5);
   CHECK(std::hypot(context.pose(b).x, context.pose(b).y) < 1.5);
-  CHECK(std::abs(context.engine->box(box).origin.x) < 1.5);
+  CHECK(std::abs(context.engine->obstacle(box).origin.x) < 1.5);
 }
 
 TEST_CASE("Without walls a robot may leave the area") {
@@ -133,19 +133,19 @@ TEST_CASE("A long robot that turns on the spot may kick a light box") {
   REQUIRE(turning.turn_rate > 20.0);
 
   // A quarter turn ahead of the front, with a side where the chassis' side will meet it.
-  world::Box box;
-  box.kind = BoxKind::dynamic;
+  world::Obstacle box;
+  box.kind = ObstacleKind::dynamic;
   box.length = box.width = box.height = 0.05;
   box.mass = 1e-3;
   const double away = 0.25, place = turning.pose.heading_rad + radians(90.0);
   box.x = turning.pose.x + away * std::cos(place);
   box.y = turning.pose.y + away * std::sin(place);
   box.heading_deg = degrees(place - std::asin((0.5 * body.width + 0.5 * box.width) / away));
-  const std::size_t kicked = context.engine->add_box(box);
-  Vector3 before = context.engine->box(kicked).origin;
+  const std::size_t kicked = context.engine->add_obstacle(box);
+  Vector3 before = context.engine->obstacle(kicked).origin;
   double fastest = 0.0;  // m/s
   context.run(0.4, [&] {
-    const Vector3 now = context.engine->box(kicked).origin;
+    const Vector3 now = context.engine->obstacle(kicked).origin;
     fastest = std::max(fastest, std::hypot(now.x - before.x, now.y - before.y) / physics.step);
     before = now;
   });
@@ -173,9 +173,10 @@ TEST_CASE("Impossible bodies are refused with a sentence") {
   body.wheel_radius = 0.0;
   CHECK_THROWS_AS(context.robot(0, 0, 0, body), std::invalid_argument);
   CHECK_THROWS_AS(context.robot(std::numeric_limits<double>::infinity(), 0), std::invalid_argument);
-  CHECK_THROWS_AS(context.box(BoxKind::fixed, 0, 0, {0.1, -0.1, 0.1}), std::invalid_argument);
-  const std::size_t fixed = context.box(BoxKind::fixed, 0, 0, {0.1, 0.1, 0.1});
-  CHECK_THROWS_AS(context.engine->drive_box(fixed, {0, 0}, {0, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(context.obstacle(ObstacleKind::fixed, 0, 0, {0.1, -0.1, 0.1}),
+                  std::invalid_argument);
+  const std::size_t fixed = context.obstacle(ObstacleKind::fixed, 0, 0, {0.1, 0.1, 0.1});
+  CHECK_THROWS_AS(context.engine->drive_obstacle(fixed, {0, 0}, {0, 0}), std::invalid_argument);
   const std::size_t robot = context.robot(1, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(context.drive(robot, {nan, 0}), std::invalid_argument);

@@ -14,7 +14,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -226,7 +226,7 @@ TEST_CASE("Long trains have the same bits with any number of threads") {
       context.train(1.8, 0.5 * i - 0.75, 0.0, std::vector<world::Segment>(12));
       context.drive(static_cast<std::size_t>(i), {10.0 + i, 14.0});
     }
-    context.box(BoxKind::dynamic, 1.9, 0.1, {0.1, 0.2, 0.1});
+    context.obstacle(ObstacleKind::dynamic, 1.9, 0.1, {0.1, 0.2, 0.1});
     context.run(4.0);
     return context.engine->hash_state();
   };

@@ -11,7 +11,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -65,14 +65,14 @@ TEST_CASE("What bounces comes back at its share of the speed") {
   physics.bounce = GENERATE(0.0, 0.5, 1.0);
   CAPTURE(physics.bounce);
   PhysicsContext context(physics, {.length = 4.0});
-  const std::size_t box = context.box(BoxKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
-  const std::size_t ram = context.box(BoxKind::moving, -0.2, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.0, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t ram = context.obstacle(ObstacleKind::moving, -0.2, 0.0, {0.2, 0.2, 0.2});
   context.drive(ram, {0.5, 0.0}, 0.1);
-  context.engine->remove_box(ram);
+  context.engine->remove_obstacle(ram);
   const auto speed = [&] {
-    const double from = context.engine->box(box).origin.x;
+    const double from = context.engine->obstacle(box).origin.x;
     context.run(physics.step);
-    return (context.engine->box(box).origin.x - from) / physics.step;
+    return (context.engine->obstacle(box).origin.x - from) / physics.step;
   };
   const double before = speed();
   REQUIRE(before > 0.4);
@@ -84,12 +84,12 @@ TEST_CASE("Low boxes are in the way of wheels, and higher ones of the chassis") 
   PhysicsContext context(planar(), open_field());
   const std::size_t robot = context.robot(0.0, 0.0);
   // Below the chassis, which is 1 cm above the floor, between a wheel and the casters.
-  context.box(BoxKind::fixed, 0.3, 0.02, {0.05, 0.02, 0.008});
+  context.obstacle(ObstacleKind::fixed, 0.3, 0.02, {0.05, 0.02, 0.008});
   // Above its top.
-  context.box(BoxKind::fixed, 0.6, 0.0, {0.05, 0.3, 0.1}, 0.0, 0.2);
+  context.obstacle(ObstacleKind::fixed, 0.6, 0.0, {0.05, 0.3, 0.1}, 0.0, 0.2);
   // In the way of the wheels.
-  context.box(BoxKind::fixed, 0.9, 0.045, {0.05, 0.01, 0.008});
-  context.box(BoxKind::fixed, 0.9, -0.045, {0.05, 0.01, 0.008});
+  context.obstacle(ObstacleKind::fixed, 0.9, 0.045, {0.05, 0.01, 0.008});
+  context.obstacle(ObstacleKind::fixed, 0.9, -0.045, {0.05, 0.01, 0.008});
   context.drive(robot, {20, 20});
   context.run(4.0);
   CHECK(context.pose(robot).x > 0.8);
@@ -131,7 +131,8 @@ TEST_CASE("Many rays at once find what single rays find") {
   for (int i = 0; i < 6; ++i) {
     context.robot(0.4 * std::cos(i), 0.4 * std::sin(i), 50.0 * i,
                   i % 2 == 0 ? world::RobotBody{} : round_body());
-    context.box(BoxKind::fixed, 1.1 * std::cos(i), 1.1 * std::sin(i), {0.2, 0.1, 0.3}, 31.0 * i);
+    context.obstacle(ObstacleKind::fixed, 1.1 * std::cos(i), 1.1 * std::sin(i), {0.2, 0.1, 0.3},
+                     31.0 * i);
   }
   const double range = GENERATE(0.3, 1.0, 3.0, 100.0);
   const double pitch = GENERATE(0.0, -0.05, 0.1);
@@ -157,7 +158,7 @@ TEST_CASE("Many rays at once find what single rays find") {
 TEST_CASE("A surface exactly at the range is met by many rays as by one") {
   PhysicsContext context(planar());
   context.robot(-3.0, 0.0);
-  context.box(BoxKind::fixed, 2.435, 0.0, {0.27, 0.2, 0.3});
+  context.obstacle(ObstacleKind::fixed, 2.435, 0.0, {0.27, 0.2, 0.3});
   const Frame ahead{{0.0, 0.0, 0.1}}, aside = Frame::turned({0.0, 0.0, 0.1}, 1.57, 0.0);
   std::vector<RayQuery> rays{{&ahead, 2.3}, {&aside, 2.3}};
   context.engine->cast_rays({}, rays, 0);
@@ -171,11 +172,11 @@ TEST_CASE("Many rays at once find what single rays find, wherever the bodies hav
     const std::size_t robot = context.robot(0.5 * (i % 4) - 1.0, 0.5 * (i / 4) - 1.0, 77.0 * i);
     context.drive(robot, {10.0 + i, 14.0 - 0.5 * i});
   }
-  context.box(BoxKind::fixed, 0.5, 0.0, {0.2, 0.2, 0.3});  // its sides run along rays
-  const std::size_t pushed = context.box(BoxKind::dynamic, -0.3, 0.2, {0.1, 0.2, 0.3});
+  context.obstacle(ObstacleKind::fixed, 0.5, 0.0, {0.2, 0.2, 0.3});  // its sides run along rays
+  const std::size_t pushed = context.obstacle(ObstacleKind::dynamic, -0.3, 0.2, {0.1, 0.2, 0.3});
   for (int step = 0; step < 300; ++step) {
     context.engine->step();
-    if (step == 150) context.engine->remove_box(pushed);
+    if (step == 150) context.engine->remove_obstacle(pushed);
     if (step == 200) context.engine->place_robot(5, {1.5, 1.5, 0.0});
     const std::size_t robot = static_cast<std::size_t>(step % 12);
     const Pose at = context.pose(robot);
@@ -202,9 +203,9 @@ TEST_CASE("What has no place in a plane is refused") {
   CHECK_THROWS_AS(PhysicsContext(lifted), std::invalid_argument);
   PhysicsContext context(planar());
   CHECK_THROWS_AS(context.robot(0, 0, 0, {}, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(context.box(BoxKind::dynamic, 1, 0, {0.1, 0.1, 0.1}, 0, 0.1),
+  CHECK_THROWS_AS(context.obstacle(ObstacleKind::dynamic, 1, 0, {0.1, 0.1, 0.1}, 0, 0.1),
                   std::invalid_argument);
-  CHECK_NOTHROW(context.box(BoxKind::fixed, 1, 0, {0.1, 0.1, 0.1}, 0, 0.1));
+  CHECK_NOTHROW(context.obstacle(ObstacleKind::fixed, 1, 0, {0.1, 0.1, 0.1}, 0, 0.1));
   const std::size_t robot = context.robot(0, 0);
   CHECK_THROWS_AS(context.engine->place_robot(robot, {}, 0.1), std::invalid_argument);
   CHECK(context.engine->fault_of_height(0.1).has_value());

@@ -10,7 +10,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -78,7 +78,7 @@ bool overlap(const Pyramid& pyramid, const Frame& middle, const Vector3& half) {
 
 TEST_CASE("A box ahead is in the pyramid up to its far face") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 1.5, 0.0, {0.2, 0.2, 0.4});  // from x = 1.4
+  context.obstacle(ObstacleKind::fixed, 1.5, 0.0, {0.2, 0.2, 0.4});  // from x = 1.4
   CHECK(context.engine->anything_in(wide({0.4 + kNear, 0, 0.2}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0.4 - kNear, 0, 0.2}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0.4 + kNear, 0, 0.2}, 180), kNobody));
@@ -87,21 +87,22 @@ TEST_CASE("A box ahead is in the pyramid up to its far face") {
 TEST_CASE("The far face is flat: its corners reach further than the range") {
   PhysicsContext context(with(each_engine()));
   // Beside the axis, at a distance of 1.27 m from the sensor, 0.98 m along the axis.
-  context.box(BoxKind::fixed, 1.0, 0.82, {0.04, 0.04, 0.4});
+  context.obstacle(ObstacleKind::fixed, 1.0, 0.82, {0.04, 0.04, 0.4});
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
 }
 
 TEST_CASE("A box beside the pyramid is in it from its side face on") {
   PhysicsContext context(with(each_engine()));
   // The corner of the box is at (0.5, 0.5): on the left face of a pyramid at the origin.
-  context.box(BoxKind::fixed, 0.4, 0.6, {0.2, 0.2, 0.4});
+  context.obstacle(ObstacleKind::fixed, 0.4, 0.6, {0.2, 0.2, 0.4});
   CHECK(context.engine->anything_in(wide({0, kNear, 0.2}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0, -kNear, 0.2}), kNobody));
 }
 
 TEST_CASE("A box above the pyramid is in it from its upper face on") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 0.8, 0.0, {0.4, 0.1, 0.1}, 0, 0.7);  // (1.0, 0.7) is lowest and last
+  context.obstacle(ObstacleKind::fixed, 0.8, 0.0, {0.4, 0.1, 0.1}, 0,
+                   0.7);  // (1.0, 0.7) is lowest and last
   CHECK(context.engine->anything_in(wide({0, 0, 0.2 + kNear}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0, 0, 0.2 - kNear}), kNobody));
 }
@@ -110,17 +111,17 @@ TEST_CASE("Edge meets edge") {
   PhysicsContext context(with(each_engine()));
   // An upright edge at (0.6, 0.5) points at the far left edge of the pyramid, which lies at
   // x = 0.6 and runs up and down at y = 1 from an apex at (-0.4, -0.5).
-  context.box(BoxKind::fixed, 0.6, 0.5 + 0.1 * std::sqrt(2.0), {0.2, 0.2, 0.4}, 45);
+  context.obstacle(ObstacleKind::fixed, 0.6, 0.5 + 0.1 * std::sqrt(2.0), {0.2, 0.2, 0.4}, 45);
   CHECK(context.engine->anything_in(wide({-0.4 + kNear, -0.5 + 2 * kNear, 0.2}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({-0.4, -0.5 - kNear, 0.2}), kNobody));
 }
 
 TEST_CASE("A pyramid within a box, and a box within a pyramid") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 0.0, 0.0, {3.0, 3.0, 3.0});
+  context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {3.0, 3.0, 3.0});
   CHECK(context.engine->anything_in(wide({-0.5, 0, 1.0}), kNobody));
   PhysicsContext other(context.physics);
-  other.box(BoxKind::fixed, 0.8, 0.0, {0.02, 0.02, 0.02}, 0, 0.2);
+  other.obstacle(ObstacleKind::fixed, 0.8, 0.0, {0.02, 0.02, 0.02}, 0, 0.2);
   CHECK(other.engine->anything_in(wide({0, 0, 0.2}), kNobody));
 }
 
@@ -131,11 +132,11 @@ TEST_CASE("Walls, robots and visible boxes count, the floor and what is left out
   const std::size_t robot = context.robot(0.5, 0);
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
   CHECK_FALSE(context.engine->anything_in(wide({0, 0, 0.2}), robot));
-  world::Box glass;
+  world::Obstacle glass;
   glass.y = 2.0;
   glass.x = 0.5;
   glass.seen_by_range_sensors = false;
-  context.engine->add_box(glass);
+  context.engine->add_obstacle(glass);
   CHECK_FALSE(context.engine->anything_in(wide({0, 2, 0.1}), kNobody));
 }
 
@@ -151,15 +152,15 @@ TEST_CASE("A proximity sensor on a chassis sees a robot of its own size") {
 
 TEST_CASE("A box that was taken is in no pyramid") {
   PhysicsContext context(with(each_engine()));
-  const std::size_t box = context.box(BoxKind::resource, 0.5, 0.0, {0.1, 0.1, 0.4});
+  const std::size_t box = context.obstacle(ObstacleKind::resource, 0.5, 0.0, {0.1, 0.1, 0.4});
   CHECK(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
-  context.engine->remove_box(box);
+  context.engine->remove_obstacle(box);
   CHECK_FALSE(context.engine->anything_in(wide({0, 0, 0.2}), kNobody));
 }
 
 TEST_CASE("A pyramid without height holds nothing") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 0.0, 0.0, {0.1, 0.1, 0.4});
+  context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {0.1, 0.1, 0.4});
   Pyramid pyramid = wide({0, 0, 0.2});
   pyramid.range_m = 0.0;
   CHECK_FALSE(context.engine->anything_in(pyramid, kNobody));
@@ -171,9 +172,9 @@ TEST_CASE("Pyramids against random boxes agree with cutting them to pieces") {
   int in = 0, out = 0;
   for (int world = 0; world < 40; ++world) {
     PhysicsContext context(physics, open_field(6.0));
-    std::vector<std::pair<Frame, Vector3>> boxes;
+    std::vector<std::pair<Frame, Vector3>> obstacles;
     for (int i = 0; i < 6; ++i) {
-      world::Box box;
+      world::Obstacle box;
       box.x = random.uniform(-3.5, 3.5);
       box.y = random.uniform(-3.5, 3.5);
       box.z = random.uniform(0.0, 1.0);
@@ -181,8 +182,8 @@ TEST_CASE("Pyramids against random boxes agree with cutting them to pieces") {
       box.length = random.uniform(0.01, 1.0);
       box.width = random.uniform(0.01, 1.0);
       box.height = random.uniform(0.01, 1.0);
-      context.engine->add_box(box);
-      boxes.emplace_back(
+      context.engine->add_obstacle(box);
+      obstacles.emplace_back(
           Frame::turned({box.x, box.y, box.z + 0.5 * box.height}, radians(box.heading_deg), 0),
           Vector3{0.5 * box.length, 0.5 * box.width, 0.5 * box.height});
     }
@@ -193,7 +194,7 @@ TEST_CASE("Pyramids against random boxes agree with cutting them to pieces") {
                             random.uniform(0.01, 2.5), random.uniform(0.01, 2.5),
                             random.uniform(0.1, 3.0)};
       bool expected = false;
-      for (const auto& [middle, half] : boxes)
+      for (const auto& [middle, half] : obstacles)
         expected = expected || overlap(pyramid, middle, half);
       CAPTURE(world, i);
       CHECK(context.engine->anything_in(pyramid, kNobody) == expected);

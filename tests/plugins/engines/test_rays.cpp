@@ -12,7 +12,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -124,7 +124,7 @@ TEST_CASE("A ray finds the walls at their exact distance") {
 TEST_CASE("A ray finds an oriented box at its exact distance") {
   PhysicsContext context(with(each_engine()));
   const double turned = GENERATE(0.0, 17.0, 45.0, 90.0, -130.0);
-  const std::size_t box = context.box(BoxKind::fixed, 1.0, 2.0, {0.6, 0.4, 0.2}, turned);
+  const std::size_t box = context.obstacle(ObstacleKind::fixed, 1.0, 2.0, {0.6, 0.4, 0.2}, turned);
   const Frame frame = Frame::turned({1.0, 2.0, 0.1}, radians(turned), 0.0);
   // At the middle of each face, and at a slant.
   CHECK(cast(context, frame.point({-1.3, 0.1, 0}), frame.forward) == Approx(1.0).margin(1e-9));
@@ -141,7 +141,7 @@ TEST_CASE("A ray finds an oriented box at its exact distance") {
 
 TEST_CASE("A grazing ray belongs to the box within its face and to nothing beside it") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 1.0, 0.0, {0.5, 0.5, 0.5});
+  context.obstacle(ObstacleKind::fixed, 1.0, 0.0, {0.5, 0.5, 0.5});
   CHECK(cast(context, {0, 0.25 - 1e-9, 0.1}, level(0), 2) == Approx(0.75).margin(1e-9));
   CHECK(cast(context, {0, 0.25, 0.1}, level(0), 2) == Approx(0.75).margin(1e-9));
   CHECK(cast(context, {0, 0.25 + 1e-9, 0.1}, level(0), 2) == kNone);
@@ -150,7 +150,7 @@ TEST_CASE("A grazing ray belongs to the box within its face and to nothing besid
 
 TEST_CASE("The range limits a ray, its end included") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 1.25, 0.0, {0.5, 0.5, 0.5});
+  context.obstacle(ObstacleKind::fixed, 1.25, 0.0, {0.5, 0.5, 0.5});
   CHECK(cast(context, {0, 0, 0.1}, level(0), 1.0) == 1.0);
   CHECK(cast(context, {0, 0, 0.1}, level(0), 0.999999) == kNone);
   CHECK(cast(context, {0, 0, 0.1}, level(0), kNone) == 1.0);
@@ -159,7 +159,7 @@ TEST_CASE("The range limits a ray, its end included") {
 
 TEST_CASE("A ray that starts in a body meets it at once") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 1.0, 0.0, {0.5, 0.5, 0.5});
+  context.obstacle(ObstacleKind::fixed, 1.0, 0.0, {0.5, 0.5, 0.5});
   CHECK(cast(context, {1.1, 0.1, 0.1}, level(33)) == 0.0);
   CHECK(cast(context, {0.75, 0.0, 0.1}, level(180), 1.0) == 0.0);
 }
@@ -171,7 +171,7 @@ TEST_CASE("A ray that looks down finds the floor") {
   CHECK(hit->floor);
   CHECK(hit->distance == Approx(0.2).margin(1e-9));
   CHECK(cast(context, {0, 0, 0.1}, {0, 0, -1}) == Approx(0.1).margin(1e-12));
-  context.box(BoxKind::fixed, 1.0, 0.0, {0.2, 0.4, 0.3});
+  context.obstacle(ObstacleKind::fixed, 1.0, 0.0, {0.2, 0.4, 0.3});
   CHECK(cast(context, {1.0, 0.1, 1.0}, {0, 0, -1}) == Approx(0.7).margin(1e-12));
   CHECK(cast(context, {0, 0, 0.1}, {0, 0, 1}) == kNone);
   CHECK(cast(context, {0, 0, 0.0}, level(0), 1.0) == kNone);
@@ -213,11 +213,11 @@ TEST_CASE("A wheel is seen as the cylinder that it is") {
 
 TEST_CASE("Boxes that range sensors do not see let rays through") {
   PhysicsContext context(with(each_engine()));
-  world::Box glass;
+  world::Obstacle glass;
   glass.x = 1.0;
   glass.seen_by_range_sensors = false;
-  context.engine->add_box(glass);
-  const std::size_t behind = context.box(BoxKind::fixed, 2.0, 0.0, {0.2, 0.2, 0.2});
+  context.engine->add_obstacle(glass);
+  const std::size_t behind = context.obstacle(ObstacleKind::fixed, 2.0, 0.0, {0.2, 0.2, 0.2});
   const auto hit = context.engine->cast_ray({0, 0, 0.1}, level(0), 5, kNobody);
   REQUIRE(hit);
   CHECK(hit->body == box_body(behind));
@@ -226,7 +226,7 @@ TEST_CASE("Boxes that range sensors do not see let rays through") {
 TEST_CASE("Rays see bodies where they have moved to") {
   PhysicsContext context(with(each_engine()));
   const std::size_t robot = context.robot(-3.0, 0);
-  const std::size_t moving = context.box(BoxKind::moving, 2.0, 2.0, {0.2, 0.2, 0.2});
+  const std::size_t moving = context.obstacle(ObstacleKind::moving, 2.0, 2.0, {0.2, 0.2, 0.2});
   context.drive(robot, {25, 25});
   context.drive(moving, {-0.5, 0.0}, 4.0);
   const double front = context.pose(robot).x + 0.04;
@@ -237,8 +237,8 @@ TEST_CASE("Rays see bodies where they have moved to") {
 
 TEST_CASE("Of two bodies at the same distance the first is met") {
   PhysicsContext context(with(each_engine()));
-  context.box(BoxKind::fixed, 1.0, 0.1, {0.2, 0.2, 0.2});
-  context.box(BoxKind::fixed, 1.0, -0.1, {0.2, 0.2, 0.2});
+  context.obstacle(ObstacleKind::fixed, 1.0, 0.1, {0.2, 0.2, 0.2});
+  context.obstacle(ObstacleKind::fixed, 1.0, -0.1, {0.2, 0.2, 0.2});
   CHECK(context.engine->cast_ray({0, 0, 0.1}, level(0), 5, kNobody)->body == box_body(0));
 }
 
@@ -260,7 +260,7 @@ TEST_CASE("Pruning changes no answer: random worlds, every body asked one by one
     all.push_back({wall_body(wall), Frame::turned(at, 0, 0), half, false, {}});
   }
   for (std::size_t i = 0; i < 25; ++i) {
-    world::Box box;
+    world::Obstacle box;
     box.x = random.uniform(-lx - 0.5, lx + 0.5);
     box.y = random.uniform(-ly - 0.5, ly + 0.5);
     box.z = random.chance(0.3) ? random.uniform(0.0, 0.2) : 0.0;
@@ -269,7 +269,7 @@ TEST_CASE("Pruning changes no answer: random worlds, every body asked one by one
     box.length = random.uniform(0.01, 1.0);
     box.width = random.uniform(0.01, 0.5);
     box.height = random.uniform(0.05, 0.4);
-    context.engine->add_box(box);
+    context.engine->add_obstacle(box);
     const Vector3 middle{box.x, box.y, box.z + 0.5 * box.height};
     all.push_back({box_body(i),
                    Frame::turned(middle, radians(box.heading_deg), 0),

@@ -20,7 +20,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -237,7 +237,8 @@ TEST_CASE("What a segment touches, its robot touches, once") {
   // Two segments along one box.
   Train pulled = train(context, kThree);
   const double middle = -0.5 * (pulled.joints[0].place + pulled.joints[1].place);
-  const std::size_t box = context.box(BoxKind::dynamic, middle, 0.03 + 0.05, {0.4, 0.1, 0.2});
+  const std::size_t box =
+      context.obstacle(ObstacleKind::dynamic, middle, 0.03 + 0.05, {0.4, 0.1, 0.2});
   context.run(0.1);
   CHECK(context.touching(robot_body(0), box_body(box)));
   CHECK(context.engine->touches().size() == 1);
@@ -360,7 +361,7 @@ TEST_CASE("Trains are deterministic, and the hash knows them") {
     segments[2].mass = mass;
     context.train(0.5, 0.5, 0, segments);
     context.train(0.0, -0.5, 180, segments);
-    context.box(BoxKind::dynamic, 0.8, 0.0, {0.1, 0.2, 0.1}, 20);
+    context.obstacle(ObstacleKind::dynamic, 0.8, 0.0, {0.1, 0.2, 0.1}, 20);
     Random random(3);
     std::vector<std::uint64_t> hashes;
     for (int i = 0; i < 40; ++i) {

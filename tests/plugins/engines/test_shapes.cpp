@@ -19,7 +19,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 namespace {
 
@@ -302,11 +302,11 @@ TEST_CASE("Two round robots meet where their middles are a diameter apart") {
 TEST_CASE("A round robot pushes a box with the front of its chassis") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0, 0, 0, round_body());
-  const std::size_t box = context.box(BoxKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
   context.drive(robot, {10, 10});
   context.run(3.0);
   CHECK(context.touching(robot_body(robot), box_body(box)));
-  const Vector3 pushed = context.engine->box(box).origin;
+  const Vector3 pushed = context.engine->obstacle(box).origin;
   CHECK(pushed.x > 0.5);
   CHECK(pushed.x - context.pose(robot).x == Approx(0.06 + 0.1).margin(2 * kPressed));
 }
@@ -314,7 +314,7 @@ TEST_CASE("A round robot pushes a box with the front of its chassis") {
 TEST_CASE("A round robot does not ride up a low box") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0, 0, 0, round_body());
-  const std::size_t box = context.box(BoxKind::fixed, 0.3, 0.0, {0.1, 0.3, 0.03});
+  const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.3, 0.0, {0.1, 0.3, 0.03});
   context.drive(robot, {15, 15});
   context.run(3.0);
   CHECK(context.touching(robot_body(robot), box_body(box)));
@@ -369,7 +369,7 @@ TEST_CASE("A ball that is pushed rolls on") {
   PhysicsContext context;
   const Shape shape = Shape::sphere(0.05);
   const std::size_t ball = context.engine->add_robot(alone(shape), {0.2, 0.0, 0.0});
-  const std::size_t box = context.box(BoxKind::moving, 0.0, 0.0, {0.2, 0.4, 0.2});
+  const std::size_t box = context.obstacle(ObstacleKind::moving, 0.0, 0.0, {0.2, 0.4, 0.2});
   context.drive(box, {0.3, 0.0}, 1.0);
   context.run(0.5);
   const double before = middle_of(context, ball, shape).x;
@@ -410,7 +410,8 @@ TEST_CASE("A slender cylinder that is pushed at its top falls over, and lies on 
   const Shape shape = Shape::pillar(0.03, 0.4);
   const std::size_t robot = context.engine->add_robot(alone(shape), {0.2, 0.0, 0.0});
   // Above its middle.
-  const std::size_t box = context.box(BoxKind::moving, 0.0, 0.0, {0.2, 0.4, 0.1}, 0.0, 0.3);
+  const std::size_t box =
+      context.obstacle(ObstacleKind::moving, 0.0, 0.0, {0.2, 0.4, 0.1}, 0.0, 0.3);
   context.drive(box, {0.3, 0.0}, 0.6);
   context.run(4.0);
   CHECK(std::abs(context.engine->robot(robot).frame.up.z) < 0.05);

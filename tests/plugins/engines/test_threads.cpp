@@ -11,7 +11,7 @@
 
 using namespace elsie;
 using namespace elsie::physics;
-using world::BoxKind;
+using world::ObstacleKind;
 
 TEST_CASE("A step is the same with any crew") {
   const std::string engine = each_engine();
@@ -36,12 +36,12 @@ TEST_CASE("Of several robots that are lost, the same one is named with any crew"
     // Each is pressed through the wall.
     std::vector<std::size_t> rams;
     for (const double y : {-2.0, 0.0, 2.0}) {
-      rams.push_back(context.box(BoxKind::moving, 4.5, y, {0.2, 0.2, 0.2}));
+      rams.push_back(context.obstacle(ObstacleKind::moving, 4.5, y, {0.2, 0.2, 0.2}));
     }
     for (int i = 0; i < 300; ++i) {
       for (std::size_t k = 0; k < rams.size(); ++k) {
         const double y = 2.0 * (static_cast<double>(k) - 1.0);
-        context.engine->drive_box(rams[k], {4.5 + 0.002 * (i + 1), y}, {0.2, 0.0});
+        context.engine->drive_obstacle(rams[k], {4.5 + 0.002 * (i + 1), y}, {0.2, 0.0});
       }
       try {
         context.engine->step();

@@ -62,7 +62,7 @@ inline bool are_nearer(world::Footprint a, const world::Footprint& b, double gap
 
 inline std::vector<world::Footprint> footprints(const world::World& world) {
   std::vector<world::Footprint> all;
-  for (const world::Box& box : world.boxes) all.push_back(world::footprint_of(box));
+  for (const world::Obstacle& box : world.obstacles) all.push_back(world::footprint_of(box));
   for (const world::Robot& robot : world.robots) {
     const auto own = world::footprints_of(world::plan_of(robot),
                                           {robot.x, robot.y, radians(robot.heading_deg)}, robot.z);

@@ -57,14 +57,14 @@ TEST_CASE("A <draw> that says too little, or leads nowhere, is refused") {
 }
 
 TEST_CASE("Whatever a <draw> changes of a thing's area is drawn before its place is checked") {
-  const std::string boxes =
+  const std::string obstacles =
       "<scatter id='c' count='40' gap='0.1'><static_box length='1.2' width='0.1'/>";
   const std::string in_thing = "<draw path='@heading_deg' from='0' to='180'/></scatter>";
   const std::string of_world =
       "</scatter><draw path='obstacle[*]/@heading_deg' from='0' to='180'/>";
   for (const std::string& draws : {in_thing, of_world}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const auto all = footprints(drawn("<layouts>" + boxes + draws + "</layouts>", seed));
+      const auto all = footprints(drawn("<layouts>" + obstacles + draws + "</layouts>", seed));
       REQUIRE(all.size() == 40);
       for (std::size_t i = 0; i < all.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(are_nearer(all[i], all[j], 0.099));
@@ -82,23 +82,23 @@ TEST_CASE("What the user sets is not drawn") {
   const world::World one = drawn(world, 1, {"robot[a]/@coverage=5"});
   CHECK(one.robots[0].coverage == 5.0);
   CHECK(one.robots[1].coverage == as_drawn.robots[1].coverage);
-  for (const auto& box : drawn(world, 1, {"obstacle[*]/@length=0.5"}).boxes) {
+  for (const auto& box : drawn(world, 1, {"obstacle[*]/@length=0.5"}).obstacles) {
     CHECK(box.length == 0.5);
   }
-  CHECK(drawn(world, 1, {"obstacle[c2]/@length=0.5"}).boxes[1].length == 0.5);
+  CHECK(drawn(world, 1, {"obstacle[c2]/@length=0.5"}).obstacles[1].length == 0.5);
 }
 
 TEST_CASE("Of two edits of one attribute, the last decides, drawn or not") {
   const std::string one = "obstacle[clutter2]/@length=0.3", all = "obstacle[*]/@length=0.4";
-  CHECK(drawn(kClutter, 1, {one, all}).boxes[1].length == 0.4);
-  CHECK(drawn(kClutter, 1, {all, one}).boxes[1].length == 0.3);
-  CHECK(drawn(kClutter, 1, {all, one}).boxes[2].length == 0.4);
+  CHECK(drawn(kClutter, 1, {one, all}).obstacles[1].length == 0.4);
+  CHECK(drawn(kClutter, 1, {all, one}).obstacles[1].length == 0.3);
+  CHECK(drawn(kClutter, 1, {all, one}).obstacles[2].length == 0.4);
   CHECK(drawn(kClutter, 1, {one, "obstacle[clutter2]/@length=0.5", "scatter/@count=4"})
-            .boxes[1]
+            .obstacles[1]
             .length == 0.5);
   const world::World more =
       drawn(kClutter, 1, {one, "obstacle[+]=<static_box id='own' x='4.8' y='4.8'/>"});
-  CHECK(more.boxes.size() == 31);
+  CHECK(more.obstacles.size() == 31);
 }
 
 TEST_CASE("Whole numbers include both bounds, each as often as the others") {
@@ -121,7 +121,7 @@ TEST_CASE("The arena may be drawn, and layouts fill the one that was drawn") {
   const world::World large = drawn(world, 2);
   CHECK(large.arena.length > 20.0);
   double right = 0.0;
-  for (const world::Box& box : large.boxes) right = std::max(right, box.x);
+  for (const world::Obstacle& box : large.obstacles) right = std::max(right, box.x);
   CHECK(right == Approx(0.5 * large.arena.length - 0.05).margin(0.0001));
   CHECK(refusal("<layouts><draw path='arena/@length' from='-3' to='-2'/></layouts>")
             .find("of <arena>: expected") != std::string::npos);

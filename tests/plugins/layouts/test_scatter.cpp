@@ -28,19 +28,19 @@ TEST_CASE("A layout with a seed of its own does not follow the run's") {
 
 TEST_CASE("The places are those of the first version, on every machine") {
   const world::World world = drawn(kClutter, 1);
-  CHECK(world.boxes.at(0).x == -1.8306);
-  CHECK(world.boxes.at(0).y == 4.5148);
+  CHECK(world.obstacles.at(0).x == -1.8306);
+  CHECK(world.obstacles.at(0).y == 4.5148);
 }
 
 TEST_CASE("One more layout, or a larger count, leaves what others draw as it is") {
   const world::World few = drawn(kClutter, 3), more = drawn(kClutter, 3, {"scatter/@count=40"});
-  REQUIRE(more.boxes.size() == 40);
-  for (std::size_t i = 0; i < few.boxes.size(); ++i) {
-    CHECK(more.boxes[i].x == few.boxes[i].x);
+  REQUIRE(more.obstacles.size() == 40);
+  for (std::size_t i = 0; i < few.obstacles.size(); ++i) {
+    CHECK(more.obstacles[i].x == few.obstacles[i].x);
   }
   const world::World other =
       drawn(kClutter, 3, {"scatter[+]=<scatter id='food'><resource/></scatter>"});
-  CHECK(other.boxes[5].x == few.boxes[5].x);
+  CHECK(other.obstacles[5].x == few.obstacles[5].x);
 }
 
 TEST_CASE("Everything keeps the gap to everything: boxes, robots, trains and walls") {
@@ -72,9 +72,9 @@ TEST_CASE("Things stand in their region") {
   const auto check = [](const std::string& region, const auto& is_inside) {
     const world::World world = drawn(
         scattered("count='60' gap='0'", "<static_box length='0.05' width='0.05'/>" + region), 2);
-    REQUIRE(world.boxes.size() == 60);
-    CHECK(std::all_of(world.boxes.begin(), world.boxes.end(),
-                      [&](const world::Box& box) { return is_inside(box.x, box.y); }));
+    REQUIRE(world.obstacles.size() == 60);
+    CHECK(std::all_of(world.obstacles.begin(), world.obstacles.end(),
+                      [&](const world::Obstacle& box) { return is_inside(box.x, box.y); }));
   };
   check("<in_box x='1' y='-2' length='3' width='1'/>",
         [](double x, double y) { return std::abs(x - 1) <= 1.5 && std::abs(y + 2) <= 0.5; });
@@ -172,7 +172,7 @@ TEST_CASE("A density covers its share of the area, whatever the sizes") {
     const world::World world =
         drawn(scattered("density='0.2'", "<static_box/><in_disc radius='4'/>" + size), 5);
     double area = 0.0;
-    for (const world::Box& box : world.boxes) area += box.length * box.width;
+    for (const world::Obstacle& box : world.obstacles) area += box.length * box.width;
     CHECK(area / (3.141592654 * 16.0) == Approx(0.2).margin(0.003));
   }
 }
@@ -192,26 +192,27 @@ TEST_CASE("A template, and all that an element says, is in each of them") {
 TEST_CASE("One thing keeps its own name; several are numbered; without a name it is the layout's") {
   CHECK(drawn(scattered("", "<robot id='r'/>")).robots[0].id == "r");
   CHECK(drawn(scattered("count='2'", "<robot id='r'/>")).robots[1].id == "r2");
-  CHECK(drawn(scattered("count='2'", "<static_box/>")).boxes[1].id == "c2");
+  CHECK(drawn(scattered("count='2'", "<static_box/>")).obstacles[1].id == "c2");
 }
 
 TEST_CASE("Nothing stands where it is kept clear") {
   const world::World world =
       drawn(scattered("count='60' gap='0'", "<static_box/><keep_clear x='1' y='1' radius='2'/>"));
-  for (const world::Box& box : world.boxes) CHECK(std::hypot(box.x - 1, box.y - 1) > 2.0);
+  for (const world::Obstacle& box : world.obstacles) CHECK(std::hypot(box.x - 1, box.y - 1) > 2.0);
 }
 
 TEST_CASE("An edit of a layout comes before it is drawn, one of what it draws after") {
-  CHECK(drawn(kClutter, 1, {"scatter[clutter]/@count=3"}).boxes.size() == 3);
-  CHECK(drawn(kClutter, 1, {"layouts/scatter[1]/static_box/@length=0.5"}).boxes[7].length == 0.5);
+  CHECK(drawn(kClutter, 1, {"scatter[clutter]/@count=3"}).obstacles.size() == 3);
+  CHECK(drawn(kClutter, 1, {"layouts/scatter[1]/static_box/@length=0.5"}).obstacles[7].length ==
+        0.5);
   const world::World moved = drawn(kClutter, 1, {"obstacle[clutter3]/@x=0.25"});
-  CHECK(moved.boxes[2].x == 0.25);
-  CHECK(moved.boxes[1].x == drawn(kClutter, 1).boxes[1].x);
-  CHECK(drawn(kClutter, 1, {"obstacle[clutter3]/@remove=true"}).boxes.size() == 29);
-  CHECK(drawn(kClutter, 1, {"scatter[clutter]/@remove=true"}).boxes.empty());
+  CHECK(moved.obstacles[2].x == 0.25);
+  CHECK(moved.obstacles[1].x == drawn(kClutter, 1).obstacles[1].x);
+  CHECK(drawn(kClutter, 1, {"obstacle[clutter3]/@remove=true"}).obstacles.size() == 29);
+  CHECK(drawn(kClutter, 1, {"scatter[clutter]/@remove=true"}).obstacles.empty());
   const world::World all = drawn(kClutter, 1, {"obstacle[*]/@length=0.4"});
-  CHECK(std::all_of(all.boxes.begin(), all.boxes.end(),
-                    [](const world::Box& box) { return box.length == 0.4; }));
+  CHECK(std::all_of(all.obstacles.begin(), all.obstacles.end(),
+                    [](const world::Obstacle& box) { return box.length == 0.4; }));
 }
 
 TEST_CASE("What is edited before keeps the gap as well") {
@@ -234,7 +235,7 @@ TEST_CASE("Things are scattered in an arena of any size, whatever its last digit
     const std::string arena =
         "<arena length='" + std::string(length) + "' width='" + length + "'/>";
     CHECK(drawn(arena + scattered("density='0.01'", "<static_box length='0.1' width='0.1'/>"), 1)
-              .boxes.size() > 1);
+              .obstacles.size() > 1);
   }
 }
 

@@ -45,7 +45,7 @@ TEST_CASE("Cylinders and prisms keep the gap to each other and to walls") {
       "<scatter id='b' count='20' gap='0.1'><dynamic_prism><point x='0' y='0'/>"
       "<point x='0.5' y='0'/><point x='0' y='0.3'/></dynamic_prism><heading/></scatter></layouts>",
       4);
-  REQUIRE(world.boxes.size() == 40);
+  REQUIRE(world.obstacles.size() == 40);
   const auto all = footprints(world);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::vector<Vector2> own = outline(all[i], step);
@@ -68,7 +68,7 @@ TEST_CASE("A density of cylinders and of prisms covers its share of the area") {
   const auto count = [](const std::string& thing) {
     return static_cast<double>(
         drawn("<layouts><scatter id='c' density='0.1'>" + thing + "</scatter></layouts>", 5)
-            .boxes.size());
+            .obstacles.size());
   };
   CHECK(count("<static_cylinder radius='0.3'/>") * 3.141592654 * 0.09 == Approx(10.0).margin(0.2));
   CHECK(count("<static_prism><point x='1' y='0'/><point x='0' y='0.5'/><point x='0' y='0'/>"

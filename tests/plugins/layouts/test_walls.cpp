@@ -21,7 +21,7 @@ class Floor {
   Floor(const world::World& world, double edge) : edge_(edge) {
     columns_ = static_cast<int>(std::lround(world.arena.length / edge));
     rows_ = static_cast<int>(std::lround(world.arena.width / edge));
-    const auto boxes = footprints(world);
+    const auto obstacles = footprints(world);
     for (int y = 0; y < rows_; ++y) {
       for (int x = 0; x < columns_; ++x) {
         world::Footprint here;
@@ -29,7 +29,7 @@ class Floor {
         here.y = (y + 0.5) * edge - 0.5 * world.arena.width;
         here.half_length = here.half_width = 0.01;
         here.top = 0.1;
-        free_.push_back(std::none_of(boxes.begin(), boxes.end(),
+        free_.push_back(std::none_of(obstacles.begin(), obstacles.end(),
                                      [&](const auto& box) { return world::overlap(here, box); }));
       }
     }
@@ -107,7 +107,7 @@ TEST_CASE("A maze is perfect: all its cells are connected, and no wall could be 
     const world::World maze = drawn("<layouts><maze columns='10' rows='8'/></layouts>", seed);
     // A tree of 80 cells has 79 openings; the walls between cells are 9 x 8 + 10 x 7.
     double walls = 0.0;
-    for (const world::Box& box : maze.boxes) {
+    for (const world::Obstacle& box : maze.obstacles) {
       walls += std::round((box.length - 0.1) / (box.heading_deg == 0.0 ? 1.0 : 1.25));
     }
     CHECK(walls == 142 - 79);
@@ -118,15 +118,16 @@ TEST_CASE("A maze is perfect: all its cells are connected, and no wall could be 
 }
 
 TEST_CASE("Walls of a maze that are in line are one box") {
-  CHECK(drawn("<layouts><maze columns='20' rows='20'/></layouts>").boxes.size() < 261);
-  CHECK(drawn("<layouts><maze columns='2' rows='1'/></layouts>").boxes.empty());
-  CHECK(drawn("<layouts><maze columns='2' rows='1' border='true'/></layouts>").boxes.size() == 4);
+  CHECK(drawn("<layouts><maze columns='20' rows='20'/></layouts>").obstacles.size() < 261);
+  CHECK(drawn("<layouts><maze columns='2' rows='1'/></layouts>").obstacles.empty());
+  CHECK(drawn("<layouts><maze columns='2' rows='1' border='true'/></layouts>").obstacles.size() ==
+        4);
 }
 
 TEST_CASE("Every room has a door, and all rooms are connected") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const world::World rooms = drawn("<layouts><rooms smallest='1.2' door='0.6'/></layouts>", seed);
-    CHECK(rooms.boxes.size() > 10);
+    CHECK(rooms.obstacles.size() > 10);
     const Floor floor(rooms, 0.1);
     CHECK(floor.connected() == floor.free());
   }
@@ -138,7 +139,7 @@ TEST_CASE("Robots are scattered between walls") {
       "</scatter></layouts>",
       3);
   const auto all = footprints(world);
-  for (std::size_t i = world.boxes.size(); i < all.size(); ++i) {
+  for (std::size_t i = world.obstacles.size(); i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(are_nearer(all[i], all[j], 0.099));
   }
 }
@@ -147,15 +148,15 @@ TEST_CASE("A floor plan has the walls that are listed in it, or in a file") {
   const world::World listed = drawn(
       "<layouts><floor_plan wall_thickness='0.2'><wall x1='-1' y1='0' x2='2' y2='0'/>"
       "<wall x1='2' y1='0' x2='2' y2='3'/></floor_plan></layouts>");
-  REQUIRE(listed.boxes.size() == 2);
-  CHECK(listed.boxes[0].x == 0.5);
-  CHECK(listed.boxes[0].length == Approx(3.2));
-  CHECK(listed.boxes[1].heading_deg == 90.0);
+  REQUIRE(listed.obstacles.size() == 2);
+  CHECK(listed.obstacles[0].x == 0.5);
+  CHECK(listed.obstacles[0].length == Approx(3.2));
+  CHECK(listed.obstacles[1].heading_deg == 90.0);
   const Folder folder;
   const std::string file = folder.file("walls.txt");
   write(file, "# a corner\n-1 0 2 0\n\n2 0 2 3  # up\n");
   CHECK(text_of(plan(file, "wall_thickness='0.2'"), 1).find("x=\"0.5\"") != std::string::npos);
-  CHECK(drawn(plan(file)).boxes.size() == 2);
+  CHECK(drawn(plan(file)).obstacles.size() == 2);
   write(file, "-1 0 2 0\n1 2 3\n");
   CHECK_THAT(refusal(plan(file)), Contains("walls.txt:2: found '1 2 3'; expected X1 Y1 X2 Y2 (m)"));
   write(file, "# none\n");
@@ -176,15 +177,15 @@ TEST_CASE("An image becomes few boxes that cover its dark pixels, and no others"
   }
   write(file, pgm);
   const world::World world = drawn(plan(file, "metres_per_pixel='0.5'"));
-  CHECK(world.boxes.size() <= 6);
+  CHECK(world.obstacles.size() <= 6);
   for (int y = 0; y < 6; ++y) {
     for (int x = 0; x < 10; ++x) {
       const double at_x = (x + 0.5) * 0.5 - 2.5, at_y = 1.5 - (y + 0.5) * 0.5;
-      const auto covering =
-          std::count_if(world.boxes.begin(), world.boxes.end(), [&](const world::Box& box) {
-            return std::abs(at_x - box.x) < 0.5 * box.length &&
-                   std::abs(at_y - box.y) < 0.5 * box.width;
-          });
+      const auto covering = std::count_if(world.obstacles.begin(), world.obstacles.end(),
+                                          [&](const world::Obstacle& box) {
+                                            return std::abs(at_x - box.x) < 0.5 * box.length &&
+                                                   std::abs(at_y - box.y) < 0.5 * box.width;
+                                          });
       CHECK(covering ==
             (rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#' ? 1 : 0));
     }
@@ -219,7 +220,7 @@ TEST_CASE("A PNG image is read as a PGM image is") {
   const std::string size = "metres_per_pixel='1'";
   CHECK(text_of(plan(folder.file("plan.png"), size)) ==
         text_of(plan(folder.file("plan.pgm"), size)));
-  CHECK(drawn(plan(folder.file("plan.png"), size)).boxes.size() == 3);
+  CHECK(drawn(plan(folder.file("plan.png"), size)).obstacles.size() == 3);
 }
 
 TEST_CASE("Walls that cannot be are refused in a sentence") {
@@ -245,7 +246,7 @@ namespace {
 double least_side(const world::World& world, double x, double y) {
   double left = -0.5 * world.arena.length, right = -left;
   double low = -0.5 * world.arena.width, high = -low;
-  for (const world::Box& box : world.boxes) {
+  for (const world::Obstacle& box : world.obstacles) {
     const bool is_turned = box.heading_deg != 0.0 && std::abs(box.heading_deg) != 180.0;
     const double half_x = 0.5 * (is_turned ? box.width : box.length);
     const double half_y = 0.5 * (is_turned ? box.length : box.width);
@@ -273,8 +274,8 @@ TEST_CASE("No room is narrower between its walls than the smallest may be") {
       double least = 10.0;
       for (double x = -4.8; x < 4.81; x += 0.1973) {
         for (double y = -4.8; y < 4.81; y += 0.1973) {
-          const bool is_in_wall =
-              std::any_of(rooms.boxes.begin(), rooms.boxes.end(), [&](const world::Box& box) {
+          const bool is_in_wall = std::any_of(
+              rooms.obstacles.begin(), rooms.obstacles.end(), [&](const world::Obstacle& box) {
                 world::Footprint here = world::footprint_of(box);
                 here.x = x, here.y = y, here.heading_rad = 0.0;
                 here.half_length = here.half_width = 0.35;  // doors are no rooms
@@ -313,12 +314,12 @@ TEST_CASE("The boxes of an image leave no gaps, whatever the size of a pixel") {
   const world::World world = drawn(plan(file, "metres_per_pixel='0.33333'"));
   const auto edges = [&](bool is_low) {
     std::set<std::int64_t> all;
-    for (const world::Box& box : world.boxes) {
+    for (const world::Obstacle& box : world.obstacles) {
       all.insert(std::llround(1e5 * (box.y + (is_low ? -0.5 : 0.5) * box.width)));
     }
     return all;
   };
-  REQUIRE(world.boxes.size() > 1);
+  REQUIRE(world.obstacles.size() > 1);
   // Every lower edge but the lowest is an upper edge too.
   const auto low = edges(true), high = edges(false);
   CHECK(std::count_if(low.begin(), low.end(), [&](auto each) { return !high.contains(each); }) ==

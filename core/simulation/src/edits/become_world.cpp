@@ -15,13 +15,14 @@
 namespace elsie::simulation {
 namespace {
 
-/// The chargers that are boxes, in the order of the engine, which has them after all other boxes.
+/// The chargers that are obstacles, in the order of the engine, which has them after all other
+/// obstacles.
 std::vector<const world::Charger*> charger_boxes(const world::World& world) {
-  std::vector<const world::Charger*> boxes;
+  std::vector<const world::Charger*> obstacles;
   for (const world::Charger& charger : world.chargers) {
-    if (charger.seen_by_range_sensors) boxes.push_back(&charger);
+    if (charger.seen_by_range_sensors) obstacles.push_back(&charger);
   }
-  return boxes;
+  return obstacles;
 }
 
 Pose pose_of(const world::Robot& robot) {
@@ -167,16 +168,17 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
   engine_->work_with(loop_.pool());
   engine_->go_on_from(*before);
   using enum physics::BodyKind;
-  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-    const world::Box& next = world_.boxes[i];
-    const std::size_t former = index_of(was.boxes, next.id, i);
-    if (former == was.boxes.size() || !world::same(was.boxes[former], next, world::Cost::body)) {
-      add_box(i);
+  for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
+    const world::Obstacle& next = world_.obstacles[i];
+    const std::size_t former = index_of(was.obstacles, next.id, i);
+    if (former == was.obstacles.size() ||
+        !world::same(was.obstacles[former], next, world::Cost::body)) {
+      add_obstacle(i);
       continue;
     }
-    engine_->add_box_of(*before, former, next);
-    now[{box, former}] = {box, i};
-    for (const MovingBox& known : moving) {
+    engine_->add_obstacle_of(*before, former, next);
+    now[{obstacle, former}] = {obstacle, i};
+    for (const MovingObstacle& known : moving) {
       if (known.index == former) {
         moving_.push_back({i, known.path, known.since_s});
       }
@@ -190,7 +192,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
     });
     if (known != chargers.end()) {
       const auto former = static_cast<std::size_t>(known - chargers.begin());
-      now[{box, was.boxes.size() + former}] = {box, world_.boxes.size() + i};
+      now[{obstacle, was.obstacles.size() + former}] = {obstacle, world_.obstacles.size() + i};
     }
   }
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
@@ -239,16 +241,16 @@ void Simulation::Impl::check_room(const world::World& was,
   for (const std::size_t robot : new_robots) {
     require(room.problem_of(robot));
   }
-  for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-    const std::size_t former = index_of(was.boxes, world_.boxes[i].id, i);
-    if (former == was.boxes.size() ||
-        !world::same(was.boxes[former], world_.boxes[i], world::Cost::body)) {
+  for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
+    const std::size_t former = index_of(was.obstacles, world_.obstacles[i].id, i);
+    if (former == was.obstacles.size() ||
+        !world::same(was.obstacles[former], world_.obstacles[i], world::Cost::body)) {
       require(room.problem_of_box(i));
     }
   }
   if (!same_part("chargers", was, world_)) {
     for (std::size_t i = 0; i < world_.chargers.size(); ++i) {
-      require(room.problem_of_box(world_.boxes.size() + i));
+      require(room.problem_of_box(world_.obstacles.size() + i));
     }
   }
   if (!same_part("arena", was, world_)) require(room.problem_of_arena());

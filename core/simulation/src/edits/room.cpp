@@ -10,22 +10,23 @@ double height(const Frame& frame) {
 }
 
 Room::Room(const world::World& world, const physics::Engine& engine)
-    : world_(world), first_robot_(world.boxes.size() + world.chargers.size()) {
-  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    if (!engine.has_box(i)) continue;
-    const world::Fixture fixture = world::fixture_of(world.boxes[i]);
-    Frame middle = engine.box(i);
+    : world_(world), first_robot_(world.obstacles.size() + world.chargers.size()) {
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    if (!engine.has_obstacle(i)) continue;
+    const world::Fixture fixture = world::fixture_of(world.obstacles[i]);
+    Frame middle = engine.obstacle(i);
     middle.origin = middle.point({0.0, 0.0, 0.5 * fixture.shape.size.z});
-    const world::BoxKind kind = world.boxes[i].kind;
-    blocks_.push_back({world::footprint_of(fixture.shape, middle), world.boxes[i].in_words(), i,
-                       kind == world::BoxKind::dynamic || kind == world::BoxKind::resource});
+    const world::ObstacleKind kind = world.obstacles[i].kind;
+    blocks_.push_back(
+        {world::footprint_of(fixture.shape, middle), world.obstacles[i].in_words(), i,
+         kind == world::ObstacleKind::dynamic || kind == world::ObstacleKind::resource});
   }
   for (std::size_t i = 0; i < world.chargers.size(); ++i) {
     const world::Charger& charger = world.chargers[i];
     if (charger.seen_by_range_sensors) {
       const world::Fixture fixture = world::fixture_of(charger);
       blocks_.push_back({world::footprint_of(fixture.shape, fixture.frame),
-                         "the charger '" + charger.id + "'", world.boxes.size() + i, false});
+                         "the charger '" + charger.id + "'", world.obstacles.size() + i, false});
     }
   }
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
@@ -83,9 +84,9 @@ std::optional<std::string> Room::problem_of(std::size_t robot) const {
   return std::nullopt;
 }
 
-std::optional<std::string> Room::problem_of_box(std::size_t box) const {
+std::optional<std::string> Room::problem_of_box(std::size_t obstacle) const {
   for (const Block& own : blocks_) {
-    if (own.owner == box) {
+    if (own.owner == obstacle) {
       auto problem = overlap(own);
       return problem || !own.is_free ? problem
                                      : world::outside(world_.arena, own.in_words, own.footprint);

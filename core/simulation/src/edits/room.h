@@ -23,9 +23,9 @@ class Room {
   void place(std::size_t robot, const Pose& pose, double z);
   /// A sentence when a robot's place is not possible: "the robot 'r1' overlaps the box 'b2'".
   std::optional<std::string> problem_of(std::size_t robot) const;
-  /// The same for a box, by its index in World::boxes, or for a charger (indices after the boxes).
-  /// Overlaps that a file allows are allowed here.
-  std::optional<std::string> problem_of_box(std::size_t box) const;
+  /// The same for an obstacle, by its index in World::obstacles, or for a charger (indices after
+  /// the obstacles). Overlaps that a file allows are allowed here.
+  std::optional<std::string> problem_of_box(std::size_t obstacle) const;
   /// A sentence when a body that can move is outside of the arena by more than a small tolerance.
   std::optional<std::string> problem_of_arena() const;
 
@@ -33,7 +33,7 @@ class Room {
   struct Block {
     world::Footprint footprint;
     std::string in_words;
-    std::size_t owner = 0;  // index: boxes first, then chargers, then robots
+    std::size_t owner = 0;  // index: obstacles first, then chargers, then robots
     bool is_free = false;   // it may be pushed or removed
   };
 
@@ -41,7 +41,7 @@ class Room {
   std::optional<std::string> overlap(const Block& own) const;
 
   const world::World& world_;
-  std::vector<Block> blocks_;    // boxes and chargers before robots and what they pull
+  std::vector<Block> blocks_;    // obstacles and chargers before robots and what they pull
   std::size_t first_robot_;      // as index of an owner
   std::vector<BodyPlan> plans_;  // of the robots
 };

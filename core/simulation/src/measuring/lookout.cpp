@@ -8,22 +8,22 @@
 namespace elsie::simulation {
 namespace {
 
-ObservedBox::Kind kind_of(world::BoxKind kind) {
+ObservedObstacle::Kind kind_of(world::ObstacleKind kind) {
   switch (kind) {
-    case world::BoxKind::fixed:
+    case world::ObstacleKind::fixed:
       break;
-    case world::BoxKind::dynamic:
-      return ObservedBox::Kind::dynamic;
-    case world::BoxKind::moving:
-      return ObservedBox::Kind::moving;
-    case world::BoxKind::resource:
-      return ObservedBox::Kind::resource;
+    case world::ObstacleKind::dynamic:
+      return ObservedObstacle::Kind::dynamic;
+    case world::ObstacleKind::moving:
+      return ObservedObstacle::Kind::moving;
+    case world::ObstacleKind::resource:
+      return ObservedObstacle::Kind::resource;
   }
-  return ObservedBox::Kind::fixed;
+  return ObservedObstacle::Kind::fixed;
 }
 
-bool stays(ObservedBox::Kind kind) {
-  return kind == ObservedBox::Kind::fixed || kind == ObservedBox::Kind::resource;
+bool stays(ObservedObstacle::Kind kind) {
+  return kind == ObservedObstacle::Kind::fixed || kind == ObservedObstacle::Kind::resource;
 }
 
 void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavior> behaviors) {
@@ -67,21 +67,21 @@ Lookout::Lookout(const world::World& world) {
   for (const world::Robot& robot : world.robots) {
     describe(robot);
   }
-  for (const world::Box& box : world.boxes) {
-    all_boxes_.push_back({box.id,
-                          kind_of(box.kind),
-                          box.team,
-                          {box.x, box.y, wrap_angle(radians(box.heading_deg))}});
-    add_team(box.team);
+  for (const world::Obstacle& obstacle : world.obstacles) {
+    all_obstacles_.push_back({obstacle.id,
+                              kind_of(obstacle.kind),
+                              obstacle.team,
+                              {obstacle.x, obstacle.y, wrap_angle(radians(obstacle.heading_deg))}});
+    add_team(obstacle.team);
   }
-  boxes_ = all_boxes_;
+  obstacles_ = all_obstacles_;
   now_.step_s = world.physics.step;
   now_.period_s = world.physics.step * static_cast<double>(world.physics.control_steps);
   now_.arena_length_m = world.arena.length;
   now_.arena_width_m = world.arena.width;
   now_.is_start = true;
   now_.robots = robots_;
-  now_.boxes = boxes_;
+  now_.obstacles = obstacles_;
   now_.teams = teams_;
 }
 
@@ -134,9 +134,10 @@ bool Lookout::has_cast_of(const Lookout& other) const {
     return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior);
   };
   return same(robots_, other.robots_, same_robot) &&
-         same(all_boxes_, other.all_boxes_, [](const ObservedBox& a, const ObservedBox& b) {
-           return a.id == b.id && a.team == b.team;
-         });
+         same(all_obstacles_, other.all_obstacles_,
+              [](const ObservedObstacle& a, const ObservedObstacle& b) {
+                return a.id == b.id && a.team == b.team;
+              });
 }
 
 void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, bool decided,
@@ -144,17 +145,18 @@ void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, 
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     take_over(*robots[i], robots_[i], behaviors_[i]);
   }
-  boxes_.clear();
-  for (std::size_t i = 0; i < all_boxes_.size(); ++i) {
-    if (engine.has_box(i)) {
-      ObservedBox& box = boxes_.emplace_back(all_boxes_[i]);
-      if (!stays(box.kind)) {
-        const Frame frame = engine.box(i);
-        box.pose = {frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+  obstacles_.clear();
+  for (std::size_t i = 0; i < all_obstacles_.size(); ++i) {
+    if (engine.has_obstacle(i)) {
+      ObservedObstacle& obstacle = obstacles_.emplace_back(all_obstacles_[i]);
+      if (!stays(obstacle.kind)) {
+        const Frame frame = engine.obstacle(i);
+        obstacle.pose = {frame.origin.x, frame.origin.y,
+                         std::atan2(frame.forward.y, frame.forward.x)};
       }
     }
   }
-  now_.boxes = boxes_;
+  now_.obstacles = obstacles_;
   now_.time_s = time_s;
   now_.decided = decided;
   now_.is_start = is_start;

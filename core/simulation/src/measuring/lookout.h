@@ -24,7 +24,7 @@ class Lookout {
   /// The last observation; before the first look(), the world of the file.
   const Observation& now() const { return now_; }
 
-  /// True if robots, behaviours and boxes have the same names and indices, which measures use.
+  /// True if robots, behaviours and obstacles have the same names and indices, which measures use.
   bool has_cast_of(const Lookout& other) const;
 
   /// Updates now(). `decided`: robots decided in the last step; `is_start`: as in Observation.
@@ -42,8 +42,8 @@ class Lookout {
   std::deque<std::string> paths_;  // of behaviours
   std::vector<std::vector<ObservedBehavior>> behaviors_;
   std::vector<ObservedRobot> robots_;
-  std::vector<ObservedBox> all_boxes_;  // at the start
-  std::vector<ObservedBox> boxes_;
+  std::vector<ObservedObstacle> all_obstacles_;  // at the start
+  std::vector<ObservedObstacle> obstacles_;
   std::vector<std::string_view> teams_;
 };
 

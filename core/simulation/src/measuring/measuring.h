@@ -36,8 +36,8 @@ class Measuring {
   /// Appends notes on what the measures changed in the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
 
-  /// Takes over the measures of `before` whose descriptions are unchanged, if robots and boxes are
-  /// the same; `was` has the old descriptions.
+  /// Takes over the measures of `before` whose descriptions are unchanged, if robots and obstacles
+  /// are the same; `was` has the old descriptions.
   void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
   /// Resets the measures that were not taken over, and collects their notes and curves.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);

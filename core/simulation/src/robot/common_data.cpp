@@ -20,9 +20,9 @@ const std::vector<Colour>& CommonData::resource_colours(const world::World& worl
   const auto [known, is_new] = colours_.try_emplace(team);
   std::vector<Colour>& colours = known->second;
   if (!is_new) return colours;
-  for (const world::Box& box : world.boxes) {
-    if (may_collect(team, box)) {
-      const Colour colour = world::resource_colour(world, box);
+  for (const world::Obstacle& obstacle : world.obstacles) {
+    if (may_collect(team, obstacle)) {
+      const Colour colour = world::resource_colour(world, obstacle);
       if (std::find(colours.begin(), colours.end(), colour) == colours.end()) {
         colours.push_back(colour);
       }

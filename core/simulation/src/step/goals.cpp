@@ -33,10 +33,10 @@ struct Judge {
   const GoalStart& start;
 
   Standing operator()(const world::CollectGoal& goal) const {
-    const auto& boxes = simulation.world().boxes;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (boxes[i].kind == world::BoxKind::resource &&
-          (goal.team.empty() || boxes[i].team == goal.team) && simulation.box(i)) {
+    const auto& obstacles = simulation.world().obstacles;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      if (obstacles[i].kind == world::ObstacleKind::resource &&
+          (goal.team.empty() || obstacles[i].team == goal.team) && simulation.obstacle(i)) {
         return Standing::open;
       }
     }
@@ -49,10 +49,10 @@ struct Judge {
     }));
   }
   Standing operator()(const world::PushGoal& goal) const {
-    const auto& boxes = simulation.world().boxes;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (boxes[i].id == goal.box) {
-        const auto pose = simulation.box(i);
+    const auto& obstacles = simulation.world().obstacles;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      if (obstacles[i].id == goal.obstacle) {
+        const auto pose = simulation.obstacle(i);
         return reached(pose && is_near(*pose, goal.x, goal.y, goal.radius));
       }
     }

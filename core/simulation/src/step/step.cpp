@@ -115,11 +115,11 @@ void Simulation::Impl::update_team(std::size_t index, std::vector<base::Grid::Id
 
 void Simulation::Impl::drive_boxes() {
   const double h = world_.physics.step;
-  for (const MovingBox& box : moving_) {
-    const double since_s = time_s() - box.since_s;
-    const Vector2 from = box.path.position(since_s);
-    const Vector2 to = box.path.position(since_s + h);
-    engine_->drive_box(box.index, to, {(to.x - from.x) / h, (to.y - from.y) / h});
+  for (const MovingObstacle& obstacle : moving_) {
+    const double since_s = time_s() - obstacle.since_s;
+    const Vector2 from = obstacle.path.position(since_s);
+    const Vector2 to = obstacle.path.position(since_s + h);
+    engine_->drive_obstacle(obstacle.index, to, {(to.x - from.x) / h, (to.y - from.y) / h});
   }
 }
 

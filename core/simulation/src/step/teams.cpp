@@ -36,8 +36,9 @@ double charger_rate(const world::World& world, const std::string& team, const Ve
   return 0.0;
 }
 
-bool may_collect(const std::string& team, const world::Box& box) {
-  return box.kind == world::BoxKind::resource && (box.team.empty() || box.team == team);
+bool may_collect(const std::string& team, const world::Obstacle& obstacle) {
+  return obstacle.kind == world::ObstacleKind::resource &&
+         (obstacle.team.empty() || obstacle.team == team);
 }
 
 }  // namespace elsie::simulation

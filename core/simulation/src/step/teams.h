@@ -14,7 +14,7 @@ std::optional<Vector2> nearest_charger(const world::World& world, const std::str
                                        const Vector2& place);
 /// Returns the charging rate for the team at a place, units per second, or 0.
 double charger_rate(const world::World& world, const std::string& team, const Vector2& place);
-/// Returns whether a robot of the team may collect the box.
-bool may_collect(const std::string& team, const world::Box& box);
+/// Returns whether a robot of the team may collect the obstacle.
+bool may_collect(const std::string& team, const world::Obstacle& obstacle);
 
 }  // namespace elsie::simulation

@@ -11,13 +11,14 @@ constexpr double kSameCollision = 0.2;  // s
 /// If the robot may collect the touched body, collects it and returns true.
 bool collects(const world::World& world, Robot& robot, const physics::Body& other,
               physics::Engine& engine) {
-  if (other.kind != physics::BodyKind::box || other.index >= world.boxes.size()) return false;
-  const world::Box& box = world.boxes[other.index];
-  if (!may_collect(robot.description().team, box)) return false;
-  if (engine.has_box(other.index)) {  // else another robot took it in the same step
-    engine.remove_box(other.index);
-    robot.collect(box.energy);
-    robot.raise(events::Collected{box.id});
+  if (other.kind != physics::BodyKind::obstacle || other.index >= world.obstacles.size())
+    return false;
+  const world::Obstacle& obstacle = world.obstacles[other.index];
+  if (!may_collect(robot.description().team, obstacle)) return false;
+  if (engine.has_obstacle(other.index)) {  // else another robot took it in the same step
+    engine.remove_obstacle(other.index);
+    robot.collect(obstacle.energy);
+    robot.raise(events::Collected{obstacle.id});
   }
   return true;
 }
@@ -27,11 +28,11 @@ events::Collision collision_with(const world::World& world, const physics::Body&
   switch (body.kind) {
     case physics::BodyKind::robot:
       return {With::robot, world.robots[body.index].id};
-    case physics::BodyKind::box:
-      if (body.index >= world.boxes.size()) {
+    case physics::BodyKind::obstacle:
+      if (body.index >= world.obstacles.size()) {
         return {With::charger};
       }
-      return {With::box, world.boxes[body.index].id};
+      return {With::box, world.obstacles[body.index].id};
     case physics::BodyKind::wall:
       break;
   }

@@ -34,8 +34,8 @@ Json json(const Shape& shape, const Frame& frame, const Colour& colour, int body
   return made;
 }
 
-const char* group_of(const world::Box& box) {
-  return box.kind == world::BoxKind::resource ? "resource" : "obstacle";
+const char* group_of(const world::Obstacle& box) {
+  return box.kind == world::ObstacleKind::resource ? "resource" : "obstacle";
 }
 
 std::string path(const char* group, const std::string& id) {
@@ -118,7 +118,7 @@ Json scene_json(const simulation::Simulation& simulation) {
       }
     }
   }
-  for (const world::Box& box : world.boxes) {
+  for (const world::Obstacle& box : world.obstacles) {
     const Shape shape = world::fixture_of(box).shape;
     bodies.push_back({{"path", path(group_of(box), box.id)}});
     shapes.push_back(json(shape, {.origin = {0.0, 0.0, 0.5 * shape.size.z}},
@@ -137,7 +137,7 @@ std::vector<std::string> body_names(const world::World& world) {
       names.push_back(path("robot", robot.id) + " " + std::to_string(i));
     }
   }
-  for (const world::Box& box : world.boxes) {
+  for (const world::Obstacle& box : world.obstacles) {
     names.push_back(path(group_of(box), box.id));
   }
   return names;
@@ -154,13 +154,13 @@ void place_bodies(const simulation::Simulation& simulation,
       bodies.push_back(snapshots::BodyState::of(simulation.segment(i, k).frame));
     }
   }
-  const std::vector<world::Box>& boxes = simulation.world().boxes;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const auto pose = simulation.box(i);
+  const std::vector<world::Obstacle>& obstacles = simulation.world().obstacles;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const auto pose = simulation.obstacle(i);
     bodies.push_back({});
     if (pose) {
       bodies.back() = snapshots::BodyState::of(
-          Frame::turned({pose->x, pose->y, boxes[i].z}, pose->heading_rad, 0.0));
+          Frame::turned({pose->x, pose->y, obstacles[i].z}, pose->heading_rad, 0.0));
     }
     bodies.back().present = pose ? 1.0F : 0.0F;
   }

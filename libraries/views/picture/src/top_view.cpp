@@ -112,7 +112,7 @@ Ink team_ink(const world::World& world, const std::string& team) {
   return ink(world::team_colour(world, team));
 }
 
-Ink resource_ink(const world::World& world, const world::Box& resource) {
+Ink resource_ink(const world::World& world, const world::Obstacle& resource) {
   return ink(world::resource_colour(world, resource));
 }
 
@@ -140,10 +140,10 @@ Scene complete(const TopView& view) {
   }
   give_colours(view.world, scene.robots);
 
-  const std::size_t given = std::min(view.boxes.size(), view.world.boxes.size());
+  const std::size_t given = std::min(view.boxes.size(), view.world.obstacles.size());
   scene.boxes.resize(given);
-  for (std::size_t i = given; i < view.world.boxes.size(); ++i) {
-    const world::Box& box = view.world.boxes[i];
+  for (std::size_t i = given; i < view.world.obstacles.size(); ++i) {
+    const world::Obstacle& box = view.world.obstacles[i];
     scene.boxes.emplace_back(Pose{box.x, box.y, radians(box.heading_deg)});
   }
   if (scene.title.empty()) scene.title = view.world.name.empty() ? "World" : view.world.name;

@@ -170,7 +170,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
   layout.plot = {left + spare_x, header + spare_y, scale * wide, scale * high};
   layout.map = {scale, -scale, layout.plot.x - scale * bounds.left,
                 layout.plot.y + scale * bounds.top};
-  const auto boxes = static_cast<double>(std::max<std::size_t>(scene.world.boxes.size(), 1));
+  const auto boxes = static_cast<double>(std::max<std::size_t>(scene.world.obstacles.size(), 1));
   layout.smallest_box = std::clamp(0.2 * std::sqrt(layout.plot.width * layout.plot.height / boxes),
                                    1.0, Layout::kSmallestBox);
   const world::Arena& arena = scene.world.arena;

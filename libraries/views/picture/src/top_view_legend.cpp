@@ -19,24 +19,25 @@ Rect box_symbol(const Vector2& at) { return {at.x - 8, at.y - 6, 16, 12}; }
 
 // Boxes of this kind that were not removed.
 template <class Predicate>
-bool any_box(const Scene& scene, world::BoxKind kind, Predicate predicate) {
-  for (std::size_t i = 0; i < scene.world.boxes.size(); ++i) {
-    const world::Box& box = scene.world.boxes[i];
+bool any_box(const Scene& scene, world::ObstacleKind kind, Predicate predicate) {
+  for (std::size_t i = 0; i < scene.world.obstacles.size(); ++i) {
+    const world::Obstacle& box = scene.world.obstacles[i];
     if (box.kind == kind && scene.boxes[i] && predicate(box, *scene.boxes[i])) return true;
   }
   return false;
 }
 
 /// What the boxes of a kind are called: some may have another shape.
-std::string noun_of(const Scene& scene, world::BoxKind kind) {
-  return any_box(scene, kind,
-                 [](const world::Box& box, const Pose&) { return box.shape != BoxShape{}; })
+std::string noun_of(const Scene& scene, world::ObstacleKind kind) {
+  return any_box(
+             scene, kind,
+             [](const world::Obstacle& box, const Pose&) { return box.shape != ObstacleShape{}; })
              ? "obstacle"
              : "box";
 }
 
-bool has_box(const Scene& scene, world::BoxKind kind) {
-  return any_box(scene, kind, [](const world::Box&, const Pose&) { return true; });
+bool has_obstacle(const Scene& scene, world::ObstacleKind kind) {
+  return any_box(scene, kind, [](const world::Obstacle&, const Pose&) { return true; });
 }
 
 template <class Predicate>
@@ -125,19 +126,19 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
 }
 
 void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
-  if (has_box(scene, world::BoxKind::fixed)) {
-    entries.push_back({"static " + noun_of(scene, world::BoxKind::fixed), 20,
+  if (has_obstacle(scene, world::ObstacleKind::fixed)) {
+    entries.push_back({"static " + noun_of(scene, world::ObstacleKind::fixed), 20,
                        [](Canvas& canvas, const Vector2& at) {
                          canvas.rectangle(box_symbol(at)).fill_keep(kFixedBox);
                          canvas.stroke(kFixedEdge, {.width = 1});
                        }});
   }
-  if (has_box(scene, world::BoxKind::dynamic)) {
-    const bool moved =
-        any_box(scene, world::BoxKind::dynamic, [](const world::Box& box, const Pose& now) {
-          return std::hypot(now.x - box.x, now.y - box.y) > 0.01;
-        });
-    entries.push_back({"dynamic " + noun_of(scene, world::BoxKind::dynamic) +
+  if (has_obstacle(scene, world::ObstacleKind::dynamic)) {
+    const bool moved = any_box(scene, world::ObstacleKind::dynamic,
+                               [](const world::Obstacle& box, const Pose& now) {
+                                 return std::hypot(now.x - box.x, now.y - box.y) > 0.01;
+                               });
+    entries.push_back({"dynamic " + noun_of(scene, world::ObstacleKind::dynamic) +
                            (moved ? ", dashed where it started" : ""),
                        32, [moved](Canvas& canvas, const Vector2& at) {
                          if (moved) {
@@ -150,12 +151,12 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
                          canvas.rectangle(now).stroke(kDynamicEdge, {.width = 1.2});
                        }});
   }
-  if (has_box(scene, world::BoxKind::moving)) {
+  if (has_obstacle(scene, world::ObstacleKind::moving)) {
     const bool ways =
-        any_box(scene, world::BoxKind::moving,
-                [](const world::Box& box, const Pose&) { return !box.waypoints.empty(); });
+        any_box(scene, world::ObstacleKind::moving,
+                [](const world::Obstacle& box, const Pose&) { return !box.waypoints.empty(); });
     entries.push_back(
-        {"moving " + noun_of(scene, world::BoxKind::moving) + (ways ? " and its way" : ""), 34,
+        {"moving " + noun_of(scene, world::ObstacleKind::moving) + (ways ? " and its way" : ""), 34,
          [ways](Canvas& canvas, const Vector2& at) {
            if (ways) {
              canvas.line({at.x, at.y}, {at.x + 16, at.y});
@@ -166,11 +167,11 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
            canvas.stroke(kMovingEdge, {.width = 1.2});
          }});
   }
-  const world::Box* resource = nullptr;
+  const world::Obstacle* resource = nullptr;
   bool there = false, collected = false;
-  for (std::size_t i = 0; i < scene.world.boxes.size(); ++i) {
-    if (scene.world.boxes[i].kind != world::BoxKind::resource) continue;
-    resource = &scene.world.boxes[i];
+  for (std::size_t i = 0; i < scene.world.obstacles.size(); ++i) {
+    if (scene.world.obstacles[i].kind != world::ObstacleKind::resource) continue;
+    resource = &scene.world.obstacles[i];
     (scene.boxes[i] ? there : collected) = true;
   }
   if (!resource) return;

@@ -53,7 +53,7 @@ inline bool finite(const Pose& pose) {
 /// The colour of a team; see world::team_colour().
 Ink team_ink(const world::World& world, const std::string& team);
 /// The colour of a resource, as cameras see it.
-Ink resource_ink(const world::World& world, const world::Box& resource);
+Ink resource_ink(const world::World& world, const world::Obstacle& resource);
 
 /// An entry of the legend: `draw` draws its symbol around the given point.
 struct LegendEntry {

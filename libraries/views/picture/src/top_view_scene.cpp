@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSmallestResource = 13.0;  // so that its mark is visible
 
-Pose start_of(const world::Box& box) { return {box.x, box.y, radians(box.heading_deg)}; }
+Pose start_of(const world::Obstacle& box) { return {box.x, box.y, radians(box.heading_deg)}; }
 
 Rect bounds_of(const std::vector<Vector2>& corners) {
   double left = corners.front().x, right = left, top = corners.front().y, bottom = top;
@@ -31,10 +31,11 @@ Rect bounds_of(const std::vector<Vector2>& corners) {
 }
 
 // A box from above, enlarged to the smallest visible size.
-std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, const Pose& pose) {
+std::vector<Vector2> box_outline(const Layout& layout, const world::Obstacle& box,
+                                 const Pose& pose) {
   constexpr int kRound = 48;  // corners of a circle
   const double least =
-      box.kind == world::BoxKind::resource ? kSmallestResource : layout.smallest_box;
+      box.kind == world::ObstacleKind::resource ? kSmallestResource : layout.smallest_box;
   const double smallest = least / layout.map.scale_x;
   const Shape shape = world::fixture_of(box).shape;
   const Shape shown =
@@ -42,7 +43,7 @@ std::vector<Vector2> box_outline(const Layout& layout, const world::Box& box, co
   return pixels(layout.map, pose, outline_of(shown, kRound));
 }
 
-void draw_way(Canvas& canvas, const Layout& layout, const world::Box& box) {
+void draw_way(Canvas& canvas, const Layout& layout, const world::Obstacle& box) {
   std::vector<Vector2> way{layout.map.pixel({box.x, box.y})};
   for (const Vector2& point : box.waypoints) way.push_back(layout.map.pixel(point));
   if (way.size() < 2) return;
@@ -61,7 +62,7 @@ void draw_way(Canvas& canvas, const Layout& layout, const world::Box& box) {
   }
 }
 
-void draw_moved(Canvas& canvas, const Layout& layout, const world::Box& box, const Pose& now) {
+void draw_moved(Canvas& canvas, const Layout& layout, const world::Obstacle& box, const Pose& now) {
   const Pose start = start_of(box);
   const Vector2 a = layout.map.pixel({start.x, start.y}), b = layout.map.pixel({now.x, now.y});
   const double length = std::hypot(b.x - a.x, b.y - a.y);
@@ -74,22 +75,23 @@ void draw_moved(Canvas& canvas, const Layout& layout, const world::Box& box, con
   canvas.circle(a, 2).fill(kDynamicEdge);
 }
 
-void draw_collected(Canvas& canvas, const Layout& layout, const world::Box& box, const Ink& ink) {
+void draw_collected(Canvas& canvas, const Layout& layout, const world::Obstacle& box,
+                    const Ink& ink) {
   canvas.polygon(box_outline(layout, box, start_of(box)));
   canvas.stroke(ink, {.width = 1.4, .dash = {3, 2.5}});
 }
 
-void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const world::Box& box,
+void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const world::Obstacle& box,
               const std::vector<Vector2>& corners) {
   const Rect bounds = bounds_of(corners);
   const auto own = [&](const Ink& otherwise) { return box.colour ? ink(*box.colour) : otherwise; };
   switch (box.kind) {
-    case world::BoxKind::fixed:
+    case world::ObstacleKind::fixed:
       canvas.polygon(corners).fill_keep(own(kFixedBox));
       canvas.stroke(box.colour ? mix(ink(*box.colour), kText, 0.4) : kFixedEdge,
                     {.width = layout.smallest_box / Layout::kSmallestBox});
       return;
-    case world::BoxKind::dynamic: {
+    case world::ObstacleKind::dynamic: {
       const Ink edge = box.colour ? mix(ink(*box.colour), kText, 0.3) : kDynamicEdge;
       canvas.polygon(corners);
       fill_hatched(canvas, bounds, box.colour ? mix(kPaper, ink(*box.colour), 0.45) : kDynamicBox,
@@ -97,11 +99,11 @@ void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const wo
       canvas.polygon(corners).stroke(edge, {.width = 1.3});
       return;
     }
-    case world::BoxKind::moving:
+    case world::ObstacleKind::moving:
       canvas.polygon(corners).fill_keep(own(kMovingBox));
       canvas.stroke(kMovingEdge, {.width = 1.3});
       return;
-    case world::BoxKind::resource: {
+    case world::ObstacleKind::resource: {
       const Ink team = resource_ink(scene.world, box);
       canvas.polygon(corners).fill_keep(team);
       canvas.stroke(mix(team, kText, 0.35), {.width = 1});
@@ -129,7 +131,7 @@ void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
       }
       show(place.x, place.y, reach->radius, "goal of " + clean_text(reach->robot, 16));
     } else if (const auto* push = std::get_if<world::PushGoal>(&goal)) {
-      show(push->x, push->y, push->radius, "goal for " + clean_text(push->box, 16));
+      show(push->x, push->y, push->radius, "goal for " + clean_text(push->obstacle, 16));
     }
   }
 }
@@ -269,16 +271,16 @@ void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout) {
 }
 
 void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
-  const auto& boxes = scene.world.boxes;
+  const auto& boxes = scene.world.obstacles;
   // Objects flat on the floor are below all others.
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::optional<Pose>& now = scene.boxes[i];
-    if (boxes[i].kind == world::BoxKind::moving) draw_way(canvas, layout, boxes[i]);
-    if (boxes[i].kind == world::BoxKind::dynamic && now && finite(*now)) {
+    if (boxes[i].kind == world::ObstacleKind::moving) draw_way(canvas, layout, boxes[i]);
+    if (boxes[i].kind == world::ObstacleKind::dynamic && now && finite(*now)) {
       draw_moved(canvas, layout, boxes[i], *now);
     }
     if (!now) {
-      const bool resource = boxes[i].kind == world::BoxKind::resource;
+      const bool resource = boxes[i].kind == world::ObstacleKind::resource;
       draw_collected(canvas, layout, boxes[i],
                      resource ? resource_ink(scene.world, boxes[i]) : kFixedEdge);
     }

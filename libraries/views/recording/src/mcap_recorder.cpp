@@ -325,8 +325,8 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
 
   static std::size_t standing_boxes(const Simulation& simulation) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < simulation.world().boxes.size(); ++i) {
-      count += simulation.box(i) ? 1U : 0U;
+    for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
+      count += simulation.obstacle(i) ? 1U : 0U;
     }
     return count;
   }

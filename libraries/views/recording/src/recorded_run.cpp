@@ -215,7 +215,7 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
   };
   std::stable_sort(view.robots.begin(), view.robots.end(),
                    [&](const auto& a, const auto& b) { return place(a) < place(b); });
-  for (const world::Box& box : world.boxes) {
+  for (const world::Obstacle& box : world.obstacles) {
     const auto moved = run.moved.find(box.id);
     const bool gone = !run.standing.contains(box.id);
     view.boxes.push_back(gone ? std::nullopt

@@ -122,7 +122,7 @@ Json charger(std::uint64_t time_ns, const world::Charger& charger) {
   return made;
 }
 
-Json box(std::uint64_t time_ns, const World& world, const world::Box& box) {
+Json box(std::uint64_t time_ns, const World& world, const world::Obstacle& box) {
   const bool moves = may_move(box);
   Json made = entity(time_ns, box_frame(box.id), moves ? box_frame(box.id) : kWorldFrame);
   const world::Fixture fixture = world::fixture_of(box);
@@ -165,8 +165,8 @@ void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
 
 }  // namespace
 
-bool may_move(const world::Box& box) {
-  return box.kind == world::BoxKind::dynamic || box.kind == world::BoxKind::moving;
+bool may_move(const world::Obstacle& box) {
+  return box.kind == world::ObstacleKind::dynamic || box.kind == world::ObstacleKind::moving;
 }
 
 Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
@@ -177,9 +177,9 @@ Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulati
   for (const world::Charger& each : world.chargers) {
     entities.push_back(charger(time_ns, each));
   }
-  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    if (simulation.box(i)) {
-      entities.push_back(box(time_ns, world, world.boxes[i]));
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    if (simulation.obstacle(i)) {
+      entities.push_back(box(time_ns, world, world.obstacles[i]));
     }
   }
   for (const std::size_t place : robots) {
@@ -209,12 +209,12 @@ Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& sim
                                           segment.frame, segment.pose.heading_rad));
     }
   }
-  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
-    const world::Box& box = world.boxes[i];
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    const world::Obstacle& box = world.obstacles[i];
     if (!may_move(box)) {
       continue;
     }
-    if (const auto pose = simulation.box(i)) {
+    if (const auto pose = simulation.obstacle(i)) {
       transforms.push_back(
           transform_json(time_ns, box_frame(box.id), frame_of(*pose, box.z), pose->heading_rad));
     }

@@ -13,7 +13,7 @@
 namespace elsie::recording {
 
 /// True if a box may move and is therefore drawn in its own frame.
-bool may_move(const world::Box& box);
+bool may_move(const world::Obstacle& box);
 
 /// The whole current scene, which replaces the previous one. Robots, their segments, and boxes that
 /// may move have their own frames, which transforms_message() moves. `robots`: places of those that

@@ -34,9 +34,10 @@ class WorldCameras final : public simulation::CameraRenderer {
         scene_.place_segment(i, segment, engine.segment(i, segment).frame);
       }
     }
-    for (std::size_t i = 0; i < world_.boxes.size(); ++i) {
-      if (world_.boxes[i].kind != world::BoxKind::fixed) {
-        scene_.place_box(i, engine.has_box(i) ? std::optional(engine.box(i)) : std::nullopt);
+    for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
+      if (world_.obstacles[i].kind != world::ObstacleKind::fixed) {
+        scene_.place_box(i,
+                         engine.has_obstacle(i) ? std::optional(engine.obstacle(i)) : std::nullopt);
       }
     }
   }

@@ -32,7 +32,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
           {{charger.x, charger.y}, fixture.shape.radius(), world::kChargerColour});
     }
   }
-  for (const world::Box& box : world.boxes) {
+  for (const world::Obstacle& box : world.obstacles) {
     world::Fixture fixture = world::fixture_of(box);
     boxes_.push_back(add(scene_, fixture.shape, {.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}},
                          world::box_colour(world, box, kBoxes)));

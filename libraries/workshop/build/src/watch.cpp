@@ -56,23 +56,23 @@ bool has_changed(const fs::path& file, const Prints& before, const Prints& now) 
          (old != before.end() && old->second != fresh->second);
 }
 
-/// The places of plugins, with sources that are compiled.
-class Places {
+/// The directories of plugins, with sources that are compiled.
+class WatchedPaths {
  public:
-  explicit Places(std::vector<plugin::SearchDirectory> places) {
-    for (plugin::SearchDirectory& place : places) {
-      places_.push_back({std::move(place), {}, false});
-      if (is_source(places_.back().place.path)) {
-        places_.back().build = build_source(places_.back().place.path);
+  explicit WatchedPaths(std::vector<plugin::SearchDirectory> directories) {
+    for (plugin::SearchDirectory& directory : directories) {
+      watched_.push_back({std::move(directory), {}, false});
+      if (is_source(watched_.back().directory.path)) {
+        watched_.back().build = build_source(watched_.back().directory.path);
       }
     }
   }
 
   /// Compiles sources again that were saved since; the cache has the others.
   void refresh() {
-    for (Place& place : places_) {
-      if (!place.build.library.empty()) {
-        place.build = build_source(place.place.path);
+    for (WatchedPath& watched : watched_) {
+      if (!watched.build.library.empty()) {
+        watched.build = build_source(watched.directory.path);
       }
     }
   }
@@ -80,11 +80,11 @@ class Places {
   /// Libraries and directories for a host.
   std::vector<plugin::SearchDirectory> directories() const {
     std::vector<plugin::SearchDirectory> directories;
-    for (const Place& place : places_) {
-      directories.push_back(place.place);
-      if (!place.build.library.empty()) {
-        directories.back().source = place.place.path;
-        directories.back().path = place.build.library;
+    for (const WatchedPath& watched : watched_) {
+      directories.push_back(watched.directory);
+      if (!watched.build.library.empty()) {
+        directories.back().source = watched.directory.path;
+        directories.back().path = watched.build.library;
       }
     }
     return directories;
@@ -93,8 +93,8 @@ class Places {
   /// The present state of the files.
   Prints look() const {
     Prints sight;
-    for (const Place& place : places_) {
-      for (const fs::path& file : files_of(place)) {
+    for (const WatchedPath& watched : watched_) {
+      for (const fs::path& file : files_of(watched)) {
         look_at(file, sight);
       }
     }
@@ -105,33 +105,33 @@ class Places {
   /// to the problems.
   void rebuild(const Prints& before, const Prints& now, const std::stop_token& stop,
                Renewal& renewal) {
-    for (Place& place : places_) {
-      if (place.build.library.empty() || stop.stop_requested()) {
+    for (WatchedPath& watched : watched_) {
+      if (watched.build.library.empty() || stop.stop_requested()) {
         continue;
       }
       // The includes of a source that does not compile are unknown: any header next to it may be at
       // fault.
-      const auto inputs = place.is_refused ? files_of(place) : place.build.inputs;
+      const auto inputs = watched.is_refused ? files_of(watched) : watched.build.inputs;
       if (std::none_of(inputs.begin(), inputs.end(),
                        [&](const fs::path& input) { return has_changed(input, before, now); })) {
         continue;
       }
-      place.is_refused = true;
+      watched.is_refused = true;
       try {
-        place.build = build_source(place.place.path, cache_directory(), stop);
-        place.is_refused = false;
+        watched.build = build_source(watched.directory.path, cache_directory(), stop);
+        watched.is_refused = false;
       } catch (const std::exception& error) {  // also the system's errors, such as a full disk
         renewal.problems.push_back(error.what());
-        renewal.kept.push_back(place.place.path);
+        renewal.kept.push_back(watched.directory.path);
       }
     }
   }
 
   /// The file by which the user knows a library.
   fs::path known_as(const fs::path& library) const {
-    for (const Place& place : places_) {
-      if (place.build.library == library) {
-        return place.place.path;
+    for (const WatchedPath& watched : watched_) {
+      if (watched.build.library == library) {
+        return watched.directory.path;
       }
     }
     return library;
@@ -154,31 +154,31 @@ class Places {
     const auto known = former(before);
     for (const auto& [i, file] : former(report)) {
       if (!known.contains({i, file})) {
-        kept.push_back(places_[i].build.library.empty() ? file : places_[i].place.path);
+        kept.push_back(watched_[i].build.library.empty() ? file : watched_[i].directory.path);
       }
     }
   }
 
  private:
-  struct Place {
-    plugin::SearchDirectory place;
+  struct WatchedPath {
+    plugin::SearchDirectory directory;
     SourceBuild build;        // of a source: the last one that compiled
     bool is_refused = false;  // the present source does not compile
   };
 
-  static std::vector<fs::path> files_of(const Place& place) {
-    const fs::path& path = place.place.path;
-    if (place.build.library.empty()) {
+  static std::vector<fs::path> files_of(const WatchedPath& watched) {
+    const fs::path& path = watched.directory.path;
+    if (watched.build.library.empty()) {
       const auto is_library = [](const fs::path& file) { return file.extension() == ".so"; };
       return is_library(path) ? std::vector{path} : files_in(path, is_library);
     }
     std::vector<fs::path> files =
         files_in(path.parent_path().empty() ? "." : path.parent_path(), is_header);
-    files.insert(files.end(), place.build.inputs.begin(), place.build.inputs.end());
+    files.insert(files.end(), watched.build.inputs.begin(), watched.build.inputs.end());
     return files;
   }
 
-  std::vector<Place> places_;
+  std::vector<WatchedPath> watched_;
 };
 
 /// While it lives, this thread and threads that it starts take no signals but those of their own
@@ -215,11 +215,11 @@ void merge(Items& items, Items others) {
 
 class Watch::Impl {
  public:
-  Impl(std::vector<plugin::SearchDirectory> places, std::chrono::milliseconds period)
-      : places_(std::move(places)), period_(period) {
-    seen_ = places_.look();  // first, so that changes while it is loaded are noticed
-    places_.refresh();       // changes before that look
-    in_use_ = std::make_shared<const plugin::Host>(places_.directories(), private_copy);
+  Impl(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period)
+      : watched_(std::move(directories)), period_(period) {
+    seen_ = watched_.look();  // first, so that changes while it is loaded are noticed
+    watched_.refresh();       // changes before that look
+    in_use_ = std::make_shared<const plugin::Host>(watched_.directories(), private_copy);
     const NoSignals for_the_thread;
     thread_ = std::thread([this] { follow(); });
   }
@@ -264,7 +264,7 @@ class Watch::Impl {
           return;
         }
       }
-      Prints now = places_.look();
+      Prints now = watched_.look();
       failed = failed && now != seen_;
       // Two equal looks: the writer has finished.
       if (now != seen_ && now == last) {
@@ -287,24 +287,24 @@ class Watch::Impl {
 
   void renew(const Prints& now) {
     Renewal renewal;
-    places_.rebuild(seen_, now, stop_.get_token(), renewal);
+    watched_.rebuild(seen_, now, stop_.get_token(), renewal);
     if (stop_.stop_requested()) {
       return;
     }
     const std::shared_ptr<const plugin::Host> before = in_use();
-    auto host = std::make_shared<const plugin::Host>(before->renewed(places_.directories()));
+    auto host = std::make_shared<const plugin::Host>(before->renewed(watched_.directories()));
     const auto& known = before->report().warnings;
     for (const std::string& warning : host->report().warnings) {
       if (std::find(known.begin(), known.end(), warning) == known.end()) {
         renewal.problems.push_back(warning);
       }
     }
-    places_.list_kept(host->report(), before->report(), renewal.kept);
+    watched_.list_kept(host->report(), before->report(), renewal.kept);
     std::set<fs::path> files;
     for (const PluginKind kind : plugin::kPluginKinds) {
       for (const Declaration* declaration : host->all(kind)) {
         if (before->find(kind, declaration->name) != declaration) {
-          files.insert(places_.known_as(host->file_of(kind, declaration->name)));
+          files.insert(watched_.known_as(host->file_of(kind, declaration->name)));
         }
       }
     }
@@ -346,8 +346,8 @@ class Watch::Impl {
     }
   }
 
-  Places places_;  // used by the thread only, once it runs
-  Prints seen_;    // likewise
+  WatchedPaths watched_;  // used by the thread only, once it runs
+  Prints seen_;           // likewise
   const std::chrono::milliseconds period_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
@@ -359,8 +359,8 @@ class Watch::Impl {
   std::thread thread_;
 };
 
-Watch::Watch(std::vector<plugin::SearchDirectory> places, std::chrono::milliseconds period)
-    : impl_(std::make_unique<Impl>(std::move(places), period)) {}
+Watch::Watch(std::vector<plugin::SearchDirectory> directories, std::chrono::milliseconds period)
+    : impl_(std::make_unique<Impl>(std::move(directories), period)) {}
 Watch::~Watch() = default;
 
 const plugin::Host& Watch::host() const { return *impl_->in_use(); }

@@ -28,13 +28,13 @@ constexpr int kMostShown = 24;
 
 char addr2line[256];  // its path; "": not found
 
-struct Place {
+struct CodeLocation {
   const char* file = nullptr;  // of the library or program
   std::uintptr_t offset = 0;   // from its beginning
   const void* base = nullptr;
 };
 
-Place place_of(const void* address) {
+CodeLocation location_of(const void* address) {
   Dl_info info{};
   if (dladdr(address, &info) == 0 || !info.dli_fname) {
     return {};
@@ -68,7 +68,7 @@ struct Lines {
 };
 Lines lines;
 
-/// Takes " (discriminator 2)" out: places of one line in the machine's code.
+/// Takes " (discriminator 2)" out: locations of one line in the machine's code.
 void leave_out_discriminators() {
   constexpr std::string_view kMark = " (discriminator ";
   for (std::size_t at; (at = lines.all().find(kMark)) != std::string_view::npos;) {
@@ -96,17 +96,17 @@ void read_lines(int pipe, pid_t process) {
   }
 }
 
-/// Asks addr2line for the lines of these places in one file, with inlined calls.
-void add_lines(const Place* places, int count) {
+/// Asks addr2line for the lines of these locations in one file, with inlined calls.
+void add_lines(const CodeLocation* locations, int count) {
   std::array<Hex, kMostShown> addresses;
   std::array<char*, kMostShown + 5> words{};
   char option[] = "-Cfpie";
   std::size_t size = 0;
   words[size++] = addr2line;
   words[size++] = option;
-  words[size++] = const_cast<char*>(places->file);
+  words[size++] = const_cast<char*>(locations->file);
   for (int i = 0; i < count; ++i) {
-    addresses[static_cast<std::size_t>(i)] = hex(places[i].offset);
+    addresses[static_cast<std::size_t>(i)] = hex(locations[i].offset);
     words[size++] = addresses[static_cast<std::size_t>(i)].data();
   }
   int ends[2];
@@ -178,25 +178,25 @@ void prepare_stack_trace() {
 
 namespace {
 
-/// Asks for the lines of these places, one library after the other.
-void find_lines(const Place* places, int count) {
+/// Asks for the lines of these locations, one library after the other.
+void find_lines(const CodeLocation* locations, int count) {
   lines.size = 0;
   for (int first = 0, end = 0; first < count; first = end) {
-    while (end < count && places[end].base == places[first].base) {
+    while (end < count && locations[end].base == locations[first].base) {
       ++end;
     }
-    add_lines(places + first, end - first);
+    add_lines(locations + first, end - first);
   }
 }
 
-/// Writes the places in their libraries, and in the source if that is known.
-void write_places(const Place* places, int shown) {
+/// Writes the locations in their libraries, and in the source if that is known.
+void write_locations(const CodeLocation* locations, int shown) {
   for (int i = 0; i < shown; ++i) {
-    const char* const slash = std::strrchr(places[i].file, '/');
+    const char* const slash = std::strrchr(locations[i].file, '/');
     write_error("  ");
-    write_error(slash ? slash + 1 : places[i].file);
+    write_error(slash ? slash + 1 : locations[i].file);
     write_error("+");
-    write_error(hex(places[i].offset).data());
+    write_error(hex(locations[i].offset).data());
     write_error("\n");
   }
   if (addr2line[0] == '\0') {
@@ -204,7 +204,7 @@ void write_places(const Place* places, int shown) {
         "(install addr2line to see the lines of the source: on Debian, apt install binutils)\n");
     return;
   }
-  find_lines(places, shown);
+  find_lines(locations, shown);
   const std::string_view own = first_own_line(lines.all());
   if (!own.empty() && !lines.all().starts_with(own)) {
     write_error("the plugin's own line: ");
@@ -220,31 +220,32 @@ void write_places(const Place* places, int shown) {
 std::string own_line(std::span<void* const> frames) {
   static std::mutex one_at_a_time;  // `lines` is shared
   const std::scoped_lock lock(one_at_a_time);
-  std::array<Place, kMostShown> places;
+  std::array<CodeLocation, kMostShown> locations;
   int count = 0;
   for (void* const frame : frames) {
     const void* const call = static_cast<const char*>(frame) - 1;
     if (count < kMostShown && plugin_library_at(call)) {
-      places[static_cast<std::size_t>(count++)] = place_of(call);
+      locations[static_cast<std::size_t>(count++)] = location_of(call);
     }
   }
   if (count == 0 || addr2line[0] == '\0') {
     return "";
   }
-  find_lines(places.data(), count);
+  find_lines(locations.data(), count);
   return std::string(first_own_line(lines.all()));
 }
 
 void write_stack_trace(const Fault& fault) noexcept {
   const void* const at = fault.at;
-  if (at && !place_of(at).file) {  // the stack cannot be followed from there
+  if (at && !location_of(at).file) {  // the stack cannot be followed from there
     write_error("  ");
     write_error(hex(reinterpret_cast<std::uintptr_t>(at)).data());
     write_error(", where there is no code\n");
     const void* const back = fault.stack ? *fault.stack : fault.back;
-    const Place caller = back ? place_of(static_cast<const char*>(back) - 1) : Place();
+    const CodeLocation caller =
+        back ? location_of(static_cast<const char*>(back) - 1) : CodeLocation();
     if (caller.file) {
-      write_places(&caller, 1);
+      write_locations(&caller, 1);
     }
     return;
   }
@@ -254,29 +255,30 @@ void write_stack_trace(const Fault& fault) noexcept {
   const int found = static_cast<int>(std::find(frames, frames + count, at) - frames);
   const bool known = found < count;
   // Elsie's own code: this library, and the core, which calls the plugins.
-  const void* const here = place_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
-  const void* const core = place_of(plugin::place_in_this_library()).base;
-  Place places[kMostShown];
+  const void* const here = location_of(reinterpret_cast<const void*>(&write_stack_trace)).base;
+  const void* const core = location_of(plugin::place_in_this_library()).base;
+  CodeLocation locations[kMostShown];
   int shown = 0;
   bool left_own = known;
   for (int i = known ? found : 0; i < count && shown < kMostShown; ++i) {
     // All but the first are return addresses: the call is before them.
     const bool exact = known && i == found && !fault.is_after;
-    const Place place = place_of(static_cast<const char*>(frames[i]) - (exact ? 0 : 1));
-    const bool is_own = place.base == here || place.base == core;
+    const CodeLocation location =
+        location_of(static_cast<const char*>(frames[i]) - (exact ? 0 : 1));
+    const bool is_own = location.base == here || location.base == core;
     if (is_own && left_own && shown > 0) {
       break;
     }
     left_own = left_own || !is_own;
-    if (left_own && place.file) {
-      places[shown++] = place;
+    if (left_own && location.file) {
+      locations[shown++] = location;
     }
   }
   if (shown == 0) {
     write_error("  (the stack cannot be read)\n");
     return;
   }
-  write_places(places, shown);
+  write_locations(locations, shown);
 }
 
 }  // namespace elsie::process

@@ -54,7 +54,7 @@ std::string value_in_words(const world::Field& field) {
       return "the id of a team";
     case world::Reference::robot:
       return "the id of a robot";
-    case world::Reference::box:
+    case world::Reference::obstacle:
       return "the id of a box";
     case world::Reference::none:
       break;

@@ -81,7 +81,7 @@ int Crowd::add_rigid(dBodyID body) {
   return index;
 }
 
-void Crowd::add_box(dBodyID box) { add_rigid(box); }
+void Crowd::add_obstacle(dBodyID box) { add_rigid(box); }
 
 void Crowd::add_robot(const OdeRobot& robot) {
   int front = ImpulseSolver::kNone;

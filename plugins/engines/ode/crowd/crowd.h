@@ -48,7 +48,7 @@ class Crowd {
   void clear();
   void add_robot(const OdeRobot& robot);
   /// A box that can be pushed, or one that moves along its own path.
-  void add_box(dBodyID box);
+  void add_obstacle(dBodyID box);
   /// A contact between two bodies that were added, or between one of them and a fixed body.
   void add_contact(const FoundContact& contact);
 

@@ -42,7 +42,7 @@ void Islands::add_robot(const OdeRobot& robot) {
   add(std::move(member));
 }
 
-void Islands::add_box(dBodyID box) {
+void Islands::add_obstacle(dBodyID box) {
   Member member;
   member.bodies.push_back(box);
   add(std::move(member));
@@ -57,7 +57,9 @@ void Islands::add(Member member) {
   }
 }
 
-void Islands::remove_box(dBodyID box) { members_[member_of(dBodyGetData(box))].bodies.clear(); }
+void Islands::remove_obstacle(dBodyID box) {
+  members_[member_of(dBodyGetData(box))].bodies.clear();
+}
 
 /// Completes a contact. `number`: how many contacts of the step precede it.
 void Islands::finish(FoundContact& contact, std::size_t number) const {
@@ -140,7 +142,7 @@ void Islands::take_out(Member& member, std::span<const OdeRobot> robots) {
   if (member.robot) {
     member.crowd->add_robot(robots[*member.robot]);
   } else {
-    for (const dBodyID body : member.bodies) member.crowd->add_box(body);
+    for (const dBodyID body : member.bodies) member.crowd->add_obstacle(body);
   }
   for (const dBodyID body : member.bodies) dBodyDisable(body);
 }

@@ -76,9 +76,9 @@ class Islands {
   /// Robots are numbered in the order in which they are added.
   void add_robot(const OdeRobot& robot);
   /// A box that can be pushed, or one that moves along a path of its own.
-  void add_box(dBodyID box);
+  void add_obstacle(dBodyID box);
   /// Must be called before the body is destroyed.
-  void remove_box(dBodyID box);
+  void remove_obstacle(dBodyID box);
 
   /// Makes joints of the contacts within islands that ODE takes. Disables other bodies in ODE, and
   /// adds them to a train or the crowd with their contacts. `robots` are all that were added.

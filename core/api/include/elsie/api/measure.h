@@ -67,7 +67,7 @@ struct ObservedRobot {
 };
 
 /// A box that is still there.
-struct ObservedBox {
+struct ObservedObstacle {
   enum class Kind { fixed, dynamic, moving, resource };
 
   std::string_view id;
@@ -85,10 +85,10 @@ struct Observation {
   double period_s = 0.01;       // from one decision to the next: a whole number of steps
   double arena_length_m = 0.0;  // along x; the middle of the arena is the origin
   double arena_width_m = 0.0;
-  bool is_start = false;                  // before the first step
-  bool decided = false;                   // robots sensed and decided in the step just made
-  std::span<const ObservedRobot> robots;  // in the order of the world file
-  std::span<const ObservedBox> boxes;     // in the order of the world file, resources last
+  bool is_start = false;                        // before the first step
+  bool decided = false;                         // robots sensed and decided in the step just made
+  std::span<const ObservedRobot> robots;        // in the order of the world file
+  std::span<const ObservedObstacle> obstacles;  // in the order of the world file, resources last
   std::span<const std::string_view> teams;
 
   /// The robot with this id. Throws std::invalid_argument with a sentence that lists the robots.

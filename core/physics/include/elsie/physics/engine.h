@@ -1,7 +1,7 @@
 // The interface of physics engines. Engines are libraries of their own, found by name at run time
 // (plugins/engines). Lengths are in m, times in s, rates in rad/s, in the world's frame.
 //
-// An engine is built once (robots and boxes are added), then stepped. Later changes need a new
+// An engine is built once (robots and obstacles are added), then stepped. Later changes need a new
 // engine, which copies the state of all unchanged bodies from the old one. Engines in one process
 // are independent. The same calls on two engines give bit-identical states.
 #pragma once
@@ -23,9 +23,10 @@
 
 namespace elsie::physics {
 
-/// A robot or a box, by its index in the order of adding. A robot includes its segments. Walls are
-/// bodies, too: 0 east (+x), 1 north (+y), 2 west, 3 south, all outside of the arena's area.
-enum class BodyKind : std::uint8_t { robot, box, wall };
+/// A robot or an obstacle, by its index in the order of adding. A robot includes its segments.
+/// Walls are bodies, too: 0 east (+x), 1 north (+y), 2 west, 3 south, all outside of the arena's
+/// area.
+enum class BodyKind : std::uint8_t { robot, obstacle, wall };
 struct Body {
   BodyKind kind = BodyKind::wall;
   std::size_t index = 0;  // among its kind
@@ -78,7 +79,7 @@ struct RayHit {
   bool floor = false;  // then `body` means nothing
 };
 
-/// Indices are those that add_robot() and add_box() returned; others throw std::out_of_range.
+/// Indices are those that add_robot() and add_obstacle() returned; others throw std::out_of_range.
 /// Several threads may call const functions at once between steps.
 class Engine {
  public:
@@ -88,9 +89,10 @@ class Engine {
   /// returns its index. Throws std::invalid_argument for dimensions and masses that are not
   /// positive and finite.
   virtual std::size_t add_robot(const BodyPlan& plan, const Pose& pose, double z = 0.0) = 0;
-  /// Adds a box; returns its index. Resources are fixed boxes until they are removed. Fixed and
-  /// moving boxes float where z is positive, dynamic ones fall. Throws as add_robot() does.
-  virtual std::size_t add_box(const world::Box& box) = 0;
+  /// Adds an obstacle; returns its index. Resources are fixed obstacles until they are removed.
+  /// Fixed and moving obstacles float where z is positive, dynamic ones fall. Throws as add_robot()
+  /// does.
+  virtual std::size_t add_obstacle(const world::Obstacle& obstacle) = 0;
   /// Adds a robot of another engine of the same library, in its state there: pose, velocities,
   /// values and set points of its joints.
   virtual std::size_t add_robot_of(const Engine& other, std::size_t robot) = 0;
@@ -98,14 +100,15 @@ class Engine {
   /// keeps its velocity. Throws as add_robot() does.
   virtual std::size_t add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
                                    const Pose& pose) = 0;
-  /// Adds a box of another engine in its state there, even if it was removed there. `added`: its
-  /// description in that engine.
-  virtual std::size_t add_box_of(const Engine& other, std::size_t box, const world::Box& added) = 0;
+  /// Adds an obstacle of another engine in its state there, even if it was removed there. `added`:
+  /// its description in that engine.
+  virtual std::size_t add_obstacle_of(const Engine& other, std::size_t obstacle,
+                                      const world::Obstacle& added) = 0;
   /// Continues from another engine: its time, its give-ups, and everything that set bodies in
   /// motion there.
   virtual void go_on_from(const Engine& other) = 0;
-  /// Removes a box from the world; its index is not used again.
-  virtual void remove_box(std::size_t box) = 0;
+  /// Removes an obstacle from the world; its index is not used again.
+  virtual void remove_obstacle(std::size_t obstacle) = 0;
 
   /// Moves a robot to another pose, at rest, with its segments in line behind it. The set points of
   /// its motors stay. Throws as add_robot() does.
@@ -121,9 +124,11 @@ class Engine {
   virtual void set_joints(std::size_t robot, std::span<const JointSetting> settings) = 0;
   /// Measured values of these joints; valid until the next step.
   virtual std::span<const JointSetting> joints(std::size_t robot) const = 0;
-  /// Sets the position of a moving box at the end of the next step and its velocity (m/s); other
-  /// bodies do not stop it. Call this before each step; otherwise the box rests in the step.
-  virtual void drive_box(std::size_t box, const Vector2& position, const Vector2& velocity) = 0;
+  /// Sets the position of a moving obstacle at the end of the next step and its velocity (m/s);
+  /// other bodies do not stop it. Call this before each step; otherwise the obstacle rests in the
+  /// step.
+  virtual void drive_obstacle(std::size_t obstacle, const Vector2& position,
+                              const Vector2& velocity) = 0;
 
   /// From now on step() may give parts of its work to this pool, which outlives the engine. The
   /// states are the same with any pool and without one.
@@ -140,14 +145,14 @@ class Engine {
   /// The number of segments that a robot pulls, and one of them, counted from the robot backwards.
   virtual std::size_t segments(std::size_t robot) const = 0;
   virtual SegmentState segment(std::size_t robot, std::size_t segment) const = 0;
-  virtual Frame box(std::size_t box) const = 0;  // origin in the middle of its bottom
-  virtual bool has_box(std::size_t box) const = 0;
+  virtual Frame obstacle(std::size_t obstacle) const = 0;  // origin in the middle of its bottom
+  virtual bool has_obstacle(std::size_t obstacle) const = 0;
   /// Contacts of the last step.
   virtual std::span<const Touch> touches() const = 0;
 
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
-  /// as range sensors see the world: floor (from above), walls, boxes that are visible to them, and
-  /// robots (wheels and chassis). A chassis with a flat top has a sensor deck of 2 cm on it, so
+  /// as range sensors see the world: floor (from above), walls, obstacles that are visible to them,
+  /// and robots (wheels and chassis). A chassis with a flat top has a sensor deck of 2 cm on it, so
   /// that sensors at the top of a chassis see robots of the same size; segments likewise. The robot
   /// `except` and its segments are left out. Of bodies at the same distance, the first in their
   /// order is hit.
@@ -162,10 +167,10 @@ class Engine {
       ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
     }
   }
-  /// Returns whether a wall, a visible box or a robot other than `except` reaches into the pyramid,
-  /// whose far face is flat, at the distance `range_m` along its axis. Robots are seen as by rays,
-  /// but with the boxes around their wheels, and around a chassis that is a ball or a capsule. The
-  /// floor does not count.
+  /// Returns whether a wall, a visible obstacle or a robot other than `except` reaches into the
+  /// pyramid, whose far face is flat, at the distance `range_m` along its axis. Robots are seen as
+  /// by rays, but with the boxes around their wheels, and around a chassis that is a ball or a
+  /// capsule. The floor does not count.
   virtual bool anything_in(const Pyramid& pyramid, std::size_t except) const = 0;
   /// For `except`: no robot is left out.
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -192,7 +197,7 @@ struct EngineInterface {
   std::uint32_t version = 5;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
-  std::size_t box = sizeof(world::Box);
+  std::size_t obstacle = sizeof(world::Obstacle);
   std::size_t plan = sizeof(BodyPlan);
 
   friend bool operator==(const EngineInterface&, const EngineInterface&) = default;

@@ -19,12 +19,12 @@ struct Failure {
     below_floor,  // the middle of the body is below the floor
     outside,      // it began within the arena's walls, and its middle has left them
     too_fast,     // it moves faster than anything in the world could make it move
-    pressed       // a moving box, which nothing stops, leaves it no room
+    pressed       // a moving obstacle, which nothing stops, leaves it no room
   };
   Kind kind = Kind::stopped;
-  std::optional<Body> body;            // a robot or a box
+  std::optional<Body> body;            // a robot or an obstacle
   std::optional<std::size_t> segment;  // of the robot; none: the robot itself
-  std::optional<Body> presser;         // pressed: the moving box
+  std::optional<Body> presser;         // pressed: the moving obstacle
   double time_s = 0.0;
   Vector3 place;       // of its middle, m
   double speed = 0.0;  // m/s

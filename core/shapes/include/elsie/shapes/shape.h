@@ -1,8 +1,8 @@
 // The table of shapes: all that the program knows of a shape as such. What draws shapes, names
 // them, lets them meet or computes how they move asks here, so that it needs no cases of its own.
 //
-// Two places add what only they need: world/src/box_shapes.cpp the elements of obstacles in world
-// files, plugins/engines the geometries of ODE. Lengths are in m, masses in kg.
+// Two places add what only they need: world/src/obstacle_shapes.cpp the elements of obstacles in
+// world files, plugins/engines the geometries of ODE. Lengths are in m, masses in kg.
 #pragma once
 
 #include <array>

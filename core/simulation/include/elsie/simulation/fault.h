@@ -53,7 +53,7 @@ class PhysicsFault : public base::Error {
   PhysicsFault(std::string of_robot, std::uint64_t at_step, const std::string& sentence)
       : Error(sentence), robot(std::move(of_robot)), step(at_step) {}
 
-  std::string robot;  // "": a box, or no known body
+  std::string robot;  // "": an obstacle, or no known body
   std::uint64_t step;
 };
 

@@ -15,7 +15,7 @@ class Observer {
   /// Called after every step.
   virtual void stepped(const Simulation&) {}
   /// Called between two steps after plugins were replaced, or after an edit made a new world:
-  /// sensors may list other numbers, and robots, behaviours and boxes may have changed.
+  /// sensors may list other numbers, and robots, behaviours and obstacles may have changed.
   virtual void replaced(const Simulation&) {}
   /// Called after the last step, also when a plugin failed or an observer threw.
   virtual void ended(const Simulation&) {}

@@ -218,8 +218,8 @@ class Simulation {
   std::size_t segments(std::size_t robot) const;
   /// One of these vehicles, counted from the robot backwards.
   SegmentView segment(std::size_t robot, std::size_t index) const;
-  /// The present pose of a box; none when it was collected.
-  std::optional<Pose> box(std::size_t index) const;
+  /// The present pose of an obstacle; none when it was collected.
+  std::optional<Pose> obstacle(std::size_t index) const;
 
  private:
   class Impl;

@@ -31,7 +31,7 @@ void colour_teams(World& world);
 Colour team_colour(const World& world, std::string_view team);
 
 /// The colour of a resource in full light: its own, else its team's, else kResourceOfNoTeam.
-Colour resource_colour(const World& world, const Box& resource);
+Colour resource_colour(const World& world, const Obstacle& resource);
 
 /// The colours of boxes that have none of their own, by kind.
 struct BoxColours {
@@ -39,6 +39,6 @@ struct BoxColours {
 };
 /// The colour of a box in full light: its own, else resource_colour() for a resource, else the
 /// colour of its kind.
-Colour box_colour(const World& world, const Box& box, const BoxColours& otherwise);
+Colour box_colour(const World& world, const Obstacle& obstacle, const BoxColours& otherwise);
 
 }  // namespace elsie::world

@@ -20,7 +20,7 @@
 
 namespace elsie {
 
-enum class BoxShape : std::uint8_t;  // shapes/box_shapes.h
+enum class ObstacleShape : std::uint8_t;  // shapes/obstacle_shapes.h
 
 }  // namespace elsie
 
@@ -59,14 +59,14 @@ struct Team {
   Location location{};
 };
 
-enum class BoxKind { fixed, dynamic, moving, resource };  // `fixed` is "static" in the file
-inline constexpr const char* kBoxKinds[] = {"static", "dynamic", "moving", "resource"};
+enum class ObstacleKind { fixed, dynamic, moving, resource };  // `fixed` is "static" in the file
+inline constexpr const char* kObstacleKinds[] = {"static", "dynamic", "moving", "resource"};
 
 /// An upright solid that stands on the floor, or floats when z is positive; see fixture_of().
-struct Box {
+struct Obstacle {
   std::string id;
-  BoxKind kind = BoxKind::fixed;
-  BoxShape shape{};                  // a box; other obstacles may have others
+  ObstacleKind kind = ObstacleKind::fixed;
+  ObstacleShape shape{};             // a box; other obstacles may have others
   double x = 0.0, y = 0.0, z = 0.0;  // m, the middle of its bottom: of a prism, the center of area
   double heading_deg = 0.0;
   // Those that its shape has:
@@ -94,8 +94,8 @@ struct Box {
   std::string in_words() const { return std::string("the ") + shape_name() + " '" + id + "'"; }
   /// The name of its element: "static_cylinder", "resource".
   std::string element() const {
-    const std::string of_kind = kBoxKinds[static_cast<int>(kind)];
-    return kind == BoxKind::resource ? of_kind : of_kind + "_" + shape_name();
+    const std::string of_kind = kObstacleKinds[static_cast<int>(kind)];
+    return kind == ObstacleKind::resource ? of_kind : of_kind + "_" + shape_name();
   }
 };
 
@@ -234,7 +234,7 @@ struct ReachGoal {
 };
 /// To reach: the middle of a box (usually a dynamic one) is within `radius` of a place.
 struct PushGoal {
-  std::string box;
+  std::string obstacle;
   double x = 0.0, y = 0.0, radius = 0.2;
   Location location{};
 };
@@ -299,7 +299,7 @@ struct World {
   Arena arena;
   Physics physics;
   std::vector<Team> teams;
-  std::vector<Box> boxes;
+  std::vector<Obstacle> obstacles;
   std::vector<Charger> chargers;
   base::List<Robot> robots;
   std::vector<Goal> goals;

@@ -37,7 +37,7 @@ double radius_of(std::span<const Part> vehicle);
 /// The footprint of a solid with this frame of its middle. A box or prism that has tipped over gets
 /// the smallest rectangle around its box, aligned with its heading.
 Footprint footprint_of(const Shape& shape, const Frame& middle);
-Footprint footprint_of(const Box& box);
+Footprint footprint_of(const Obstacle& obstacle);
 /// The footprint of a vehicle whose wheels are `z` m above the floor: a disc for a round chassis.
 Footprint footprint_of(std::span<const Part> vehicle, const Pose& pose, double z);
 /// The footprints of a robot and of its segments in line behind it.

@@ -16,7 +16,7 @@ namespace elsie::world {
 
 /// A fixed thing in the arena.
 struct Fixture {
-  enum class Kind : std::uint8_t { wall, box, charger };
+  enum class Kind : std::uint8_t { wall, obstacle, charger };
 
   Kind kind = Kind::wall;
   /// Its index in the world's boxes or chargers; walls: 0 east (+x), 1 north (+y), 2 west, 3 south.
@@ -28,10 +28,10 @@ struct Fixture {
 /// The walls, which stand outside of the arena's area. Those along x are long enough to close the
 /// corners. Empty if the arena has no walls.
 std::vector<Fixture> walls_of(const Arena& arena);
-Fixture fixture_of(const Box& box, std::size_t index = 0);
+Fixture fixture_of(const Obstacle& obstacle, std::size_t index = 0);
 Fixture fixture_of(const Charger& charger, std::size_t index = 0);
 /// What is wrong with the attributes of its shape, to follow its name: "is not convex: ...".
-std::optional<std::string> problem_of(const Box& box);
+std::optional<std::string> problem_of(const Obstacle& obstacle);
 
 /// The data about a body that its drive receives.
 Chassis chassis_of(const RobotBody& body);

@@ -77,7 +77,7 @@ struct ReadOptions {
 /// directories.
 ///
 /// File parameters of the result are absolute paths of existing files; PluginUse::file_names has
-/// their names in a world file. Obstacles come before resources in World::boxes.
+/// their names in a world file. Obstacles come before resources in World::obstacles.
 World read_world(const std::string& file, const plugin::Host& host,
                  const ReadOptions& options = {});
 

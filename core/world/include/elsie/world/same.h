@@ -13,7 +13,7 @@ bool same(const ElementSpec& spec, const void* a, const void* b, Cost least = Co
 /// The same for the part of two objects that the child element `part` describes: "body" of robots.
 bool same_part(const ElementSpec& spec, const char* part, const void* a, const void* b);
 
-bool same(const Box& a, const Box& b, Cost least);
+bool same(const Obstacle& a, const Obstacle& b, Cost least);
 /// The same for the core's attributes of sensors and behaviours: without the plugin's parameters,
 /// and without behaviours inside of behaviours.
 bool same(const SensorUse& a, const SensorUse& b, Cost least);

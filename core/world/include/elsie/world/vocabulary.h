@@ -29,7 +29,7 @@ enum class TextForm {
 };
 
 /// The kind of object that an attribute refers to by its id.
-enum class Reference { none, team, robot, box };
+enum class Reference { none, team, robot, obstacle };
 
 /// The cost of a change in a running world, in ascending order. Objects that are created again take
 /// over the state of the objects that remain.

@@ -10,9 +10,9 @@ namespace elsie::world {
 
 /// A likely problem in a run and the setting that causes it.
 struct Warning {
-  enum class About { physics, robot, box, no_effect };  // no_effect: harms nothing
+  enum class About { physics, robot, obstacle, no_effect };  // no_effect: harms nothing
   About about = About::physics;
-  std::size_t index = 0;  // of World::robots or World::boxes
+  std::size_t index = 0;  // of World::robots or World::obstacles
   Location location;      // line 0: a default, or a world that was not read from a file
   std::string message;    // a sentence: what was found, its effect, sensible values
 

@@ -36,11 +36,11 @@ class Scene {
   /// std::invalid_argument when the outer one does not exist.
   Scene& behaves(const std::string& path, const std::string& plugin = "");
 
-  Scene& box(const std::string& id, ObservedBox::Kind kind, double x, double y,
+  Scene& box(const std::string& id, ObservedObstacle::Kind kind, double x, double y,
              const std::string& team = "");
   Scene& resource(const std::string& id, double x, double y, const std::string& team = "");
   /// Removes a box, as when a resource was collected.
-  Scene& remove_box(const std::string& id);
+  Scene& remove_obstacle(const std::string& id);
 
   /// A robot, to be changed. For another id, throws std::invalid_argument with the existing ones.
   ObservedRobot& operator[](const std::string& id);
@@ -67,7 +67,7 @@ class Scene {
   std::shared_ptr<std::deque<std::string>> texts_;  // ids; copies share them
   std::vector<ObservedRobot> robots_;
   std::vector<std::vector<ObservedBehavior>> behaviors_;  // for each robot
-  std::vector<ObservedBox> boxes_;
+  std::vector<ObservedObstacle> boxes_;
   std::vector<std::string_view> teams_;
   int steps_ = 0;
   int control_steps_ = 1;

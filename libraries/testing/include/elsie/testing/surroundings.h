@@ -56,7 +56,7 @@ class Surroundings final : public elsie::Surroundings {
  private:
   struct Engine;
 
-  Surroundings& add(const world::Box& box);
+  Surroundings& add(const world::Obstacle& box);
 
   Pose pose_;
   world::World world_;

@@ -1,14 +1,14 @@
-#include "step/box_path.h"
+#include "step/waypoint_path.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace elsie::simulation {
 
-BoxPath::BoxPath(const world::Box& box) : speed_(box.speed) {
-  corners_.push_back({box.x, box.y});
-  corners_.insert(corners_.end(), box.waypoints.begin(), box.waypoints.end());
-  if (!box.round_trip) {
+WaypointPath::WaypointPath(const world::Obstacle& obstacle) : speed_(obstacle.speed) {
+  corners_.push_back({obstacle.x, obstacle.y});
+  corners_.insert(corners_.end(), obstacle.waypoints.begin(), obstacle.waypoints.end());
+  if (!obstacle.round_trip) {
     for (std::size_t i = corners_.size() - 1; i-- > 1;) {
       corners_.push_back(corners_[i]);
     }
@@ -21,7 +21,7 @@ BoxPath::BoxPath(const world::Box& box) : speed_(box.speed) {
   }
 }
 
-Vector2 BoxPath::position(double time_s) const {
+Vector2 WaypointPath::position(double time_s) const {
   const double length = distances_.back();
   if (length <= 0.0) return corners_.front();
   const double along = std::fmod(speed_ * time_s, length);

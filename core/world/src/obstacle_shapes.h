@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "elsie/shapes/box_shapes.h"
+#include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/describe.h"
 #include "elsie/world/description.h"
 
@@ -12,12 +12,12 @@ namespace elsie::world {
 
 struct BoxForm {
   const char* words;  // ": an upright cylinder", after what the obstacle does
-  Describe<Box> (*with_size)(Describe<Box> box);
-  Shape (*solid)(const Box& box);
+  Describe<Obstacle> (*with_size)(Describe<Obstacle> obstacle);
+  Shape (*solid)(const Obstacle& obstacle);
   /// See problem_of(); null: its attributes are right.
-  std::optional<std::string> (*problem)(const Box& box) = nullptr;
+  std::optional<std::string> (*problem)(const Obstacle& obstacle) = nullptr;
 };
 
-const BoxForm& form_of(BoxShape shape);
+const BoxForm& form_of(ObstacleShape shape);
 
 }  // namespace elsie::world

@@ -7,18 +7,18 @@ using namespace elsie::test;
 
 namespace {
 /// Where the only box of a world is after some time.
-Pose after(world::Box moving, double time_s) {
+Pose after(world::Obstacle moving, double time_s) {
   world::World world;
-  world.boxes.push_back(std::move(moving));
+  world.obstacles.push_back(std::move(moving));
   simulation::Simulation simulation(world, shipped());
   while (simulation.time_s() < time_s - 1e-9) {
     simulation.step();
   }
-  return *simulation.box(0);
+  return *simulation.obstacle(0);
 }
 
-world::Box square() {
-  world::Box moving = box("m", world::BoxKind::moving, 0, 0);
+world::Obstacle square() {
+  world::Obstacle moving = box("m", world::ObstacleKind::moving, 0, 0);
   moving.waypoints = {{1, 0}, {1, 1}};
   moving.speed = 1;
   return moving;
@@ -34,7 +34,7 @@ TEST_CASE("A round trip goes through the waypoints and straight back to the star
 }
 
 TEST_CASE("To and fro comes back the same way") {
-  world::Box moving = square();
+  world::Obstacle moving = square();
   moving.round_trip = false;
   const Pose pose = after(moving, 3.5);
   CHECK(pose.x == Approx(0.5).margin(1e-6));
@@ -43,6 +43,6 @@ TEST_CASE("To and fro comes back the same way") {
 }
 
 TEST_CASE("A moving box without a way stays") {
-  world::Box moving = box("m", world::BoxKind::moving, 0.3, 0.4);
+  world::Obstacle moving = box("m", world::ObstacleKind::moving, 0.3, 0.4);
   CHECK(after(moving, 0.5).x == Approx(0.3));
 }

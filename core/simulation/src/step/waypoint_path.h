@@ -8,11 +8,12 @@
 
 namespace elsie::simulation {
 
-/// The position of a moving box over time. It moves at constant speed from its start through the
-/// waypoints, then straight to the start (a round trip) or back the same way (to and fro), forever.
-class BoxPath {
+/// The position of a moving obstacle over time. It moves at constant speed from its start through
+/// the waypoints, then straight to the start (a round trip) or back the same way (to and fro),
+/// forever.
+class WaypointPath {
  public:
-  explicit BoxPath(const world::Box& box);
+  explicit WaypointPath(const world::Obstacle& obstacle);
 
   Vector2 position(double time_s) const;
 

@@ -1,4 +1,5 @@
-// The shapes of obstacles in world files; core/world/src/box_shapes.cpp says what they are there.
+// The shapes of obstacles in world files; core/world/src/obstacle_shapes.cpp says what they are
+// there.
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 
 namespace elsie {
 
-enum class BoxShape : std::uint8_t { box, cylinder, prism };
+enum class ObstacleShape : std::uint8_t { box, cylinder, prism };
 /// In the same order: "cylinder" of the elements "static_cylinder", "dynamic_cylinder"...
 inline constexpr std::array kBoxShapes{"box", "cylinder", "prism"};
 
