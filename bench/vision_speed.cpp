@@ -37,7 +37,7 @@ elsie::world::World world(int robots, bool cameras) {
   world.name = "benchmark";
   world.limits.time = 1e6;
   world.teams = {{"red", {}}};
-  const auto add_box = [&world](elsie::world::ObstacleKind kind, double x, double y) -> auto& {
+  const auto add_obstacle = [&world](elsie::world::ObstacleKind kind, double x, double y) -> auto& {
     elsie::world::Obstacle& box = world.obstacles.emplace_back();
     box.id = "b" + std::to_string(world.obstacles.size());
     box.kind = kind;
