@@ -50,8 +50,8 @@ TEST_CASE("Rigid contacts, and corrections all at once") {
 
 TEST_CASE("Settings of soft contacts on an engine that has none") {
   CHECK_THAT(warned("\n<physics engine='planar' cfm='0.001'/>"),
-             Contains("world.xml:2: warning: cfm=\"0.001\" has no effect") && Contains("'planar'") &&
-                 Contains("an engine that has it: ode"));
+             Contains("world.xml:2: warning: cfm=\"0.001\" has no effect") &&
+                 Contains("'planar'") && Contains("an engine that has it: ode"));
   CHECK(warned("<physics engine='planar' kp='1000' kd='10'/>").empty());  // they make an erp
   CHECK(warned("<physics engine='planar' erp='0.5' bounce='0.3'/>").empty());
 }
