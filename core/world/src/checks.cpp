@@ -96,13 +96,11 @@ class MentionCheck {
   std::map<Reference, std::set<std::string>> known_;
 };
 
-void check_physics(const Element& root, const Physics& physics, Problems& problems) {
-  const Element* element = root.child("physics");
-  if (!element) return;
+void check_physics(const Physics& physics, Problems& problems) {
   const double period = physics.step * physics.control_steps;
   if (period > 1.0) {
-    problems.add(element->where, "the control period, step times control_steps, is " +
-                                     number_text(period) + " s; expected at most 1 s");
+    problems.add(physics.location, "the control period, step times control_steps, is " +
+                                       number_text(period) + " s; expected at most 1 s");
   }
 }
 
@@ -376,7 +374,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   MentionCheck mentions(reading.world, problems);
   for (const Mention& mention : reading.mentions) mentions.check(mention);
   for (const auto& [spec, object] : reading.untouched) mentions.check(*spec, object);
-  check_physics(root, reading.world.physics, problems);
+  check_physics(reading.world.physics, problems);
   check_edits(reading.world, problems);
   check_engine(reading.world, problems);
   for (const std::size_t robot : reading.read_robots) {

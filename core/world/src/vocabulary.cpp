@@ -1,8 +1,10 @@
 #include "elsie/world/vocabulary.h"
 
 #include <algorithm>
+#include <set>
 
 #include "elsie/plugin/engine_libraries.h"
+#include "elsie/plugin/error.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/facts.h"
@@ -25,7 +27,21 @@ ElementSpec arena() {
       .attribute("walls", &Arena::walls, fact("whether the arena has walls"));
 }
 
+// A parameter of an engine, kept in Physics::parameters.
+Describe<Physics> with_parameter(Describe<Physics> physics, const AttributeSpec& own) {
+  const auto set = [name = own.name](void* object, const ParameterValue& value) {
+    static_cast<Physics*>(object)->parameters[name] = value;
+  };
+  const auto get = [name = own.name, by_default = own.default_value](const void* object) {
+    const auto& given = static_cast<const Physics*>(object)->parameters;
+    const auto found = given.find(name);
+    return found == given.end() ? by_default : std::optional(found->second);
+  };
+  return std::move(physics).attribute(own.name.c_str(), own.type, own.facts, {}, set, get);
+}
+
 ElementSpec physics() {
+  std::set<std::string> known;  // parameters of engines
   auto described =
       Describe<Physics>("physics", "Parameters of the physics engine")
           .costs(Cost::engine)
@@ -35,8 +51,10 @@ ElementSpec physics() {
           .attribute("control_steps", &Physics::control_steps,
                      range("", 1, 1000, "steps in one control period"), kCheap)
           .attribute("gravity", &Physics::gravity, range("m/s2", -100, 0, "along z"));
-  for (AttributeSpec& parameter : engine_parameters()) {
-    described = std::move(described).attribute(std::move(parameter));
+  for (const std::string& engine : plugin::engine_names()) {
+    for (const AttributeSpec& own : engine_parameters(engine)) {
+      if (known.insert(own.name).second) described = with_parameter(std::move(described), own);
+    }
   }
   return std::move(described)
       .attribute("friction", &Physics::friction,
@@ -287,6 +305,17 @@ std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_o
                      [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
   }
   return found;
+}
+
+std::vector<AttributeSpec> engine_parameters(const std::string& engine) {
+  std::vector<AttributeSpec> parameters;
+  try {
+    reinterpret_cast<EngineParameters>(plugin::engine_symbol(engine, "elsie_engine_parameters"))(
+        parameters);
+  } catch (const plugin::PluginError&) {
+    return {};  // reported where a world uses the engine
+  }
+  return parameters;
 }
 
 const ElementSpec& vocabulary() {

@@ -5,6 +5,10 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
+#include "elsie/base/words.h"
+#include "elsie/plugin/engine_libraries.h"
+#include "elsie/plugin/parameters.h"
+#include "elsie/world/engine_facts.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
@@ -67,6 +71,25 @@ std::optional<std::string> danger_of_path(const world::World& world, const world
     }
   }
   return std::nullopt;
+}
+
+void add_idle_parameters(const world::World& world, std::vector<world::Warning>& warnings) {
+  const world::Physics& physics = world.physics;
+  const world::ElementSpec& element = *world::vocabulary().child("physics");
+  for (const auto& [name, value] : physics.parameters) {
+    std::vector<std::string> having = plugin::engine_names();
+    std::erase_if(having, [&](const std::string& engine) {
+      return !plugin::find_declared(world::engine_parameters(engine), name);
+    });
+    if (std::find(having.begin(), having.end(), physics.engine) != having.end()) continue;
+    const world::AttributeSpec* const known = element.attribute(name);
+    if (!known || value == known->default_value) continue;
+    warnings.push_back({world::Warning::About::no_effect, 0, physics.location,
+                        name + "=\"" + plugin::format_value(value) +
+                            "\" has no effect, because the engine '" + physics.engine +
+                            "' has no such parameter; expected an engine that has it: " +
+                            base::enumerated(having, "or")});
+  }
 }
 
 }  // namespace elsie::physics

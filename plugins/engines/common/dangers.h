@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "elsie/world/description.h"
+#include "elsie/world/warnings.h"
 
 namespace elsie::physics {
 
@@ -20,5 +22,8 @@ std::optional<std::string> danger_of_height(const std::string& name, const world
 /// Of a moving box whose path reaches into a wall of the arena.
 std::optional<std::string> danger_of_path(const world::World& world, const world::Obstacle& box,
                                           const std::string& effect);
+
+/// Of parameters that only other engines than the world's have, and of their places.
+void add_idle_parameters(const world::World& world, std::vector<world::Warning>& warnings);
 
 }  // namespace elsie::physics

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "elsie/base/grid.h"
 #include "elsie/physics/engine.h"
@@ -11,6 +12,16 @@
 #include "ray_tests.h"
 
 namespace elsie::physics {
+
+/// Engine::cast_rays(), one after the other. `cast_ray`: as Engine::cast_ray().
+template <class CastRay>
+void cast_each(const Frame& within, std::span<RayQuery> rays, CastRay cast_ray) {
+  for (RayQuery& ray : rays) {
+    const auto hit = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
+                              ray.max_range_m);
+    ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
+  }
+}
 
 /// Engine::cast_ray() over the grid's cells along the ray (Amanatides and Woo, "A fast voxel
 /// traversal algorithm", 1987). `distance_to(id, ray, range)`: where the ray meets a body, m; more

@@ -25,8 +25,10 @@ std::vector<world::AttributeSpec> softness_parameters() {
           .attribute(
               "erp", &Parameters::erp,
               positive("", 1, "error reduction of joints and contacts; useful from 0.1 to 0.8"))
-          .attribute("cfm", &Parameters::cfm,
-                     range("", 0, 1, "constraint force mixing: how soft contacts are"))
+          .attribute(
+              "cfm", &Parameters::cfm,
+              range("", 0, 1,
+                    "constraint force mixing: how soft contacts are; only in the engine ode"))
           .attribute("kp", &Parameters::kp,
                      positive("N/m", 1e12, "spring constant, with kd, instead of erp and cfm"))
           .attribute("kd", &Parameters::kd,

@@ -32,6 +32,9 @@ Softness softness_of(const world::Physics& physics);
 /// The parameters erp, cfm, kp and kd, as an engine exports them.
 std::vector<world::AttributeSpec> softness_parameters();
 
+/// The highest speed at which overlapping bodies are pushed apart, m/s.
+inline constexpr double kMaxCorrectingSpeed = 0.5;
+
 /// Adds a problem if only one of kp and kd is given, or erp or cfm besides both.
 void check_softness(const world::Physics& physics, base::Problems& problems);
 

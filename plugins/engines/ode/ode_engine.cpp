@@ -22,6 +22,7 @@
 #include "islands.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
+#include "ray_cast.h"
 #include "scene.h"
 #include "softness.h"
 
@@ -87,6 +88,11 @@ class OdeEngine final : public Engine {
                                  std::size_t except) const override {
     return bodies_.scene.cast_ray(origin, direction, max_range, except);
   }
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
+    cast_each(within, rays, [&](const Vector3& origin, const Vector3& direction, double range) {
+      return cast_ray(origin, direction, range, except);
+    });
+  }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
     return bodies_.scene.anything_in(pyramid, except);
   }
@@ -149,7 +155,7 @@ OdeEngine::OdeEngine(const world::Arena& arena, const world::Physics& physics)
   const Softness softness = softness_of(physics);
   dWorldSetERP(world_.get(), softness.erp);
   dWorldSetCFM(world_.get(), softness.cfm);
-  dWorldSetContactMaxCorrectingVel(world_.get(), world::kMaxCorrectingSpeed);
+  dWorldSetContactMaxCorrectingVel(world_.get(), kMaxCorrectingSpeed);
   for (const world::Fixture& wall : world::walls_of(arena)) {
     add_upright(bodies_.walls, BodyKind::wall, world::ObstacleKind::fixed, wall, 0.0, true);
   }

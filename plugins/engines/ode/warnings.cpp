@@ -135,7 +135,7 @@ class Search {
   }
 
   /// The depth at which contacts hold a weight grows with their softness. They push at most at
-  /// kMaxCorrectingSpeed; a body that needs more sinks without end.
+  /// physics::kMaxCorrectingSpeed; a body that needs more sinks without end.
   void sinking(const Subject& body, double mass, double size) {
     const Physics& p = world_.physics;
     const double force = mass * gravity_ / kSupports;
@@ -144,14 +144,14 @@ class Search {
     const double depth = softness_.cfm * p.step / erp * force;
     const double deepest = kDeepestSinking * size;
     const double speed = softness_.cfm * force;
-    if (depth <= deepest && speed < kMaxCorrectingSpeed) {
+    if (depth <= deepest && speed < physics::kMaxCorrectingSpeed) {
       return;
     }
     const double most =
-        std::min(deepest * erp / (p.step * force), 0.5 * kMaxCorrectingSpeed / force);
+        std::min(deepest * erp / (p.step * force), 0.5 * physics::kMaxCorrectingSpeed / force);
     add(body, body.name + " weighs " + about(mass) + " kg, under which it sinks " +
-                  (speed < kMaxCorrectingSpeed ? about(depth) + " m into the floor"
-                                               : "through the floor") +
+                  (speed < physics::kMaxCorrectingSpeed ? about(depth) + " m into the floor"
+                                                        : "through the floor") +
                   ": contacts are too soft, with a cfm of " + about(softness_.cfm) +
                   (softness_.from_spring ? " from kp and kd" : "") + "; expected at most " +
                   about(most));
@@ -250,6 +250,7 @@ class Search {
 
 extern "C" __attribute__((visibility("default"))) void elsie_warn(
     const elsie::world::World& world, std::vector<elsie::world::Warning>& warnings) {
+  elsie::physics::add_idle_parameters(world, warnings);
   for (elsie::world::Warning& each : elsie::world::Search(world).find()) {
     warnings.push_back(std::move(each));
   }

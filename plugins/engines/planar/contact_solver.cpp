@@ -342,7 +342,7 @@ void ContactSolver::separate(std::span<const std::uint32_t> bodies,
       const double depth = -contact.gap - kLeastDepth - shifted_apart(contact);
       if (depth <= 0.0 || of_a + of_b == 0.0) continue;
       const double way =
-          std::min(erp_ * depth, world::kMaxCorrectingSpeed * physics_.step) / (of_a + of_b);
+          std::min(erp_ * depth, kMaxCorrectingSpeed * physics_.step) / (of_a + of_b);
       moved = true;
       if (of_a > 0.0) {
         movers_[contact.a].shift({way * of_a * contact.normal.x, way * of_a * contact.normal.y});

@@ -120,11 +120,9 @@ void PlanarScene::cast_rays(const Frame& within, std::span<RayQuery> rays,
     const auto some = rays.first(std::min(LevelRays::kMost, rays.size()));
     LevelRays level;
     if (level.set(within, some) && cast_together(some, level, except)) continue;
-    for (RayQuery& ray : some) {
-      const auto hit = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
-                                ray.max_range_m, except);
-      ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
-    }
+    cast_each(within, some, [&](const Vector3& origin, const Vector3& direction, double range) {
+      return cast_ray(origin, direction, range, except);
+    });
   }
 }
 

@@ -86,5 +86,6 @@ class Search {
 
 extern "C" __attribute__((visibility("default"))) void elsie_warn(
     const elsie::world::World& world, std::vector<elsie::world::Warning>& warnings) {
+  elsie::physics::add_idle_parameters(world, warnings);
   elsie::world::Search(world, warnings).find();
 }

@@ -322,16 +322,6 @@ TEST_CASE("A round robot does not ride up a low box") {
   CHECK(std::abs(context.engine->robot(robot).frame.origin.z) < 1e-3);
 }
 
-TEST_CASE("Round robots that were put into each other come apart without a bang") {
-  PhysicsContext context;
-  const std::size_t a = context.robot(0, 0, 0, round_body());
-  const std::size_t b = context.robot(0.02, 0.01, 30, round_body());
-  context.run(3.0);
-  CHECK(gap_between(context.pose(a), context.pose(b), 0.12) > -kPressed);
-  CHECK(std::hypot(context.pose(a).x, context.pose(a).y) < 1.5);
-  CHECK(std::hypot(context.pose(b).x, context.pose(b).y) < 1.5);
-}
-
 TEST_CASE("A crowd of round robots stays apart") {
   PhysicsContext context;
   constexpr int kRobots = 14;

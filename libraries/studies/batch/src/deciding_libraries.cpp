@@ -11,7 +11,6 @@
 #include "elsie/api/sensor.h"
 #include "elsie/batch/plan.h"
 #include "elsie/plugin/engine_libraries.h"
-#include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/own_library.h"
 #include "elsie/plugin/parameters.h"
@@ -47,16 +46,6 @@ bool has_cameras(const world::World& world, const plugin::Host& host) {
 }
 
 }  // namespace
-
-void load_engines() {
-  for (const std::string& engine : plugin::engine_names()) {
-    try {
-      plugin::engine_symbol(engine, "elsie_make_engine");  // loads what it needs, too
-    } catch (const plugin::PluginError&) {
-      continue;  // it affects no run
-    }
-  }
-}
 
 std::vector<fs::path> deciding_libraries(const world::World& world, const plugin::Host& host) {
   const std::string& engine = world.physics.engine;

@@ -26,6 +26,7 @@
 #include "elsie/batch/worker_pool.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/process/process_end.h"
+#include "elsie/world/vocabulary.h"
 
 #include "run_template.h"
 #include "start_process.h"
@@ -228,7 +229,7 @@ void stand_by() {
   handle_requests_to_end();
   Original original;
   const Job example = job_on_input();
-  load_engines();
+  world::vocabulary();  // loads all engines, and what they link to
   rehearse();
   original.load(example);
   original.serve();

@@ -237,8 +237,7 @@ void Crowd::add_contact(const FoundContact& contact) {
   Row row = row_along(contact, normal);
   row.lower = 0.0;
   row.softness = surface.soft_cfm / step;
-  row.target =
-      std::min(softness_.erp / step * contact.contact.geom.depth, world::kMaxCorrectingSpeed);
+  row.target = std::min(softness_.erp / step * contact.contact.geom.depth, kMaxCorrectingSpeed);
   if (surface.mode & dContactMotionN) row.target += surface.motionN;
   if (surface.mode & dContactBounce) {
     const double coming = -normal_speed(row);

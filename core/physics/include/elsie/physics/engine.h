@@ -66,9 +66,8 @@ struct Touch {
 /// motors. It has then relaxed them.
 struct GiveUps {
   std::uint64_t steps = 0;
-  /// Of them, those whose motion is an approximation only, because no relaxing helped.
-  std::uint64_t unsolved = 0;
-  double first_s = 0.0;  // the end of the first such step
+  std::uint64_t unsolved = 0;  // of them: relaxing did not help, and the motion is approximate
+  double first_s = 0.0;        // the end of the first such step
 
   friend bool operator==(const GiveUps&, const GiveUps&) = default;
 };
@@ -160,13 +159,8 @@ class Engine {
                                          double max_range, std::size_t except) const = 0;
   /// The same for several rays, whose frames are given in the frame `within`: sets their distances.
   /// Only one thread at a time may ask for a robot.
-  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const {
-    for (RayQuery& ray : rays) {
-      const auto hit = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
-                                ray.max_range_m, except);
-      ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
-    }
-  }
+  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays,
+                         std::size_t except) const = 0;
   /// Returns whether a wall, a visible obstacle or a robot other than `except` reaches into the
   /// pyramid, whose far face is flat, at the distance `range_m` along its axis. Robots are seen as
   /// by rays, but with the boxes around their wheels, and around a chassis that is a ball or a
@@ -181,12 +175,11 @@ class Engine {
 };
 
 /// Makes the engine that `physics.engine` names. Throws plugin::PluginError if there is none, and
-/// std::invalid_argument for an arena or parameters that it cannot use, such as a step that is not
-/// positive.
+/// std::invalid_argument for an arena or parameters that it cannot use.
 std::unique_ptr<Engine> make_engine(const world::Arena& arena, const world::Physics& physics);
 
-/// The function that the library of an engine exports as `elsie_make_engine`; it also exports
-/// world::EngineParameters, world::EngineCheck and world::EngineWarnings. The caller owns the
+/// The function that the library of an engine exports as `elsie_make_engine`; it also exports a
+/// world::EngineParameters, a world::EngineCheck and a world::EngineWarnings. The caller owns the
 /// engine. Throws std::invalid_argument as make_engine() does.
 using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics& physics);
 

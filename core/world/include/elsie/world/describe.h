@@ -105,12 +105,6 @@ class Describe {
     return std::move(*this);
   }
 
-  /// An attribute that is complete.
-  Describe&& attribute(AttributeSpec attribute) && {
-    spec_.attributes.push_back(std::move(attribute));
-    return std::move(*this);
-  }
-
   /// An attribute for templates, which is used before objects are made.
   Describe&& attribute_before_reading(const char* name, ParameterType type,
                                       ParameterFacts facts) && {

@@ -162,9 +162,6 @@ std::vector<PlannedRun> in_order(const Plan& plan, const std::vector<std::int64_
 std::vector<std::filesystem::path> deciding_libraries(const world::World& world,
                                                       const plugin::Host& host);
 
-/// Loads all engines that can be loaded, and what they link to.
-void load_engines();
-
 /// Checks whether a cell's files have changed since the plan was made.
 class FileCheck {
  public:
