@@ -21,7 +21,7 @@ batch::Job small_job(const test::Folder& folder) {
 }
 
 double measure(const batch::RunRecord& record, const std::string& name) {
-  for (const batch::Measure& one : record.measures) {
+  for (const simulation::MeasuredValue& one : record.measures) {
     if (one.name == name) {
       return one.value.value();
     }

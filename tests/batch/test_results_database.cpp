@@ -155,11 +155,11 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK(run->record.solver_unsolved == 3U);
   const batch::RunRecord written = test::some_record();
   REQUIRE(run->record.measures.size() == written.measures.size());
-  for (const batch::Measure& measure : written.measures) {
+  for (const simulation::MeasuredValue& measure : written.measures) {
     CAPTURE(measure.name);
     const auto read =
         std::find_if(run->record.measures.begin(), run->record.measures.end(),
-                     [&](const batch::Measure& other) { return other.name == measure.name; });
+                     [&](const simulation::MeasuredValue& other) { return other.name == measure.name; });
     REQUIRE(read != run->record.measures.end());
     CHECK(read->unit == measure.unit);
     CHECK(read->value == measure.value);

@@ -8,8 +8,6 @@
 #include "elsie/batch/estimate.h"
 #include "elsie/batch/worker_pool.h"
 
-#include "stages.h"
-
 namespace elsie::batch {
 
 namespace {
@@ -57,15 +55,11 @@ std::vector<PlannedRun> ordered(ResultsDatabase& database) {
 
 Estimate estimate_of(ResultsDatabase& database, const std::vector<PlannedRun>& pending,
                      std::size_t workers) {
-  std::vector<std::vector<std::string>> levels;
-  for (const PlannedCell& cell : database.plan().cells) {
-    levels.push_back(levels_of(cell));
-  }
-  std::vector<std::int64_t> counts(levels.size(), 0);
+  std::vector<std::int64_t> counts(database.plan().cells.size(), 0);
   for (const PlannedRun& run : pending) {
     ++counts[run.cell];
   }
-  Estimate estimate(levels, std::move(counts), workers);
+  Estimate estimate(std::move(counts), workers);
   for (const CellTime& time : database.times()) {
     estimate.add_known(time.cell, time.wall_s, time.runs);
   }
