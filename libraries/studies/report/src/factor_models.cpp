@@ -8,13 +8,16 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
+#include "elsie/experiment/split.h"
 #include "elsie/output/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
-#include "split.h"
 
 namespace elsie::report {
+
+using experiment::split;
+using experiment::trimmed;
 
 namespace {
 
