@@ -82,10 +82,10 @@ TEST_CASE_METHOD(
   CHECK(cell.sha256 == results::sha256(cell.world_text));
   REQUIRE(cell.data.size() == 2);
   CHECK(cell.data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
-  const batch::PlannedFile& file = plan.files[cell.data[0].file];
-  CHECK(file.path == test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
-  CHECK(file.content == results::file_content(file.path));
-  CHECK(file.sha256 == results::sha256(file.content));
+  const batch::PlannedFile& model = plan.files[cell.data[0].file];
+  CHECK(model.path == test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
+  CHECK(model.content == results::file_content(model.path));
+  CHECK(model.sha256 == results::sha256(model.content));
   std::vector<std::string> plugins;
   for (const std::size_t plugin : cell.plugins) {
     plugins.push_back(plan.plugins[plugin].kind + " " + plan.plugins[plugin].name);

@@ -251,11 +251,11 @@ TEST_CASE_METHOD(test::SmallBatch,
 TEST_CASE_METHOD(
     test::SmallBatch,
     "Files that are no database of results are refused with a sentence, and left alone") {
-  const auto refused = [&](const std::string& file, const std::string& why) {
-    CAPTURE(file);
-    CHECK_THROWS_WITH(ResultsDatabase::open(file), Contains(why));
-    CHECK_THROWS_WITH(ResultsDatabase::resume(file, plan), Contains(why));
-    CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
+  const auto refused = [&](const std::string& wrong, const std::string& why) {
+    CAPTURE(wrong);
+    CHECK_THROWS_WITH(ResultsDatabase::open(wrong), Contains(why));
+    CHECK_THROWS_WITH(ResultsDatabase::resume(wrong, plan), Contains(why));
+    CHECK_THROWS_AS(ResultsDatabase::create(wrong, plan), DatabaseRefused);
   };
   const std::string text = folder.write("text.sqlite", std::string(5000, 'x'));
   refused(text, "is not an SQLite database");

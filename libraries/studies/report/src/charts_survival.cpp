@@ -62,7 +62,7 @@ picture::Series curve_of(const SurvivalCurve& curve) {
   series.spread.push_back({1.0, 1.0});
   for (const SurvivalStep& step : curve.steps) {
     series.points.push_back({step.time, step.survival});
-    series.spread.push_back({step.interval.low, step.interval.high});
+    series.spread.push_back(step.interval);
     if (step.cut_off > 0) {
       series.strokes.push_back({step.time, step.survival});
     }

@@ -11,8 +11,19 @@
 
 namespace elsie::report {
 
-std::string command(const PageContext& page, const Run& run) {
-  return "<code class=\"command\">" + escaped(replay_command(page.database, run.id)) + "</code>";
+std::string runs_table(const std::string& what, const std::string& why, const std::string& rows) {
+  return "<div class=\"scroll\"><table class=\"runs\"><thead><tr><th class=\"n\">run</th>"
+         "<th class=\"n\">seed</th><th>" +
+         what + "</th><th>" + why + "</th><th>again</th></tr></thead><tbody>" + rows +
+         "</tbody></table></div>\n";
+}
+
+std::string run_row(const PageContext& page, const Run& run, const std::string& what,
+                    const std::string& why) {
+  return "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
+         std::to_string(run.seed) + "</td><td>" + what + "</td><td>" + why +
+         "</td><td><code class=\"command\">" + escaped(replay_command(page.database, run.id)) +
+         "</code></td></tr>";
 }
 
 std::string ending_tag(const Findings& findings, const Run& run) {

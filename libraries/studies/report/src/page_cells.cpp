@@ -145,25 +145,19 @@ std::string run_table(const PageContext& page, const CellFindings& cell) {
     return "<p class=\"quiet\">" +
            std::string(cell.ended == 0 ? "No run is done yet." : "No run stands out.") + "</p>\n";
   }
-  const std::string head =
-      "<div class=\"scroll\"><table class=\"runs\"><thead><tr><th "
-      "class=\"n\">run</th><th class=\"n\">seed</th><th>ended</th><th>why</th><th>again</th></tr>"
-      "</thead><tbody>";
-  const std::string foot = "</tbody></table></div>\n";
-  std::string text = "<h4>Runs to look at</h4>" + head;
-  std::size_t shown = 0;
-  for (const auto& [place, why] : notable) {
-    const Run& run = page.findings.results.runs[place];
-    // If only one run would be folded, it is shown instead.
-    if (shown++ == kRunsAtOnce && notable.size() > kRunsAtOnce + 1) {
-      text += foot + "<details class=\"fold\"><summary>" +
-              counted(notable.size() - kRunsAtOnce, "more", "more") + "</summary>" + head;
-    }
-    text += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
-            std::to_string(run.seed) + "</td><td>" + ending_tag(page.findings, run) + "</td><td>" +
-            escaped(why) + "</td><td>" + command(page, run) + "</td></tr>";
+  std::string shown, folded;
+  // If only one run would be folded, it is shown instead.
+  const std::size_t most = notable.size() == kRunsAtOnce + 1 ? notable.size() : kRunsAtOnce;
+  for (std::size_t i = 0; i < notable.size(); ++i) {
+    const Run& run = page.findings.results.runs[notable[i].first];
+    (i < most ? shown : folded) +=
+        run_row(page, run, ending_tag(page.findings, run), escaped(notable[i].second));
   }
-  return text + foot + (shown > kRunsAtOnce + 1 ? "</details>" : "");
+  return "<h4>Runs to look at</h4>" + runs_table("ended", "why", shown) +
+         (folded.empty() ? ""
+                         : "<details class=\"fold\"><summary>" +
+                               counted(notable.size() - most, "more", "more") + "</summary>" +
+                               runs_table("ended", "why", folded) + "</details>");
 }
 
 std::string headline(const PageContext& page, std::size_t place) {

@@ -88,6 +88,16 @@ struct Layout {
 Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size,
                double zoom);
 
+/// A point of a path in the picture, with the fraction of the path's time.
+struct PathStep {
+  Vector2 at;
+  double part = 0.0;
+  bool driven = true;  // from the step before; else the robot was placed here
+};
+/// The path without points that make no visible difference, those less than `apart` units from the
+/// one before: a run of ten minutes has tens of thousands of points.
+std::vector<PathStep> visible_steps(const Layout& layout, const RobotTrack& track, double apart);
+
 /// The corners of an outline at a place, in the picture.
 std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<Vector2> corners);
 
