@@ -15,6 +15,7 @@
 
 #include "canvas.h"
 #include "label_placer.h"
+#include "legend.h"
 
 namespace elsie::picture {
 
@@ -55,22 +56,8 @@ Ink team_ink(const world::World& world, const std::string& team);
 /// The colour of a resource, as cameras see it.
 Ink resource_ink(const world::World& world, const world::Box& resource);
 
-/// An entry of the legend: `draw` draws its symbol around the given point.
-struct LegendEntry {
-  std::string text;
-  double width = 20.0;  // of the symbol
-  std::function<void(Canvas&, const Vector2&)> draw;
-};
+/// What the picture needs to explain.
 std::vector<LegendEntry> legend_of(const Scene& scene);
-/// The position of each entry, in units from the legend's upper left corner.
-struct LegendLayout {
-  std::vector<Vector2> places;
-  double height = 0.0;
-};
-LegendLayout lay_out_legend(const Canvas& canvas, const std::vector<LegendEntry>& entries,
-                            double width);
-void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
-                 const LegendLayout& layout, const Vector2& corner);
 
 /// The layout in units of the drawing.
 struct Layout {
