@@ -23,7 +23,7 @@ using experiment::trimmed;
 
 namespace {
 
-// The observations of one seed in cells that match, of both groups.
+// One seed's observations in matching cells, by group.
 struct Match {
   std::vector<Observed> first, second;
   std::vector<std::size_t> originals_first, originals_second;
