@@ -104,8 +104,8 @@ struct Mesh {
   Field field{};
 };
 
-/// Two factors as a table of coloured tiles, each with its text. There must be a value and a text for
-/// each tile.
+/// Two factors as a table of coloured tiles, each with its text. There must be a value and a text
+/// for each tile.
 struct Tiles {
   std::string title{};
   Axis x{};  // names: of the columns
@@ -177,8 +177,8 @@ struct Page {
 /// gives the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the
 /// rows share the height.
 ///
-/// Throws std::invalid_argument for another suffix, a size out of range, or an axis whose low is not
-/// below its high; std::runtime_error when the file cannot be written; an existing file is then
+/// Throws std::invalid_argument for another suffix, a size out of range, or an axis whose low is
+/// not below its high; std::runtime_error when the file cannot be written; an existing file is then
 /// unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
