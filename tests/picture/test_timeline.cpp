@@ -95,7 +95,7 @@ Bitmap drawn(const Trace& trace, const traces::TimeSpan& span = {}) {
   save_timeline({trace, {}, span, "", {}}, folder / "a.png");
   return Bitmap(folder / "a.png");
 }
-Bitmap drawn(const TraceRobot& robot) { return drawn(robot); }
+Bitmap drawn(const TraceRobot& robot) { return drawn(trace_of({robot})); }
 
 }  // namespace
 
