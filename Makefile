@@ -121,13 +121,13 @@ pictures: program
 
 # The four-resource world with every coordinator, 20 seeds each: docs/research/four-resources.md.
 four-resources: all
-	scripts/coordination-figures $(BUILD)
+	experiments/reproduction/coordination-figures $(BUILD)
 
 # The published experiments, the deciding experiment and the study of every coordinator: docs/research/experiments.md, docs/research/original-step.md,
 # docs/research/every-coordinator.md. Goes on where it was stopped; SEEDS of the deciding experiment, at most 20, take two and a half hours in all.
 SEEDS ?= 20
 tables: configure
-	scripts/tables $(BUILD) --seeds $(SEEDS)
+	experiments/reproduction/tables $(BUILD) --seeds $(SEEDS)
 
 # The generated parts of the plugins' pages in docs/, from their declarations.
 reference: program

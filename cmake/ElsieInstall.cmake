@@ -10,7 +10,8 @@ foreach(plugin IN LISTS ELSIE_SHIPPED_PLUGINS)
   install(TARGETS ${plugin} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/elsie/plugins")
 endforeach()
 
-install(DIRECTORY experiments fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie")
+install(DIRECTORY experiments fuzzy_models robots templates training_sets worlds DESTINATION "${CMAKE_INSTALL_DATADIR}/elsie"
+        PATTERN reproduction EXCLUDE)
 install(DIRECTORY docs examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # The pages name worlds and other data by `../worlds/`, as in the source tree: links next to docs/ lead to the installed data.

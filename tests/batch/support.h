@@ -65,6 +65,13 @@ inline batch::Plan small_plan(const Folder& folder, batch::Shard shard = {}) {
   return batch::make_plan(small_experiment(folder), shipped(), plan_options(shard));
 }
 
+/// A folder for the plan of a small experiment and its database.
+struct SmallBatch {
+  const Folder folder{};
+  const std::string file = folder.file("r.sqlite");
+  const batch::Plan plan = small_plan(folder);
+};
+
 /// A possible record of a run that is done.
 inline batch::RunRecord some_record(const std::string& hash = "0123456789abcdef") {
   batch::RunRecord record;

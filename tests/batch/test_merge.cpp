@@ -53,13 +53,12 @@ std::string shard(const test::Folder& folder, std::size_t index, std::size_t of,
 
 }  // namespace
 
-TEST_CASE("Devices are written to by nobody, and stay") {
-  const test::Folder folder;
+TEST_CASE_METHOD(test::SmallBatch, "Devices are written to by nobody, and stay") {
   const std::string part = shard(folder, 1, 1, "part.sqlite");
   const std::string device = folder.file("device.sqlite");
   fs::create_symlink("/dev/null", device);
   CHECK_THROWS_WITH(batch::merge(device, {part}), Contains("device.sqlite' is no file; choose"));
-  CHECK_THROWS_WITH(ResultsDatabase::create(device, test::small_plan(folder)),
+  CHECK_THROWS_WITH(ResultsDatabase::create(device, plan),
                     Contains("device.sqlite' is a device, not a file; expected a database"));
   CHECK(fs::is_symlink(device));
 }
@@ -96,8 +95,8 @@ TEST_CASE("Databases whose columns are in different orders can be merged") {
         test::rows(b, "SELECT 7.5, state_hash FROM runs"));
 }
 
-TEST_CASE("A run in two databases counts once; missing runs can be done later") {
-  const test::Folder folder;
+TEST_CASE_METHOD(test::SmallBatch,
+                 "A run in two databases counts once; missing runs can be done later") {
   const std::string a = shard(folder, 1, 3, "a.sqlite");
   const std::string again = folder.file("again.sqlite");
   fs::copy(a, again);
@@ -107,7 +106,7 @@ TEST_CASE("A run in two databases counts once; missing runs can be done later") 
   CHECK(count.duplicates == 2);
   CHECK(count.pending == 1);
   CHECK(count.missing == 2);
-  auto database = ResultsDatabase::resume(merged, test::small_plan(folder));
+  auto database = ResultsDatabase::resume(merged, plan);
   CHECK(database.pending() == std::vector<std::int64_t>{2, 5, 6});
 }
 

@@ -21,7 +21,7 @@ batch::Job small_job(const test::Folder& folder) {
 }
 
 double measure(const batch::RunRecord& record, const std::string& name) {
-  for (const batch::Measure& one : record.measures) {
+  for (const simulation::MeasuredValue& one : record.measures) {
     if (one.name == name) {
       return one.value.value();
     }
@@ -234,8 +234,8 @@ TEST_CASE("A plugin that fails is named with robot and step, and partial results
   }
 }
 
-TEST_CASE("A give-up in the very step that the physics fails in is written, too") {
-  const test::Folder folder;
+TEST_CASE_METHOD(test::SmallBatch,
+                 "A give-up in the very step that the physics fails in is written, too") {
   batch::Job job = small_job(folder);
   // The ram pushes the robot through the wall in the first step.
   job.world_text = R"(<world format="1"><limits time="1"/><arena length="4" width="4"/>
@@ -255,9 +255,8 @@ TEST_CASE("A give-up in the very step that the physics fails in is written, too"
     return note.text.find("gave up in 1 of 1 step,") != std::string::npos;
   }));
 
-  const std::string file = folder.file("r.sqlite");
   {
-    auto database = batch::ResultsDatabase::create(file, test::small_plan(folder));
+    auto database = batch::ResultsDatabase::create(file, plan);
     database.write(1, record);
     CHECK(database.pending().size() == 5);
   }

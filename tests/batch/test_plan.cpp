@@ -13,9 +13,8 @@
 using namespace elsie;
 using Catch::Contains;
 
-TEST_CASE("A plan has every cell and every run, in the order of the grid") {
-  const test::Folder folder;
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "A plan has every cell and every run, in the order of the grid") {
   CHECK(plan.factors == std::vector<std::string>{"world", "speed"});
   REQUIRE(plan.cells.size() == 2);
   CHECK(plan.cells[0].label == "slow");
@@ -74,19 +73,19 @@ TEST_CASE("Runs are done seed by seed, with repetitions last, whatever is done a
   CHECK_THROWS_AS(batch::in_order(plan, {13}), std::out_of_range);
 }
 
-TEST_CASE("A cell's world is one text with all that is set in it, and names every data file") {
-  const test::Folder folder;
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(
+    test::SmallBatch,
+    "A cell's world is one text with all that is set in it, and names every data file") {
   const batch::PlannedCell& cell = plan.cells[0];
   CHECK_THAT(cell.world_text, Contains("max_speed=\"0.1\""));
   CHECK_THAT(cell.world_text, Contains("left_model=\"fuzzy_models/avoid_obstacle_left.fcl\""));
   CHECK(cell.sha256 == results::sha256(cell.world_text));
   REQUIRE(cell.data.size() == 2);
   CHECK(cell.data[0].name == "fuzzy_models/avoid_obstacle_left.fcl");
-  const batch::PlannedFile& file = plan.files[cell.data[0].file];
-  CHECK(file.path == test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
-  CHECK(file.content == results::file_content(file.path));
-  CHECK(file.sha256 == results::sha256(file.content));
+  const batch::PlannedFile& model = plan.files[cell.data[0].file];
+  CHECK(model.path == test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
+  CHECK(model.content == results::file_content(model.path));
+  CHECK(model.sha256 == results::sha256(model.content));
   std::vector<std::string> plugins;
   for (const std::size_t plugin : cell.plugins) {
     plugins.push_back(plan.plugins[plugin].kind + " " + plan.plugins[plugin].name);
@@ -160,9 +159,8 @@ TEST_CASE("A world's measures are among its plugins, and in its text") {
   CHECK(plan.libraries(cell).size() == 6);
 }
 
-TEST_CASE("The text of a cell is all of its world, wherever the files are by then") {
-  const test::Folder folder;
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "The text of a cell is all of its world, wherever the files are by then") {
   const test::Folder elsewhere;
   world::ReadOptions options;
   for (const auto& data : plan.cells[0].data) {

@@ -20,10 +20,8 @@ using batch::ResultsDatabase;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
-TEST_CASE("A new database has all pending runs, and everything that they need") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "A new database has all pending runs, and everything that they need") {
   {
     auto database = ResultsDatabase::create(file, plan);
     CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 4, 5, 6});
@@ -50,10 +48,8 @@ TEST_CASE("A new database has all pending runs, and everything that they need") 
   CHECK_FALSE(fs::exists(file + "-lock"));
 }
 
-TEST_CASE("A run is written once, whole") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  auto database = ResultsDatabase::create(file, test::small_plan(folder));
+TEST_CASE_METHOD(test::SmallBatch, "A run is written once, whole") {
+  auto database = ResultsDatabase::create(file, plan);
   database.write(4, test::some_record());
   CHECK(database.pending() == std::vector<std::int64_t>{1, 2, 3, 5, 6});
   CHECK_THROWS_WITH(database.write(4, test::some_record()),
@@ -75,10 +71,9 @@ TEST_CASE("A run is written once, whole") {
   CHECK(test::rows(file, "PRAGMA foreign_key_check").empty());
 }
 
-TEST_CASE("A run of which a part cannot be written is not written at all") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  auto database = ResultsDatabase::create(file, test::small_plan(folder));
+TEST_CASE_METHOD(test::SmallBatch,
+                 "A run of which a part cannot be written is not written at all") {
+  auto database = ResultsDatabase::create(file, plan);
   batch::RunRecord record = test::some_record();
   record.robots.push_back(record.robots[0]);  // twice
   CHECK_THROWS_AS(database.write(1, record), batch::DatabaseError);
@@ -132,9 +127,8 @@ TEST_CASE("Cells, failures and seeds that disagree are counted") {
   database.write(7, test::some_record());
 }
 
-TEST_CASE("A stored run has everything that is needed to repeat it") {
-  const test::Folder folder;
-  auto database = ResultsDatabase::create(folder.file("r.sqlite"), test::small_plan(folder));
+TEST_CASE_METHOD(test::SmallBatch, "A stored run has everything that is needed to repeat it") {
+  auto database = ResultsDatabase::create(file, plan);
   database.write(6, test::some_record());
   const auto run = database.run(6);
   REQUIRE(run);
@@ -155,11 +149,11 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK(run->record.solver_unsolved == 3U);
   const batch::RunRecord written = test::some_record();
   REQUIRE(run->record.measures.size() == written.measures.size());
-  for (const batch::Measure& measure : written.measures) {
+  for (const simulation::MeasuredValue& measure : written.measures) {
     CAPTURE(measure.name);
-    const auto read =
-        std::find_if(run->record.measures.begin(), run->record.measures.end(),
-                     [&](const batch::Measure& other) { return other.name == measure.name; });
+    const auto read = std::find_if(
+        run->record.measures.begin(), run->record.measures.end(),
+        [&](const simulation::MeasuredValue& other) { return other.name == measure.name; });
     REQUIRE(read != run->record.measures.end());
     CHECK(read->unit == measure.unit);
     CHECK(read->value == measure.value);
@@ -167,10 +161,7 @@ TEST_CASE("A stored run has everything that is needed to repeat it") {
   CHECK_FALSE(database.run(7));
 }
 
-TEST_CASE("A batch continues only with its own database") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch, "A batch continues only with its own database") {
   {
     auto database = ResultsDatabase::create(file, plan);
     database.write(1, test::some_record());
@@ -194,8 +185,7 @@ TEST_CASE("A batch continues only with its own database") {
                     Contains("has the shard 1/1 of the experiment, not 1/2"));
 }
 
-TEST_CASE("A model that has changed is named when a batch is resumed") {
-  const test::Folder folder;
+TEST_CASE_METHOD(test::SmallBatch, "A model that has changed is named when a batch is resumed") {
   for (const char* side : {"left", "right"}) {
     const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
     fs::create_directories(folder.file("fuzzy_models"));
@@ -204,7 +194,6 @@ TEST_CASE("A model that has changed is named when a batch is resumed") {
   auto options = test::plan_options();
   options.data_directories = {folder.file("")};
   const auto experiment = test::small_experiment(folder);
-  const std::string file = folder.file("r.sqlite");
   ResultsDatabase::create(file, batch::make_plan(experiment, test::shipped(), options));
   const std::string model = "fuzzy_models/avoid_obstacle_left.fcl";
   folder.write(model, folder.read(model) + "\n");
@@ -215,10 +204,8 @@ TEST_CASE("A model that has changed is named when a batch is resumed") {
           Contains(", now " + results::sha256(folder.read(model)).substr(0, 8) + ")"));
 }
 
-TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cells") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "What else has changed is named, too: worlds, settings, libraries, cells") {
   ResultsDatabase::create(file, plan);
   const auto difference = [&](const batch::Plan& changed) -> std::string {
     try {
@@ -261,14 +248,14 @@ TEST_CASE("What else has changed is named, too: worlds, settings, libraries, cel
   CHECK_THAT(difference(text), Contains("the experiment file '" + plan.file + "' (SHA-256 "));
 }
 
-TEST_CASE("Files that are no database of results are refused with a sentence, and left alone") {
-  const test::Folder folder;
-  const batch::Plan plan = test::small_plan(folder);
-  const auto refused = [&](const std::string& file, const std::string& why) {
-    CAPTURE(file);
-    CHECK_THROWS_WITH(ResultsDatabase::open(file), Contains(why));
-    CHECK_THROWS_WITH(ResultsDatabase::resume(file, plan), Contains(why));
-    CHECK_THROWS_AS(ResultsDatabase::create(file, plan), DatabaseRefused);
+TEST_CASE_METHOD(
+    test::SmallBatch,
+    "Files that are no database of results are refused with a sentence, and left alone") {
+  const auto refused = [&](const std::string& wrong, const std::string& why) {
+    CAPTURE(wrong);
+    CHECK_THROWS_WITH(ResultsDatabase::open(wrong), Contains(why));
+    CHECK_THROWS_WITH(ResultsDatabase::resume(wrong, plan), Contains(why));
+    CHECK_THROWS_AS(ResultsDatabase::create(wrong, plan), DatabaseRefused);
   };
   const std::string text = folder.write("text.sqlite", std::string(5000, 'x'));
   refused(text, "is not an SQLite database");
@@ -288,9 +275,8 @@ TEST_CASE("Files that are no database of results are refused with a sentence, an
                         Contains("choose another folder"));
 }
 
-TEST_CASE("A number without a run is reported: it does not exist, or is in another shard") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
+TEST_CASE_METHOD(test::SmallBatch,
+                 "A number without a run is reported: it does not exist, or is in another shard") {
   ResultsDatabase::create(file, test::small_plan(folder, {2, 4}));
   auto shard = ResultsDatabase::open(file);
   CHECK(shard.run(6));
@@ -306,11 +292,10 @@ TEST_CASE("A number without a run is reported: it does not exist, or is in anoth
              Contains("it was merged from databases that do not have it; do it with `elsie"));
 }
 
-TEST_CASE("A database that was moved is not written; the message says where its results are") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
+TEST_CASE_METHOD(
+    test::SmallBatch,
+    "A database that was moved is not written; the message says where its results are") {
   const std::string moved = folder.file("moved.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
   const std::string by = " while the batch wrote it; ";
   std::string why;
   {
@@ -357,10 +342,8 @@ TEST_CASE("An empty file is a database that was not begun") {
   CHECK_FALSE(results::is_vacant(file));
 }
 
-TEST_CASE("One batch at a time writes a database, while others may read it") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "One batch at a time writes a database, while others may read it") {
   {
     auto first = ResultsDatabase::create(file, plan);
     CHECK_THROWS_WITH(
@@ -377,10 +360,8 @@ TEST_CASE("One batch at a time writes a database, while others may read it") {
   CHECK(ResultsDatabase::resume(file, plan).pending().size() == 4);
 }
 
-TEST_CASE("The lock ends with the process, however that ends; written results stay") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "The lock ends with the process, however that ends; written results stay") {
   const pid_t child = fork();
   if (child == 0) {
     auto database = ResultsDatabase::create(file, plan);
@@ -399,10 +380,8 @@ TEST_CASE("The lock ends with the process, however that ends; written results st
   CHECK(test::rows(file, "PRAGMA integrity_check") == "ok\n");
 }
 
-TEST_CASE("On a full disk the batch ends with a sentence, and what was written is valid") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch,
+                 "On a full disk the batch ends with a sentence, and what was written is valid") {
   const pid_t child = fork();
   if (child == 0) {
     // No file may grow beyond this, as on a full disk.
@@ -436,10 +415,7 @@ TEST_CASE("On a full disk the batch ends with a sentence, and what was written i
   CHECK(test::rows(file, "PRAGMA integrity_check") == "ok\n");
 }
 
-TEST_CASE("No database is left behind when it cannot be made") {
-  const test::Folder folder;
-  const std::string file = folder.file("r.sqlite");
-  const batch::Plan plan = test::small_plan(folder);
+TEST_CASE_METHOD(test::SmallBatch, "No database is left behind when it cannot be made") {
   const pid_t child = fork();
   if (child == 0) {
     std::signal(SIGXFSZ, SIG_IGN);

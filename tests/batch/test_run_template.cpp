@@ -98,9 +98,10 @@ batch::Job job_with_faulty(const std::string& plugin = "thrifty") {
 
 }  // namespace
 
-TEST_CASE("Copies give the same records as programs of their own, with any number of workers") {
-  const test::Folder folder;
-  const std::vector<batch::Job> jobs = jobs_of(test::small_plan(folder));
+TEST_CASE_METHOD(
+    test::SmallBatch,
+    "Copies give the same records as programs of their own, with any number of workers") {
+  const std::vector<batch::Job> jobs = jobs_of(plan);
   const Records expected = records_of(jobs, {.command = kWorker});
   CHECK(expected.size() == 6);
   for (const std::size_t workers : {1U, 2U, 5U}) {
@@ -123,9 +124,9 @@ TEST_CASE("Runs of a cell share a process that has read their world; repetitions
   CHECK(templates().empty());
 }
 
-TEST_CASE("Runs with worlds of their own share a process that has loaded their libraries") {
-  const test::Folder folder;
-  std::vector<batch::Job> jobs = jobs_of(test::small_plan(folder));
+TEST_CASE_METHOD(test::SmallBatch,
+                 "Runs with worlds of their own share a process that has loaded their libraries") {
+  std::vector<batch::Job> jobs = jobs_of(plan);
   for (batch::Job& job : jobs) {
     job.cell.reset();
   }
@@ -136,9 +137,8 @@ TEST_CASE("Runs with worlds of their own share a process that has loaded their l
   CHECK(most == 1);
 }
 
-TEST_CASE("Threads are started in the copies") {
-  const test::Folder folder;
-  std::vector<batch::Job> jobs = jobs_of(test::small_plan(folder));
+TEST_CASE_METHOD(test::SmallBatch, "Threads are started in the copies") {
+  std::vector<batch::Job> jobs = jobs_of(plan);
   const Records expected = records_of(jobs, {.command = kWorker});
   for (batch::Job& job : jobs) {
     job.threads = 3;
@@ -147,10 +147,10 @@ TEST_CASE("Threads are started in the copies") {
         expected);
 }
 
-TEST_CASE(
+TEST_CASE_METHOD(
+    test::SmallBatch,
     "A template that is killed costs no run, even one of its copies at work; another follows") {
-  const test::Folder folder;
-  const std::vector<batch::Job> jobs = jobs_of(test::small_plan(folder));
+  const std::vector<batch::Job> jobs = jobs_of(plan);
   std::vector<pid_t> seen;
   const Records records =
       records_of(jobs, {.command = kWorker, .template_command = kTemplate}, [&] {

@@ -1,4 +1,4 @@
-// Shared by the tests of pictures: the pixels of a PNG file.
+// Shared by the tests of pictures: the pixels of a PNG file, and where a point of the world is.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@
 #include "elsie/api/geometry.h"
 
 #include "folder.h"
+#include "top_view_parts.h"
 
 namespace elsie::picture::test {
 
@@ -75,5 +76,17 @@ class Bitmap {
  private:
   cairo_surface_t* surface_;
 };
+
+/// Maps points of the world (m) to the picture of save_top_view(), in pixels from its upper left
+/// corner.
+inline PlaneMap top_view_map(const TopView& view, const Size& size = {}) {
+  const Scene scene = complete(view);
+  const Layout layout = lay_out(scene, legend_of(scene), size, zoom_for_width(size.width));
+  PlaneMap map = layout.map;
+  for (double* const part : {&map.scale_x, &map.scale_y, &map.origin_x, &map.origin_y}) {
+    *part *= layout.zoom;
+  }
+  return map;
+}
 
 }  // namespace elsie::picture::test

@@ -242,14 +242,6 @@ TEST_CASE("In a page, colours are those of its style") {
   CHECK(page_chart(survival(), "", {400, 0}).find("var(--c0)") != std::string::npos);
 }
 
-TEST_CASE("Tiles without a value or a text for each are refused") {
-  Tiles tiles = two_by_two();
-  tiles.values.pop_back();
-  CHECK_THROWS_WITH(page_chart(tiles, "", {400, 0}),
-                    Catch::Contains("2 columns and 2 rows cannot be drawn from 3 values"));
-  CHECK_THROWS_AS(page_chart(Tiles{}, "", {400, 0}), std::invalid_argument);
-}
-
 TEST_CASE("Charts with nothing in them, equal values or infinite ones are drawn") {
   const double infinite = std::numeric_limits<double>::infinity();
   RowChart rows;

@@ -7,13 +7,13 @@
 #include "elsie/world/description.h"
 
 #include "support.h"
-#include "top_view_map.h"
 
 using namespace elsie;
 using namespace elsie::picture;
 using picture::test::Bitmap;
 using picture::test::bytes_of;
 using picture::test::Folder;
+using picture::test::top_view_map;
 
 namespace {
 
@@ -173,7 +173,6 @@ TEST_CASE("A size out of range is refused in a sentence") {
   const world::World world = world_of_everything();
   for (const Size size : {Size{0, 0}, Size{-5, 0}, Size{100000, 0}, Size{1000, 10}}) {
     CHECK_THROWS_AS(save_top_view({world}, folder / "a.png", size), std::invalid_argument);
-    CHECK_THROWS_AS(top_view_map({world}, size), std::invalid_argument);
     CHECK_THROWS_AS(save_page({}, folder / "a.png", size), std::invalid_argument);
   }
   CHECK_THAT(message_of([&] {

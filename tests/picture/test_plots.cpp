@@ -172,19 +172,14 @@ TEST_CASE("Line charts take gaps, single values, no values, and many series") {
   CHECK_NOTHROW(save_page({}, folder / "empty.png"));
 }
 
-TEST_CASE("Axes and fields that cannot be drawn are refused") {
+TEST_CASE("Axes that cannot be drawn are refused") {
   const Folder folder;
   const auto save = [&](Panel panel) {
     save_page({"", {}, {{{std::move(panel)}}}}, folder / "a.png");
   };
   CHECK_THROWS_AS(save(LineChart{"", {"x", "", 1.0, 1.0}, {}, {}}), std::invalid_argument);
   CHECK_THROWS_AS(save(LineChart{"", {"x", "", std::nan(""), {}}, {}, {}}), std::invalid_argument);
-  Field field{{"x", "", 0.0, 1.0}, {"y", "", 0.0, 1.0}, {}, 2, 2, {1, 2, 3, 4}};
+  const Field field{{"x", "", 0.0, 1.0}, {"y", "", 0.0, 1.0}, {}, 2, 2, {1, 2, 3, 4}};
   CHECK_NOTHROW(save(HeatMap{"", field}));
   CHECK_NOTHROW(save(Mesh{"", field}));
-  field.values.pop_back();
-  CHECK_THROWS_AS(save(HeatMap{"", field}), std::invalid_argument);
-  CHECK_THROWS_AS(save(Mesh{"", field}), std::invalid_argument);
-  field = {{"x"}, {"y"}, {}, 2, 2, {1, 2, 3, 4}};
-  CHECK_THROWS_AS(save(HeatMap{"", field}), std::invalid_argument);
 }

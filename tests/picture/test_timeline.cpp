@@ -76,16 +76,6 @@ TraceRobot in_turn(const std::vector<std::pair<double, std::size_t>>& turns) {
   return robot;
 }
 
-int count(const Bitmap& image, const std::function<bool(const Pixel&)>& predicate) {
-  int found = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      found += predicate(image.at({static_cast<double>(x), static_cast<double>(y)})) ? 1 : 0;
-    }
-  }
-  return found;
-}
-
 int count_down(const Bitmap& image, int x, const std::function<bool(const Pixel&)>& predicate) {
   int found = 0;
   for (int y = 0; y < image.height(); ++y) {
@@ -94,22 +84,27 @@ int count_down(const Bitmap& image, int x, const std::function<bool(const Pixel&
   return found;
 }
 
-Bitmap drawn(const Folder& folder, const Trace& trace, const traces::TimeSpan& span = {}) {
+int count(const Bitmap& image, const std::function<bool(const Pixel&)>& predicate) {
+  int found = 0;
+  for (int x = 0; x < image.width(); ++x) found += count_down(image, x, predicate);
+  return found;
+}
+
+Bitmap drawn(const Trace& trace, const traces::TimeSpan& span = {}) {
+  const Folder folder;
   save_timeline({trace, {}, span, "", {}}, folder / "a.png");
   return Bitmap(folder / "a.png");
 }
+Bitmap drawn(const TraceRobot& robot) { return drawn(trace_of({robot})); }
 
 }  // namespace
 
 TEST_CASE("Shares are stacked to scale, and the band has the colour of whoever decides") {
-  const Folder folder;
   const auto heights = [&](double first, double second) {
     TraceRobot robot = robot_with({"a", "b"});
     note(robot, 0, 0, first);
     note(robot, 1, 0, second);
-    const Trace trace = trace_of({robot});
-    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
-    const Bitmap image(folder / "a.png");
+    const Bitmap image = drawn(robot);
     return std::pair(count_down(image, 500, is_first), count_down(image, 500, is_second));
   };
   const auto [most, least] = heights(0.75, 0.25);
@@ -121,12 +116,7 @@ TEST_CASE("Shares are stacked to scale, and the band has the colour of whoever d
 }
 
 TEST_CASE("Who decided for a single hundredth of a second in four minutes is seen") {
-  const Folder folder;
-  const auto greens = [&](const TraceRobot& robot) {
-    const Trace trace = trace_of({robot});
-    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
-    return count(Bitmap(folder / "a.png"), is_third);
-  };
+  const auto greens = [&](const TraceRobot& robot) { return count(drawn(robot), is_third); };
   const int never = greens(in_turn({{0, 0}, {120, 1}}));
   // For every position of the instant in a column: a mark of 0.3 of the band's height, at least 1
   // pixel wide.
@@ -139,13 +129,12 @@ TEST_CASE("Who decided for a single hundredth of a second in four minutes is see
 }
 
 TEST_CASE("Turns quicker than a pixel show all who took them") {
-  const Folder folder;
   std::vector<std::pair<double, std::size_t>> turns;
   for (int i = 0; i < 24000; ++i) {
     turns.emplace_back(0.01 * i, i % 2);
   }
   const Trace trace = trace_of({in_turn(turns)});
-  const Bitmap image = drawn(folder, trace);
+  const Bitmap image = drawn(trace);
   for (const int x : {300, 500, 700, 900}) {
     CHECK(count_down(image, x, is_first) == Approx(52 + 14).margin(8));
     CHECK(count_down(image, x, is_second) >= 52 + 14 - 4);
@@ -153,39 +142,29 @@ TEST_CASE("Turns quicker than a pixel show all who took them") {
 }
 
 TEST_CASE("Where a behaviour is silenced by another, its lane is hatched") {
-  const Folder folder;
   const auto dark = [&](int inhibited_by) {
     TraceRobot robot = in_turn({{0, 0}});
     robot.members[1].notes[0].inhibited_by = inhibited_by;
-    const Trace trace = trace_of({robot});
-    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
-    return count(Bitmap(folder / "a.png"), [](const Pixel& p) { return p.red < 190; });
+    return count(drawn(robot), [](const Pixel& p) { return p.red < 190; });
   };
   CHECK(dark(0) > dark(-1) + 1000);
 }
 
 TEST_CASE("Events are marked, and named in the legend") {
-  const Folder folder;
   TraceRobot robot = in_turn({{0, 0}});
-  const auto dark = [&] {
-    const Trace trace = trace_of({robot});
-    save_timeline({trace, {}, {}, "", {}}, folder / "a.png");
-    save_timeline({trace, {}, {}, "", {}}, folder / "a.svg");
-    return count(Bitmap(folder / "a.png"), [](const Pixel& p) { return p.dark(); });
-  };
+  const auto dark = [&] { return count(drawn(robot), [](const Pixel& p) { return p.dark(); }); };
   const int without = dark();
   robot.events = {{30, "collected", "apple"}, {30, "collision", ""}, {300, "later", ""}};
   CHECK(dark() > without + 100);
 }
 
 TEST_CASE("Each kind of event has a row of its own, up to eight of them") {
-  const Folder folder;
   const auto height = [&](int kinds) {
     TraceRobot robot = in_turn({{0, 0}});
     for (int i = 0; i < 3 * kinds; ++i) {
       robot.events.push_back({1.0 * i, "kind " + std::to_string(i % kinds), ""});
     }
-    return drawn(folder, trace_of({robot})).height();
+    return drawn(robot).height();
   };
   const int one = height(1);
   CHECK(height(0) < one);
@@ -195,7 +174,6 @@ TEST_CASE("Each kind of event has a row of its own, up to eight of them") {
 }
 
 TEST_CASE("Rare events are seen among hundreds of frequent ones") {
-  const Folder folder;
   // One frequent kind, from the first to the last second, and a rare one.
   const auto picture = [&](double rare_at, std::size_t robots) {
     TraceRobot robot = in_turn({{0, 0}});
@@ -205,8 +183,7 @@ TEST_CASE("Rare events are seen among hundreds of frequent ones") {
         robot.events.push_back({rare_at, "collected", ""});
       }
     }
-    const Trace trace = trace_of(std::vector<TraceRobot>(robots, robot));
-    return drawn(folder, trace);
+    return drawn(trace_of(std::vector<TraceRobot>(robots, robot)));
   };
   for (const std::size_t robots : {1U, 4U}) {  // a row for each kind, and one row for all
     CAPTURE(robots);
@@ -233,14 +210,12 @@ TEST_CASE("Rare events are seen among hundreds of frequent ones") {
 }
 
 TEST_CASE("Frequent events hide nothing of each other") {
-  const Folder folder;
   const auto dark = [&](int events) {
     TraceRobot robot = in_turn({{0, 0}});
     for (int i = 0; i < events; ++i) {
       robot.events.push_back({240.0 * i / events, "flicker", ""});
     }
-    const Trace trace = trace_of({robot});
-    return count(drawn(folder, trace), [](const Pixel& p) { return p.dark(); });
+    return count(drawn(robot), [](const Pixel& p) { return p.dark(); });
   };
   CHECK(dark(500) > dark(100) + 1000);  // 500 symbols leave no gap
 }
@@ -262,12 +237,11 @@ TEST_CASE("The priority that the user gave a behaviour stands beside its lane") 
 }
 
 TEST_CASE("A priority that is changed in the run is drawn where it changes") {
-  const Folder folder;
   const auto changed = [&](const std::string& attribute) {
     TraceRobot robot = in_turn({{0, 0}});
     const events::Changed edit{"robot[r1]/behavior[b]", attribute, "2"};
     robot.events = {{120, "changed", edit.detail(), edit}};
-    return drawn(folder, trace_of({robot}));
+    return drawn(robot);
   };
   const Bitmap with = changed("priority");
   const Bitmap without = changed("speed");
@@ -288,10 +262,9 @@ TEST_CASE("A priority that is changed in the run is drawn where it changes") {
 }
 
 TEST_CASE("A part of the run fills the whole width") {
-  const Folder folder;
   const Trace trace = trace_of({in_turn({{0, 0}, {100, 1}, {200, 2}})});
-  const Bitmap all = drawn(folder, trace);
-  const Bitmap part = drawn(folder, trace, {110, 190});
+  const Bitmap all = drawn(trace);
+  const Bitmap part = drawn(trace, {110, 190});
   CHECK(count_down(all, 300, is_first) > 100);
   for (const int x : {200, 500, 900}) {
     CHECK(count_down(part, x, is_first) < 15);
@@ -300,7 +273,6 @@ TEST_CASE("A part of the run fills the whole width") {
 }
 
 TEST_CASE("Behaviours inside others have lanes of their own") {
-  const Folder folder;
   TraceRobot flat = robot_with({"a", "b"});
   TraceRobot deep = robot_with({"a", "b", "b/c", "b/c/d"});
   for (TraceRobot* robot : {&flat, &deep}) {
@@ -308,22 +280,22 @@ TEST_CASE("Behaviours inside others have lanes of their own") {
       note(*robot, i, 0, 0.5);
     }
   }
-  const int height = drawn(folder, trace_of({flat})).height();
-  CHECK(drawn(folder, trace_of({deep})).height() == Approx(height + 2 * 35).margin(1));
+  const int height = drawn(trace_of({flat})).height();
+  CHECK(drawn(trace_of({deep})).height() == Approx(height + 2 * 35).margin(1));
 }
 
 TEST_CASE("Several robots stand one below the other; many of them in short") {
   const Folder folder;
   std::vector<TraceRobot> robots{in_turn({{0, 0}})};
-  const int one = drawn(folder, trace_of(robots)).height();
+  const int one = drawn(trace_of(robots)).height();
   robots.push_back(in_turn({{0, 1}}));
-  const int two = drawn(folder, trace_of(robots)).height();
+  const int two = drawn(trace_of(robots)).height();
   CHECK(two > one + 200);
   const Trace both = trace_of(robots);
   save_timeline({both, {1}, {}, "", {}}, folder / "b.png");
   CHECK(Bitmap(folder / "b.png").height() == one);
   robots.resize(10, in_turn({{0, 2}}));
-  CHECK(drawn(folder, trace_of(robots)).height() < 10 * 200);
+  CHECK(drawn(trace_of(robots)).height() < 10 * 200);
   robots.resize(200, in_turn({{0, 2}}));
   const Trace crowd = trace_of(robots);
   CHECK_THROWS_WITH(save_timeline({crowd, {}, {}, "", {}}, folder / "c.png"),

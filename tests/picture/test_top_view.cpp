@@ -8,25 +8,25 @@
 #include "elsie/world/description.h"
 
 #include "support.h"
-#include "top_view_map.h"
 
 using namespace elsie;
 using namespace elsie::picture;
 using picture::test::Bitmap;
 using picture::test::Folder;
 using picture::test::Pixel;
+using picture::test::top_view_map;
 
 namespace {
 
 const auto kReddish = [](const Pixel& pixel) { return pixel.reddish(); };
 
 // A world with its picture.
-struct Scene {
+struct Stage {
   Folder folder;
   world::World world;
   TopView view{world};
 
-  Scene() { world.teams = {{"red", Colour{220, 30, 20}}, {"blue", Colour{20, 60, 200}}}; }
+  Stage() { world.teams = {{"red", Colour{220, 30, 20}}, {"blue", Colour{20, 60, 200}}}; }
 
   world::Robot& add_robot(const std::string& id, const std::string& team, Pose pose) {
     world::Robot robot;
@@ -59,7 +59,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("Lengths are to scale, x goes right and y up") {
-  Scene scene;
+  Stage scene;
   const PlaneMap map = top_view_map(scene.view);
   CHECK(map.scale_x == -map.scale_y);
   CHECK(map.scale_x > 80);  // 10 m fill 1000 pixels minus the margins
@@ -78,7 +78,7 @@ TEST_CASE("Places keep their meaning at every size and shape of the arena") {
   for (const auto& [length, width] :
        {std::pair{10.0, 10.0}, {20.0, 2.0}, {3.0, 14.0}, {0.5, 0.5}, {300.0, 200.0}}) {
     for (const Size size : {Size{}, Size{400, 0}, Size{1920, 1080}, Size{300, 1200}}) {
-      Scene scene;
+      Stage scene;
       scene.world.arena.length = length;
       scene.world.arena.width = width;
       const double x = 0.3 * length, y = -0.3 * width;
@@ -93,7 +93,7 @@ TEST_CASE("Places keep their meaning at every size and shape of the arena") {
 
 TEST_CASE("A round robot has no corners") {
   const bool round = GENERATE(true, false);
-  Scene scene;
+  Stage scene;
   scene.world.arena.length = scene.world.arena.width = 2.0;
   world::RobotBody& body = scene.add_robot("", "red", {}).body;
   body.round = round;
@@ -106,7 +106,7 @@ TEST_CASE("A round robot has no corners") {
 
 TEST_CASE("A robot shows where it is and where it looks, however large the arena") {
   for (const double edge : {2.0, 10.0, 30.0, 100.0}) {
-    Scene scene;
+    Stage scene;
     scene.world.arena.length = scene.world.arena.width = edge;
     scene.add_robot("", "red", {0, 0, radians(180)});
     const Bitmap image = scene.image();
@@ -126,7 +126,7 @@ TEST_CASE("A robot shows where it is and where it looks, however large the arena
 
 TEST_CASE(
     "A robot is where its track says, in its team's colour; one without a track at its start") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("a", "blue", {-3, -3, 0});
   scene.add_robot("b", "red", {3, 3, 0});
   scene.view.robots = {{"a", {}, {1, -2, 1.0}, {}, {}}};
@@ -137,7 +137,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Robots of one team differ by their tints") {
-  Scene scene;
+  Stage scene;
   std::vector<Pixel> tints;
   for (int i = 0; i < 10; ++i) {
     scene.add_robot("", "red", {i - 4.5, 0, 0}).body.length = 0.5;
@@ -159,7 +159,7 @@ TEST_CASE("Robots of one team differ by their tints") {
 }
 
 TEST_CASE("The path is drawn, paler where it is old") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "red", {0, 0, 0});
   RobotTrack track{"r", {}, {4, 0, 0}, {}, {}};
   for (int i = 0; i <= 800; ++i) track.path.push_back({-4 + 0.01 * i, 0, 0});
@@ -179,7 +179,7 @@ TEST_CASE("The path is drawn, paler where it is old") {
 }
 
 TEST_CASE("A part of the run is that part of the path of a robot that came later") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "red", {0, 0, 0});
   RobotTrack track{"r", {}, {4, 0, 0}, {}, {}};
   for (int i = 0; i <= 80; ++i) track.path.push_back({-4 + 0.1 * i, 0, 0});
@@ -196,7 +196,7 @@ TEST_CASE("A part of the run is that part of the path of a robot that came later
 }
 
 TEST_CASE("Between the poses where a robot was put elsewhere there is no line") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "red", {0, 0, 0});
   RobotTrack track{"r", {}, {4, 2, 0}, {}, {}};
   for (int i = 0; i <= 300; ++i) track.path.push_back({-4 + 0.01 * i, -2, 0});
@@ -212,7 +212,7 @@ TEST_CASE("Between the poses where a robot was put elsewhere there is no line") 
 }
 
 TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "blue", {0, 0, 0});
   scene.view.robots = {
       {"r", {}, {}, {{{0, 0}, {1.5, 0.5}, true}, {{0, 0}, {1.5, -1.5}, false}}, {}}};
@@ -224,7 +224,7 @@ TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
 }
 
 TEST_CASE("A touch is a small red cross") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "blue", {0, 0, 0});
   scene.view.robots = {{"r", {}, {}, {}, {{2.5, 2.5}}}};
   const Bitmap image = scene.image();
@@ -235,7 +235,7 @@ TEST_CASE("A touch is a small red cross") {
 }
 
 TEST_CASE("A resource is filled in its team's colour, and hollow where it was collected") {
-  Scene scene;
+  Stage scene;
   scene.add_obstacle(world::ObstacleKind::resource, -2, 0, 0.4).team = "red";
   scene.add_obstacle(world::ObstacleKind::resource, 2, 0, 0.4).team = "red";
   scene.view.boxes = {Pose{-2, 0, 0}, std::nullopt};
@@ -247,13 +247,13 @@ TEST_CASE("A resource is filled in its team's colour, and hollow where it was co
 }
 
 TEST_CASE("A resource for all is green, as cameras see it") {
-  Scene scene;
+  Stage scene;
   scene.add_obstacle(world::ObstacleKind::resource, -2, 0, 0.4);
   CHECK(scene.image().at(scene.place(-2 + 0.16, 0.16)).greenish());
 }
 
 TEST_CASE("A box that was pushed is drawn where it is, with an outline where it started") {
-  Scene scene;
+  Stage scene;
   scene.add_obstacle(world::ObstacleKind::dynamic, -2.5, 0.5, 0.6);
   scene.view.boxes = {Pose{1.5, 0.5, 0}};
   const Bitmap image = scene.image();
@@ -264,7 +264,7 @@ TEST_CASE("A box that was pushed is drawn where it is, with an outline where it 
 }
 
 TEST_CASE("Boxes show their kinds, and a fixed one its own colour") {
-  Scene scene;
+  Stage scene;
   scene.add_obstacle(world::ObstacleKind::fixed, -3.5, 0.5, 0.6);
   scene.add_obstacle(world::ObstacleKind::moving, -0.5, 0.5, 0.6);
   scene.add_obstacle(world::ObstacleKind::fixed, 2.5, 0.5, 0.6).colour = world::Colour{0, 160, 60};
@@ -277,7 +277,7 @@ TEST_CASE("Boxes show their kinds, and a fixed one its own colour") {
 }
 
 TEST_CASE("A goal relative to a robot is marked where the robot is now") {
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "red", {-4, -4, 0});
   scene.add_robot("s", "red", {-4, 4, 0});
   scene.view.robots = {{"r", {}, {1, 0, radians(90)}, {}, {}}};
@@ -287,7 +287,7 @@ TEST_CASE("A goal relative to a robot is marked where the robot is now") {
 }
 
 TEST_CASE("Goals and chargers are marked on the floor") {
-  Scene scene;
+  Stage scene;
   scene.world.goals = {world::ReachGoal{"r", 2.5, 2.5, 0.5, ""}};
   world::Charger charger;
   charger.team = "blue";
@@ -303,7 +303,7 @@ TEST_CASE("Goals and chargers are marked on the floor") {
 }
 
 TEST_CASE("Without walls, robots that drove out of the arena are still in the picture") {
-  Scene scene;
+  Stage scene;
   scene.world.arena.walls = false;
   scene.add_robot("r", "red", {0, 0, 0});
   scene.view.robots = {{"r", {{0, 0, 0}, {8, 0, 0}}, {8, 0, 0}, {}, {}}};
@@ -315,7 +315,7 @@ TEST_CASE("Without walls, robots that drove out of the arena are still in the pi
 
 TEST_CASE("Positions that are not finite are left out") {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  Scene scene;
+  Stage scene;
   scene.add_robot("r", "red", {0, 0, 0});
   scene.add_robot("s", "red", {2, 2, 0});
   scene.add_obstacle(world::ObstacleKind::dynamic, 1, 1, 0.3);
@@ -330,14 +330,14 @@ TEST_CASE("Positions that are not finite are left out") {
 }
 
 TEST_CASE("A world without anything in it is a picture too") {
-  Scene scene;
+  Stage scene;
   const Bitmap image = scene.image();
   CHECK(image.width() == 1000);
   CHECK(image.at(scene.place(0.5, -0.5)).light());
 }
 
 TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot") {
-  Scene scene;
+  Stage scene;
   scene.world.arena.length = scene.world.arena.width = 2.0;
   world::Robot& train = scene.add_robot("t", "red", {0.5, 0.5, radians(90)});
   train.segments.resize(2);
@@ -364,7 +364,7 @@ TEST_CASE("What a robot pulls is drawn where it is, or in line behind its robot"
 }
 
 TEST_CASE("Cylinders and prisms have their own outlines") {
-  Scene scene;
+  Stage scene;
   world::Obstacle& cylinder = scene.add_obstacle(world::ObstacleKind::fixed, -2.0, 0.0, 0.2);
   cylinder.shape = ObstacleShape::cylinder;
   cylinder.radius = 0.8;
@@ -388,7 +388,7 @@ TEST_CASE("Cylinders and prisms have their own outlines") {
 }
 
 TEST_CASE("A crowd is dots on thin paths, with room between them") {
-  Scene scene;
+  Stage scene;
   constexpr int kSide = 21;  // 441 robots, a few more than are drawn in detail
   for (int i = 0; i < kSide * kSide; ++i) {
     const Pose pose{0.45 * (i % kSide - kSide / 2), 0.45 * (i / kSide - kSide / 2), 0.0};

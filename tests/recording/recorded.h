@@ -53,6 +53,17 @@ inline simulation::RunResult record(simulation::Simulation& simulation,
   return simulation.run(observers);
 }
 
+/// The recording of a whole run.
+struct RecordedFile : McapFile {
+  RecordedFile(world::World world, const plugin::Host& host, const simulation::Options& how = {},
+               recording::RecorderOptions options = {}) {
+    simulation::Simulation simulation(std::move(world), host, how);
+    result = record(simulation, path, std::move(options));
+  }
+
+  simulation::RunResult result;
+};
+
 /// A shipped world that ends after some time.
 inline world::World shipped_world(const std::string& name, double duration_s) {
   world::ReadOptions options;

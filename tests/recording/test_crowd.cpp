@@ -36,9 +36,7 @@ std::string channel_of(const std::string& robot, const std::string& kind) {
 }  // namespace
 
 TEST_CASE("The robots that are asked for have channels; of the others the poses are recorded") {
-  McapFile file;
-  Simulation simulation(column(5), shipped());
-  const auto result = record(simulation, file.path, {.robots = {"r2", "r4"}});
+  const RecordedFile file(column(5), shipped(), {}, {.robots = {"r2", "r4"}});
   const auto all = recorded(file.path);
   for (const char* kind : {"state", "readings", "command", "trace"}) {
     CHECK(all.contains(channel_of("r2", kind)));
@@ -54,7 +52,7 @@ TEST_CASE("The robots that are asked for have channels; of the others the poses 
   CHECK(run.crowd == std::vector<std::string>{"r1", "r3", "r5"});
   REQUIRE(run.robots.size() == 5);
   for (const picture::RobotTrack& track : run.robots) {
-    const auto& robot = *std::find_if(result.robots.begin(), result.robots.end(),
+    const auto& robot = *std::find_if(file.result.robots.begin(), file.result.robots.end(),
                                       [&](const auto& each) { return each.id == track.id; });
     CHECK(track.now == robot.pose);  // bit for bit
     CHECK(track.path.size() == 6);
@@ -62,9 +60,7 @@ TEST_CASE("The robots that are asked for have channels; of the others the poses 
 }
 
 TEST_CASE("A recording for viewers has channels for the first thousand robots") {
-  McapFile file;
-  Simulation simulation(column(1003, 0.02), shipped());
-  record(simulation, file.path);
+  const RecordedFile file(column(1003, 0.02), shipped());
   const auto run = read_recorded_run(file.path);
   CHECK(run.crowd == std::vector<std::string>{"r1001", "r1002", "r1003"});
   CHECK(run.robots.size() == 1003);
@@ -72,12 +68,10 @@ TEST_CASE("A recording for viewers has channels for the first thousand robots") 
 }
 
 TEST_CASE("A trace has the robots whose decisions were recorded, and says who else was there") {
-  McapFile file;
   world::World close = column(2, 2);
   close.robots[0].x = 4.5;  // it drives into the wall
   close.robots[0].behaviors = {behavior("go_to_point", 1, {{"x", 20.0}})};
-  Simulation simulation(close, shipped());
-  record(simulation, file.path, {.robots = {"r2"}});
+  const RecordedFile file(close, shipped(), {}, {.robots = {"r2"}});
   const traces::Trace trace = recording::read_trace(file.path);
   REQUIRE(trace.robots.size() == 1);
   CHECK(trace.robots[0].id == "r2");

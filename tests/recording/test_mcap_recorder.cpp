@@ -52,9 +52,7 @@ std::map<std::string, std::string> metadata_of(const std::filesystem::path& file
 }  // namespace
 
 TEST_CASE("Poses and states are those of their time, bit for bit") {
-  McapFile file;
-  Simulation simulation(two_named_robots(), shipped());
-  const auto result = record(simulation, file.path);
+  const RecordedFile file(two_named_robots(), shipped());
   auto all = recorded(file.path);
   const auto& states = all["/robots/r1/state"];
   REQUIRE(states.size() == 21);
@@ -62,25 +60,24 @@ TEST_CASE("Poses and states are those of their time, bit for bit") {
   CHECK(states.front().content.at("x_m") == 0.0);
   CHECK(states[7].time_ns == 700'000'000);
   CHECK(states.back().time_ns == 2'000'000'000);
-  CHECK(states.back().content.at("x_m").get<double>() == result.robots[0].pose.x);
-  CHECK(states.back().content.at("heading_rad").get<double>() == result.robots[0].pose.heading_rad);
-  CHECK(states.back().content.at("distance_m").get<double>() == result.robots[0].distance_m);
-  CHECK(states.back().content.at("energy").get<double>() == result.robots[0].energy);
+  CHECK(states.back().content.at("x_m").get<double>() == file.result.robots[0].pose.x);
+  CHECK(states.back().content.at("heading_rad").get<double>() ==
+        file.result.robots[0].pose.heading_rad);
+  CHECK(states.back().content.at("distance_m").get<double>() == file.result.robots[0].distance_m);
+  CHECK(states.back().content.at("energy").get<double>() == file.result.robots[0].energy);
   const auto& pose = all["/robots/r1/pose"].back().content;
   CHECK(pose.at("frame_id") == "world");
-  CHECK(pose.at("pose").at("position").at("y").get<double>() == result.robots[0].pose.y);
+  CHECK(pose.at("pose").at("position").at("y").get<double>() == file.result.robots[0].pose.y);
   const auto& turned = pose.at("pose").at("orientation");
   CHECK(2 * std::atan2(turned.at("z").get<double>(), turned.at("w").get<double>()) ==
-        Approx(result.robots[0].pose.heading_rad));
+        Approx(file.result.robots[0].pose.heading_rad));
   CHECK(all["/robots/r2/state"].size() == 21);
 }
 
 TEST_CASE("Readings, commands and traces are those of the last decision, and have its time") {
-  McapFile file;
   world::World world = two_named_robots();
   world.physics.control_steps = 4;
-  Simulation simulation(world, shipped());
-  record(simulation, file.path);
+  const RecordedFile file(world, shipped());
   auto all = recorded(file.path);
   const auto& readings = all["/robots/r1/readings"];
   REQUIRE(readings.size() == 20);  // none at the start: nothing was decided yet
@@ -114,9 +111,8 @@ TEST_CASE("Readings, commands and traces are those of the last decision, and hav
 }
 
 TEST_CASE("How long behaviours take is recorded on request only") {
-  McapFile file;
-  Simulation simulation(two_named_robots(), shipped(), {.measure_time = true});
-  record(simulation, file.path, {.with_times = true});
+  const RecordedFile file(two_named_robots(), shipped(), {.measure_time = true},
+                          {.with_times = true});
   auto all = recorded(file.path);
   CHECK(all["/robots/r1/trace"].back().content.at("behaviors")[0].at("time_s").get<double>() > 0.0);
 }
@@ -195,12 +191,10 @@ TEST_CASE("What cameras see is recorded on request, whole, with the time at whic
 }
 
 TEST_CASE("A robot whose battery is empty sees nothing") {
-  McapFile file;
   world::World world = shipped_world("find_resource.xml", 2);
   world.robots[0].energy = 0.5;
   world.robots[0].sensors[0].energy_cost = 1.0;
-  Simulation simulation(world, shipped(), {.cameras = render::world_cameras});
-  record(simulation, file.path, {.images = true});
+  const RecordedFile file(world, shipped(), {.cameras = render::world_cameras}, {.images = true});
   auto all = recorded(file.path);
   std::size_t pictures = 0;
   for (const auto& [topic, messages] : all) {
@@ -243,15 +237,13 @@ TEST_CASE("Events are written when they happen, with the robot's place") {
 }
 
 TEST_CASE("The scene is written at the start, and again when a box has left it") {
-  McapFile file;
   world::World world;
   world.robots.push_back(
       robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
   world.obstacles.push_back(box("prey", world::ObstacleKind::resource, 0.5, 0));
   world.obstacles.push_back(box("pushed", world::ObstacleKind::dynamic, 0, 2));
   world.limits.time = 3;
-  Simulation simulation(world, shipped());
-  record(simulation, file.path);
+  const RecordedFile file(world, shipped());
   auto all = recorded(file.path);
   const auto ids = [&](std::size_t i) {
     std::vector<std::string> found;
@@ -272,15 +264,13 @@ TEST_CASE("The scene is written at the start, and again when a box has left it")
 }
 
 TEST_CASE("There is a sample at the very end, wherever that is between two periods") {
-  McapFile file;
   world::World world = two_named_robots();
   world.limits.time = 1.23;
-  Simulation simulation(world, shipped());
-  const auto result = record(simulation, file.path, {.rate_hz = 5});
+  const RecordedFile file(world, shipped(), {}, {.rate_hz = 5});
   const auto states = recorded(file.path)["/robots/r1/state"];
   REQUIRE(states.size() == 1 + 6 + 1);
   CHECK(states.back().time_s() == Approx(1.23));
-  CHECK(states.back().content.at("x_m").get<double>() == result.robots[0].pose.x);
+  CHECK(states.back().content.at("x_m").get<double>() == file.result.robots[0].pose.x);
 }
 
 TEST_CASE("A sample is in the file a second later, however long the next one takes") {
@@ -341,12 +331,10 @@ TEST_CASE("A measure that fails in the end fails the run, and the recording is w
 }
 
 TEST_CASE("Text that is not UTF-8 becomes text that is") {
-  McapFile file;
   world::World world = two_named_robots();
   world.name = "caf\xe9 \"quoted\"";
   world.limits.time = 0.1;
-  Simulation simulation(world, shipped());
-  record(simulation, file.path);
+  const RecordedFile file(world, shipped());
   CHECK(recorded(file.path)["/world"][0].content.at("name") == "caf\xef\xbf\xbd \"quoted\"");
 }
 
@@ -359,14 +347,12 @@ TEST_CASE("A recording that cannot be made says so") {
 }
 
 TEST_CASE("A round robot is a cylinder that stands, on two that lie") {
-  McapFile file;
   world::World world;
   world.robots.push_back(
       robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
   world.robots[0].body.round = true;
   world.limits.time = 0.1;
-  Simulation simulation(world, shipped());
-  record(simulation, file.path);
+  const RecordedFile file(world, shipped());
   const auto all = recorded(file.path);
   const auto& drawn = all.at("/scene").at(0).content.at("entities").back();
   CHECK(drawn.at("cubes").empty());
@@ -389,7 +375,6 @@ TEST_CASE("A round robot is a cylinder that stands, on two that lie") {
 }
 
 TEST_CASE("Cylinders are cylinders, and prisms are triangles that enclose their volume") {
-  McapFile file;
   world::World world;
   world.obstacles.push_back(box("drum", world::ObstacleKind::dynamic, 1, 0));
   world.obstacles.back().shape = ObstacleShape::cylinder;
@@ -399,8 +384,7 @@ TEST_CASE("Cylinders are cylinders, and prisms are triangles that enclose their 
   world.obstacles.back().points = {{0, 0}, {0, 1}, {1, 1}, {1.5, 0.5}, {1, 0}};
   world.obstacles.back().height = 0.4;
   world.limits.time = 0.1;
-  Simulation simulation(world, shipped());
-  record(simulation, file.path);
+  const RecordedFile file(world, shipped());
   const auto entities = recorded(file.path)["/scene"].at(0).content.at("entities");
   const auto& drum = entities.at(1).at("cylinders").at(0);
   CHECK(entities.at(1).at("cubes").empty());

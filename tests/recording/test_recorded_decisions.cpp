@@ -80,9 +80,7 @@ TEST_CASE("A trace tells of world, seed, periods, robots, coordinators and behav
 }
 
 TEST_CASE("A trace tells what each coordinator made of each behaviour, and the command") {
-  const McapFile file;
-  Simulation simulation(two_deciding_robots(), shipped());
-  record(simulation, file.path);
+  const RecordedFile file(two_deciding_robots(), shipped());
   const Trace trace = read_trace(file.path);
   const auto& winner = trace.robots[0].members[0].notes.at(0);
   CHECK(winner.time_s == 0);
@@ -105,15 +103,13 @@ TEST_CASE("A trace tells what each coordinator made of each behaviour, and the c
 }
 
 TEST_CASE("What has not changed since the last decision is not written") {
-  const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     return Motion{now.time_s() < 0.5 ? 0.1 : 0.2, 0.0, 0.5};
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.limits.time = 1;
-  Simulation simulation(std::move(world), scripted.host);
-  record(simulation, file.path);
+  const RecordedFile file(std::move(world), scripted.host);
   const auto decisions = recorded(file.path)["/robots/r1/trace"];
   REQUIRE(decisions.size() == 2);
   CHECK(decisions[0].time_s() == 0.0);
@@ -131,7 +127,6 @@ TEST_CASE("What has not changed since the last decision is not written") {
 
 TEST_CASE(
     "Numbers are rounded: commands five decimals, weights four digits, others three decimals") {
-  const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     Response response = Motion{-0.000001, 0.0, 1.0 / 3.0};
     response.activation = 0.66666 + 1e-5 * now.time_s();
@@ -142,8 +137,7 @@ TEST_CASE(
   world.robots[0].coordinator->plugin = "fusion_vector_summation";
   world.robots[0].coordinator->parameters["weighted"] = true;
   world.limits.time = 1;
-  Simulation simulation(std::move(world), scripted.host);
-  record(simulation, file.path);
+  const RecordedFile file(std::move(world), scripted.host);
   const auto decisions = recorded(file.path)["/robots/r1/trace"];
   REQUIRE(decisions.size() == 1);
   const auto& row = decisions[0].content.at("behaviors").at(0);
@@ -166,14 +160,12 @@ TEST_CASE(
 }
 
 TEST_CASE("With a control period of several steps there is a decision in each period") {
-  const McapFile file;
   ScriptedHost scripted([](const Perception& now) { return Motion{now.time_s(), 0, 0}; });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   world.physics.control_steps = 5;
   world.limits.time = 0.52;
-  Simulation simulation(std::move(world), scripted.host);
-  record(simulation, file.path);
+  const RecordedFile file(std::move(world), scripted.host);
   const Trace trace = read_trace(file.path);
   const auto& notes = trace.robots[0].members[0].notes;
   REQUIRE(notes.size() == 11);
@@ -183,12 +175,10 @@ TEST_CASE("With a control period of several steps there is a decision in each pe
 }
 
 TEST_CASE("Behaviours inside others are traced, also when they are not asked") {
-  const McapFile file;
   ScriptedHost scripted([](const Perception&) { return wheels(1, 2); });
   scripted.host.add(declare<Holder>(PluginKind::behavior, "holder", "holds others",
                                     holds_behaviors(&Holder::inside)));
-  Simulation simulation(nested(), scripted.host);
-  record(simulation, file.path);
+  const RecordedFile file(nested(), scripted.host);
   const Trace trace = read_trace(file.path);
   REQUIRE(trace.robots[0].members.size() == 2);
   const auto& inner = trace.robots[0].members[1];
@@ -206,7 +196,6 @@ TEST_CASE("Behaviours inside others are traced, also when they are not asked") {
 }
 
 TEST_CASE("Events are in the trace, at the end of the step in which they happened") {
-  const McapFile file;
   ScriptedHost scripted([](const Perception& now) {
     Response response;
     if (now.time_s() == 0.0) {
@@ -220,8 +209,7 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
   world.robots[1].behaviors[0].parameters["restlessness"] = 0.0;
   world.obstacles.push_back(box("apple", world::ObstacleKind::resource, 2.5, 0));
   world.limits.time = 2;
-  Simulation simulation(std::move(world), scripted.host);
-  const auto result = record(simulation, file.path);
+  const RecordedFile file(std::move(world), scripted.host);
   const Trace trace = read_trace(file.path);
   REQUIRE(trace.robots[0].events.size() == 1);
   CHECK(trace.robots[0].events[0].name == "hello");
@@ -229,7 +217,7 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
   REQUIRE(trace.robots[1].events.size() == 1);
   CHECK(trace.robots[1].events[0].name == "collected");
   CHECK(trace.robots[1].events[0].detail == "apple");
-  CHECK(trace.robots[1].events[0].time_s == Approx(result.events.back().time_s));
+  CHECK(trace.robots[1].events[0].time_s == Approx(file.result.events.back().time_s));
 }
 
 TEST_CASE("A run is the same, bit for bit, whether it is traced or not; two traces are, too") {
@@ -243,14 +231,12 @@ TEST_CASE("A run is the same, bit for bit, whether it is traced or not; two trac
 }
 
 TEST_CASE("A robot without behaviours or coordinator has a trace, too") {
-  const McapFile file;
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("wander")));
   world.robots[0].behaviors.clear();
   world.robots[0].coordinator.reset();
   world.limits.time = 0.1;
-  Simulation simulation(std::move(world), shipped());
-  record(simulation, file.path);
+  const RecordedFile file(std::move(world), shipped());
   const Trace trace = read_trace(file.path);
   CHECK(trace.robots.at(0).coordinator.empty());
   CHECK(trace.robots[0].members.empty());

@@ -78,9 +78,7 @@ TEST_CASE("The world in a recording runs again as it ran, whatever ended the run
 }
 
 TEST_CASE("What was there at a time is what was sampled until then") {
-  McapFile file;
-  Simulation simulation(shipped_world("open_arena.xml", 2), shipped());
-  record(simulation, file.path);
+  const RecordedFile file(shipped_world("open_arena.xml", 2), shipped());
   const auto whole = read_recorded_run(file.path);
   const auto half = read_recorded_run(file.path, 1.05);
   REQUIRE(half.robots.size() == 1);
@@ -93,9 +91,7 @@ TEST_CASE("What was there at a time is what was sampled until then") {
 }
 
 TEST_CASE("A recording that breaks off is read up to there, at every length") {
-  McapFile file;
-  Simulation simulation(shipped_world("open_arena.xml", 4), shipped());
-  record(simulation, file.path);
+  const RecordedFile file(shipped_world("open_arena.xml", 4), shipped());
   const std::string bytes = file.bytes();
   McapFile cut;
   std::size_t read = 0;

@@ -132,9 +132,7 @@ TEST_CASE("Decisions without an end go to the last message, or to the end of the
 }
 
 TEST_CASE("A recording that breaks off anywhere is read as far as it goes") {
-  const McapFile file;
-  Simulation simulation(shipped_world("nested.xml", 4), shipped());
-  record(simulation, file.path);
+  const RecordedFile file(shipped_world("nested.xml", 4), shipped());
   const std::string bytes = file.bytes();
   const McapFile cut;
   double end_s = 0.0;

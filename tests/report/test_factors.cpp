@@ -17,9 +17,27 @@ using elsie::test::margin_of;
 using elsie::test::refusal;
 using elsie::test::response_of;
 
-TEST_CASE("Levels that are numbers are in their order, others in that of the experiment") {
-  const Made made(by_factor());
-  const auto factors = varied_factors(made.findings().results);
+namespace {
+
+// The study of by_factor(), written and read once.
+struct ByFactor {
+  static const Made& made() {
+    static const Made study(by_factor());
+    return study;
+  }
+  static const Findings& found() {
+    static const Findings all = made().findings();
+    return all;
+  }
+
+  const Findings& findings = found();
+  const std::vector<VariedFactor> factors = varied_factors(findings.results);
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(ByFactor,
+                 "Levels that are numbers are in their order, others in that of the experiment") {
   REQUIRE(factors.size() == 2);  // the one world is not varied
   CHECK(factors[0].name == "speed");
   CHECK(factors[0].levels == std::vector<std::string>{"0.1", "0.2", "0.4"});
@@ -29,10 +47,7 @@ TEST_CASE("Levels that are numbers are in their order, others in that of the exp
   CHECK_FALSE(factors[1].numeric());
 }
 
-TEST_CASE("A margin is the mean over cells, with each seed as one observation") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
-  const auto factors = varied_factors(findings.results);
+TEST_CASE_METHOD(ByFactor, "A margin is the mean over cells, with each seed as one observation") {
   const Margin fusion =
       margin_of(findings, response_of(findings, "path_length_m"), factors[1].cells_at(1));
   CHECK(fusion.runs == 18);
@@ -43,20 +58,14 @@ TEST_CASE("A margin is the mean over cells, with each seed as one observation") 
   CHECK(fusion.interval->low == Approx(around->low - 0.35 + *fusion.centre));
 }
 
-TEST_CASE("A margin of success is the rate of all runs, with Wilson's interval") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
-  const auto factors = varied_factors(findings.results);
+TEST_CASE_METHOD(ByFactor, "A margin of success is the rate of all runs, with Wilson's interval") {
   const Margin margin =
       margin_of(findings, response_of(findings, "success"), factors[1].cells_at(0));
   CHECK(margin.centre == Approx(15.0 / 18.0));
   CHECK(*margin.interval == wilson_interval(15, 18, 0.95));
 }
 
-TEST_CASE("A margin of times that a limit cut off is their median") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
-  const auto factors = varied_factors(findings.results);
+TEST_CASE_METHOD(ByFactor, "A margin of times that a limit cut off is their median") {
   const Margin fast = margin_of(findings, response_of(findings, "time_s"), {0});
   CHECK(fast.cut_off == 3);
   CHECK_FALSE(fast.centre);  // half of six remain to the end
@@ -111,9 +120,8 @@ TEST_CASE("A run that fails before the limit never reaches its goals") {
   CHECK_FALSE(times[1].bound);
 }
 
-TEST_CASE("Cells are compared seed by seed with those that match in all other factors") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor,
+                 "Cells are compared seed by seed with those that match in all other factors") {
   const auto all = compare(findings, "coordinator=fusion", "coordinator=arbitration");
   const auto of = [&](const std::string& name) {
     return *std::find_if(all.begin(), all.end(),
@@ -157,19 +165,15 @@ TEST_CASE("The test by seed counts in how many cells success differs, not only i
   CHECK(success.paired.p == Approx(4.0 / 64.0));
 }
 
-TEST_CASE("Intervals beside corrected p-values are said not to be corrected") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor, "Intervals beside corrected p-values are said not to be corrected") {
   const std::pair<std::string, std::string> groups{"coordinator=fusion", "coordinator=arbitration"};
   CHECK_THAT(terminal_answers(findings, answer(findings, {{}, {groups}, {}})),
              Contains("corrected for all comparisons of a measure (Holm). The 95 % intervals\n"
                       "are not corrected"));
-  CHECK_THAT(made.html(), Contains("intervals are not corrected"));
+  CHECK_THAT(made().html(), Contains("intervals are not corrected"));
 }
 
-TEST_CASE("All pairs of levels are compared, and corrected together") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor, "All pairs of levels are compared, and corrected together") {
   const auto contrasts = level_contrasts(findings, response_of(findings, "path_length_m"));
   REQUIRE(contrasts.size() == 4);  // three pairs of speeds, one of coordinators
   CHECK(contrasts[0].first == "speed=0.2");
@@ -178,9 +182,9 @@ TEST_CASE("All pairs of levels are compared, and corrected together") {
   for (const Contrast& one : contrasts) CHECK(one.paired_holm == Approx(4.0 * 2.0 / 64.0));
 }
 
-TEST_CASE("A model has the coefficients of the study; numbers count from their mean") {
-  const Made made(by_factor());
-  const FactorModel model = factor_model(made.findings(), "path_length_m ~ speed + coordinator");
+TEST_CASE_METHOD(ByFactor,
+                 "A model has the coefficients of the study; numbers count from their mean") {
+  const FactorModel model = factor_model(findings, "path_length_m ~ speed + coordinator");
   const auto& fit = std::get<LinearFit>(model.fit);
   REQUIRE(fit.coefficients.size() == 3);
   CHECK(fit.coefficients[0].estimate == Approx(10.0 - 14.0 / 3.0 + 0.35));
@@ -190,11 +194,10 @@ TEST_CASE("A model has the coefficients of the study; numbers count from their m
   CHECK(model.warnings.empty());
 }
 
-TEST_CASE("a * b is a + b + a:b, and each product stands once") {
-  const Made made(by_factor());
+TEST_CASE_METHOD(ByFactor, "a * b is a + b + a:b, and each product stands once") {
   const auto names = [&](const std::string& formula) {
     std::vector<std::string> all;
-    const FactorModel model = factor_model(made.findings(), formula);
+    const FactorModel model = factor_model(findings, formula);
     for (const Coefficient& one : std::get<LinearFit>(model.fit).coefficients) {
       all.push_back(one.name);
     }
@@ -206,17 +209,14 @@ TEST_CASE("a * b is a + b + a:b, and each product stands once") {
   CHECK(names("path_length_m~speed+coordinator+coordinator:speed+speed") == crossed);
 }
 
-TEST_CASE("A product of a factor with itself is refused") {
-  const Made made(by_factor());
+TEST_CASE_METHOD(ByFactor, "A product of a factor with itself is refused") {
   for (const char* formula : {"success ~ speed:speed", "success ~ speed*coordinator*speed"}) {
-    CHECK_THROWS_WITH(factor_model(made.findings(), formula),
-                      Contains("has the factor 'speed' twice"));
+    CHECK_THROWS_WITH(factor_model(findings, formula), Contains("has the factor 'speed' twice"));
   }
 }
 
-TEST_CASE("Separation by a level is said") {
-  const Made made(by_factor());
-  const FactorModel model = factor_model(made.findings(), "success ~ coordinator");
+TEST_CASE_METHOD(ByFactor, "Separation by a level is said") {
+  const FactorModel model = factor_model(findings, "success ~ coordinator");
   REQUIRE(model.warnings.size() == 1);
   CHECK_THAT(model.warnings[0],
              Contains("'coordinator=fusion' has no finite coefficient") && Contains("separation"));
@@ -306,21 +306,18 @@ TEST_CASE("Levels are compared with one that has successes and failures") {
   }
 }
 
-TEST_CASE("If some runs have only bounds, all centres of the measure are medians") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor,
+                 "If some runs have only bounds, all centres of the measure are medians") {
   const Answers answers = answer(findings, {{"coordinator"}, {}, {}});
   const auto& fusion = answers.levels[1].margins[2];  // of the times
   CHECK(fusion.cut_off == 0);
   CHECK(fusion.median);
   CHECK(fusion.centre == Approx(28.5));  // 13.5 ... 18.5, 26 ... 31, 51 ... 56
   CHECK_THAT(terminal_answers(findings, answers), Contains("median 28.5"));
-  CHECK_THAT(made.html(), Contains(">median time (s)</text>"));
+  CHECK_THAT(made().html(), Contains(">median time (s)</text>"));
 }
 
-TEST_CASE("What cannot be answered is refused in a sentence") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor, "What cannot be answered is refused in a sentence") {
   const auto compared = [&](const std::string& a, const std::string& b) {
     return refusal(findings, {{}, {{a, b}}, {}});
   };
@@ -373,9 +370,8 @@ TEST_CASE("Equal values everywhere are nothing to compare") {
   CHECK_THAT(made.html(), Contains("The same in every run, or in none: success, path length."));
 }
 
-TEST_CASE("What was asked for is printed, and is in the JSON object and on the page") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor,
+                 "What was asked for is printed, and is in the JSON object and on the page") {
   const Answers answers = answer(findings, {{"coordinator"},
                                             {{"coordinator=fusion", "coordinator=arbitration"}},
                                             {"path_length_m ~ speed"}});
@@ -389,15 +385,15 @@ TEST_CASE("What was asked for is printed, and is in the JSON object and on the p
   CHECK(json["comparisons"][0]["measures"][1]["difference"].get<double>() == Approx(2.0));
   CHECK(json["models"][0]["coefficients"][1]["estimate"].get<double>() == Approx(-20.0));
   CHECK_FALSE(nlohmann::json::parse(json_report(findings)).contains("by"));
-  const ResultsFile file(made.path);
+  const ResultsFile file(made().path);
   CHECK_THAT(html_report(findings, file, "runs.db", "", answers),
              Contains("What was asked for") && Contains("path_length_m ~ speed"));
   CHECK(terminal_answers(findings, {}).empty());
 }
 
-TEST_CASE("The page shows effects, pairs, comparisons, models, curves with numbers at risk") {
-  const Made made(by_factor());
-  const std::string html = made.html();
+TEST_CASE_METHOD(
+    ByFactor, "The page shows effects, pairs, comparisons, models, curves with numbers at risk") {
+  const std::string html = made().html();
   for (const char* part :
        {"<h2>By factor</h2>", "Two factors together", "Levels compared", "Logistic model",
         "Linear model", "<h2>Time until the goals</h2>", ">at risk</text>", "Medians of the cells",
@@ -407,12 +403,11 @@ TEST_CASE("The page shows effects, pairs, comparisons, models, curves with numbe
     CAPTURE(part);
     CHECK(html.find(part) != std::string::npos);
   }
-  CHECK(html == made.html());
+  CHECK(html == made().html());
 }
 
-TEST_CASE("Coefficients without a finite estimate are no numbers in the JSON object") {
-  const Made made(by_factor());
-  const Findings findings = made.findings();
+TEST_CASE_METHOD(ByFactor,
+                 "Coefficients without a finite estimate are no numbers in the JSON object") {
   Answers answers;
   answers.models.push_back(factor_model(findings, "success ~ coordinator"));
   const auto json = nlohmann::json::parse(json_report(findings, answers));

@@ -162,14 +162,13 @@ int run(BatchOptions options) {
     try {
       const bool complete = batch::carry_out(
           database,
-          {.worker = {"/proc/self/exe", kWorkerCommand},
-           .worker_template = worker_template,
+          {.command = {"/proc/self/exe", kWorkerCommand},
+           .template_command = worker_template,
            .workers =
                options.workers.value_or(std::max<std::size_t>(processors() / options.threads, 1)),
-           .threads = options.threads,
            .stop_descriptor = signals.descriptor(),
            .note = [](const std::string& text) { spdlog::info(text); }},
-          [&](const batch::Progress& progress) {
+          options.threads, [&](const batch::Progress& progress) {
             report.progress(progress);
             progress_file.write(progress);
           });

@@ -8,7 +8,6 @@
 
 namespace elsie::program {
 
-using batch::Measure;
 using batch::RunRecord;
 using simulation::MeasuredValue;
 using simulation::RunResult;
@@ -43,7 +42,7 @@ void compare_measures(const RunRecord& before, const RunResult& now,
                             ", before " + value_text(old->value, old->unit));
     }
   }
-  for (const Measure& old : before.measures) {
+  for (const MeasuredValue& old : before.measures) {
     if (named(now.measures, old.name) == now.measures.end()) {
       differences.push_back("measure " + old.name + " not measured, before " +
                             value_text(old.value, old.unit));

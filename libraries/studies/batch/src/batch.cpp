@@ -8,14 +8,10 @@
 #include "elsie/batch/estimate.h"
 #include "elsie/batch/worker_pool.h"
 
-#include "stages.h"
-
 namespace elsie::batch {
 
 namespace {
 
-// With many cells, an estimate takes milliseconds.
-constexpr auto kBetweenEstimates = std::chrono::milliseconds(500);
 /// Runs of one cell; with fewer, it is no use to keep a process that has read their world.
 constexpr std::int64_t kFewestToShare = 3;
 
@@ -57,15 +53,11 @@ std::vector<PlannedRun> ordered(ResultsDatabase& database) {
 
 Estimate estimate_of(ResultsDatabase& database, const std::vector<PlannedRun>& pending,
                      std::size_t workers) {
-  std::vector<std::vector<std::string>> levels;
-  for (const PlannedCell& cell : database.plan().cells) {
-    levels.push_back(levels_of(cell));
-  }
-  std::vector<std::int64_t> counts(levels.size(), 0);
+  std::vector<std::int64_t> counts(database.plan().cells.size(), 0);
   for (const PlannedRun& run : pending) {
     ++counts[run.cell];
   }
-  Estimate estimate(levels, std::move(counts), workers);
+  Estimate estimate(std::move(counts), workers);
   for (const CellTime& time : database.times()) {
     estimate.add_known(time.cell, time.wall_s, time.runs);
   }
@@ -74,7 +66,7 @@ Estimate estimate_of(ResultsDatabase& database, const std::vector<PlannedRun>& p
 
 }  // namespace
 
-bool carry_out(ResultsDatabase& database, const BatchOptions& options,
+bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threads,
                const std::function<void(const Progress&)>& watch) {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration time) {
@@ -86,12 +78,8 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
   Estimate estimate = estimate_of(database, pending, options.workers);
   FileCheck files(plan);
   const auto start = Clock::now();
-  WorkerPool pool({.command = options.worker,
-                   .template_command = options.worker_template,
-                   .workers = options.workers,
-                   .wall_limit_s = plan.wall_limit_s,
-                   .stop_descriptor = options.stop_descriptor,
-                   .note = options.note});
+  options.wall_limit_s = plan.wall_limit_s;
+  WorkerPool pool(std::move(options));
   const auto require_unchanged = [&](std::size_t cell) {
     if (const auto changed = files.changed(cell)) {
       throw FileChanged(
@@ -119,7 +107,7 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     database.require_in_place();
     at_work[at->id] = {at->cell, Clock::now()};
     Job job = job_of(plan, *at);
-    job.threads = options.threads;
+    job.threads = threads;
     if (alike.at({at->cell, at->repetition}) < kFewestToShare) {
       job.cell.reset();
     }
@@ -135,14 +123,9 @@ bool carry_out(ResultsDatabase& database, const BatchOptions& options,
     ++progress.ended;
     progress.failed += record.state == RunState::done ? 0 : 1;
   };
-  auto estimated = start;
   const bool complete = pool.run(next, ended, [&] {
-    const auto now = Clock::now();
-    progress.elapsed_s = seconds(now - start);
-    if (!progress.left_s || now - estimated >= kBetweenEstimates) {
-      progress.left_s = estimate.left_s();
-      estimated = now;
-    }
+    progress.elapsed_s = seconds(Clock::now() - start);
+    progress.left_s = estimate.left_s();
     if (watch) {
       watch(progress);
     }

@@ -116,9 +116,7 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
   record.outcome = result.outcome;
   record.message = result.reason;
   record.state_hash = simulation::hash_text(result.state_hash);
-  for (const simulation::MeasuredValue& measure : result.measures) {
-    record.measures.push_back({measure.name, measure.unit, measure.meaning, measure.value});
-  }
+  record.measures = result.measures;
 }
 
 }  // namespace

@@ -65,7 +65,6 @@ class ResultsDatabase::Impl {
         identity_(FileIdentity::of(file_)) {}
 
   ~Impl() {
-    writer_.reset();
     if (lock_) {
       // The finished database is one plain file, readable in folders without write permission.
       connection_.try_to_run("PRAGMA journal_mode = DELETE");
@@ -81,11 +80,19 @@ class ResultsDatabase::Impl {
     return results::guarded(file_, "could not be written", action);
   }
 
-  RunWriter& writer() {
-    if (!writer_) {
-      writer_.emplace(connection_);
-    }
-    return *writer_;
+  /// The rows of a query, each made into one thing.
+  template <class Make, class... Values>
+  auto list(const std::string& query, Make make, Values... values) {
+    return reading([&] {
+      std::vector<decltype(make(std::declval<const sqlite::Statement&>()))> all;
+      sqlite::Statement rows(connection_, query);
+      [[maybe_unused]] int place = 1;
+      (rows.bind(place++, values), ...);
+      while (rows.next()) {
+        all.push_back(make(rows));
+      }
+      return all;
+    });
   }
 
   /// Throws DatabaseError if the file was moved or removed.
@@ -119,7 +126,6 @@ class ResultsDatabase::Impl {
 
  private:
   std::optional<FileIdentity> identity_;
-  std::optional<RunWriter> writer_;
 };
 
 ResultsDatabase::ResultsDatabase(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -164,13 +170,7 @@ ResultsDatabase ResultsDatabase::continue_in(const fs::path& file, Plan plan, bo
   LockFile lock(file);
   sqlite::Connection connection = results::open_to_write(file);
   return results::guarded(file, "could not be written", [&] {
-    const StoredGrid stored = [&] {
-      try {
-        return stored_grid(connection);
-      } catch (const DamagedStages& damage) {
-        throw results::damaged(file, damage.what());
-      }
-    }();
+    const StoredGrid stored = stored_grid(connection, file);
     plan = continued(file, connection, stored, std::move(plan), extend);
     results::prepare_for_writing(connection);
     sqlite::Transaction transaction(connection);
@@ -198,22 +198,15 @@ ResultsDatabase ResultsDatabase::open(const fs::path& file) {
 }
 
 std::vector<std::int64_t> ResultsDatabase::pending() {
-  return impl_->reading([&] {
-    std::vector<std::int64_t> runs;
-    sqlite::Statement query(impl_->connection_,
-                            "SELECT id FROM runs WHERE state = 'pending' ORDER BY id");
-    while (query.next()) {
-      runs.push_back(query.integer(0));
-    }
-    return runs;
-  });
+  return impl_->list("SELECT id FROM runs WHERE state = 'pending' ORDER BY id",
+                     [](const sqlite::Statement& row) { return row.integer(0); });
 }
 
 void ResultsDatabase::require_in_place() { impl_->require_in_place(); }
 
 void ResultsDatabase::write(std::int64_t run, const RunRecord& record) {
   require_in_place();
-  if (!impl_->writing([&] { return impl_->writer().write(run, record); })) {
+  if (!impl_->writing([&] { return write_run(impl_->connection_, run, record); })) {
     throw DatabaseError("run " + std::to_string(run) + " is not pending in the database '" +
                         file().string() + "'; was it changed by another program?");
   }
@@ -239,61 +232,45 @@ std::int64_t ResultsDatabase::redo_failed() {
 }
 
 std::vector<CellCount> ResultsDatabase::cells() {
-  return impl_->reading([&] {
-    std::vector<CellCount> cells;
-    sqlite::Statement query(
-        impl_->connection_,
-        "SELECT label, sum(state = 'pending'), sum(state = 'done'), "
-        "sum(coalesce(outcome = 'success', 0)), sum(state NOT IN ('pending', 'done')) "
-        "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY place, "
-        "cells.id");
-    while (query.next()) {
-      cells.push_back(
-          {query.text(0), query.integer(1), query.integer(2), query.integer(3), query.integer(4)});
-    }
-    return cells;
-  });
+  return impl_->list(
+      "SELECT label, sum(state = 'pending'), sum(state = 'done'), "
+      "sum(coalesce(outcome = 'success', 0)), sum(state NOT IN ('pending', 'done')) "
+      "FROM cells JOIN runs ON cells.id = runs.cell_id GROUP BY cells.id ORDER BY place, cells.id",
+      [](const sqlite::Statement& row) {
+        return CellCount{row.text(0), row.integer(1), row.integer(2), row.integer(3),
+                         row.integer(4)};
+      });
 }
 
 SeedCount ResultsDatabase::seeds() {
-  return impl_->reading([&] {
-    sqlite::Statement query(impl_->connection_,
-                            "SELECT count(*), coalesce(sum(pending = 0), 0) FROM (SELECT "
-                            "sum(state = 'pending') AS pending FROM runs WHERE repetition = 1 "
-                            "GROUP BY seed)");
-    query.next();
-    return SeedCount{query.integer(0), query.integer(1)};
-  });
+  return impl_
+      ->list(
+          "SELECT count(*), coalesce(sum(pending = 0), 0) FROM (SELECT sum(state = 'pending') AS "
+          "pending FROM runs WHERE repetition = 1 GROUP BY seed)",
+          [](const sqlite::Statement& row) {
+            return SeedCount{row.integer(0), row.integer(1)};
+          })
+      .front();
 }
 
 std::vector<CellTime> ResultsDatabase::times() {
-  return impl_->reading([&] {
-    std::vector<CellTime> times;
-    sqlite::Statement query(impl_->connection_,
-                            "SELECT cell_id, avg(wall_s), count(*) FROM runs WHERE state = 'done' "
-                            "AND wall_s IS NOT NULL GROUP BY cell_id");
-    while (query.next()) {
-      times.push_back(
-          {static_cast<std::size_t>(query.integer(0)), query.number(1), query.integer(2)});
-    }
-    return times;
-  });
+  return impl_->list(
+      "SELECT cell_id, avg(wall_s), count(*) FROM runs WHERE state = 'done' AND wall_s IS NOT NULL "
+      "GROUP BY cell_id",
+      [](const sqlite::Statement& row) {
+        return CellTime{static_cast<std::size_t>(row.integer(0)), row.number(1), row.integer(2)};
+      });
 }
 
 std::vector<FailedRun> ResultsDatabase::failed(std::size_t most) {
-  return impl_->reading([&] {
-    std::vector<FailedRun> runs;
-    sqlite::Statement query(
-        impl_->connection_,
-        "SELECT runs.id, state, label, seed, message FROM runs JOIN cells ON cells.id = "
-        "runs.cell_id WHERE state NOT IN ('pending', 'done') ORDER BY runs.id LIMIT ?");
-    query.bind(1, static_cast<std::int64_t>(most));
-    while (query.next()) {
-      runs.push_back({query.integer(0), results::run_state(query.text(1)), query.text(2),
-                      static_cast<std::uint64_t>(query.integer(3)), query.text(4)});
-    }
-    return runs;
-  });
+  return impl_->list(
+      "SELECT runs.id, state, label, seed, message FROM runs JOIN cells ON cells.id = "
+      "runs.cell_id WHERE state NOT IN ('pending', 'done') ORDER BY runs.id LIMIT ?",
+      [](const sqlite::Statement& row) {
+        return FailedRun{row.integer(0), results::run_state(row.text(1)), row.text(2),
+                         static_cast<std::uint64_t>(row.integer(3)), row.text(4)};
+      },
+      static_cast<std::int64_t>(most));
 }
 
 std::vector<Disagreement> ResultsDatabase::disagreements() {

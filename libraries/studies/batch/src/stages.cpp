@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "elsie/experiment/reader.h"
+#include "elsie/results/database_file.h"
 #include "elsie/results/hash.h"
 
 namespace elsie::batch {
@@ -102,7 +103,7 @@ std::string fingerprint_of(const Plan& plan, std::size_t stages) {
   return all.hash();
 }
 
-StoredGrid stored_grid(sqlite::Connection& connection) {
+StoredGrid stored_grid(sqlite::Connection& connection, const std::filesystem::path& file) {
   StoredGrid stored;
   sqlite::Statement factors(connection, "SELECT name FROM factors ORDER BY id");
   while (factors.next()) {
@@ -128,21 +129,22 @@ StoredGrid stored_grid(sqlite::Connection& connection) {
     const std::size_t before = stored.stages.empty() ? 1 : stored.stages.back().cells;
     if (count < static_cast<std::int64_t>(before) ||
         count > static_cast<std::int64_t>(stored.cells.size())) {
-      throw DamagedStages("`stages` does not have the cells");
+      throw results::damaged(file, "`stages` does not have the cells");
     }
     if (!seeds) {
-      throw DamagedStages("the seeds of `stages` are '" + stages.text(1) + "'");
+      throw results::damaged(file, "the seeds of `stages` are '" + stages.text(1) + "'");
     }
     const auto runs = static_cast<std::uint64_t>(count) * seeds->size();
     if (repeats < 1 || static_cast<std::uint64_t>(repeats) > experiment::kMostRuns / runs) {
-      throw DamagedStages("`stages` has " + std::to_string(runs) + " runs, each repeated " +
-                          std::to_string(repeats) + " times");
+      throw results::damaged(file, "`stages` has " + std::to_string(runs) +
+                                       " runs, each repeated " + std::to_string(repeats) +
+                                       " times");
     }
     stored.stages.push_back({static_cast<std::size_t>(count), *seeds, static_cast<int>(repeats),
                              stages.integer(3), stages.text(4)});
   }
   if (stored.stages.empty() || stored.stages.back().cells != stored.cells.size()) {
-    throw DamagedStages("`stages` does not have the cells");
+    throw results::damaged(file, "`stages` does not have the cells");
   }
   return stored;
 }

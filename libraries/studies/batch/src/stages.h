@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,13 +33,8 @@ struct StoredGrid {
   std::vector<Cell> cells;  // by id
   std::vector<Stage> stages;
 };
-/// The stages of a database cannot be those of an experiment. what(): the damaged place.
-class DamagedStages : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-/// Throws DamagedStages.
-StoredGrid stored_grid(sqlite::Connection& connection);
+/// Throws results::DatabaseRefused if its stages cannot be those of an experiment.
+StoredGrid stored_grid(sqlite::Connection& connection, const std::filesystem::path& file);
 
 /// What a plan lacks that the database has. Texts name each.
 struct Gone {

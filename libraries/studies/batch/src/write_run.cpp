@@ -3,77 +3,71 @@
 #include "write_plan.h"
 
 namespace elsie::batch {
+namespace {
 
-RunWriter::RunWriter(sqlite::Connection& connection)
-    : connection_(connection),
-      run_(connection, "UPDATE runs SET " + results::field_names(" = ?") +
-                           ", ended = ? WHERE id = ? AND state = 'pending'"),
-      // Runs are written in any order: the result for a measure must not depend on it.
-      measure_(connection,
-               "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT (name) DO "
-               "UPDATE SET unit = min(unit, excluded.unit), meaning = min(meaning, "
-               "excluded.meaning)"),
-      run_measure_(insert("run_measures", "run_id, measure, value")),
-      robot_(insert("run_robots",
-                    "run_id, robot, team, distance_m, collected, energy, collisions, x_m, y_m, "
-                    "heading_rad")),
-      event_(insert("run_events", "run_id, place, time_s, robot, name, detail")),
-      trajectory_(insert("trajectories", "run_id, robot, from_s, period_s, poses, touches")),
-      curve_(insert("curves", "run_id, robot, plugin, name, x_label, y_label, points")),
-      timeline_(insert("timelines", "run_id, robot, behaviors, episodes")),
-      note_(insert("notes", "run_id, place, robot, plugin, text")) {}
-
-sqlite::Statement RunWriter::insert(const std::string& table, const std::string& columns) {
-  return sqlite::Statement::insert(connection_, table, columns);
+bool write_fields(sqlite::Connection& connection, std::int64_t run, const RunRecord& record) {
+  sqlite::Statement update(connection, "UPDATE runs SET " + results::field_names(" = ?") +
+                                           ", ended = ? WHERE id = ? AND state = 'pending'");
+  const int next = results::bind_fields(update, 1, record);
+  update.bind(next, utc_now()).bind(next + 1, run).run();
+  return connection.changes() == 1;
 }
 
-bool RunWriter::write(std::int64_t run, const RunRecord& record) {
-  sqlite::Transaction transaction(connection_);
-  if (!update(run, record)) {
+void write_measures(sqlite::Connection& connection, std::int64_t run, const RunRecord& record) {
+  // Runs are written in any order: the result for a measure must not depend on it.
+  sqlite::Statement measure(
+      connection,
+      "INSERT INTO measures (name, unit, meaning) VALUES (?, ?, ?) ON CONFLICT (name) DO "
+      "UPDATE SET unit = min(unit, excluded.unit), meaning = min(meaning, excluded.meaning)");
+  auto value = sqlite::Statement::insert(connection, "run_measures", "run_id, measure, value");
+  for (const simulation::MeasuredValue& each : record.measures) {
+    measure.run(each.name, each.unit, each.meaning);
+    value.run(run, each.name, each.value);
+  }
+}
+
+}  // namespace
+
+bool write_run(sqlite::Connection& connection, std::int64_t run, const RunRecord& record) {
+  sqlite::Transaction transaction(connection);
+  if (!write_fields(connection, run, record)) {
     return false;
   }
-  write_measures(run, record);
-  for (const simulation::RobotResult& robot : record.robots) {
-    robot_.run(run, robot.id, robot.team, robot.distance_m, robot.collected, robot.energy,
-               robot.collisions, robot.pose.x, robot.pose.y, robot.pose.heading_rad);
+  write_measures(connection, run, record);
+  const auto insert = [&](const char* table, const char* columns) {
+    return sqlite::Statement::insert(connection, table, columns);
+  };
+  auto robot = insert("run_robots",
+                      "run_id, robot, team, distance_m, collected, energy, collisions, x_m, y_m, "
+                      "heading_rad");
+  for (const simulation::RobotResult& each : record.robots) {
+    robot.run(run, each.id, each.team, each.distance_m, each.collected, each.energy,
+              each.collisions, each.pose.x, each.pose.y, each.pose.heading_rad);
   }
-  write_events(run, record);
+  std::int64_t place = 0;
+  auto event = insert("run_events", "run_id, place, time_s, robot, name, detail");
+  for (const Event& each : record.events) {
+    event.run(run, place++, each.time_s, each.robot, each.name, each.detail);
+  }
+  auto trajectory = insert("trajectories", "run_id, robot, from_s, period_s, poses, touches");
   for (const Trajectory& each : record.trajectories) {
-    trajectory_.run(run, each.robot, each.from_s, each.period_s, each.poses, each.touches);
+    trajectory.run(run, each.robot, each.from_s, each.period_s, each.poses, each.touches);
   }
-  for (const Curve& curve : record.curves) {
-    curve_.run(run, curve.robot, curve.plugin, curve.name, curve.x_label, curve.y_label,
-               curve.points);
+  auto curve = insert("curves", "run_id, robot, plugin, name, x_label, y_label, points");
+  for (const Curve& each : record.curves) {
+    curve.run(run, each.robot, each.plugin, each.name, each.x_label, each.y_label, each.points);
   }
-  for (const Timeline& timeline : record.timelines) {
-    timeline_.run(run, timeline.robot, timeline.behaviors, timeline.episodes);
+  auto timeline = insert("timelines", "run_id, robot, behaviors, episodes");
+  for (const Timeline& each : record.timelines) {
+    timeline.run(run, each.robot, each.behaviors, each.episodes);
+  }
+  place = 0;
+  auto note = insert("notes", "run_id, place, robot, plugin, text");
+  for (const simulation::Note& each : record.notes) {
+    note.run(run, place++, each.robot, each.plugin, each.text);
   }
   transaction.commit();
   return true;
-}
-
-bool RunWriter::update(std::int64_t run, const RunRecord& record) {
-  const int next = results::bind_fields(run_, 1, record);
-  run_.bind(next, utc_now()).bind(next + 1, run).run();
-  return connection_.changes() == 1;
-}
-
-void RunWriter::write_measures(std::int64_t run, const RunRecord& record) {
-  for (const Measure& measure : record.measures) {
-    measure_.run(measure.name, measure.unit, measure.meaning);
-    run_measure_.run(run, measure.name, measure.value);
-  }
-}
-
-void RunWriter::write_events(std::int64_t run, const RunRecord& record) {
-  std::int64_t place = 0;
-  for (const Event& event : record.events) {
-    event_.run(run, place++, event.time_s, event.robot, event.name, event.detail);
-  }
-  place = 0;
-  for (const simulation::Note& note : record.notes) {
-    note_.run(run, place++, note.robot, note.plugin, note.text);
-  }
 }
 
 }  // namespace elsie::batch

@@ -117,25 +117,27 @@ std::optional<ShardFolder> ShardFolder::find(const fs::path& database, const bat
     }
     stored = read_json(path / "cluster.json");  // another command may have made it just now
   }
-  const auto text = [&](const char* key) -> const std::string* {
-    return stored.is_object() && stored.contains(key) ? stored[key].get_ptr<const std::string*>()
-                                                      : nullptr;
-  };
-  const std::string* const fingerprint = text("fingerprint");
-  const std::string* const job = text("job");
-  const std::int64_t shards = number(stored, "shards");
-  if (!fingerprint || !job || shards < 1) {
+  std::string fingerprint, job;
+  std::size_t shards = 0;
+  try {
+    stored.at("fingerprint").get_to(fingerprint);
+    stored.at("job").get_to(job);
+    stored.at("shards").get_to(shards);
+  } catch (const Json::exception&) {
+    shards = 0;
+  }
+  if (shards < 1) {
     throw DatabaseRefused("'" + (path / "cluster.json").string() +
                           "' is missing or damaged; remove the folder to start again");
   }
-  if (*fingerprint != plan.fingerprint) {
+  if (fingerprint != plan.fingerprint) {
     throw DatabaseRefused(
         "'" + path.string() +
         "' was begun with another experiment: a world, a model, a plugin, a seed "
         "or Elsie itself has changed since; put it back, or remove the folder to start again");
   }
-  ShardFolder folder(path, plan.fingerprint, static_cast<std::size_t>(shards), plan.all_runs);
-  folder.job_ = *job;
+  ShardFolder folder(path, fingerprint, shards, plan.all_runs);
+  folder.job_ = job;
   return folder;
 }
 

@@ -6,6 +6,7 @@
 
 #include "elsie/base/words.h"
 #include "elsie/experiment/grid.h"
+#include "elsie/experiment/split.h"
 #include "elsie/experiment/where.h"
 #include "elsie/world/values.h"
 

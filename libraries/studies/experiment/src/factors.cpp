@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "elsie/experiment/reader.h"
+#include "elsie/experiment/split.h"
 
 #include "grid.h"
 
@@ -193,27 +194,6 @@ class FactorMaker {
 };
 
 }  // namespace
-
-std::string trimmed(const std::string& text) {
-  constexpr const char* kBlanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  return begin == std::string::npos
-             ? ""
-             : text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t at = 0;
-  while (true) {
-    const std::size_t end = text.find(separator, at);
-    parts.push_back(trimmed(text.substr(at, end - at)));
-    if (end == std::string::npos) {
-      return parts;
-    }
-    at = end + 1;
-  }
-}
 
 std::string why_no_label(const std::string& text) {
   return text.empty()                                        ? "a label may not be empty"

@@ -11,12 +11,6 @@
 
 namespace elsie::experiment {
 
-/// Returns the text without leading and trailing blanks.
-std::string trimmed(const std::string& text);
-
-/// Returns the parts between the separators, without blanks around them.
-std::vector<std::string> split(const std::string& text, char separator);
-
 /// Returns the reason why a text cannot be a label, as the end of a sentence, such as "a label may
 /// not be empty"; "" if it can.
 std::string why_no_label(const std::string& text);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "elsie/experiment/reader.h"
+#include "elsie/experiment/split.h"
 
 #include "factors.h"
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "elsie/base/near_name.h"
+#include "elsie/experiment/split.h"
 
 #include "factors.h"
 #include "grid.h"

@@ -41,11 +41,7 @@ Chart model_chart(const Findings& findings, const FactorModel& model);
 
 /// The part of the runs that has not yet reached its goals, in each cell; cells that differ in the
 /// coloured factor only are in one chart.
-struct SurvivalChart {
-  Chart chart;
-  std::vector<std::size_t> cells;
-};
-std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks& inks);
+std::vector<Chart> survival_charts(const Findings& findings, const Inks& inks);
 
 /// What happened over time, by the levels of each varied factor: distance driven, and events.
 /// Reads the file.

@@ -32,7 +32,7 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
                 std::size_t to) {
   const Measure& about = findings.results.measures[findings.measures[measure]];
   const std::size_t dots = findings.runs() * findings.measures.size();
-  picture::Interval range;
+  Interval range;
   picture::RowChart chart;
   chart.x = {.label = files::one_line(in_words(about.name, about.unit)),
              .unit = files::one_line(about.unit)};
@@ -64,18 +64,15 @@ Chart box_chart(const Findings& findings, std::size_t measure, const Inks& inks,
     if (found.all && found.values.size() >= kFewest) {
       std::vector<double> sorted = found.values;
       std::sort(sorted.begin(), sorted.end());
-      const Interval ends = whiskers(sorted, *found.fences);
-      row.box = picture::RowBox{{ends.low, ends.high},
+      row.box = picture::RowBox{whiskers(sorted, *found.fences),
                                 {found.all->lower_quartile, found.all->upper_quartile},
                                 found.all->median};
     }
     if (found.all) {
       row.mark = found.all->mean;
     }
-    if (found.interval) {
-      range.include(found.interval->low);
-      row.interval = picture::Interval{found.interval->low, found.interval->high};
-    }
+    if (found.interval) range.include(found.interval->low);
+    row.interval = found.interval;
     chart.rows.push_back(std::move(row));
   }
   if (range.low > 0.0 && range.low < 0.4 * range.high) {
@@ -103,7 +100,7 @@ Chart rate_chart(const Findings& findings, const Inks& inks, std::size_t from, s
                (cell.complete() ? "" : ", " + std::to_string(cell.pending) + " to do");
     if (cell.ended > 0) {
       row.mark = static_cast<double>(cell.successes) / static_cast<double>(cell.ended);
-      row.interval = picture::Interval{cell.success.low, cell.success.high};
+      row.interval = cell.success;
     }
     chart.rows.push_back(std::move(row));
   }

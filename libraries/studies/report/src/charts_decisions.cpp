@@ -48,7 +48,7 @@ void add_bars(const Timeline::Episode& episode, const Inks& inks, picture::Chart
     all += time;
   }
   for (const auto& [who, time] : parts) {
-    const picture::Interval height{done / all, (done + time) / all};
+    const Interval height{done / all, (done + time) / all};
     done += time;
     if (!who.empty() && time > 0.0) {
       row.bars.push_back({{episode.from_s, episode.to_s}, inks.behavior_colour(who), height});

@@ -44,11 +44,10 @@ double place_of(const VariedFactor& factor, std::size_t level) {
 // all runs were cut off.
 void add_point(picture::Series& series, double x, const Margin& margin) {
   series.points.push_back({x, margin.centre.value_or(kUnknown)});
-  series.spread.push_back(
-      margin.interval ? picture::Interval{margin.interval->low, margin.interval->high}
-      : margin.at_least
-          ? picture::Interval{*margin.at_least, std::numeric_limits<double>::infinity()}
-          : picture::Interval{kUnknown, kUnknown});
+  series.spread.push_back(margin.interval ? *margin.interval
+                          : margin.at_least
+                              ? Interval{*margin.at_least, std::numeric_limits<double>::infinity()}
+                              : Interval{kUnknown, kUnknown});
 }
 
 // The axis of the centres of a response.
@@ -59,7 +58,7 @@ picture::Axis axis_of(const Response& response, const Balance& balance) {
 }
 
 // With an effect of this size, an axis from 0 would hide nothing.
-void start_at_zero(picture::Axis& axis, const picture::Interval& range) {
+void start_at_zero(picture::Axis& axis, const Interval& range) {
   if (range.low >= 0.0 && range.low < 0.4 * range.high) {
     axis.low = 0.0;
   }
@@ -119,7 +118,7 @@ std::vector<std::size_t> level_colours(const VariedFactor& factor, const Inks& i
 
 std::vector<Chart> effect_charts(const Findings& findings, const Response& response) {
   std::vector<Chart> charts;
-  picture::Interval range;
+  Interval range;
   for (const VariedFactor& factor : varied_factors(findings.results)) {
     if (factor.levels.size() > kMostPoints) {
       continue;
@@ -153,7 +152,7 @@ std::vector<Chart> effect_charts(const Findings& findings, const Response& respo
     if (!response.measure) {
       continue;
     }
-    const picture::Interval wide = range.widened();
+    const Interval wide = range.widened();
     const double extra = 0.05 * wide.span();
     chart.y.low = wide.low - extra;
     chart.y.high = wide.high + extra;
@@ -197,7 +196,7 @@ std::vector<Chart> pair_charts(const Findings& findings, const Response& respons
         tiles.x.names[column].at = place_of(along, column);
       }
       const std::vector<std::size_t> colours = level_colours(lines, inks);
-      picture::Interval range, values, bars;
+      Interval range, values, bars;
       std::vector<Margin> margins;
       for (std::size_t row = 0; row < rows; ++row) {
         tiles.y.names.push_back({place_of(lines, row), shown(lines.levels[row])});

@@ -31,7 +31,7 @@ std::vector<Vector2> usable(std::vector<Vector2> points) {
 
 // A logarithmic axis if curves span decades; otherwise one from zero, if no value is below it.
 picture::Axis axis_for(const std::vector<picture::Series>& curves) {
-  picture::Interval all, positive;
+  Interval all, positive;
   for (const picture::Series& curve : curves) {
     for (const Vector2& point : curve.points) {
       all.include(point.y);

@@ -35,7 +35,7 @@ Chart residual_chart(const Findings& findings, const FactorModel& model, const L
     fitted[model.cells[i]] = fit.fitted[i];
   }
   picture::Series cells = marks("median and quartiles of a cell");
-  picture::Interval range;
+  Interval range;
   for (std::size_t i = 0; i < by_cell.size(); ++i) {
     if (const auto all = summary(by_cell[i])) {
       cells.points.push_back({fitted[i], all->median});
@@ -43,7 +43,7 @@ Chart residual_chart(const Findings& findings, const FactorModel& model, const L
       range.include(fitted[i]);
     }
   }
-  picture::Interval wide = range.widened();
+  Interval wide = range.widened();
   const double extra = 0.06 * wide.span();
   wide.include(wide.low - extra);
   wide.include(wide.high + extra);
@@ -66,7 +66,7 @@ Chart fitted_rates_chart(const FactorModel& model) {
   picture::Series observed = marks("observed, with Wilson's 95 % interval");
   for (const RateGroup& group : groups) {
     observed.points.push_back({group.fitted, group.observed.rate()});
-    observed.spread.push_back({group.interval.low, group.interval.high});
+    observed.spread.push_back(group.interval);
   }
   picture::LineChart chart;
   constexpr double kMargin = 0.03;  // so that marks at 0 and 1 keep off the frame

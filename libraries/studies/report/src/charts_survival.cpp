@@ -62,7 +62,7 @@ picture::Series curve_of(const SurvivalCurve& curve) {
   series.spread.push_back({1.0, 1.0});
   for (const SurvivalStep& step : curve.steps) {
     series.points.push_back({step.time, step.survival});
-    series.spread.push_back({step.interval.low, step.interval.high});
+    series.spread.push_back(step.interval);
     if (step.cut_off > 0) {
       series.strokes.push_back({step.time, step.survival});
     }
@@ -72,8 +72,8 @@ picture::Series curve_of(const SurvivalCurve& curve) {
 
 }  // namespace
 
-std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks& inks) {
-  std::vector<SurvivalChart> charts;
+std::vector<Chart> survival_charts(const Findings& findings, const Inks& inks) {
+  std::vector<Chart> charts;
   double longest = 0.0;
   for (std::size_t i = 0; i < findings.cells.size(); ++i) {
     for (const Observed& one : times_to_goals(findings, i)) {
@@ -81,7 +81,7 @@ std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks&
     }
   }
   const picture::Ticks ticks = picture::nice_ticks(0.0, std::max(longest, 1e-9), kRiskTimes);
-  for (std::vector<std::size_t>& cells : together(findings, inks)) {
+  for (const std::vector<std::size_t>& cells : together(findings, inks)) {
     picture::LineChart chart;
     chart.title = title_of(findings, inks, cells);
     chart.x = {.label = "time", .unit = "s", .low = 0.0, .high = longest > 0.0 ? longest : 1.0};
@@ -112,7 +112,7 @@ std::vector<SurvivalChart> survival_charts(const Findings& findings, const Inks&
     const std::string caption =
         "Runs that have not reached their goals yet: their part by Kaplan and Meier, with 95 % "
         "intervals";
-    charts.push_back({{std::move(name), caption, std::move(chart)}, std::move(cells)});
+    charts.push_back({std::move(name), caption, std::move(chart)});
   }
   return charts;
 }

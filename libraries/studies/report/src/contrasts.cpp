@@ -10,17 +10,20 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
+#include "elsie/experiment/split.h"
 #include "elsie/files/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
-#include "split.h"
 
 namespace elsie::report {
 
+using experiment::split;
+using experiment::trimmed;
+
 namespace {
 
-// The observations of one seed in cells that match, of both groups.
+// One seed's observations in matching cells, by group.
 struct Match {
   std::vector<Observed> first, second;
   std::vector<std::size_t> originals_first, originals_second;

@@ -8,13 +8,16 @@
 
 #include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
+#include "elsie/experiment/split.h"
 #include "elsie/files/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
-#include "split.h"
 
 namespace elsie::report {
+
+using experiment::split;
+using experiment::trimmed;
 
 namespace {
 
@@ -78,8 +81,8 @@ std::vector<Product> products_of(const std::string& side,
   return products;
 }
 
-// The level with which the others are compared: of success, the first with successes and failures,
-// because the log odds of others have no finite value; if there is none, and else, the first.
+// The reference level: the first, or for success the first with both outcomes, because the log odds
+// of the others are infinite.
 std::size_t reference_of(const VariedFactor& factor, const Response& response,
                          const std::vector<Observation>& runs) {
   std::vector<Frequency> levels(factor.levels.size());

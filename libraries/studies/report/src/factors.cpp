@@ -1,26 +1,18 @@
 #include "elsie/report/factors.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
+
+#include "elsie/experiment/formula.h"
 
 #include "numbers.h"
 
 namespace elsie::report {
 
 namespace {
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !is_usable(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
 
 std::optional<Observed> observed(const Findings& findings, const Response& response,
                                  const Run& run) {
@@ -74,7 +66,7 @@ std::vector<VariedFactor> varied_factors(const Results& results) {
     std::map<double, int> by_number;
     for (const auto& [place, label] : by_place) {
       places.push_back(place);
-      if (const auto number = number_in(label)) {
+      if (const auto number = experiment::number_in(label); number && is_usable(*number)) {
         by_number.emplace(*number, place);
       }
     }

@@ -164,9 +164,7 @@ std::size_t write_figures(const Findings& findings, const ResultsFile& file, con
       }
     }
     if (any_cut_off(findings)) {
-      for (const SurvivalChart& one : survival_charts(findings, inks)) {
-        artist.draw(one.chart);
-      }
+      artist.draw(survival_charts(findings, inks));
     }
     artist.draw(series_charts(findings, file, inks));
   }

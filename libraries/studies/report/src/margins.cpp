@@ -58,7 +58,7 @@ void keep_matches(const Findings& findings, const std::vector<std::size_t>& name
   }
 }
 
-// Cells that are one run are known exactly: the others have all of the uncertainty.
+// Cells whose seeds all gave one run add no uncertainty.
 std::optional<Interval> rate_interval(const Findings& findings,
                                       const std::vector<Observation>& all) {
   double known = 0.0, hits = 0.0;

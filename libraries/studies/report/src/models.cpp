@@ -173,13 +173,13 @@ LogisticFit fit_logistic(std::span<const Term> terms, const std::vector<bool>& s
     }
     return sum;
   };
-  // Ordinary fits need some ten steps. Of separated successes, each step moves coefficients by
-  // about one more, so after these many a coefficient that still moves has no limit.
+  // Most fits converge in ten steps. Separated coefficients grow by about 1 per step; one still
+  // moving after 25 diverges.
   constexpr int kSteps = 25;
   constexpr double kMoves = 0.1;
-  // So has one whose standard error, with its term's largest value, is this many log odds.
+  // So does one whose standard error, times its term's largest value, is this many log odds.
   constexpr double kHugeError = 100.0;
-  // Of a fit without any error, no coefficient has a limit.
+  // Where the fit has no error, all coefficients diverge.
   constexpr double kPerfect = 1e-6;
   VectorXd found = VectorXd::Zero(size), step = VectorXd::Zero(size), p;
   MatrixXd inverse;

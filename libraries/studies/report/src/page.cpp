@@ -1,8 +1,8 @@
 #include "page.h"
 
 #include <algorithm>
-#include <string_view>
 
+#include "elsie/files/base64.h"
 #include "elsie/report/report.h"
 #include "elsie/results/hash.h"
 
@@ -11,8 +11,19 @@
 
 namespace elsie::report {
 
-std::string command(const PageContext& page, const Run& run) {
-  return "<code class=\"command\">" + escaped(replay_command(page.database, run.id)) + "</code>";
+std::string runs_table(const std::string& what, const std::string& why, const std::string& rows) {
+  return "<div class=\"scroll\"><table class=\"runs\"><thead><tr><th class=\"n\">run</th>"
+         "<th class=\"n\">seed</th><th>" +
+         what + "</th><th>" + why + "</th><th>again</th></tr></thead><tbody>" + rows +
+         "</tbody></table></div>\n";
+}
+
+std::string run_row(const PageContext& page, const Run& run, const std::string& what,
+                    const std::string& why) {
+  return "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
+         std::to_string(run.seed) + "</td><td>" + what + "</td><td>" + why +
+         "</td><td><code class=\"command\">" + escaped(replay_command(page.database, run.id)) +
+         "</code></td></tr>";
 }
 
 std::string ending_tag(const Findings& findings, const Run& run) {
@@ -38,24 +49,12 @@ namespace {
 
 // "sha256-...", in base64: permits the script in the page's content security policy.
 std::string policy_hash(const std::string& script) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const std::string hex = results::sha256(script);
-  std::string text = "sha256-";
-  unsigned bits = 0, count = 0;
+  std::string bytes;
   for (std::size_t i = 0; i < hex.size(); i += 2) {
-    bits = (bits << 8U) | static_cast<unsigned>(std::stoi(hex.substr(i, 2), nullptr, 16));
-    for (count += 8; count >= 6; count -= 6) {
-      text += kDigits[(bits >> (count - 6)) & 63U];
-    }
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
   }
-  if (count > 0) {
-    text += kDigits[(bits << (6 - count)) & 63U];
-  }
-  while (text.size() % 4 != 3) {
-    text += '=';
-  }
-  return text;
+  return "sha256-" + files::base64(bytes);
 }
 
 // This many cells with all figures make at most a megabyte.

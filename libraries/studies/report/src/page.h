@@ -57,8 +57,12 @@ std::string cell_sections(const PageContext& page);
 /// The methods and sources of the numbers.
 std::string methods_section(const PageContext& page);
 
-/// "elsie replay ...", to be copied.
-std::string command(const PageContext& page, const Run& run);
+/// A table of runs from rows of run_row(); `what` and `why`: the heads of these columns.
+std::string runs_table(const std::string& what, const std::string& why, const std::string& rows);
+/// A run, what it is about, why it is there, and the command that replays it. `what` and `why` are
+/// HTML.
+std::string run_row(const PageContext& page, const Run& run, const std::string& what,
+                    const std::string& why);
 /// "success", "time limit", "crash"..., marked unless it is a success.
 std::string ending_tag(const Findings& findings, const Run& run);
 /// The anchor of a cell's section.

@@ -119,23 +119,19 @@ std::string troubles(const PageContext& page) {
     if (!run.broken()) {
       continue;
     }
-    rows += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
-            std::to_string(run.seed) + "</td><td>" +
-            escaped(findings.results.cells[run.cell].label) + "</td><td>" +
-            ending_tag(findings, run) + " " + escaped(circumstances(run)) +
-            (run.log.value_or("").empty() ? ""
-                                          : "<details><summary>its last output</summary><pre>" +
-                                                escaped(*run.log) + "</pre></details>") +
-            "</td><td>" + command(page, run) + "</td></tr>\n";
+    const std::string log = run.log.value_or("").empty()
+                                ? ""
+                                : "<details><summary>its last output</summary><pre>" +
+                                      escaped(*run.log) + "</pre></details>";
+    rows += run_row(page, run, escaped(findings.results.cells[run.cell].label),
+                    ending_tag(findings, run) + " " + escaped(circumstances(run)) + log);
   }
   std::string text;
   if (!rows.empty()) {
     text +=
         "<section id=\"broken\"><h2>Runs that ended abnormally</h2><p class=\"lead\">"
-        "They count as not successful and have no values.</p><div class=\"scroll\">"
-        "<table class=\"runs\"><thead><tr><th class=\"n\">run</th><th class=\"n\">seed</th>"
-        "<th>cell</th><th>what happened</th><th>again</th></tr></thead><tbody>" +
-        rows + "</tbody></table></div></section>\n";
+        "They count as not successful and have no values.</p>" +
+        runs_table("cell", "what happened", rows) + "</section>\n";
   }
   if (!findings.disagreements.empty()) {
     text += "<section id=\"unlike\"><h2>Equal seeds, different runs</h2><ul>";

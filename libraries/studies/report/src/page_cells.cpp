@@ -22,84 +22,63 @@ constexpr picture::Size kCurveSize{420, 190};
 // Number of notable runs that are shown; the others are folded.
 constexpr std::size_t kRunsAtOnce = 8;
 
-// The known statistics of a measure with bounds.
-std::string censored_row(const MeasureFindings& found, bool some_missed) {
-  constexpr const char* kNoNumber = "<td class=\"n none\">\xe2\x80\x93</td>";
-  const Censoring& censoring = *found.censoring;
+// What is known of a measure, from the number of its runs to the largest value.
+std::vector<std::string> numbers_of(const MeasureFindings& found, bool some_missed) {
+  constexpr const char* kNone = "\xe2\x80\x93";
+  const auto& known = found.all ? found.all : found.successes;
+  const double limit = found.censoring ? found.censoring->limit.value_or(0.0) : 0.0;
   const std::optional<int> decimals =
-      found.successes
-          ? decimals_for(found.successes->mean, found.successes->standard_deviation.value_or(0.0))
-          : decimals_for(censoring.limit.value_or(0.0), 0.0);
-  const auto number = [&](double value) {
-    return decimals ? fixed_text(value, *decimals) : brief(value);
+      known ? decimals_for(known->mean, known->standard_deviation.value_or(0.0))
+            : decimals_for(limit, 0.0);
+  const auto number = [&](std::optional<double> value) -> std::string {
+    return !value ? kNone : decimals ? fixed_text(*value, *decimals) : brief(*value);
   };
-  const auto cell = [](const std::string& text) { return "<td class=\"n\">" + text + "</td>"; };
-  const std::string bound =
-      censoring.limit ? "&gt;\xc2\xa0" + number(*censoring.limit) : std::string("never");
-  std::string text = cell(std::to_string(found.values.size()));
-  text += std::string(kNoNumber) + kNoNumber + kNoNumber;
-  text += cell(censoring.least ? number(*censoring.least) : bound) + kNoNumber;
-  text += cell(censoring.median ? number(*censoring.median) : bound) + kNoNumber +
-          cell(censoring.failures > 0 ? "never" : bound);
-  if (some_missed) {
-    text += found.successes ? cell(number(found.successes->mean)) : kNoNumber;
+  std::vector<std::string> texts{std::to_string(found.values.size())};
+  if (found.censoring) {
+    const Censoring& censoring = *found.censoring;
+    const std::string bound = censoring.limit ? ">\xc2\xa0" + number(limit) : "never";
+    const auto or_bound = [&](const std::optional<double>& value) {
+      return value ? number(value) : bound;
+    };
+    texts.insert(texts.end(),
+                 {kNone, kNone, kNone, or_bound(censoring.least), kNone, or_bound(censoring.median),
+                  kNone, censoring.failures > 0 ? "never" : bound});
+  } else if (found.all) {
+    const Summary& all = *found.all;
+    const MeanText mean = mean_text(all, found.interval);
+    texts.insert(texts.end(),
+                 {number(all.mean), number(all.standard_deviation),
+                  mean.low.empty() ? kNone : mean.low + "\xc2\xa0\xe2\x80\x93\xc2\xa0" + mean.high,
+                  number(all.least), number(all.lower_quartile), number(all.median),
+                  number(all.upper_quartile), number(all.largest)});
   }
-  return text;
+  if (some_missed && texts.size() > 1) {
+    texts.push_back(number(found.successes ? std::optional(found.successes->mean) : std::nullopt));
+  }
+  return texts;
 }
 
 std::string measure_table(const PageContext& page, const CellFindings& cell) {
-  const Results& results = page.findings.results;
-  bool some_missed = false;
-  for (const MeasureFindings& found : cell.measures) {
-    some_missed |= cell.goals && !found.values.empty() &&
-                   (!found.successes || found.successes->count < found.values.size());
+  const bool some_missed =
+      std::any_of(cell.measures.begin(), cell.measures.end(), [&](const MeasureFindings& found) {
+        return cell.goals && !found.values.empty() &&
+               (!found.successes || found.successes->count < found.values.size());
+      });
+  std::vector<std::vector<std::string>> rows{{"measure", "runs", "mean", "std. deviation",
+                                              "95\xc2\xa0% interval", "least", "lower quartile",
+                                              "median", "upper quartile", "largest"}};
+  if (some_missed) {
+    rows[0].emplace_back("mean of successes");
   }
-  std::string text =
-      "<details class=\"numbers\"><summary>All numbers</summary><div "
-      "class=\"scroll\"><table><thead>"
-      "<tr><th>measure</th><th class=\"n\">runs</th><th class=\"n\">mean</th><th class=\"n\">std. "
-      "deviation</th><th class=\"n\">95\xc2\xa0% interval</th><th class=\"n\">least</th><th "
-      "class=\"n\">lower quartile</th><th class=\"n\">median</th><th class=\"n\">upper "
-      "quartile</th>"
-      "<th class=\"n\">largest</th>" +
-      std::string(some_missed ? "<th class=\"n\">mean of successes</th>" : "") +
-      "</tr></thead><tbody>";
   for (std::size_t i = 0; i < cell.measures.size(); ++i) {
-    const Measure& measure = results.measures[page.findings.measures[i]];
-    const MeasureFindings& found = cell.measures[i];
-    text += "<tr><th scope=\"row\">" + escaped(in_words(measure.name, measure.unit)) +
-            (measure.unit.empty() ? "" : " <span>" + escaped(measure.unit) + "</span>") + "</th>";
-    if (found.censoring) {
-      text += censored_row(found, some_missed) + "</tr>";
-      continue;
-    }
-    if (!found.all) {
-      text += "<td class=\"n none\">0</td></tr>";
-      continue;
-    }
-    const std::optional<int> decimals =
-        decimals_for(found.all->mean, found.all->standard_deviation.value_or(0.0));
-    const auto number = [&](std::optional<double> value) {
-      return "<td class=\"n\">" +
-             (!value     ? "\xe2\x80\x93"
-              : decimals ? fixed_text(*value, *decimals)
-                         : brief(*value)) +
-             "</td>";
-    };
-    const MeanText mean = mean_text(*found.all, found.interval);
-    text += "<td class=\"n\">" + std::to_string(found.all->count) + "</td>" +
-            number(found.all->mean) + number(found.all->standard_deviation) + "<td class=\"n\">" +
-            (mean.low.empty() ? "\xe2\x80\x93"
-                              : mean.low + "\xc2\xa0\xe2\x80\x93\xc2\xa0" + mean.high) +
-            "</td>" + number(found.all->least) + number(found.all->lower_quartile) +
-            number(found.all->median) + number(found.all->upper_quartile) +
-            number(found.all->largest);
-    if (some_missed) {
-      text += number(found.successes ? std::optional(found.successes->mean) : std::nullopt);
-    }
-    text += "</tr>";
+    const Measure& measure = page.findings.results.measures[page.findings.measures[i]];
+    rows.push_back(numbers_of(cell.measures[i], some_missed));
+    rows.back().insert(rows.back().begin(),
+                       in_words(measure.name, measure.unit) +
+                           (measure.unit.empty() ? "" : " (" + measure.unit + ")"));
   }
-  return text + "</tbody></table></div></details>\n";
+  return "<details class=\"numbers\"><summary>All numbers</summary>" + html_table(rows, 1) +
+         "</details>\n";
 }
 
 // The reasons why runs are notable, by index, in the order in which they are shown.
@@ -145,25 +124,19 @@ std::string run_table(const PageContext& page, const CellFindings& cell) {
     return "<p class=\"quiet\">" +
            std::string(cell.ended == 0 ? "No run is done yet." : "No run stands out.") + "</p>\n";
   }
-  const std::string head =
-      "<div class=\"scroll\"><table class=\"runs\"><thead><tr><th "
-      "class=\"n\">run</th><th class=\"n\">seed</th><th>ended</th><th>why</th><th>again</th></tr>"
-      "</thead><tbody>";
-  const std::string foot = "</tbody></table></div>\n";
-  std::string text = "<h4>Runs to look at</h4>" + head;
-  std::size_t shown = 0;
-  for (const auto& [place, why] : notable) {
-    const Run& run = page.findings.results.runs[place];
-    // If only one run would be folded, it is shown instead.
-    if (shown++ == kRunsAtOnce && notable.size() > kRunsAtOnce + 1) {
-      text += foot + "<details class=\"fold\"><summary>" +
-              counted(notable.size() - kRunsAtOnce, "more", "more") + "</summary>" + head;
-    }
-    text += "<tr><td class=\"n\">" + std::to_string(run.id) + "</td><td class=\"n\">" +
-            std::to_string(run.seed) + "</td><td>" + ending_tag(page.findings, run) + "</td><td>" +
-            escaped(why) + "</td><td>" + command(page, run) + "</td></tr>";
+  std::string shown, folded;
+  // If only one run would be folded, it is shown instead.
+  const std::size_t most = notable.size() == kRunsAtOnce + 1 ? notable.size() : kRunsAtOnce;
+  for (std::size_t i = 0; i < notable.size(); ++i) {
+    const Run& run = page.findings.results.runs[notable[i].first];
+    (i < most ? shown : folded) +=
+        run_row(page, run, ending_tag(page.findings, run), escaped(notable[i].second));
   }
-  return text + foot + (shown > kRunsAtOnce + 1 ? "</details>" : "");
+  return "<h4>Runs to look at</h4>" + runs_table("ended", "why", shown) +
+         (folded.empty() ? ""
+                         : "<details class=\"fold\"><summary>" +
+                               counted(notable.size() - most, "more", "more") + "</summary>" +
+                               runs_table("ended", "why", folded) + "</details>");
 }
 
 std::string headline(const PageContext& page, std::size_t place) {

@@ -32,9 +32,8 @@ constexpr const char* kNoValues =
 constexpr const char* kBoxesLead =
     "A dot is a run, a cross is a run without success. The box has the middle half of the runs, "
     "its line is the median; whiskers go to the farthest run within 1.5 box lengths; runs with a "
-    "ring are beyond. The diamond is the mean, with its 95\xc2\xa0% interval. Where the time limit "
-    "stopped runs or they failed, their times are at least where the dots stand, and there is no "
-    "box and no mean.";
+    "ring are beyond. The diamond is the mean, with its 95\xc2\xa0% interval. For failed or "
+    "timed-out runs the dot is a lower bound; such cells have no box or mean.";
 
 constexpr picture::Size kRateSize{460, 0};
 constexpr picture::Size kBoxSize{360, 0};

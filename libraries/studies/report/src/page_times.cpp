@@ -79,8 +79,8 @@ std::string time_sections(const PageContext& page) {
   std::string text;
   if (any_cut_off(findings)) {
     std::vector<std::string> figures;
-    for (const SurvivalChart& one : survival_charts(findings, page.inks)) {
-      figures.push_back(chart_figure(one.chart, kSurvivalSize));
+    for (const Chart& chart : survival_charts(findings, page.inks)) {
+      figures.push_back(chart_figure(chart, kSurvivalSize));
     }
     text += "<section id=\"survival\"><h2>Time until the goals</h2><p class=\"lead\">" +
             std::string(kSurvivalLead) + "</p>" + folded_charts(figures) + median_table(findings) +

@@ -8,12 +8,14 @@
 
 #include "elsie/base/utf8.h"
 #include "elsie/base/words.h"
+#include "elsie/experiment/split.h"
 #include "elsie/files/clean_text.h"
 
 #include "numbers.h"
-#include "split.h"
 
 namespace elsie::report {
+
+using experiment::split;
 
 std::string size_in_words(const Findings& findings) {
   std::set<std::uint64_t> seeds, incomplete;

@@ -1,52 +1,19 @@
 #include "damage.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <utility>
 
 #include "elsie/results/hash.h"
 
 namespace elsie::results {
 namespace {
 
-/// Lists of JSON: with numbers only, or with anything.
-enum class Content { numbers, any };
-
-struct JsonColumn {
-  const char* table;
-  const char* column;
-  Content content;
-};
-constexpr std::array<JsonColumn, 5> kJsonColumns{{{"trajectories", "poses", Content::numbers},
-                                                  {"trajectories", "touches", Content::numbers},
-                                                  {"curves", "points", Content::numbers},
-                                                  {"timelines", "behaviors", Content::any},
-                                                  {"timelines", "episodes", Content::any}}};
-
-constexpr std::array<bool, 256> bytes_of(Content content) {
-  std::array<bool, 256> allowed{};
-  if (content == Content::numbers) {
-    for (const char c : std::string_view("[]0123456789.,-+eE null")) {
-      allowed[static_cast<unsigned char>(c)] = true;
-    }
-  } else {
-    // JSON has no control characters; UTF-8 never has the bytes from 0xf5.
-    for (std::size_t c = 0x20; c < 0xf5; ++c) {
-      allowed[c] = true;
-    }
-  }
-  return allowed;
-}
-constexpr std::array<bool, 256> kOfNumbers = bytes_of(Content::numbers);
-constexpr std::array<bool, 256> kOfAny = bytes_of(Content::any);
-
-/// Returns whether the text may be a JSON list. Checks each byte; much faster than parsing.
-bool may_be_list(std::string_view text, Content content) {
-  const auto& allowed = content == Content::numbers ? kOfNumbers : kOfAny;
-  return text.size() >= 2 && text.front() == '[' && text.back() == ']' &&
-         std::all_of(text.begin(), text.end(),
-                     [&](char c) { return allowed[static_cast<unsigned char>(c)]; });
-}
+// Tables and columns with lists of JSON.
+constexpr std::pair<const char*, const char*> kLists[] = {{"trajectories", "poses"},
+                                                          {"trajectories", "touches"},
+                                                          {"curves", "points"},
+                                                          {"timelines", "behaviors"},
+                                                          {"timelines", "episodes"}};
 
 std::optional<std::string> broken_structure(sqlite::Connection& connection) {
   if (std::string found = connection.text("PRAGMA integrity_check(1)"); found != "ok") {
@@ -60,17 +27,14 @@ std::optional<std::string> broken_structure(sqlite::Connection& connection) {
   return std::nullopt;
 }
 
-std::optional<std::string> broken_list(sqlite::Connection& connection, const JsonColumn& column) {
-  const std::string table = column.table;
-  sqlite::Statement rows(connection,
-                         "SELECT run_id, " + std::string(column.column) + " FROM " + table);
-  while (rows.next()) {
-    if (!may_be_list(rows.bytes(1), column.content)) {
-      return "in `" + table + "` of run " + std::to_string(rows.integer(0)) +
-             " a text is not a JSON list";
-    }
-  }
-  return std::nullopt;
+std::optional<std::string> broken_list(sqlite::Connection& connection, const std::string& table,
+                                       const std::string& column) {
+  sqlite::Statement rows(connection, "SELECT run_id FROM " + table + " WHERE CASE json_valid(" +
+                                         column + ") WHEN 1 THEN json_type(" + column +
+                                         ") <> 'array' ELSE 1 END LIMIT 1");
+  return rows.next() ? std::optional("in `" + table + "` of run " +
+                                     std::to_string(rows.integer(0)) + " a text is not a JSON list")
+                     : std::nullopt;
 }
 
 std::optional<std::string> broken_text(sqlite::Connection& connection, const char* rows,
@@ -90,8 +54,8 @@ std::optional<std::string> damage(sqlite::Connection& connection) {
   if (auto found = broken_structure(connection)) {
     return found;
   }
-  for (const JsonColumn& column : kJsonColumns) {
-    if (auto found = broken_list(connection, column)) {
+  for (const auto& [table, column] : kLists) {
+    if (auto found = broken_list(connection, table, column)) {
       return found;
     }
   }

@@ -57,32 +57,6 @@ void check_axis(const Axis& axis) {
                               "below the upper one.");
 }
 
-void check_field(const Field& field) {
-  check_axis(field.x);
-  check_axis(field.y);
-  check_axis(field.z);
-  if (!field.x.low || !field.x.high || !field.y.low || !field.y.high) {
-    throw std::invalid_argument("A field needs the borders of both of its axes.");
-  }
-  if (field.columns < 2 || field.rows < 2 || field.values.size() != field.columns * field.rows) {
-    throw std::invalid_argument("A field of " + std::to_string(field.columns) + " x " +
-                                std::to_string(field.rows) + " cannot be drawn from " +
-                                std::to_string(field.values.size()) +
-                                " values: it needs at least 2 x 2, and one value for each.");
-  }
-}
-
-void check_tiles(const Tiles& tiles) {
-  check_axis(tiles.z);
-  const std::size_t size = tiles.x.names.size() * tiles.y.names.size();
-  if (size > 0 && tiles.values.size() == size && tiles.texts.size() == size) return;
-  throw std::invalid_argument("Tiles of " + std::to_string(tiles.x.names.size()) + " columns and " +
-                              std::to_string(tiles.y.names.size()) + " rows cannot be drawn from " +
-                              std::to_string(tiles.values.size()) + " values and " +
-                              std::to_string(tiles.texts.size()) +
-                              " texts: expected one of each for each tile.");
-}
-
 }  // namespace
 
 double header_height(const std::string& title, const std::vector<std::string>& subtitles) {
@@ -118,14 +92,16 @@ void check_panel(const Panel& panel) {
     const LineChart drawn = in_exponents({"", chart->x, chart->y, {}});
     check_axis(drawn.x);
     check_axis(drawn.y);
-  } else if (const auto* map = std::get_if<HeatMap>(&panel)) {
-    check_field(map->field);
-  } else if (const auto* tiles = std::get_if<Tiles>(&panel)) {
-    check_tiles(*tiles);
   } else if (const auto* rows = std::get_if<RowChart>(&panel)) {
     check_axis(rows->x);
+  } else if (const auto* tiles = std::get_if<Tiles>(&panel)) {
+    check_axis(tiles->z);
   } else {
-    check_field(std::get<Mesh>(panel).field);
+    const auto* map = std::get_if<HeatMap>(&panel);
+    const Field& field = map ? map->field : std::get<Mesh>(panel).field;
+    for (const Axis* axis : {&field.x, &field.y, &field.z}) {
+      check_axis(*axis);
+    }
   }
 }
 

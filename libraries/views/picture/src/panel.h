@@ -18,7 +18,7 @@ inline constexpr double kPanelTitle = 15.0;
 inline constexpr double kLabel = 13.0;
 inline constexpr double kTick = 12.0;
 
-/// Throws std::invalid_argument for an axis, a field or tiles that cannot be drawn.
+/// Throws std::invalid_argument for an axis that cannot be drawn.
 void check_panel(const Panel& panel);
 /// The ratio of height to width that suits the panel without its head, in a panel of this width.
 double natural_aspect(const Canvas& canvas, const Panel& panel, double width);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "file.h"
+#include "legend.h"
 #include "text.h"
 #include "timeline_parts.h"
 
@@ -30,7 +31,7 @@ constexpr double kGap = 9.0;
 constexpr double kLaneGap = 5.0;
 constexpr double kAxis = 30.0;
 constexpr double kBetweenRobots = 22.0;
-constexpr double kLegendRow = 22.0;
+constexpr double kSymbol = 22.0;  // width in the legend
 
 /// The heights that stretch with the picture.
 struct Heights {
@@ -44,12 +45,6 @@ struct Heights {
   double of(const TraceRobot& robot) const {
     return shares + weights + lane * static_cast<double>(robot.members.size());
   }
-};
-
-/// An entry of the legend.
-struct Entry {
-  std::string name;
-  std::function<void(Canvas&, const Vector2&)> symbol;  // around the point, 24 units wide
 };
 
 class Sheet {
@@ -74,9 +69,14 @@ class Sheet {
 
   /// The height of the parts that do not stretch.
   double fixed_height(const Canvas& ruler) {
-    legend_rows_ = lay_out_legend(ruler);
-    double height = header_height(title(), timeline_.subtitles) + kPageMargin + 20.0 +
-                    kLegendRow * legend_rows_;
+    legend_ = legend();
+    const double room = width_ - 2 * kPageMargin;
+    for (LegendEntry& entry : legend_) {
+      entry.text = ruler.fitted(entry.text, {.size = kTick}, room - 60);
+    }
+    legend_layout_ = lay_out_legend(ruler, legend_, room);
+    double height =
+        header_height(title(), timeline_.subtitles) + kPageMargin + 20.0 + legend_layout_.height;
     for (const std::size_t r : robots_) {
       const TraceRobot& robot = timeline_.trace.robots[r];
       height += kHeadline + events_height(robot) + kBand + kGap + kAxis + kBetweenRobots +
@@ -100,7 +100,7 @@ class Sheet {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       y = draw_robot(canvas, timeline_.trace.robots[robots_[i]], accounts_[i], heights, left, y);
     }
-    draw_legend(canvas, y);
+    draw_legend(canvas, legend_, legend_layout_, {kPageMargin, y});
   }
 
  private:
@@ -202,8 +202,8 @@ class Sheet {
     return y + kAxis + kBetweenRobots;
   }
 
-  std::vector<Entry> legend() const {
-    std::vector<Entry> entries;
+  std::vector<LegendEntry> legend() const {
+    std::vector<LegendEntry> entries;
     if (!in_full_) add_behaviors(entries);
     const auto swatch = [](const Ink& ink) {
       return [ink](Canvas& canvas, const Vector2& at) {
@@ -215,16 +215,16 @@ class Sheet {
       return std::any_of(accounts_.begin(), accounts_.end(), predicate);
     };
     if (any([](const RobotAccount& a) { return a.coordinators[0].together_s > 0.0; })) {
-      entries.push_back(
-          {"several with the same share", swatch(inks_.of_decider({}, traces::kTogether))});
+      entries.push_back({"several with the same share", kSymbol,
+                         swatch(inks_.of_decider({}, traces::kTogether))});
     }
     if (any([](const RobotAccount& a) { return a.coordinators[0].nobody_s > 0.0; })) {
-      entries.push_back({"nobody", swatch(inks_.of_decider({}, traces::kNobody))});
+      entries.push_back({"nobody", kSymbol, swatch(inks_.of_decider({}, traces::kNobody))});
     }
     if (in_full_) {
       entries.push_back(
-          {"part in the robot's command", swatch(series_ink(0).with_alpha(kLaneAlpha))});
-      entries.push_back({"activation", [](Canvas& canvas, const Vector2& at) {
+          {"part in the robot's command", kSymbol, swatch(series_ink(0).with_alpha(kLaneAlpha))});
+      entries.push_back({"activation", kSymbol, [](Canvas& canvas, const Vector2& at) {
                            canvas.line({at.x - 11, at.y}, {at.x + 11, at.y});
                            canvas.stroke(kText, {.width = 1.3});
                          }});
@@ -233,7 +233,7 @@ class Sheet {
           return std::any_of(a.members.begin(), a.members.end(),
                              [](const auto& member) { return !member.inhibited.empty(); });
         })) {
-      entries.push_back({"silenced by another", [](Canvas& canvas, const Vector2& at) {
+      entries.push_back({"silenced by another", kSymbol, [](Canvas& canvas, const Vector2& at) {
                            const Rect area{at.x - 9, at.y - 6, 18, 12};
                            canvas.rectangle(area);
                            hatch(canvas, area);
@@ -248,14 +248,14 @@ class Sheet {
     }
     for (const std::string& name : symbols_.names()) {
       if (!unnamed.contains(name)) continue;
-      entries.push_back({name, [this, name](Canvas& canvas, const Vector2& at) {
+      entries.push_back({name, kSymbol, [this, name](Canvas& canvas, const Vector2& at) {
                            symbols_.draw(canvas, name, at);
                          }});
     }
     return entries;
   }
 
-  void add_behaviors(std::vector<Entry>& entries) const {
+  void add_behaviors(std::vector<LegendEntry>& entries) const {
     std::vector<std::string> paths;
     for (const std::size_t r : robots_) {
       const TraceRobot& robot = timeline_.trace.robots[r];
@@ -267,38 +267,13 @@ class Sheet {
         }
         paths.push_back(path);
         entries.push_back(
-            {path, [ink = inks_.of(robot, static_cast<int>(i))](Canvas& canvas, const Vector2& at) {
+            {path, kSymbol,
+             [ink = inks_.of(robot, static_cast<int>(i))](Canvas& canvas, const Vector2& at) {
                canvas.rectangle({at.x - 9, at.y - 6, 18, 12}).fill(ink);
              }});
       }
     }
   }
-
-  int lay_out_legend(const Canvas& ruler) {
-    legend_.clear();
-    Flow flow(width_ - 2 * kPageMargin, 22.0);
-    for (Entry& entry : legend()) {
-      const TextStyle style{.size = kTick};
-      entry.name = ruler.fitted(entry.name, style, width_ - 2 * kPageMargin - 30);
-      const double x = kPageMargin + flow.place(30 + ruler.text_width(entry.name, style));
-      legend_.push_back({std::move(entry), x, flow.row()});
-    }
-    return flow.row() + 1;
-  }
-
-  void draw_legend(Canvas& canvas, double y) const {
-    for (const PlacedEntry& placed : legend_) {
-      const Vector2 at{placed.x, y + kLegendRow * placed.row + kLegendRow / 2};
-      placed.entry.symbol(canvas, {at.x + 11, at.y});
-      canvas.text(placed.entry.name, {at.x + 28, at.y}, {.size = kTick, .down = Down::middle});
-    }
-  }
-
-  struct PlacedEntry {
-    Entry entry;
-    double x = 0.0;
-    int row = 0;
-  };
 
   const Timeline& timeline_;
   std::vector<std::size_t> robots_;
@@ -310,8 +285,8 @@ class Sheet {
   EventSymbols symbols_;
   double zoom_, width_;
   Heights natural_;
-  std::vector<PlacedEntry> legend_;
-  int legend_rows_ = 0;
+  std::vector<LegendEntry> legend_;
+  LegendLayout legend_layout_;
 };
 
 }  // namespace

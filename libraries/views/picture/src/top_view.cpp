@@ -12,7 +12,6 @@
 #include "elsie/world/colours.h"
 
 #include "text.h"
-#include "top_view_map.h"
 #include "top_view_parts.h"
 
 namespace elsie::picture {
@@ -149,18 +148,6 @@ Scene complete(const TopView& view) {
   if (scene.title.empty()) scene.title = view.world.name.empty() ? "World" : view.world.name;
   if (!scene.is_crowd()) scene.mark_every_s = mark_interval(scene);
   return scene;
-}
-
-PlaneMap top_view_map(const TopView& view, const Size& size) {
-  check_size(size);
-  const Scene scene = complete(view);
-  const Layout layout = lay_out(scene, legend_of(scene), size, zoom_for_width(size.width));
-  PlaneMap map = layout.map;
-  map.scale_x *= layout.zoom;
-  map.scale_y *= layout.zoom;
-  map.origin_x *= layout.zoom;
-  map.origin_y *= layout.zoom;
-  return map;
 }
 
 void save_top_view(const TopView& view, const std::filesystem::path& file, const Size& size) {

@@ -45,25 +45,14 @@ Ink dot_ink(const Ink& robot) { return mix(robot, kText, 0.3); }
 Ink path_ink(const Ink& robot) { return mix(robot, kFloor, 0.45); }
 
 void draw_path(Canvas& canvas, const DrawnRobot& robot, const Layout& layout, double width) {
-  constexpr double kApart = 0.7;  // a point that is closer to the one before makes no difference
   std::vector<Vector2> points;
   const auto end_line = [&] {
     if (points.size() > 1) canvas.polyline(points).stroke(path_ink(robot.ink), {.width = width});
     points.clear();
   };
-  const RobotTrack& track = robot.track;
-  std::size_t placements = 0;
-  for (std::size_t i = 0; i < track.path.size(); ++i) {
-    if (placements < track.placed.size() && track.placed[placements] == i) {
-      end_line();
-      ++placements;
-    }
-    if (!finite(track.path[i])) continue;
-    const Vector2 here = layout.map.pixel({track.path[i].x, track.path[i].y});
-    if (points.empty() || i + 1 == track.path.size() ||
-        std::hypot(here.x - points.back().x, here.y - points.back().y) >= kApart) {
-      points.push_back(here);
-    }
+  for (const PathStep& step : visible_steps(layout, robot.track, 0.7)) {
+    if (!step.driven) end_line();
+    points.push_back(step.at);
   }
   end_line();
 }

@@ -15,6 +15,7 @@
 
 #include "canvas.h"
 #include "label_placer.h"
+#include "legend.h"
 
 namespace elsie::picture {
 
@@ -55,22 +56,8 @@ Ink team_ink(const world::World& world, const std::string& team);
 /// The colour of a resource, as cameras see it.
 Ink resource_ink(const world::World& world, const world::Obstacle& resource);
 
-/// An entry of the legend: `draw` draws its symbol around the given point.
-struct LegendEntry {
-  std::string text;
-  double width = 20.0;  // of the symbol
-  std::function<void(Canvas&, const Vector2&)> draw;
-};
+/// What the picture needs to explain.
 std::vector<LegendEntry> legend_of(const Scene& scene);
-/// The position of each entry, in units from the legend's upper left corner.
-struct LegendLayout {
-  std::vector<Vector2> places;
-  double height = 0.0;
-};
-LegendLayout lay_out_legend(const Canvas& canvas, const std::vector<LegendEntry>& entries,
-                            double width);
-void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
-                 const LegendLayout& layout, const Vector2& corner);
 
 /// The layout in units of the drawing.
 struct Layout {
@@ -87,6 +74,16 @@ struct Layout {
 /// `zoom`: pixels per unit.
 Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, const Size& size,
                double zoom);
+
+/// A point of a path in the picture, with the fraction of the path's time.
+struct PathStep {
+  Vector2 at;
+  double part = 0.0;
+  bool driven = true;  // from the step before; else the robot was placed here
+};
+/// The path without points that make no visible difference, those less than `apart` units from the
+/// one before: a run of ten minutes has tens of thousands of points.
+std::vector<PathStep> visible_steps(const Layout& layout, const RobotTrack& track, double apart);
 
 /// The corners of an outline at a place, in the picture.
 std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<Vector2> corners);

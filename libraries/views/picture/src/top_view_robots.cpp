@@ -12,41 +12,7 @@ Vector2 at(const Layout& layout, const Pose& pose) { return layout.map.pixel({po
 
 double length(const Vector2& a, const Vector2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-// A point of a path in the picture, with the fraction of the path's time.
-struct Step {
-  Vector2 at;
-  double part = 0.0;
-  bool driven = true;  // from the step before; else the robot was placed here
-};
-
-// The path without points that make no visible difference: a run of ten minutes has tens of
-// thousands of points.
-std::vector<Step> visible_steps(const Layout& layout, const RobotTrack& track) {
-  constexpr double kApart = 1.2;
-  std::vector<Step> steps;
-  const std::size_t count = track.path.size();
-  std::size_t placements = 0;
-  bool driven = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pose& pose = track.path[i];
-    if (placements < track.placed.size() && track.placed[placements] == i) {
-      driven = false;
-      ++placements;
-    }
-    if (!std::isfinite(pose.x) || !std::isfinite(pose.y)) continue;
-    const Vector2 here = at(layout, pose);
-    if (driven && !steps.empty() && i + 1 < count && length(steps.back().at, here) < kApart) {
-      continue;
-    }
-    steps.push_back(
-        {here, static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(count - 1, 1)),
-         driven});
-    driven = true;
-  }
-  return steps;
-}
-
-double path_length(const std::vector<Step>& steps) {
+double path_length(const std::vector<PathStep>& steps) {
   double sum = 0.0;
   for (std::size_t i = 1; i < steps.size(); ++i) {
     sum += steps[i].driven ? length(steps[i - 1].at, steps[i].at) : 0.0;
@@ -55,7 +21,7 @@ double path_length(const std::vector<Step>& steps) {
 }
 
 // Draws old parts paler, in pieces, each with an outline that separates it from what it crosses.
-void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double width,
+void draw_line(Canvas& canvas, const std::vector<PathStep>& steps, const Ink& ink, double width,
                double palest) {
   constexpr int kPieces = 40;
   std::size_t first = 0;
@@ -80,8 +46,8 @@ void draw_line(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, d
   }
 }
 
-void draw_directions(Canvas& canvas, const std::vector<Step>& steps, const Ink& ink, double apart,
-                     double size) {
+void draw_directions(Canvas& canvas, const std::vector<PathStep>& steps, const Ink& ink,
+                     double apart, double size) {
   double since = apart * 0.5;
   for (std::size_t i = 1; i < steps.size(); ++i) {
     if (!steps[i].driven) continue;
@@ -184,6 +150,30 @@ double chassis_size(const DrawnRobot& robot, const Layout& layout) {
 
 }  // namespace
 
+std::vector<PathStep> visible_steps(const Layout& layout, const RobotTrack& track, double apart) {
+  std::vector<PathStep> steps;
+  const std::size_t count = track.path.size();
+  std::size_t placements = 0;
+  bool driven = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose& pose = track.path[i];
+    if (placements < track.placed.size() && track.placed[placements] == i) {
+      driven = false;
+      ++placements;
+    }
+    if (!std::isfinite(pose.x) || !std::isfinite(pose.y)) continue;
+    const Vector2 here = at(layout, pose);
+    if (driven && !steps.empty() && i + 1 < count && length(steps.back().at, here) < apart) {
+      continue;
+    }
+    steps.push_back(
+        {here, static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(count - 1, 1)),
+         driven});
+    driven = true;
+  }
+  return steps;
+}
+
 double robot_radius(const DrawnRobot& robot, const Layout& layout) {
   double half_width = 0.0;
   for (const Part& part : robot.plan.parts) {
@@ -215,10 +205,10 @@ void draw_touch(Canvas& canvas, const Vector2& middle) {
 }
 
 void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
-  std::vector<std::vector<Step>> paths;
+  std::vector<std::vector<PathStep>> paths;
   double total = 0.0;
   for (const DrawnRobot& robot : scene.robots) {
-    paths.push_back(visible_steps(layout, robot.track));
+    paths.push_back(visible_steps(layout, robot.track, 1.2));
     total += path_length(paths.back());
   }
   // The more paths on the floor, the thinner the lines and the fewer the arrows.
@@ -231,7 +221,7 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
 
   for (std::size_t i = 0; i < paths.size(); ++i) {
     draw_line(canvas, paths[i], scene.robots[i].ink, width, scene.paths.fade_s > 0.0 ? 1.0 : 0.58);
-    for (const Step& step : paths[i]) labels.avoid_spot(step.at);
+    for (const PathStep& step : paths[i]) labels.avoid_spot(step.at);
   }
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const DrawnRobot& robot = scene.robots[i];

@@ -22,7 +22,6 @@
 #include "format.h"
 #include "messages.h"
 #include "scene.h"
-#include "schema_parts.h"
 #include "schemas.h"
 
 namespace elsie::recording {
@@ -184,6 +183,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   }
 
   /// Adds each schema once, whatever it is used for.
+  std::uint16_t schema(const std::string& name) { return schema(name, schema_of(name).dump()); }
   std::uint16_t schema(const std::string& name, const std::string& text) {
     const auto [known, is_new] = schemas_.try_emplace(name + "\n" + text, std::uint16_t{0});
     if (is_new) {
@@ -197,11 +197,10 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   }
 
   void add_channels(const Simulation& simulation) {
-    world_ = channel(kWorldTopic, schema("elsie.World", schemas::world()));
-    scene_ = channel(kSceneTopic, schema("foxglove.SceneUpdate", schemas::scene_update()));
-    transforms_ =
-        channel(kTransformsTopic, schema("foxglove.FrameTransforms", schemas::frame_transforms()));
-    events_ = channel(kEventsTopic, schema("foxglove.Log", schemas::log()));
+    world_ = channel(kWorldTopic, schema("elsie.World"));
+    scene_ = channel(kSceneTopic, schema("foxglove.SceneUpdate"));
+    transforms_ = channel(kTransformsTopic, schema("foxglove.FrameTransforms"));
+    events_ = channel(kEventsTopic, schema("foxglove.Log"));
     add_robots(simulation);
   }
 
@@ -233,14 +232,12 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
     }
     places_.clear();
     crowd_.clear();
-    const auto scene = schema("foxglove.SceneUpdate", schemas::scene_update());
-    const auto pose = schema("foxglove.PoseInFrame", schemas::pose_in_frame());
-    const auto state = schema("elsie.State", schemas::state());
-    const auto command = schema("elsie.Command", schemas::command());
-    const auto trace = schema("elsie.Trace", schemas::trace());
-    const auto image = options_.images
-                           ? schema("foxglove.CompressedImage", schemas::compressed_image())
-                           : std::uint16_t{0};
+    const auto scene = schema("foxglove.SceneUpdate");
+    const auto pose = schema("foxglove.PoseInFrame");
+    const auto state = schema("elsie.State");
+    const auto command = schema("elsie.Command");
+    const auto trace = schema("elsie.Trace");
+    const auto image = options_.images ? schema("foxglove.CompressedImage") : std::uint16_t{0};
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const world::Robot& robot = *simulation.robot(r).description;
       places_.emplace(robot.id, r);
@@ -287,7 +284,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
       robots_.push_back(std::move(channels));
     }
     if (!crowd_.empty() && crowd_channel_ == 0) {
-      crowd_channel_ = channel(kCrowdTopic, schema("foxglove.PointCloud", schemas::point_cloud()));
+      crowd_channel_ = channel(kCrowdTopic, schema("foxglove.PointCloud"));
     }
   }
 
@@ -298,12 +295,17 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
       simulation.list_values(r, s, values_);
       Json numbers = Json::object();
       for (const NamedValue& value : values_) {
-        numbers[value.name] = schemas::number();
+        numbers[value.name] = {{"type", "number"}};
       }
-      sensors[std::string(simulation.sensor(r, s).id)] =
-          schemas::members(std::move(numbers), "one that is not finite is left out");
+      sensors[std::string(simulation.sensor(r, s).id)] = {
+          {"type", "object"},
+          {"properties", std::move(numbers)},
+          {"additionalProperties", false},
+          {"description", "one that is not finite is left out"}};
     }
-    return schemas::readings(sensors);
+    Json schema = schema_of("elsie.Readings");
+    schema["properties"]["sensors"]["properties"] = std::move(sensors);
+    return schema.dump();
   }
 
   void write(std::uint16_t channel, std::uint64_t time_ns, const Json& message) {

@@ -11,18 +11,9 @@
 
 #include "elsie/batch/plan.h"
 #include "elsie/batch/results_database.h"
+#include "elsie/batch/worker_pool.h"
 
 namespace elsie::batch {
-
-struct BatchOptions {
-  std::vector<std::string> worker{};  // the worker's program and its arguments
-  /// See PoolOptions::template_command.
-  std::vector<std::string> worker_template{};
-  std::size_t workers = 1;
-  std::size_t threads = 1;   // of each run; see simulation::Options::threads
-  int stop_descriptor = -1;  // the batch stops cleanly when this becomes readable
-  std::function<void(const std::string&)> note{};  // see PoolOptions::note
-};
 
 /// The progress of the batch.
 struct Progress {
@@ -40,11 +31,11 @@ class FileChanged : public std::runtime_error {
 };
 
 /// Does all pending runs of a database that has a plan, each in its own process, in the order of
-/// in_order(). Calls `watch` after each run and
-/// about once a second. Returns false if the batch was stopped; runs that were active then stay
-/// pending. Throws FileChanged, DatabaseError, and std::runtime_error if no worker can be started;
-/// results written before stay valid.
-bool carry_out(ResultsDatabase& database, const BatchOptions& options,
+/// in_order(). `options`: the wall limit is that of the plan. `threads` of each run: see
+/// simulation::Options. Calls `watch` after each run and about once a second. Returns false if the
+/// batch was stopped; runs that were active then stay pending. Throws FileChanged, DatabaseError,
+/// and std::runtime_error if no worker can be started; results written before stay valid.
+bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threads,
                const std::function<void(const Progress&)>& watch = {});
 
 /// Returns the job for a run of the plan.

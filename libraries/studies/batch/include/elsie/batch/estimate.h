@@ -4,21 +4,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace elsie::batch {
 
 /// Estimates from the times of runs that have ended; it has no clock. A cell's pending runs are
-/// expected to take the mean time of its own runs. A cell without any gets a time from its levels:
-/// the logarithm of a cell's time is the sum of an effect of each of its levels, fitted to the
-/// cells that have runs (main effects, by alternating means).
+/// expected to take the mean time of its own runs, and of a cell without any, the mean of the other
+/// cells. As each seed is done in all cells before the next, every cell soon has a time.
 class Estimate {
  public:
-  /// `levels`: the labels of each cell, world first. `pending`: the number of runs of each cell
-  /// that are to be done. `workers` of them run at a time.
-  Estimate(const std::vector<std::vector<std::string>>& levels, std::vector<std::int64_t> pending,
-           std::size_t workers);
+  /// `pending`: the number of runs of each cell that are to be done. `workers` of them run at a
+  /// time.
+  Estimate(std::vector<std::int64_t> pending, std::size_t workers);
 
   /// `runs` of a cell that were not pending took `wall_s` each, on the clock.
   void add_known(std::size_t cell, double wall_s, std::int64_t runs);
@@ -33,10 +30,7 @@ class Estimate {
     double sum_s = 0.0;
     std::int64_t runs = 0;
   };
-  std::vector<double> expected_s() const;
 
-  std::vector<std::vector<std::size_t>> levels_;  // of each cell, numbered from 0 in each factor
-  std::vector<std::size_t> level_counts_;         // of each factor
   std::vector<std::int64_t> pending_;
   std::vector<Times> times_;  // of each cell
   std::size_t workers_;

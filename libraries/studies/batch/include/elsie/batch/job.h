@@ -33,14 +33,6 @@ struct Job {
 
 using results::RunState;
 
-/// A measured number.
-struct Measure {
-  std::string name;  // for example "path_length_m"
-  std::string unit;
-  std::string meaning;
-  std::optional<double> value;
-};
-
 /// An event on a robot.
 struct Event {
   double time_s = 0.0;
@@ -78,7 +70,7 @@ struct RunRecord : results::RunFields {
     wall_s = 0.0;
   }
 
-  std::vector<Measure> measures;
+  std::vector<simulation::MeasuredValue> measures;
   std::vector<simulation::RobotResult> robots;
   std::vector<Event> events;
   std::vector<Trajectory> trajectories;

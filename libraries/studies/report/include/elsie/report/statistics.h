@@ -11,19 +11,13 @@
 #include <vector>
 
 #include "elsie/experiment/experiment.h"
+#include "elsie/picture/axis.h"
 
 namespace elsie::report {
 
 using experiment::Relation;
 using experiment::Statistic;
-
-/// From `low` to `high`, both included.
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-
-  friend bool operator==(const Interval&, const Interval&) = default;
-};
+using picture::Interval;
 
 /// Returns whether a value can be used: finite, and at most 1e150, so that squares and sums of many
 /// such values are also finite. Other values count as missing.

@@ -21,6 +21,8 @@ struct Interval {
   void include(double value);
   /// The interval, with room added on both sides if it is empty or has a single value.
   Interval widened() const;
+
+  friend bool operator==(const Interval&, const Interval&) = default;
 };
 
 /// Positions of ticks and labels on an axis, ascending.

@@ -82,7 +82,7 @@ struct LineChart {
   std::vector<NumberRow> rows{};  // below the x axis
 };
 
-/// Numbers over a regular grid of two axes.
+/// Numbers over a regular grid of two axes. There must be a value for each point of the grid.
 struct Field {
   Axis x{};  // low and high are required
   Axis y{};
@@ -104,7 +104,8 @@ struct Mesh {
   Field field{};
 };
 
-/// Two factors as a table of coloured tiles, each with its text.
+/// Two factors as a table of coloured tiles, each with its text. There must be a value and a text
+/// for each tile.
 struct Tiles {
   std::string title{};
   Axis x{};  // names: of the columns
@@ -176,9 +177,9 @@ struct Page {
 /// gives the same bytes. With a height of 0 the picture is as high as its rows need; otherwise the
 /// rows share the height.
 ///
-/// Throws std::invalid_argument for another suffix, a size out of range, an axis whose low is not
-/// below its high, or a field with the wrong number of values; std::runtime_error when the file
-/// cannot be written; an existing file is then unchanged.
+/// Throws std::invalid_argument for another suffix, a size out of range, or an axis whose low is
+/// not below its high; std::runtime_error when the file cannot be written; an existing file is then
+/// unchanged.
 void save_page(const Page& page, const std::filesystem::path& file, const Size& size = {});
 
 /// The panel as an element of an HTML page. The page's style defines its colours: --ink, --muted,

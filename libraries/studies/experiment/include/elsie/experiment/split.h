@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-namespace elsie::report {
+namespace elsie::experiment {
 
 /// Without blanks at both ends.
 inline std::string trimmed(const std::string& text) {
-  const std::size_t from = text.find_first_not_of(' ');
-  return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') - from + 1);
+  constexpr const char* kBlanks = " \t\r\n";
+  const std::size_t from = text.find_first_not_of(kBlanks);
+  return from == std::string::npos ? ""
+                                   : text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
 }
 
 /// The trimmed parts between separators; at least one.
@@ -24,4 +26,4 @@ inline std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-}  // namespace elsie::report
+}  // namespace elsie::experiment

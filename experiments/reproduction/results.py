@@ -76,7 +76,7 @@ class Results(Runs):
 
     def __init__(self, file):
         if not file.exists():
-            sys.exit(f"scripts/tables: there is no {file}; run without --no-runs")
+            sys.exit(f"experiments/reproduction/tables: there is no {file}; run without --no-runs")
         self.file = file
         self.database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
         ask = self.database.execute
@@ -84,7 +84,7 @@ class Results(Runs):
         version, fingerprint = ask("SELECT elsie_version, fingerprint FROM about").fetchone()
         states = dict(ask("SELECT state, count(*) FROM runs GROUP BY state"))
         if set(states) != {"done"}:
-            sys.exit(f"scripts/tables: {file} has runs that are not done: {states}; run without --no-runs")
+            sys.exit(f"experiments/reproduction/tables: {file} has runs that are not done: {states}; run without --no-runs")
         levels, measures, notes, robots = {}, {}, {}, {}
         for cell, factor, label in ask(
                 "SELECT cell_id, name, label FROM cell_levels JOIN factors ON factors.id = factor_id"):

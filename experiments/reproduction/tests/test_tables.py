@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""scripts/tables and scripts/lib over a made-up database, and the pages over the archive of runs. Called with the source folder
-and the program that makes an empty database."""
+"""The script and its modules over a made-up database, and the pages over the archive of runs. Called with the source folder and the
+program that makes an empty database."""
 import contextlib
 import importlib.machinery
 import importlib.util
@@ -17,7 +17,7 @@ from pathlib import Path
 SOURCE = Path(sys.argv.pop(1)).resolve()
 RESEARCH = SOURCE / "docs" / "research"
 EMPTY = sys.argv.pop(1)
-sys.path[:0] = [str(SOURCE / "scripts" / "lib"), str(Path(__file__).resolve().parent)]
+sys.path[:0] = [str(SOURCE / "experiments" / "reproduction"), str(Path(__file__).resolve().parent)]
 
 import archive  # noqa: E402
 import claims  # noqa: E402
@@ -34,7 +34,7 @@ from made_up import MadeUp  # noqa: E402
 
 
 def load_script():
-    loader = importlib.machinery.SourceFileLoader("tables", str(SOURCE / "scripts" / "tables"))
+    loader = importlib.machinery.SourceFileLoader("tables", str(SOURCE / "experiments" / "reproduction" / "tables"))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader("tables", loader))
     loader.exec_module(module)
     return module

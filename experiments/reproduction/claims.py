@@ -56,7 +56,7 @@ def problems(pages, claims):
     for claim in claims:
         if claim.sentence not in told[claim.page]:
             found.append(f"docs/research/{claim.page} does not match the databases, which give \"{claim.sentence}\": correct the page, or "
-                         "scripts/lib/statements.py if the page says it in other words")
+                         "experiments/reproduction/statements.py if the page says it in other words")
         elif not claim.holds:
-            found.append(f"docs/research/{claim.page} says \"{claim.sentence}\", and the databases say otherwise: correct the page and scripts/lib/statements.py")
+            found.append(f"docs/research/{claim.page} says \"{claim.sentence}\", and the databases say otherwise: correct the page and experiments/reproduction/statements.py")
     return found
