@@ -49,7 +49,7 @@ void MainWindow::connect_workbench() {
     show_pose();
     world_tree_->show_world();
     show_teams();
-    for (WorldTree* each : std::as_const(teams_)) each->show_world();
+    for (const Team& each : std::as_const(teams_)) each.tree->show_world();
     QStringList still;
     for (const QString& path : authoring_->selection()) {
       if (place_of(workbench_.tree(), path).element || !path.contains('[')) still << path;
@@ -72,13 +72,13 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
-    if (seen_.contains("coordination")) {
+    if (seen_.contains(docks_.coordination)) {
       coordination_->add(state);
       request_past();
     }
-    if (seen_.contains("vision")) vision_->add(state);
-    if (seen_.contains("fuzzy")) fuzzy_->add(state);
-    if (seen_.contains("sensors")) sensors_->add(state);
+    if (seen_.contains(docks_.vision)) vision_->add(state);
+    if (seen_.contains(docks_.fuzzy)) fuzzy_->add(state);
+    if (seen_.contains(docks_.sensors)) sensors_->add(state);
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_weights(state);
     }
@@ -90,16 +90,7 @@ void MainWindow::connect_workbench() {
     show_pose();
     show_state();
   });
-  connect(&workbench_, &Workbench::history_changed, this, [this] {
-    const QString undo = workbench_.undo_name(), redo = workbench_.redo_name();
-    actions_["undo"]->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
-    actions_["undo"]->setToolTip(actions_["undo"]->text().remove('&'));
-    actions_["undo"]->setEnabled(!undo.isEmpty());
-    actions_["redo"]->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
-    actions_["redo"]->setToolTip(actions_["redo"]->text().remove('&'));
-    actions_["redo"]->setEnabled(!redo.isEmpty());
-    show_title();
-  });
+  connect(&workbench_, &Workbench::history_changed, this, &MainWindow::show_title);
   connect(&workbench_, &Workbench::run_changed, this, [this] {
     if (workbench_.run_state() == Workbench::Run::ready) {
       outcome_.clear();
@@ -188,7 +179,7 @@ void MainWindow::connect_views() {
   connect(scene_, &SceneView::element_menu_wished, authoring_, &Authoring::open_menu);
   connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
-  connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
+  connect(scene_, &SceneView::run_wished, this, &MainWindow::run_or_pause);
   connect(time_line_, &TimeLine::past_changed, this, &MainWindow::show_past);
   connect(time_line_, &TimeLine::has_caught_up, this, [this] {
     if (workbench_.run_state() == Workbench::Run::paused && !workbench_.is_at_halt()) {
@@ -230,9 +221,9 @@ void MainWindow::connect_views() {
   connect(editor_, &WorldEditor::redo_wished, &workbench_, &Workbench::redo);
   connect(problems_, &ProblemsPanel::go_to, this, &MainWindow::go_to);
   connect(start_, &StartPage::open_wished, this, [this](const QString& file) { open(file); });
-  connect(start_, &StartPage::new_wished, actions_["new"], &QAction::trigger);
+  connect(start_, &StartPage::new_wished, actions_.new_world, &QAction::trigger);
   connect(start_, &StartPage::empty_wished, this, [this] { begin_world(empty_world); });
-  connect(start_, &StartPage::browse_wished, this, [this] { actions_["open"]->trigger(); });
+  connect(start_, &StartPage::browse_wished, actions_.open, &QAction::trigger);
   connect(runs_, &RunReader::failed, this,
           [this](const QString& why) { warn(tr("The run cannot be opened"), why); });
 }
@@ -277,17 +268,17 @@ void MainWindow::show_problems() {
   });
   problems_shown_ = all;
   problems_->set_problems(all);
-  docks_["problems"]->setWindowTitle(all.empty() ? tr("Errors")
+  docks_.problems->setWindowTitle(all.empty() ? tr("Errors")
                                                  : tr("Errors (%1)").arg(all.size()));
   std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
   editor_->set_problems(all);
   scene_->set_notice(notice());
   if (has_news && !editor_->hasFocus()) {
-    docks_["problems"]->show();
-    docks_["problems"]->raise();
+    docks_.problems->show();
+    docks_.problems->raise();
     if (workbench_.tree().is_null()) {  // it is mended in its text
-      docks_["text"]->show();
-      docks_["text"]->raise();
+      docks_.text->show();
+      docks_.text->raise();
       if (!all.empty() && all.front().line > 0) editor_->go_to(all.front().line);
     }
   }
@@ -310,8 +301,8 @@ void MainWindow::go_to(const QString& file, int line) {
     say(tr("The problem is in another file: %1, line %2").arg(file).arg(line));
     return;
   }
-  docks_["text"]->show();
-  docks_["text"]->raise();
+  docks_.text->show();
+  docks_.text->raise();
   editor_->go_to(line);
 }
 
@@ -355,22 +346,22 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
 
 void MainWindow::watch() {
   Json what = Json::array();
-  const auto shows = [this](const char* name) { return seen_.contains(name); };
+  const auto shows = [this](const QDockWidget* dock) { return seen_.contains(dock); };
   const bool is_behavior =
       !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
-  if (shows("coordination") || is_behavior) what.push_back("decisions");
-  if (shows("sensors")) what.push_back("sensors");
-  if (shows("plots") || !plots_->choice().isEmpty()) what.push_back("measures");
-  if (shows("vision")) what.push_back("cameras");
+  if (shows(docks_.coordination) || is_behavior) what.push_back("decisions");
+  if (shows(docks_.sensors)) what.push_back("sensors");
+  if (shows(docks_.plots) || !plots_->choice().isEmpty()) what.push_back("measures");
+  if (shows(docks_.vision)) what.push_back("cameras");
   const QStringList plotted = plots_->choice();
   const auto is_fuzzy = [](const QString& name) {
     return name.contains("/inputs/") || name.contains("/outputs/");
   };
-  if (shows("fuzzy") || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
+  if (shows(docks_.fuzzy) || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
     what.push_back("fuzzy");
   }
   Json robots = Json::array();  // none: all
-  if (!shows("vision") && place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
+  if (!shows(docks_.vision) && place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
     robots.push_back(watched_robot_.toStdString());
   }
   const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
@@ -389,14 +380,14 @@ void MainWindow::watch() {
 }
 
 void MainWindow::request_past() {
-  const bool plots = seen_.contains("plots") || !plots_->choice().isEmpty();
+  const bool plots = seen_.contains(docks_.plots) || !plots_->choice().isEmpty();
   past_->request_paths(scene_->overlays().trails);
-  if (!plots && !seen_.contains("coordination")) {
+  if (!plots && !seen_.contains(docks_.coordination)) {
     past_->request_no_numbers();
     return;
   }
   QStringList numbers = plots ? plots_->chosen() : QStringList();
-  if (seen_.contains("coordination")) {
+  if (seen_.contains(docks_.coordination)) {
     numbers += coordination_->numbers(time_line_->is_in_the_past());
   }
   numbers.removeDuplicates();
@@ -411,7 +402,7 @@ void MainWindow::show_looked_back() {
 void MainWindow::watch_robot(const QString& id) {
   if (id != watched_robot_) {
     watched_robot_ = id;
-    docks_["coordination"]->setWindowTitle(id.isEmpty() ? tr("Coordination")
+    docks_.coordination->setWindowTitle(id.isEmpty() ? tr("Coordination")
                                                         : tr("Coordination of %1").arg(id));
     coordination_->set_robot(id);
     fuzzy_->set_robot(id);

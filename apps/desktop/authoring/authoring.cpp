@@ -45,22 +45,23 @@ QPointF free_place(const Stage& stage) {
 
 }  // namespace
 
-std::vector<std::pair<QString, QString>> Authoring::other_shapes() {
+std::vector<Authoring::Obstacle> Authoring::obstacles() {
+  std::vector<Obstacle> all{{"static", "static_box", tr("&static box")},
+                            {"dynamic", "dynamic_box", tr("&dynamic box")},
+                            {"moving", "moving_box", tr("&moving box")}};
   QString taken = "bcdegmnorstu";
-  std::vector<std::pair<QString, QString>> shapes;
-  for (const char* const each : kBoxShapes) {
-    const QString shape = each;
+  for (const QString shape : kBoxShapes) {
     if (shape == "box") continue;
-    QString name = tr(each);
+    QString text = tr(shape.toUtf8().constData());
     const auto letter = std::find_if(
-        name.begin(), name.end(), [&](QChar one) { return one.isLower() && !taken.contains(one); });
-    if (letter != name.end()) {
+        text.begin(), text.end(), [&](QChar one) { return one.isLower() && !taken.contains(one); });
+    if (letter != text.end()) {
       taken += *letter;
-      name.insert(letter - name.begin(), '&');
+      text.insert(letter - text.begin(), '&');
     }
-    shapes.emplace_back(shape, name);
+    all.push_back({shape, "static_" + shape, text});
   }
-  return shapes;
+  return all;
 }
 
 Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
@@ -201,8 +202,6 @@ void Authoring::add_point(const QString& path) {
   add_place(path, "point", at + 0.02 * outwards);
 }
 
-void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "coordinator"); }
-
 void Authoring::edit_behaviors(const QString& holder) {
   if (holder.isEmpty()) {
     Q_EMIT said(tr("Select the robot first."));
@@ -236,7 +235,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   }
   if (is_robot || (kind && kind->holds_behaviors)) {
     menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });
-    menu.addAction(tr("&Coordinator..."), this, [this, path] { edit_coordinator(path); });
+    menu.addAction(tr("&Coordinator..."), this, [this, path] { add_element(path, "coordinator"); });
   }
   if (kind && kind->elements.contains("waypoint")) {
     menu.addAction(tr("Add &waypoint"), this, [this, path] { add_waypoint(path); });
@@ -268,15 +267,9 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   };
   const bool is_here = at.has_value();
   offer(is_here ? tr("Add &robot here...") : tr("Add &robot..."), "robots");
-  offer(is_here ? tr("Add &static box here...") : tr("Add &static box..."), "obstacles",
-        "static_box");
-  offer(is_here ? tr("Add &dynamic box here...") : tr("Add &dynamic box..."), "obstacles",
-        "dynamic_box");
-  offer(is_here ? tr("Add &moving box here...") : tr("Add &moving box..."), "obstacles",
-        "moving_box");
-  for (const auto& [shape, name] : other_shapes()) {
-    offer((is_here ? tr("Add %1 here...") : tr("Add %1...")).arg(name), "obstacles",
-          "static_" + shape);
+  for (const Obstacle& each : obstacles()) {
+    offer((is_here ? tr("Add %1 here...") : tr("Add %1...")).arg(each.text), "obstacles",
+          each.kind);
   }
   offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
   offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");

@@ -49,11 +49,14 @@ class Authoring : public QObject {
   void add_point(const QString& path);
   /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
-  /// Opens the editor of the coordinator, or the dialog for a new one.
-  void edit_coordinator(const QString& holder);
-  /// The shapes of obstacles besides boxes, each with its text for a menu that adds things: with a
-  /// letter that no other entry has.
-  static std::vector<std::pair<QString, QString>> other_shapes();
+  /// An obstacle that can be added.
+  struct Obstacle {
+    QString name;  // "dynamic" for a box, "cylinder" for another shape
+    QString kind;  // "dynamic_box", "static_cylinder"
+    QString text;  // for a menu that adds things, with a letter that no other entry has
+  };
+  /// The boxes of all kinds, and the other shapes.
+  static std::vector<Obstacle> obstacles();
   /// Opens the menu of the element, or of the world if the path is "".
   void open_menu(const QString& path, const QPoint& global);
   /// Opens the menu of what can be added `at` that point of the floor, m; none: to the world.

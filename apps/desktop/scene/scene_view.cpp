@@ -142,18 +142,9 @@ void SceneView::show_all() {
   camera_moved();
 }
 
-void SceneView::look_from_top() {
-  camera_.look_from_top();
-  camera_moved();
-}
-
-void SceneView::look_from_front() {
-  camera_.look_from_front();
-  camera_moved();
-}
-
-void SceneView::look_from_side() {
-  camera_.look_from_side();
+void SceneView::look(const OrbitCamera::View& from) {
+  camera_.yaw = from.yaw;
+  camera_.pitch = from.pitch;
   camera_moved();
 }
 

@@ -74,9 +74,7 @@ class SceneView : public QWidget {
   Tool tool() const { return tool_; }
 
   void show_all();
-  void look_from_top();
-  void look_from_front();
-  void look_from_side();
+  void look(const OrbitCamera::View& from);
   void frame_selection();
   /// The camera follows this robot; "" stops following.
   void follow(const QString& path);
