@@ -19,7 +19,7 @@
 #include "control_bar.h"
 #include "engine/past.h"
 #include "export/exporter.h"
-#include "main_window_recorded.h"
+#include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/plots_panel.h"
@@ -203,7 +203,7 @@ void MainWindow::show_selection(const QStringList& paths) {
   show_lock();
   show_pose();
   if (const QString robot = authoring_->robot(); !robot.isEmpty()) {
-    watch_robot(robot.mid(6).chopped(1));
+    watch_robot(robot_id(robot));
   }
   watch();
 }

@@ -28,6 +28,7 @@ class Past;
 class PlotsPanel;
 class ProblemsPanel;
 class RunReader;
+struct Recorded;
 struct RecordedWorld;
 struct StoredRun;
 class SceneView;
@@ -107,7 +108,6 @@ class MainWindow : public QMainWindow {
   bool save(bool elsewhere);
   bool may_have_mistakes();
   bool is_agreed(const char* name, const QString& title, const QString& question);
-  struct Recorded;
   void open_database(const QString& file);
   void read_run(const QString& file, const StoredRun& run);
   void show_recording(const QString& title, const RecordedWorld& world);

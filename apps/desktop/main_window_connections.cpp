@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "authoring/authoring.h"
@@ -58,13 +59,10 @@ void MainWindow::connect_workbench() {
     editor_->set_text(workbench_.text());
     if (watched_robot_.isEmpty() ||
         !place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
-      QString first;
-      for (const Stage::Body& body : scene_->stage().bodies()) {
-        if (first.isEmpty() && body.is_robot()) {
-          first = body.robot();
-        }
-      }
-      watch_robot(first);
+      const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
+      const auto first =
+          std::find_if(bodies.begin(), bodies.end(), std::mem_fn(&Stage::Body::is_robot));
+      watch_robot(first == bodies.end() ? QString() : robot_id(first->path));
     }
     watch();
     show_title();
@@ -110,11 +108,11 @@ void MainWindow::connect_workbench() {
     }
   });
   connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
-    const QString reason = QString::fromStdString(end.value("reason", std::string()));
-    outcome_ = QString::fromStdString(end.value("outcome", std::string()));
+    const QString reason = text_of(end, "reason");
+    outcome_ = text_of(end, "outcome");
     outcome_label_->setToolTip(
         tr("%1\nstate hash %2")
-            .arg(reason, QString::fromStdString(end.value("state_hash", std::string()))));
+            .arg(reason, text_of(end, "state_hash")));
     say(reason.isEmpty() ? tr("The run has ended: %1").arg(outcome_)
                          : tr("The run has ended: %1, %2").arg(outcome_, reason));
     if (outcome_ == "stopped") {
@@ -125,7 +123,7 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::raised, this, [this](const Json& event) {
     time_line_->mark(event.value("time_s", 0.0),
-                     QString::fromStdString(event.value("name", std::string())));
+                     text_of(event, "name"));
   });
   connect(&workbench_, &Workbench::noted, this, &MainWindow::say);
   connect(&workbench_, &Workbench::refused, this, [this](const Problems& problems) {
@@ -365,9 +363,9 @@ void MainWindow::watch() {
     robots.push_back(watched_robot_.toStdString());
   }
   const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
-  const bool are_few = std::count_if(bodies.begin(), bodies.end(), [](const Stage::Body& body) {
-                         return body.is_robot();
-                       }) <= kFewRobots;
+  const bool are_few =
+      std::count_if(bodies.begin(), bodies.end(), std::mem_fn(&Stage::Body::is_robot)) <=
+      kFewRobots;
   plottable_ = are_few ? QStringList() : plots_->chosen_robots() + QStringList{watched_robot_};
   request_past();
   const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};

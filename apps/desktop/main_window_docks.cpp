@@ -156,10 +156,13 @@ void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
   connect(tree, &WorldTree::list_selected, properties_, &Properties::show_list);
   connect(tree, &WorldTree::edit_wished, authoring_, &Authoring::edit_element);
   connect(tree, &WorldTree::add_wished, authoring_,
-          [this, team](const QString& holder, const QString& list) {
-            authoring_->add_element(holder, list, {{}, list == "robots" ? team : QString(), {}});
+          [this, team](const QString& path, const QString& list) {
+            const QString holder =
+                list == "robots" ? QString() : authoring_->holder_for(list, path);
+            list == "behaviors" ? authoring_->edit_behaviors(holder)
+                                : authoring_->add_element(
+                                      holder, list, {{}, list == "robots" ? team : QString(), {}});
           });
-  connect(tree, &WorldTree::behaviors_wished, authoring_, &Authoring::edit_behaviors);
   connect(tree, &WorldTree::menu_wished, authoring_, &Authoring::open_menu);
   tree->addActions({actions_.remove, actions_.cut, actions_.copy, actions_.paste});
 }

@@ -15,7 +15,7 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "main_window.h"
-#include "main_window_recorded.h"
+#include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/fuzzy_panel.h"

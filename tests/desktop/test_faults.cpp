@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QStatusBar>
 #include <csignal>
 
 #include <catch2/catch.hpp>
@@ -135,7 +134,7 @@ TEST_CASE("With any fault of a plugin the window goes on, and names it") {
   window.answer = MainWindow::Answer::discard;
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes on, too") {
@@ -153,7 +152,7 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   CHECK(window.bench().text() == world_with(plugin));
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 // `forgetful` of tests/program is built from its source, as a user would do it.
@@ -197,7 +196,7 @@ TEST_CASE("A coordinator, a sensor or a measure that fails is named, too") {
   CHECK(window.bench().text() == text);
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("While a plugin does not return, the window says so") {
@@ -207,7 +206,7 @@ TEST_CASE("While a plugin does not return, the window says so") {
   window.bench().set_speed(0.0);
   window.bench().run();
   REQUIRE(wait_for(
-      [&] { return window->statusBar()->currentMessage().contains("Stop the engine now"); }));
+      [&] { return window.said().contains("Stop the engine now"); }));
   CHECK(window.get<QLabel>("pace")->text().startsWith("0.0x"));
   CHECK(window.get<QLabel>("outcome")->text().contains("no answer"));
   QString report;
@@ -260,8 +259,7 @@ TEST_CASE("An edit that hangs the engine is given up and named; those after it a
 }
 
 TEST_CASE("An engine that is killed from outside is laid at no plugin's door") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const QList<int> found = engines();
   REQUIRE(found.size() == 1);
   REQUIRE(::kill(found.front(), SIGKILL) == 0);
@@ -315,7 +313,7 @@ TEST_CASE("A library that changes the rounding of numbers while it is loaded cha
   qunsetenv("TRESPASS_WHILE_LOADED");
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("A world at the ends of what is allowed is refused, or has an end that is said") {
@@ -339,7 +337,7 @@ TEST_CASE("A world at the ends of what is allowed is refused, or has an end that
   CHECK(window.bench().text() == text);
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
@@ -438,8 +436,7 @@ TEST_CASE("Playing the past stops when the past is refused") {
 }
 
 TEST_CASE("A run that is refused is said, and the window does not show one") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->findChild<Exporter*>()->record_into("/proc/run.csv");
   auto* run = window.get<QToolButton>("run");
   QString why;
@@ -447,7 +444,7 @@ TEST_CASE("A run that is refused is said, and the window does not show one") {
                    [&](const Problems& problems) { why = problems.front().message; });
   QTest::mouseClick(run, Qt::LeftButton);
   REQUIRE(wait_for([&] { return !why.isEmpty(); }));
-  CHECK(window->statusBar()->currentMessage() == why);
+  CHECK(window.said() == why);
   CHECK(window.bench().run_state() == Workbench::Run::ready);
   CHECK(run->text().contains("Start"));
   // The next run is not recorded, and starts.
@@ -471,9 +468,7 @@ TEST_CASE("Without an engine a world can be saved, and the window does not say t
   window.workbench().save_as(file, [&](const QString& said) { why = said; });
   REQUIRE(wait_for([&] { return why.has_value(); }));
   CHECK(why->isEmpty());
-  QFile saved(file);
-  REQUIRE(saved.open(QIODevice::ReadOnly));
-  CHECK(saved.readAll() == kRoom);
+  CHECK(bytes_of(file) == kRoom);
   CHECK_FALSE(window.workbench().is_modified());
 }
 

@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
-#include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
@@ -22,7 +21,6 @@
 #include "authoring/authoring.h"
 #include "hands.h"
 #include "inferring.h"
-#include "scene/scene_view.h"
 #include "watch/control_surface.h"
 #include "watch/plots_panel.h"
 #include "watch/vision_panel.h"
@@ -76,8 +74,7 @@ TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names
 }
 
 TEST_CASE("All tools fit a window of 1280 pixels") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->resize(1280, 800);
   for (const char* name : {"tools", "environment"}) {
     auto* bar = window.get<QToolBar>(name);
@@ -94,8 +91,7 @@ TEST_CASE("All tools fit a window of 1280 pixels") {
 }
 
 TEST_CASE("The status bar shows simulated time, real-time factor, seed and outcome") {
-  Window window;
-  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"2\"").toUtf8()));
+  Room window(QString(kRoom).replace("time=\"60\"", "time=\"2\""));
   window.after([&] { window.bench().reset(7); });
   window.bench().set_speed(1.0);
   window.bench().run();
@@ -145,8 +141,7 @@ TEST_CASE("On a large screen the text stands beside the view, elsewhere below it
 }
 
 TEST_CASE("Physics parameters are changed while it runs, and the run is that of --at") {
-  Window window;
-  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"8\"").toUtf8()));
+  Room window(QString(kRoom).replace("time=\"60\"", "time=\"8\""));
   window.bench().set_speed(1.0);
   click_on(window.get<QToolButton>("run"));
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
@@ -184,8 +179,7 @@ TEST_CASE("Physics parameters are changed while it runs, and the run is that of 
 }
 
 TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* speed = window.get<QComboBox>("speed");
   speed->setFocus();
   while (speed->currentIndex() > 0) {
@@ -203,8 +197,7 @@ TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
 }
 
 TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams are put in") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = window.get<WorldTree>("world_tree");
   const std::pair<const char*, const char*> added[] = {{"add_static", "<static_box"},
                                                        {"add_dynamic", "<dynamic_box"},
@@ -235,8 +228,7 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
 }
 
 TEST_CASE("A prism begins as a regular polygon with the corners that its dialog says") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.act("add_prism");
   QDialog* dialog = window.dialog("element_dialog");
   dialog->findChild<Form*>("form_outline")->set_value("corners", "5");
@@ -295,8 +287,7 @@ TEST_CASE("The fuzzy viewer shows the model, its rules and its control surface a
 }
 
 TEST_CASE("Plots: what is chosen goes on while another window lies in front, also after a reset") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* plots = window->findChild<PlotsPanel*>();
   window.get<QDockWidget>("dock_plots")->raise();
   window.bench().step();
@@ -305,30 +296,24 @@ TEST_CASE("Plots: what is chosen goes on while another window lies in front, als
   window.get<QDockWidget>("dock_coordination")->raise();
   window.bench().run();
   REQUIRE(wait_for([&] { return window.bench().time_s() > 1.0; }));
-  window.bench().pause();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.pause();
   const QString table = window.folder() + "/speed.csv";
   REQUIRE(plots->save(table).isEmpty());
-  QFile file(table);
-  REQUIRE(file.open(QIODevice::ReadOnly));
-  CHECK(file.readAll().count('\n') > 10);
+  CHECK(bytes_of(table).count('\n') > 10);
   window.after([&] { window.bench().reset(1); });
   CHECK(plots->chosen() == QStringList{"r1/speed"});
 }
 
 TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
   const QString copy = window.folder() + "/copy.xml";
-  answer_when_asked("save_dialog", [&](QDialog* dialog) { save_as_file(dialog, copy); });
+  at_dialog("save_dialog", [&](QDialog* dialog) { save_as_file(dialog, copy); });
   window.act("save_as");
   REQUIRE(wait_for([&] { return QFile::exists(copy) && !window->isWindowModified(); }));
   CHECK(window.bench().file() == copy);
-  QFile before(file);
-  REQUIRE(before.open(QIODevice::ReadOnly));
-  CHECK(before.readAll() == kRoom);
+  CHECK(bytes_of(file) == kRoom);
   QStringList recent;
   for (QMenu* each : window->findChildren<QMenu*>()) {
     if (each->title().contains("opened")) {
@@ -350,7 +335,7 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
     }
     return true;
   }));
-  answer_when_asked("new_world_dialog", [](QDialog* dialog) {
+  at_dialog("new_world_dialog", [](QDialog* dialog) {
     dialog->findChild<QLineEdit*>("name")->setText("arena <1>");
     dialog->findChild<QSpinBox*>("boxes")->setValue(3);
     dialog->findChild<QSpinBox*>("resources")->setValue(2);
@@ -363,13 +348,3 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
   CHECK(window.bench().text().contains("arena &lt;1&gt;"));
 }
 
-TEST_CASE("The title names the file, and a star the changes that are not saved") {
-  Window window;
-  window.open(window.file(kRoom));
-  CHECK(window->windowTitle().contains("room.xml"));
-  CHECK_FALSE(window->isWindowModified());
-  window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
-  CHECK(window->isWindowModified());
-  window.after([&] { window.act("undo"); });
-  CHECK_FALSE(window->isWindowModified());
-}

@@ -16,8 +16,7 @@
 using namespace elsie::desktop;
 
 TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a run takes changes") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.act("add_robot");
   QDialog* dialog = window.dialog("element_dialog");
   auto* form = dialog->findChild<Form*>("form_robot");
@@ -52,8 +51,7 @@ TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a ru
 }
 
 TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 90 degrees") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
   window.act("add_sensor");
   QDialog* dialog = window.dialog("element_dialog");
@@ -78,8 +76,7 @@ TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 
 }
 
 TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, and >> takes one") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
   window.act("behaviors");
   QDialog* dialog = window.dialog("behaviors_dialog");
@@ -97,8 +94,7 @@ TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, an
 }
 
 TEST_CASE("The priority of a behaviour is set") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]/behavior[wander]");
   auto* priority =
       qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor("priority"));
@@ -113,8 +109,7 @@ TEST_CASE("The priority of a behaviour is set") {
 }
 
 TEST_CASE("All coordinators that are found are offered") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
   window.act("coordinator");
   QDialog* dialog = window.dialog("element_dialog");

@@ -54,8 +54,7 @@ QStringList cut_off(const QWidget& whole) {
 
 TEST_CASE("Readable: the window fits on a small screen, and no word of a dialog is cut off",
           "[readable]") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->resize(kScreen);
   window.act("layout_author");
   CHECK(window->minimumSizeHint().width() <= kScreen.width());

@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -36,6 +38,11 @@ inline QString build_file(const QString& name) {
 }
 inline QString world_file(const QString& name) {
   return build_file("../share/elsie/worlds/" + name + ".xml");
+}
+inline QByteArray bytes_of(const QString& path) {
+  QFile file(path);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  return file.readAll();
 }
 
 /// Does something with the modal dialog of that name, once it is there.
@@ -150,6 +157,35 @@ class Window {
     REQUIRE(wait_for([&] { return is_described; }));
     QObject::disconnect(connection);
   }
+  void pause() {
+    bench().pause();
+    REQUIRE(wait_for([&] { return bench().run_state() == Workbench::Run::paused; }));
+  }
+  void step() {
+    bench().step();
+    REQUIRE(wait_for([&] { return bench().run_state() == Workbench::Run::paused; }));
+  }
+  /// Runs at this speed until the time is past, and pauses.
+  void run_past(double time_s, double speed = 5.0) {
+    bench().set_speed(speed);
+    bench().run();
+    REQUIRE(wait_for([&] { return bench().time_s() > time_s; }));
+    pause();
+  }
+  /// What the window's own save says: "" if it is done.
+  QString saved_as(const QString& file) {
+    std::optional<QString> said;
+    bench().save_as(file, [&](const QString& sentence) { said = sentence; });
+    REQUIRE(wait_for([&] { return said.has_value(); }));
+    return *said;
+  }
+  QString said() { return window_.statusBar()->currentMessage(); }
+  /// Waits until no dialog of that name is open.
+  void await_closed(const char* name) {
+    REQUIRE(wait_for([&] { return !window_.findChild<QDialog*>(name); }));
+  }
+  /// Runs to the end, and returns the state hash.
+  std::string hash_at_the_end() { return run_to_the_end().at("state_hash").get<std::string>(); }
   Json run_to_the_end() {
     Json end;
     const auto connection = QObject::connect(&bench(), &Workbench::ended, &window_,
@@ -184,6 +220,14 @@ class Window {
  private:
   QTemporaryDir folder_;
   MainWindow window_;
+};
+
+/// A window with a world, the room if no other is given, in a file of its own.
+class Room : public Window {
+ public:
+  explicit Room(const QString& text = kRoom, const QStringList& options = {}) : Window({}, options) {
+    open(file(text.toUtf8().constData()));
+  }
 };
 
 /// Runs to this time and pauses there, or ends before.

@@ -141,16 +141,9 @@ void Authoring::add_element(const QString& holder, const QString& list,
   }
   // The new element is selected next: it is the last of its list.
   connect(dialog, &QDialog::accepted, this, [this, holder, list] {
-    QString last;
-    visit(workbench_.tree(), [&](const ElementPlace& place) {
-      if (place.list.isEmpty() && place.parent && name_of(*place.parent) == list &&
-          holder_of(place.path) == holder) {
-        last = place.path;
-      }
-      return true;
-    });
-    if (!last.isEmpty()) {
-      select({last});
+    const std::vector<ElementPlace> members = members_of(workbench_.tree(), holder, list);
+    if (!members.empty()) {
+      select({members.back().path});
       Q_EMIT added();
     }
   });

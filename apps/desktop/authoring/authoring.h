@@ -49,6 +49,9 @@ class Authoring : public QObject {
   void add_point(const QString& path);
   /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
+  /// The element that takes members of that list where this element is selected: the behaviour at
+  /// the path if it holds others, otherwise its robot; "" outside of robots.
+  QString holder_for(const QString& list, const QString& path) const;
   /// An obstacle that can be added.
   struct Obstacle {
     QString name;  // "dynamic" for a box, "cylinder" for another shape
@@ -92,7 +95,6 @@ class Authoring : public QObject {
   QString markup_of_selected() const;
   QString list_for(const QString& name) const;
   std::optional<QString> holder_of_part(const QString& name) const;
-  QString carrier(const QString& list) const;
   void insert(const QString& markup, const QString& name);
   /// The edit that puts a piece into the world; "", with a sentence, if it cannot be put there.
   /// Adds the id that it gives to `taken`.

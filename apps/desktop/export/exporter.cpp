@@ -155,7 +155,7 @@ void Exporter::record_into(const QString& file) {
 
 void Exporter::copy_command() {
   workbench_.ask({{"do", "command"}}, [this](const Json& answer) {
-    const QString text = QString::fromStdString(answer.value("text", std::string()));
+    const QString text = text_of(answer, "text");
     if (text.isEmpty()) {
       Q_EMIT said(tr("There is no world yet."));
       return;

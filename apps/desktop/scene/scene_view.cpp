@@ -32,8 +32,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   try {
     renderer_ = std::make_unique<render::Renderer>();
-  } catch (const render::RenderError&) {
-    has_no_renderer_ = true;  // outlines by Qt
+  } catch (const render::RenderError&) {  // outlines by Qt
   }
 }
 
@@ -190,7 +189,6 @@ void SceneView::draw_solids() {
     renderer_->render(stage_.drawn(), std::span(&view, 1), pictures);
   } catch (const render::RenderError&) {
     renderer_.reset();
-    has_no_renderer_ = true;
     return;
   }
   drawn_ = QImage(pixels_.bytes.data(), width, height, static_cast<qsizetype>(width) * 3,
@@ -231,7 +229,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     return;
   }
   const OverlayPainter over(painter, stage_, camera_, size());
-  if (has_no_renderer_) over.outlines();
+  if (!renderer_) over.outlines();
   if (overlays_.grid) over.grid();
   if (overlays_.trails) {
     trails_.paint(painter, stage_, camera_, size(), devicePixelRatioF());

@@ -150,8 +150,7 @@ class SceneView : public QWidget {
   OrbitCamera camera_;
   OrbitCamera all_;  // as show_all() left it
   Overlays overlays_;
-  std::unique_ptr<render::Renderer> renderer_;
-  bool has_no_renderer_ = false;
+  std::unique_ptr<render::Renderer> renderer_;  // null: outlines by Qt
   Image pixels_;
   QImage drawn_;
   bool is_stale_ = true;

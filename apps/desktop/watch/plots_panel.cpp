@@ -403,25 +403,25 @@ Figures PlotsPanel::figures() const {
 }
 
 std::string PlotsPanel::table() const {
-  const QStringList shown = chosen();
-  std::map<double, std::vector<double>> rows;
-  for (int n = 0; n < shown.size(); ++n) {
-    visit(shown[n], [&](double time_s, float value) {
-      std::vector<double>& row = rows[time_s];
-      row.resize(static_cast<std::size_t>(shown.size()), std::nan(""));
-      row[static_cast<std::size_t>(n)] = shortest(value);
-    });
-  }
   output::CsvLine line;
   line.text("time_s");
-  for (const QString& name : shown) {
+  std::vector<const std::vector<float>*> curves;
+  for (const QString& name : chosen()) {
     line.text(name.toStdString());
+    curves.push_back(samples_ ? samples_->curve(name) : nullptr);
   }
   std::string text = line.take() + '\n';
-  for (const auto& [time, row] : rows) {
-    line.number(output::tidy_time(time));
-    for (const double value : row) {
-      std::isfinite(value) ? line.number(value) : line.empty();
+  const auto has_value = [](const std::vector<float>* curve, std::size_t i) {
+    return curve && std::isfinite((*curve)[i]);
+  };
+  for (std::size_t i = 0; samples_ && i < samples_->times().size(); ++i) {
+    if (std::none_of(curves.begin(), curves.end(),
+                     [&](const auto* curve) { return has_value(curve, i); })) {
+      continue;
+    }
+    line.number(output::tidy_time(samples_->times()[i]));
+    for (const std::vector<float>* curve : curves) {
+      has_value(curve, i) ? line.number(shortest((*curve)[i])) : line.empty();
     }
     text += line.take() + '\n';
   }

@@ -107,15 +107,12 @@ void ElementDialog::offer_headings(const Kind& kind) {
         QString::number(QRandomGenerator::global()->bounded(kMostRandomHeading_deg + 1)));
   });
   tabs_->widget(0)->layout()->addWidget(button);
-  bool has_some = !kind.produces.contains("range");
-  visit(workbench_.tree(), [&](const ElementPlace& place) {
-    const auto other =
-        place.parent && name_of(*place.parent) == "sensors" && holder_of(place.path) == holder_
-            ? workbench_.catalog().kind_of(place)
-            : std::nullopt;
-    has_some = has_some || (other && other->produces.contains("range"));
-    return !has_some;
-  });
+  const std::vector<ElementPlace> sensors = members_of(workbench_.tree(), holder_, "sensors");
+  const bool has_some = !kind.produces.contains("range") ||
+                        std::any_of(sensors.begin(), sensors.end(), [&](const ElementPlace& each) {
+                          const auto other = workbench_.catalog().kind_of(each);
+                          return other && other->produces.contains("range");
+                        });
   fan_ = new Fan(has_some ? 1 : kFirstFan);
   tabs_->widget(0)->layout()->addWidget(fan_);
   connect(form, &Form::committed, fan_, [fan = fan_](const QString& name) {
