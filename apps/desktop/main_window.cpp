@@ -77,7 +77,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   centre_->addWidget(start_);
   centre_->addWidget(view);
   setCentralWidget(centre_);
-  authoring_ = new Authoring(workbench_, scene_->stage(), this);
+  authoring_ = new Authoring(workbench_, *scene_, this);
   exporter_ = new Exporter(workbench_, *scene_, *time_line_, this);
   runs_ = new RunReader(elsie, options, this);
 
@@ -194,9 +194,6 @@ void MainWindow::show_lock() {
 }
 
 void MainWindow::show_selection(const QStringList& paths) {
-  QStringList in_view = paths;
-  in_view.removeAll(QString());  // the world itself has no place
-  scene_->set_selection(in_view);
   world_tree_->set_selection(paths);
   for (const Team& each : std::as_const(teams_)) each.tree->set_selection(paths);
   properties_->show_element(paths.isEmpty() ? QString() : paths.front());

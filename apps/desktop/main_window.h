@@ -139,7 +139,6 @@ class MainWindow : public QMainWindow {
   void request_past();
   void show_looked_back();
   void watch_robot(const QString& id);
-  bool is_the_present();
   void enter_what_is_typed();
   /// Whether a problem's file is the text of the world.
   bool is_of_world(const QString& file) const;

@@ -163,19 +163,10 @@ void MainWindow::connect_workbench() {
 }
 
 void MainWindow::connect_views() {
-  connect(scene_, &SceneView::said, this, &MainWindow::say);
   connect(scene_, &SceneView::locks_changed, this, [this] {
     for (WorldTree* each : findChildren<WorldTree*>()) each->show_locked(scene_->locked());
     show_lock();
   });
-  connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
-  connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
-  connect(scene_, &SceneView::menu_wished, authoring_,
-          [this](const QPoint& global, double x, double y) {
-            authoring_->open_floor_menu(global, QPointF(x, y));
-          });
-  connect(scene_, &SceneView::element_menu_wished, authoring_, &Authoring::open_menu);
-  connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
   connect(scene_, &SceneView::run_wished, this, &MainWindow::run_or_pause);
   connect(time_line_, &TimeLine::past_changed, this, &MainWindow::show_past);
@@ -184,26 +175,17 @@ void MainWindow::connect_views() {
       workbench_.run();
     }
   });
-  connect(scene_, &SceneView::moved, this, [this](const QStringList& paths, double x, double y) {
-    if (is_the_present()) authoring_->move(paths, x, y);
-  });
-  connect(scene_, &SceneView::turned, this, [this](const QString& path, double by_rad) {
-    if (is_the_present()) authoring_->turn(path, by_rad);
-  });
-  connect(scene_, &SceneView::resized, this,
-          [this](const QString& path, double length, double width) {
-            if (is_the_present()) authoring_->resize(path, length, width);
-          });
   connect(authoring_, &Authoring::selected, this, &MainWindow::show_selection);
   connect(properties_, &Properties::add_wished, authoring_,
           [this](const QString& holder, const QString& list) {
             list == "behaviors" ? authoring_->edit_behaviors(holder)
                                 : authoring_->add_element(holder, list);
           });
-  // So that keys act on the new element.
-  connect(authoring_, &Authoring::added, scene_, qOverload<>(&QWidget::setFocus));
   connect(authoring_, &Authoring::said, this, &MainWindow::say);
-  connect(authoring_, &Authoring::follow_wished, scene_, &SceneView::follow);
+  connect(authoring_, &Authoring::moved_in_the_past, this, [this] {
+    time_line_->go_to_now();
+    say(tr("The view showed the past, in which nothing can be changed. Now it shows the present."));
+  });
   connect(exporter_, &Exporter::said, this, &MainWindow::say);
   connect(scene_, &SceneView::measured, this, [this](double x, double y, double to_x, double to_y) {
     say(tr("from (%1, %2) to (%3, %4): %5 m")
@@ -224,17 +206,6 @@ void MainWindow::connect_views() {
   connect(start_, &StartPage::browse_wished, actions_.open, &QAction::trigger);
   connect(runs_, &RunReader::failed, this,
           [this](const QString& why) { warn(tr("The run cannot be opened"), why); });
-}
-
-/// Returns false, with a sentence, while the view shows the past, because the dragged object is now
-/// elsewhere.
-bool MainWindow::is_the_present() {
-  if (!time_line_->is_in_the_past()) {
-    return true;
-  }
-  time_line_->go_to_now();
-  say(tr("The view showed the past, in which nothing can be changed. Now it shows the present."));
-  return false;
 }
 
 void MainWindow::enter_what_is_typed() {

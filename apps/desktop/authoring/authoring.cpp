@@ -16,7 +16,7 @@
 
 #include "authoring/pieces.h"
 #include "engine/workbench.h"
-#include "scene/stage.h"
+#include "scene/scene_view.h"
 #include "world/behaviors_dialog.h"
 #include "world/element_dialog.h"
 
@@ -64,9 +64,21 @@ std::vector<Authoring::Obstacle> Authoring::obstacles() {
   return all;
 }
 
-Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
-    : QObject(window), workbench_(workbench), stage_(stage), window_(window) {
+Authoring::Authoring(Workbench& workbench, SceneView& view, QWidget* window)
+    : QObject(window),
+      workbench_(workbench),
+      view_(view),
+      stage_(view.stage()),
+      window_(window) {
   connect(&workbench_, &Workbench::described, this, &Authoring::find_renamed);
+  connect(&view_, &SceneView::said, this, &Authoring::said);
+  connect(&view_, &SceneView::selected, this, &Authoring::select);
+  connect(&view_, &SceneView::edit_wished, this, &Authoring::edit_element);
+  connect(&view_, &SceneView::menu_wished, this, &Authoring::open_floor_menu);
+  connect(&view_, &SceneView::element_menu_wished, this, &Authoring::open_menu);
+  connect(&view_, &SceneView::moved, this, &Authoring::move);
+  connect(&view_, &SceneView::turned, this, &Authoring::turn);
+  connect(&view_, &SceneView::resized, this, &Authoring::resize);
 }
 
 // The selection stays when its paths change: by a form, by undo, in the text.
@@ -74,6 +86,7 @@ void Authoring::find_renamed() {
   const Outline before = std::exchange(outline_, outline_of(workbench_.tree()));
   const QHash<QString, QString> names = renamed(before, outline_);
   for (auto name = names.begin(); name != names.end(); ++name) {
+    view_.rename(name.key(), name.value());
     Q_EMIT called_otherwise(name.key(), name.value());
   }
   QStringList paths = selection_;
@@ -89,6 +102,9 @@ QString Authoring::title(const QString& path) const { return title_at(workbench_
 
 void Authoring::select(const QStringList& paths) {
   selection_ = paths;
+  QStringList in_view = paths;
+  in_view.removeAll(QString());  // the world itself has no place
+  view_.set_selection(in_view);
   Q_EMIT selected(paths);
 }
 
@@ -144,7 +160,7 @@ void Authoring::add_element(const QString& holder, const QString& list,
     const std::vector<ElementPlace> members = members_of(workbench_.tree(), holder, list);
     if (!members.empty()) {
       select({members.back().path});
-      Q_EMIT added();
+      view_.setFocus();  // so that keys act on it
     }
   });
   dialog->show();
@@ -237,7 +253,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
     menu.addAction(tr("Add &point"), this, [this, path] { add_point(path); });
   }
   if (is_robot) {
-    menu.addAction(tr("&Follow"), this, [this, path] { Q_EMIT follow_wished(path); });
+    menu.addAction(tr("&Follow"), this, [this, path] { view_.follow(path); });
     menu.addAction(tr("Make &start pose"), this, &Authoring::make_start_poses);
   }
   if (path.endsWith("/coordinator")) {
@@ -320,7 +336,13 @@ void Authoring::make_start_poses() {
 
 // Drags
 
+bool Authoring::is_the_present() {
+  if (stage_.is_past()) Q_EMIT moved_in_the_past();
+  return !stage_.is_past();
+}
+
 void Authoring::move(const QStringList& paths, double by_x, double by_y) {
+  if (!is_the_present()) return;
   QStringList edits;
   for (const QString& path : paths) {
     const ElementPlace place = place_of(workbench_.tree(), path);
@@ -342,7 +364,8 @@ void Authoring::move(const QStringList& paths, double by_x, double by_y) {
 }
 
 void Authoring::turn(const QString& path, double by_rad) {
-  if (const Stage::Body* body = stage_.body_of(path)) {
+  const Stage::Body* body = stage_.body_of(path);
+  if (body && is_the_present()) {
     workbench_.edit({path + "/@heading_deg=" + heading_deg(heading_rad(body->frame) + by_rad)},
                     tr("turn %1").arg(title(path)), "turn " + path);
   }
@@ -350,7 +373,7 @@ void Authoring::turn(const QString& path, double by_rad) {
 
 void Authoring::resize(const QString& path, double length, double width) {
   const Stage::Solid* solid = stage_.solid_of(path);
-  if (!solid) {
+  if (!solid || !is_the_present()) {
     return;
   }
   const Shape made = resized(solid->shape, length, width);

@@ -16,6 +16,7 @@ class QWidget;
 namespace elsie::desktop {
 
 struct Piece;
+class SceneView;
 class Stage;
 class Workbench;
 
@@ -26,8 +27,9 @@ class Authoring : public QObject {
   Q_OBJECT
 
  public:
-  /// `stage` knows where the bodies are now; `window` owns this object and the dialogs.
-  Authoring(Workbench& workbench, const Stage& stage, QWidget* window);
+  /// Does what users do in the view, which shows the selection. `window` owns this object and the
+  /// dialogs.
+  Authoring(Workbench& workbench, SceneView& view, QWidget* window);
 
   const QStringList& selection() const { return selection_; }
   void select(const QStringList& paths);
@@ -74,22 +76,22 @@ class Authoring : public QObject {
   /// Makes the present poses of the selected robots their start poses.
   void make_start_poses();
 
-  /// Make the edit at the end of a drag in the view; lengths in m, angles in rad.
+  /// Make the edit at the end of a drag in the view; lengths in m, angles in rad. While the view
+  /// shows the past, where all stands elsewhere, they change nothing and emit moved_in_the_past().
   void move(const QStringList& paths, double by_x, double by_y);
   void turn(const QString& path, double by_rad);
   void resize(const QString& path, double length, double width);
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
-  /// A new element exists and is selected.
-  void added();
   void said(const QString& sentence);
-  void follow_wished(const QString& path);
+  void moved_in_the_past();
   /// The path of an element has changed, whether it is selected or not.
   void called_otherwise(const QString& from, const QString& to);
 
  private:
   void find_renamed();
+  bool is_the_present();
   QString title(const QString& path) const;
   QStringList wholes() const;
   QString markup_of_selected() const;
@@ -109,7 +111,8 @@ class Authoring : public QObject {
   QStringList last_of(const QStringList& places) const;
 
   Workbench& workbench_;
-  const Stage& stage_;
+  SceneView& view_;
+  const Stage& stage_;  // where the bodies are now
   QWidget* window_;
   QStringList selection_;
   Outline outline_;  // of the world

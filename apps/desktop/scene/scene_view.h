@@ -97,9 +97,9 @@ class SceneView : public QWidget {
   void selected(const QStringList& paths);
   void said(const QString& sentence);
   void locks_changed();
-  void edit_wished(const QString& path, const QPoint& global);
-  /// `x`, `y`: the point of the floor there, m.
-  void menu_wished(const QPoint& global, double x, double y);
+  void edit_wished(const QString& path);
+  /// `floor`: the point of the floor there, m.
+  void menu_wished(const QPoint& global, std::optional<QPointF> floor);
   /// The menu key was pressed: opens the menu of the selected object.
   void element_menu_wished(const QString& path, const QPoint& global);
   /// A drag has ended; the movement is in m or rad.

@@ -137,10 +137,10 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (!path.isEmpty()) {
       set_selection({path});
       Q_EMIT selected({path});
-      Q_EMIT edit_wished(path, event->globalPosition().toPoint());
+      Q_EMIT edit_wished(path);
     } else {
       const Vector3 at = camera_.on_plane(event->position(), size()).value_or(Vector3{});
-      Q_EMIT menu_wished(event->globalPosition().toPoint(), at.x, at.y);
+      Q_EMIT menu_wished(event->globalPosition().toPoint(), QPointF(at.x, at.y));
     }
   }
 }
