@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "engine/workbench.h"
-#include "paint/quiet_wheel.h"
+#include "paint/boxes.h"
 
 namespace elsie::desktop {
 namespace {

@@ -205,13 +205,6 @@ void MainWindow::show_selection(const QStringList& paths) {
   watch();
 }
 
-void MainWindow::warn(const QString& title, const QString& sentence) {
-  auto* box = new QMessageBox(QMessageBox::Warning, title, sentence, QMessageBox::Ok, this);
-  box->setObjectName("warning");
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
-}
-
 void MainWindow::about() {
   QMessageBox::about(
       this, tr("About Elsie"),

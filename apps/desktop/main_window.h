@@ -148,7 +148,6 @@ class MainWindow : public QMainWindow {
                                  const QStringList& not_made);
   void go_to(const QString& file, int line);
   void say(const QString& text);
-  void warn(const QString& title, const QString& sentence);
   void ask_about_disk();
 
   void show_selection(const QStringList& paths);

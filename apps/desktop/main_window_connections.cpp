@@ -15,6 +15,7 @@
 #include "engine/past.h"
 #include "export/exporter.h"
 #include "main_window.h"
+#include "paint/warning_label.h"
 #include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
@@ -205,7 +206,7 @@ void MainWindow::connect_views() {
   connect(start_, &StartPage::empty_wished, this, [this] { begin_world(empty_world); });
   connect(start_, &StartPage::browse_wished, actions_.open, &QAction::trigger);
   connect(runs_, &RunReader::failed, this,
-          [this](const QString& why) { warn(tr("The run cannot be opened"), why); });
+          [this](const QString& why) { warn(this, tr("The run cannot be opened"), why); });
 }
 
 void MainWindow::enter_what_is_typed() {

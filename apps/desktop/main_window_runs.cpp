@@ -5,6 +5,7 @@
 
 #include "control_bar.h"
 #include "main_window.h"
+#include "paint/warning_label.h"
 #include "recorded_world.h"
 #include "scene/scene_view.h"
 
@@ -27,7 +28,7 @@ void MainWindow::read_run(const QString& file, const StoredRun& run) {
       return;
     }
     if (!workbench_.open(world.file, why, world.seed, true)) {
-      warn(tr("The run cannot be opened"), why);
+      warn(this, tr("The run cannot be opened"), why);
       return;
     }
     show_opened(file);
@@ -85,7 +86,7 @@ void MainWindow::compare_with_recording(const Json& end) {
   const bool is_same = text_of(end, "state_hash") == wanted.state_hash;
   recorded_->verdict = is_same ? tr("as recorded") : tr("not as recorded");
   if (!is_same) {
-    warn(tr("Not the recorded run"),
+    warn(this, tr("Not the recorded run"),
          tr("This run ended differently from the recorded one: state hash %1, recorded %2. "
             "Another version of Elsie, other plugins or other files of the world made the "
             "recording.")

@@ -201,8 +201,7 @@ TEST_CASE("A coordinator, a sensor or a measure that fails is named, too") {
 
 TEST_CASE("While a plugin does not return, the window says so") {
   Window window({}, options());
-  window.bench().open_text(world_with("looping"), {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(world_with("looping"));
   window.bench().set_speed(0.0);
   window.bench().run();
   REQUIRE(wait_for(
@@ -342,8 +341,7 @@ TEST_CASE("A world at the ends of what is allowed is refused, or has an end that
 
 TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
   ScriptedEngine elsie(QString(kOpens).replace(";;", "; (sleep 0.3; kill -9 $$) & ;;"));
-  MainWindow window(elsie.program(), {});
-  window.show();
+  ScriptedWindow window(elsie);
   window.workbench().open_text("<world/>", {}, false);
   REQUIRE(wait_for([&] {
     const Problems& problems = window.workbench().problems();
@@ -367,8 +365,7 @@ TEST_CASE("An engine that ends again and again is not started for ever, and is s
 
 TEST_CASE("A message that the window cannot use ends the engine, and not the window") {
   ScriptedEngine elsie(QString(kOpens).replace(R"(\"epoch\":1)", R"(\"epoch\":\"first\")"));
-  MainWindow window(elsie.program(), {});
-  window.show();
+  ScriptedWindow window(elsie);
   window.workbench().open_text("<world/>", {}, false);
   REQUIRE(wait_for([&] { return !window.workbench().problems().empty(); }));
   CHECK(window.workbench().text() == "<world/>");
@@ -397,15 +394,10 @@ TEST_CASE("A seed that the engine refuses is not shown as the one that runs") {
   ScriptedEngine elsie(QString(kOpens) +
                        R"(reset) say "{\"answer\":$id,\"refused\":[{\"message\":\"no\"}]}" ;;
 )");
-  MainWindow window(elsie.program(), {});
-  window.show();
-  window.workbench().open_text("<world/>", {});
-  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  ScriptedWindow window(elsie);
+  window.open_world();
   auto* seed = window.findChild<QLineEdit*>("seed");
-  seed->setFocus();
-  seed->selectAll();
-  QTest::keyClicks(seed, "77");
-  QTest::keyClick(seed, Qt::Key_Return);
+  enter(seed, "77");
   CHECK(wait_for([&] { return seed->text() == "1"; }));
   CHECK(window.workbench().seed() == 1);
   CHECK(window.findChild<QLabel*>("seed_shown")->text().contains("seed 1"));
@@ -419,10 +411,8 @@ TEST_CASE("Playing the past stops when the past is refused") {
       touch "$(dirname "$0")/past"; say "{\"answer\":$id,\"to_s\":1000}"
     fi ;;
 )");
-  MainWindow window(elsie.program(), {});
-  window.show();
-  window.workbench().open_text("<world/>", {});
-  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  ScriptedWindow window(elsie);
+  window.open_world();
   auto* line = window.findChild<TimeLine*>();
   line->go_to(0.0);
   REQUIRE(wait_for([&] { return QFileInfo::exists(elsie.folder() + "/past"); }));
@@ -455,8 +445,7 @@ TEST_CASE("A run that is refused is said, and the window does not show one") {
 TEST_CASE("Without an engine a world can be saved, and the window does not say that there is one") {
   ScriptedEngine elsie("*) exit 3 ;;\n");
   QTemporaryDir folder;
-  MainWindow window(elsie.program(), {});
-  window.show();
+  ScriptedWindow window(elsie);
   REQUIRE(wait_for([&] { return !window.workbench().engine().is_there(); }));
   window.workbench().open_text(kRoom, {}, false);
   REQUIRE(wait_for([&] {
@@ -474,8 +463,7 @@ TEST_CASE("Without an engine a world can be saved, and the window does not say t
 
 TEST_CASE("An engine that hangs does not hold the window up when another world is opened") {
   Window window({}, options());
-  window.bench().open_text(world_with("looping"), {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(world_with("looping"));
   window.bench().set_speed(0.0);
   window.bench().run();
   // It hangs once it does not answer.

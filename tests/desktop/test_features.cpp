@@ -146,8 +146,7 @@ TEST_CASE("Physics parameters are changed while it runs, and the run is that of 
   click_on(window.get<QToolButton>("run"));
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
   window.bench().set_speed(0.1);  // it must not end before the change
-  window.act("physics");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("physics");
   auto* form = dialog->findChild<Form*>("form_physics");
   REQUIRE(form);
   for (const char* name : {"gravity", "erp", "cfm", "step"}) {
@@ -220,8 +219,7 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
     INFO(path);
     CHECK(tree->item(path));
   }
-  window.act("add_static");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_static");
   dialog->findChild<Form*>("form_static_box")->set_value("length", "0.75");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().contains("length=\"0.75\""));
@@ -229,8 +227,7 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
 
 TEST_CASE("A prism begins as a regular polygon with the corners that its dialog says") {
   Room window;
-  window.act("add_prism");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_prism");
   dialog->findChild<Form*>("form_outline")->set_value("corners", "5");
   dialog->findChild<Form*>("form_outline")->set_value("radius", "0.3");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });

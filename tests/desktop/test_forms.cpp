@@ -17,8 +17,7 @@ using namespace elsie::desktop;
 
 TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a run takes changes") {
   Room window;
-  window.act("add_robot");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_robot");
   auto* form = dialog->findChild<Form*>("form_robot");
   REQUIRE(form);
   for (const char* name : {"max_speed", "coverage", "leader", "x", "y", "heading_deg"}) {
@@ -53,8 +52,7 @@ TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a ru
 TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 90 degrees") {
   Room window;
   window.choose("robot[r1]");
-  window.act("add_sensor");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_sensor");
   auto* kinds = dialog->findChild<QListWidget*>("kinds");
   for (const char* kind : {"beam_range", "proximity"}) {
     INFO(kind);
@@ -101,9 +99,7 @@ TEST_CASE("The priority of a behaviour is set") {
   REQUIRE(priority);
   priority->setFocus();
   window.after([&] {
-    priority->selectAll();
-    QTest::keyClicks(priority, "7");
-    QTest::keyClick(priority, Qt::Key_Return);
+    enter(priority, "7");
   });
   CHECK(window.bench().text().contains("priority=\"7\""));
 }
@@ -111,8 +107,7 @@ TEST_CASE("The priority of a behaviour is set") {
 TEST_CASE("All coordinators that are found are offered") {
   Room window;
   window.choose("robot[r1]");
-  window.act("coordinator");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("coordinator");
   auto* kinds = dialog->findChild<QListWidget*>("kinds");
   REQUIRE(kinds);
   CHECK(kinds->count() == static_cast<int>(window.bench().catalog().plugins("coordinator").size()));

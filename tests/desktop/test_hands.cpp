@@ -175,9 +175,7 @@ TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in us
   window.act("follow");
   at_dialog("rename_dialog", [](QDialog* dialog) {
     auto* name = dialog->findChild<QLineEdit*>();
-    name->selectAll();
-    QTest::keyClicks(name, "scout");
-    QTest::keyClick(name, Qt::Key_Return);
+    enter(name, "scout");
   });
   window.after([&] { press_key(tree, Qt::Key_F2); });
   CHECK(window.bench().text().contains("id=\"scout\""));

@@ -15,7 +15,7 @@
 #include "disk.h"
 #include "export/exporter.h"
 #include "hands.h"
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 #include "scene/scene_view.h"
 #include "scene/typed_drag.h"
 #include "text/world_editor.h"
@@ -122,8 +122,7 @@ TEST_CASE("Copies stand where nothing is, and are chosen; keys go on with them")
 TEST_CASE("What was added from the tool bar is deleted by the key") {
   Room window;
   window.get<QLineEdit>("filter")->setFocus();
-  window.act("add_static");
-  auto* dialog = window.dialog("element_dialog");
+  auto* dialog = window.dialog_of("add_static");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   window.await_closed("element_dialog");
   activate(window.window());
@@ -227,9 +226,7 @@ TEST_CASE("What is no seed is said") {
   auto* seed = window.get<QLineEdit>("seed");
   seed->setFocus();
   for (const char* wrong : {"abc", "12345678901234567890123"}) {
-    seed->selectAll();
-    QTest::keyClicks(seed, wrong);
-    QTest::keyClick(seed, Qt::Key_Return);
+    enter(seed, wrong);
     CHECK(window.said().contains(QString(wrong)));
     CHECK(seed->text() == "1");
   }

@@ -15,11 +15,8 @@ namespace {
 
 /// Types into a field of the chosen thing, and does not enter it.
 void type_into(Window& window, const char* field, const QString& text) {
-  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(field));
-  REQUIRE(edit);
-  edit->setFocus();
-  edit->selectAll();
-  QTest::keyClicks(edit, text);
+  type_over(qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(field)),
+            text);
 }
 
 }  // namespace
@@ -163,8 +160,7 @@ TEST_CASE("Saving elsewhere keeps the run and what can be undone, and the engine
 
 TEST_CASE("A new world that was saved finds what lies beside it") {
   Window window;
-  window.bench().open_text(kRoom, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(kRoom);
   CHECK(window.saved_as(window.folder() + "/mine.xml").isEmpty());
   window.file("<robot_template format=\"1\" max_speed=\"0.1\"/>", "beside.xml");
   Problems refused{{}};

@@ -113,8 +113,7 @@ TEST_CASE("Readable: numbers have a point in every language", "[readable]") {
   type_text(x, "1.5");
   window.after([&] { press_key(x, Qt::Key_Return); });
   CHECK(window.bench().text().contains("x=\"1.5\""));
-  window.act("add_sensor");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_sensor");
   auto* spread = dialog->findChild<QDoubleSpinBox*>("spread_deg");
   REQUIRE(spread);
   CHECK(spread->cleanText() == "120.0");

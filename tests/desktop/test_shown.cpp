@@ -103,10 +103,8 @@ TEST_CASE("Why a run failed is in the list of errors until the next run") {
       say '{"event":"ended","outcome":"stopped","reason":")" +
                        reason + R"("}' ;;
 )");
-  MainWindow window(elsie.program(), {});
-  window.show();
-  window.workbench().open_text("<world/>", {});
-  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  ScriptedWindow window(elsie);
+  window.open_world();
   window.workbench().run();
   auto* list = window.findChild<QTreeWidget*>("problems");
   REQUIRE(wait_for([&] { return list->topLevelItemCount() == 1; }));

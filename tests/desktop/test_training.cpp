@@ -62,10 +62,7 @@ class School {
     return window.dialog<ElementDialog>("element_dialog");
   }
   static void enter(ElementDialog* dialog, const char* name, const QString& value) {
-    auto* edit = dialog->findChild<QLineEdit*>(name);
-    REQUIRE(edit);
-    edit->selectAll();
-    QTest::keyClicks(edit, value);
+    type_over(dialog->findChild<QLineEdit*>(name), value);
   }
   /// Trains, and waits until the robot has the network: then there is only the button Close.
   void train(ElementDialog* dialog) {
@@ -298,8 +295,7 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
   School school;
   Window& window = school.window;
   const QString text = QString(kPupil);
-  window.bench().open_text(text, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(text);
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   CHECK(dialog->findChild<QLabel*>("where_weights_go")->text().contains("copied next to"));
@@ -344,8 +340,7 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
 TEST_CASE("Saving removes no weights that it did not make, and names all that it cannot copy") {
   School school;
   Window& window = school.window;
-  window.bench().open_text(kPupil, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(kPupil);
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   School::enter(dialog, "training", school.samples);
@@ -362,8 +357,7 @@ TEST_CASE("Saving removes no weights that it did not make, and names all that it
   QString second = text.mid(begin, end - begin).replace("\"r1\"", "\"r2\"").replace(kept, two);
   second.replace("<robot ", "<robot y=\"1.5\" ");
   text = text.insert(end, second).replace(kept, one);
-  window.bench().open_text(text, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(text);
   REQUIRE(window.saved_as(window.folder() + "/copied.xml").isEmpty());
   CHECK(school.weight_files() == QStringList{"one.weights", "two.weights"});
   window.open(window.file(kRoom));
@@ -373,8 +367,7 @@ TEST_CASE("Saving removes no weights that it did not make, and names all that it
   QString note;
   QObject::connect(&window.bench(), &Workbench::noted, &window.window(),
                    [&](const QString& said) { note = said; });
-  window.bench().open_text(text, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(text);
   // No file can be made where a link is that leads nowhere.
   for (const char* name : {"/one.weights", "/two.weights"}) {
     REQUIRE(QFile::remove(window.folder() + name));

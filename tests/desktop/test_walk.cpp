@@ -99,9 +99,7 @@ TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the win
       auto* edit = dialog->findChild<Form*>(form)->findChild<QLineEdit*>(name);
       INFO(name.toStdString());
       REQUIRE(edit);
-      edit->setFocus();
-      edit->selectAll();
-      QTest::keyClicks(edit, value);
+      type_over(edit, value);
     }
     return dialog;
   };

@@ -79,10 +79,7 @@ TEST_CASE("The properties of what is chosen are edits with a name that are undon
 
   SECTION("and a wrong number is refused at the field, with nothing changed") {
     const QString before = window.bench().text();
-    x->setFocus();
-    x->selectAll();
-    QTest::keyClicks(x, "1,5");
-    QTest::keyClick(x, Qt::Key_Return);
+    enter(x, "1,5");
     CHECK(properties->form().findChild<QLabel*>("x_problem")->text().contains("with a point"));
     CHECK(window.bench().text() == before);
   }
@@ -134,8 +131,7 @@ TEST_CASE(
 TEST_CASE("OK with a wrong number in a field leaves the dialog open, with the sentence") {
   Room window;
   window.choose("robot[r1]");
-  window.act("add_sensor");
-  auto* dialog = window.dialog("element_dialog");
+  auto* dialog = window.dialog_of("add_sensor");
   auto* yaw = dialog->findChild<QLineEdit*>("yaw_deg");
   REQUIRE(yaw);
   QTest::keyClicks(yaw, "4,5");
@@ -281,13 +277,7 @@ TEST_CASE("Without a world, only what needs none can be done") {
 TEST_CASE("A new seed asks before it ends a run that is under way") {
   Room window;
   auto* seed = window.get<QLineEdit>("seed");
-  const auto enter = [&](const char* text) {
-    seed->setFocus();
-    seed->selectAll();
-    QTest::keyClicks(seed, text);
-    QTest::keyClick(seed, Qt::Key_Return);
-  };
-  window.after([&] { enter("5"); });  // nothing is lost with it
+  window.after([&] { enter(seed, "5"); });  // nothing is lost with it
   CHECK(window.bench().seed() == 5);
   window.step();
   int asked = 0;
@@ -299,13 +289,13 @@ TEST_CASE("A new seed asks before it ends a run that is under way") {
     });
   };
   answer(QMessageBox::No);
-  enter("6");
+  enter(seed, "6");
   CHECK(asked == 1);
   CHECK(seed->text() == "5");
   CHECK(window.bench().seed() == 5);
   CHECK(window.bench().run_state() == Workbench::Run::paused);
   answer(QMessageBox::Yes);
-  window.after([&] { enter("6"); });
+  window.after([&] { enter(seed, "6"); });
   CHECK(asked == 2);
   CHECK(window.bench().seed() == 6);
   CHECK(window.bench().time_s() == 0.0);

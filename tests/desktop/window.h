@@ -135,6 +135,10 @@ class Window {
     REQUIRE(window_.open(file));
     REQUIRE(wait_for([&] { return bench().is_right() || !bench().problems().empty(); }));
   }
+  void open_text(const QString& text) {
+    bench().open_text(text, {}, false);
+    REQUIRE(wait_for([&] { return bench().is_right(); }));
+  }
   /// As a click on it in the tree does.
   void choose(const QString& path) {
     auto* tree = get<WorldTree>("world_tree");
@@ -209,6 +213,11 @@ class Window {
     }));
     return found;
   }
+  /// The dialog of an element that a command opens.
+  QDialog* dialog_of(const char* command) {
+    act(command);
+    return dialog("element_dialog");
+  }
   static void press(QDialog* dialog, QDialogButtonBox::StandardButton which) {
     QTest::mouseClick(dialog->findChild<QDialogButtonBox*>("buttons")->button(which),
                       Qt::LeftButton);
@@ -221,6 +230,18 @@ class Window {
   QTemporaryDir folder_;
   MainWindow window_;
 };
+
+/// Types a text in the place of the one that is there, without Enter.
+inline void type_over(QLineEdit* edit, const QString& text) {
+  REQUIRE(edit);
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+}
+inline void enter(QLineEdit* edit, const QString& text) {
+  type_over(edit, text);
+  QTest::keyClick(edit, Qt::Key_Return);
+}
 
 /// A window with a world, the room if no other is given, in a file of its own.
 class Room : public Window {

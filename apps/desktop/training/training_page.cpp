@@ -11,7 +11,7 @@
 
 #include "engine/workbench.h"
 #include "paint/axes.h"
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 #include "training/learning_curve.h"
 
 namespace elsie::desktop {

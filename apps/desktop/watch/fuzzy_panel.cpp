@@ -14,7 +14,7 @@
 
 #include "paint/axes.h"
 #include "paint/figures.h"
-#include "paint/quiet_wheel.h"
+#include "paint/boxes.h"
 #include "watch/control_surface.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/state.h"

@@ -206,11 +206,6 @@ void PlotsPanel::add_item(const QString& name) {
 
 QStringList PlotsPanel::names() const { return {names_.begin(), names_.end()}; }
 
-QTreeWidgetItem* PlotsPanel::item_of(const QString& name) const {
-  const auto found = items_.find(name);
-  return found == items_.end() ? nullptr : found->second;
-}
-
 QStringList PlotsPanel::chosen() const {
   QStringList all;
   for (const QString& name : chosen_) {
@@ -240,7 +235,7 @@ QStringList PlotsPanel::chosen_robots() const {
 
 void PlotsPanel::choose(const QString& name, bool on) {
   if (names_.contains(name)) {
-    item_of(name)->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
+    items_[name]->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
   }
 }
 
