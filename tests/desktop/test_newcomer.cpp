@@ -199,7 +199,7 @@ TEST_CASE("A comma that is typed is a decimal point, and refused in a count") {
   }
   QLocale::setDefault(QLocale::c());
   TypedDrag drag;
-  drag.begin(TypedDrag::Kind::move);
+  drag.begin(Tool::move);
   for (const Qt::Key key : {Qt::Key_6, Qt::Key_Comma, Qt::Key_5}) {
     CHECK(drag.take(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier)));
   }

@@ -320,7 +320,7 @@ QStringList SceneView::movable() const {
 }
 
 void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) const {
-  const bool is_dragged = drag_ == Drag::move || drag_ == Drag::turn || drag_ == Drag::resize;
+  const bool is_dragged = is_selection_dragged();
   for (const QString& path : selection_) {
     const bool is_moved = is_dragged && !locked_.contains(path);
     for (const Stage::Solid& solid : stage_.solids()) {

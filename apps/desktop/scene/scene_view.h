@@ -35,7 +35,7 @@ class SceneView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Tool { move, turn, resize, measure };
+  using Tool = elsie::desktop::Tool;
   /// What is drawn over the solids.
   struct Overlays {
     bool trails = true;
@@ -123,7 +123,7 @@ class SceneView : public QWidget {
   QSize sizeHint() const override { return {640, 480}; }
 
  private:
-  enum class Drag { none, pressed, orbit, pan, move, turn, resize, measure };
+  enum class Drag { none, pressed, orbit, pan, tool };
   struct Ghost {
     double x = 0.0, y = 0.0, turn = 0.0;
     std::optional<Vector3> size;
@@ -140,8 +140,9 @@ class SceneView : public QWidget {
   std::optional<Tool> handle_at(const QPointF& pixel) const;
   std::optional<Frame> frame_of_selected() const;
   std::optional<Vector3> size_of_selected() const;
+  bool is_selection_dragged() const { return drag_ == Drag::tool && dragged_ != Tool::measure; }
   void drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
-  void begin_typed(TypedDrag::Kind kind);
+  void begin_typed(Tool tool);
   void take_typed(const QKeyEvent& key);
   void end_drag();
   void stop_drag();
@@ -163,6 +164,7 @@ class SceneView : public QWidget {
   Tool tool_ = Tool::move;
 
   Drag drag_ = Drag::none;
+  Tool dragged_ = Tool::none;  // while drag_ is Drag::tool
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF pressed_, last_;
   Vector3 pressed_at_;
