@@ -189,8 +189,7 @@ void MainWindow::show_pose() {
 
 void MainWindow::show_lock() {
   const bool is_locked = scene_->locked().contains(authoring_->selection().value(0));
-  actions_.lock->setText(is_locked ? tr("Unloc&k for the mouse")
-                                   : tr("Loc&k against the mouse"));
+  actions_.lock->setText(is_locked ? tr("Unloc&k for the mouse") : tr("Loc&k against the mouse"));
 }
 
 void MainWindow::show_selection(const QStringList& paths) {

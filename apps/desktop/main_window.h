@@ -215,9 +215,9 @@ class MainWindow : public QMainWindow {
   bool is_seed_asked_ = false;
   QByteArray default_state_;
   QSet<const QDockWidget*> seen_;  // the docks in front
-  QString watched_;        // what the engine was last asked to send
-  QString watched_robot_;  // the robot in the panels that show one robot
-  QStringList plottable_;  // the robots whose numbers are offered; none: all
+  QString watched_;                // what the engine was last asked to send
+  QString watched_robot_;          // the robot in the panels that show one robot
+  QStringList plottable_;          // the robots whose numbers are offered; none: all
   bool was_shown_ = false;
 };
 

@@ -81,9 +81,8 @@ void MainWindow::make_menus() {
 }
 
 void MainWindow::fill_file_menu(QMenu* menu) {
-  actions_.new_world = command(menu, nullptr, "new", tr("&New world..."), QKeySequence::New, [this] {
-    begin_world([this] { return ask_for_new_world(this); });
-  });
+  actions_.new_world = command(menu, nullptr, "new", tr("&New world..."), QKeySequence::New,
+                               [this] { begin_world([this] { return ask_for_new_world(this); }); });
   actions_.new_world->setIconText(tr("New"));
   actions_.open = command(menu, nullptr, "open", tr("&Open..."), QKeySequence::Open, [this] {
     const QString file =
@@ -95,8 +94,8 @@ void MainWindow::fill_file_menu(QMenu* menu) {
   recent_ = menu->addMenu(tr("Recent&ly opened"));
   command(menu, with_text_, "start_page", tr("Start &page"), {}, [this] { show_start(); });
   menu->addSeparator();
-  actions_.save = command(menu, with_text_, "save", tr("&Save"), QKeySequence::Save,
-                          [this] { save(false); });
+  actions_.save =
+      command(menu, with_text_, "save", tr("&Save"), QKeySequence::Save, [this] { save(false); });
   command(menu, with_text_, "save_as", tr("Save &as..."), key("Ctrl+Shift+S"),
           [this] { save(true); });
   menu->addSeparator();
@@ -131,16 +130,16 @@ void MainWindow::fill_edit_menu(QMenu* menu) {
   menu->addSeparator();
   // These keys act in trees and the view; a text has its own.
   const auto own = Qt::WidgetWithChildrenShortcut;
-  actions_.cut = local(
-      add("cut", tr("Cu&t"), QKeySequence::Cut, [this] { authoring_->cut_selected(); }), own);
+  actions_.cut =
+      local(add("cut", tr("Cu&t"), QKeySequence::Cut, [this] { authoring_->cut_selected(); }), own);
   actions_.copy = local(
       add("copy", tr("&Copy"), QKeySequence::Copy, [this] { authoring_->copy_selected(); }), own);
-  actions_.paste = local(
-      add("paste", tr("&Paste"), QKeySequence::Paste, [this] { authoring_->paste(); }), own);
+  actions_.paste =
+      local(add("paste", tr("&Paste"), QKeySequence::Paste, [this] { authoring_->paste(); }), own);
   add("duplicate", tr("&Duplicate"), key("Ctrl+D"), [this] { authoring_->duplicate_selected(); });
-  actions_.remove = local(add("delete", tr("De&lete"), QKeySequence::Delete,
-                              [this] { authoring_->remove_selected(); }),
-                          own);
+  actions_.remove = local(
+      add("delete", tr("De&lete"), QKeySequence::Delete, [this] { authoring_->remove_selected(); }),
+      own);
   menu->addSeparator();
   local(add("edit", tr("&Edit..."), key("Return"), [this] { authoring_->edit_selected(); }), own);
   add("rename", tr("Re&name..."), key("F2"), [this] { authoring_->rename_selected(); });
@@ -170,7 +169,8 @@ void MainWindow::fill_add_menu(QMenu* menu) {
       [this] { authoring_->add_element(authoring_->robot(), "sensors"); },
       tr("Add a sensor to the selected robot"));
   actions_.behaviors = add(
-      "behaviors", tr("&Behaviours..."), [this] { authoring_->edit_behaviors(authoring_->robot()); },
+      "behaviors", tr("&Behaviours..."),
+      [this] { authoring_->edit_behaviors(authoring_->robot()); },
       tr("Choose the behaviours of the selected robot"));
   actions_.coordinator = add(
       "coordinator", tr("C&oordinator..."),

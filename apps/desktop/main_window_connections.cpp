@@ -111,9 +111,7 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
     const QString reason = text_of(end, "reason");
     outcome_ = text_of(end, "outcome");
-    outcome_label_->setToolTip(
-        tr("%1\nstate hash %2")
-            .arg(reason, text_of(end, "state_hash")));
+    outcome_label_->setToolTip(tr("%1\nstate hash %2").arg(reason, text_of(end, "state_hash")));
     say(reason.isEmpty() ? tr("The run has ended: %1").arg(outcome_)
                          : tr("The run has ended: %1, %2").arg(outcome_, reason));
     if (outcome_ == "stopped") {
@@ -123,8 +121,7 @@ void MainWindow::connect_workbench() {
     show_state();
   });
   connect(&workbench_, &Workbench::raised, this, [this](const Json& event) {
-    time_line_->mark(event.value("time_s", 0.0),
-                     text_of(event, "name"));
+    time_line_->mark(event.value("time_s", 0.0), text_of(event, "name"));
   });
   connect(&workbench_, &Workbench::noted, this, &MainWindow::say);
   connect(&workbench_, &Workbench::refused, this, [this](const Problems& problems) {
@@ -238,8 +235,7 @@ void MainWindow::show_problems() {
   });
   problems_shown_ = all;
   problems_->set_problems(all);
-  docks_.problems->setWindowTitle(all.empty() ? tr("Errors")
-                                                 : tr("Errors (%1)").arg(all.size()));
+  docks_.problems->setWindowTitle(all.empty() ? tr("Errors") : tr("Errors (%1)").arg(all.size()));
   std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
   editor_->set_problems(all);
   scene_->set_notice(notice());
@@ -331,13 +327,13 @@ void MainWindow::watch() {
     what.push_back("fuzzy");
   }
   Json robots = Json::array();  // none: all
-  if (!shows(docks_.vision) && place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
+  if (!shows(docks_.vision) &&
+      place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
     robots.push_back(watched_robot_.toStdString());
   }
   const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
-  const bool are_few =
-      std::count_if(bodies.begin(), bodies.end(), std::mem_fn(&Stage::Body::is_robot)) <=
-      kFewRobots;
+  const bool are_few = std::count_if(bodies.begin(), bodies.end(),
+                                     std::mem_fn(&Stage::Body::is_robot)) <= kFewRobots;
   plottable_ = are_few ? QStringList() : plots_->chosen_robots() + QStringList{watched_robot_};
   request_past();
   const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};
@@ -373,7 +369,7 @@ void MainWindow::watch_robot(const QString& id) {
   if (id != watched_robot_) {
     watched_robot_ = id;
     docks_.coordination->setWindowTitle(id.isEmpty() ? tr("Coordination")
-                                                        : tr("Coordination of %1").arg(id));
+                                                     : tr("Coordination of %1").arg(id));
     coordination_->set_robot(id);
     fuzzy_->set_robot(id);
     sensors_->set_robot(id);

@@ -77,7 +77,8 @@ void MainWindow::make_docks() {
   vision_ = new VisionPanel;
   fuzzy_ = new FuzzyPanel;
   sensors_ = new SensorsPanel;
-  docks_.coordination = dock("coordination", tr("Coordination"), coordination_, Qt::BottomDockWidgetArea);
+  docks_.coordination =
+      dock("coordination", tr("Coordination"), coordination_, Qt::BottomDockWidgetArea);
   docks_.plots = dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea);
   docks_.text = dock("text", tr("Text"), editor_, Qt::BottomDockWidgetArea);
   docks_.problems = dock("problems", tr("Errors"), problems_, Qt::BottomDockWidgetArea);
@@ -155,14 +156,14 @@ void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
   connect(tree, &WorldTree::selected, authoring_, &Authoring::select);
   connect(tree, &WorldTree::list_selected, properties_, &Properties::show_list);
   connect(tree, &WorldTree::edit_wished, authoring_, &Authoring::edit_element);
-  connect(tree, &WorldTree::add_wished, authoring_,
-          [this, team](const QString& path, const QString& list) {
-            const QString holder =
-                list == "robots" ? QString() : authoring_->holder_for(list, path);
-            list == "behaviors" ? authoring_->edit_behaviors(holder)
-                                : authoring_->add_element(
-                                      holder, list, {{}, list == "robots" ? team : QString(), {}});
-          });
+  connect(
+      tree, &WorldTree::add_wished, authoring_,
+      [this, team](const QString& path, const QString& list) {
+        const QString holder = list == "robots" ? QString() : authoring_->holder_for(list, path);
+        list == "behaviors"
+            ? authoring_->edit_behaviors(holder)
+            : authoring_->add_element(holder, list, {{}, list == "robots" ? team : QString(), {}});
+      });
   connect(tree, &WorldTree::menu_wished, authoring_, &Authoring::open_menu);
   tree->addActions({actions_.remove, actions_.cut, actions_.copy, actions_.paste});
 }

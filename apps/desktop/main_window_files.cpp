@@ -203,10 +203,11 @@ bool MainWindow::save(bool elsewhere) {
   if (saving->why && saving->why->isEmpty()) {
     return true;
   }
-  warn(this, tr("Not saved"), saving->why.value_or(tr(
-                            "The engine does not answer: a plugin takes long. The world is saved "
-                            "as soon as it does. 'Stop the engine now' in the menu Simulation "
-                            "starts it again; then save again.")));
+  warn(
+      this, tr("Not saved"),
+      saving->why.value_or(tr("The engine does not answer: a plugin takes long. The world is saved "
+                              "as soon as it does. 'Stop the engine now' in the menu Simulation "
+                              "starts it again; then save again.")));
   return false;
 }
 

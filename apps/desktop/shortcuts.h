@@ -16,8 +16,8 @@ class WarningLabel;
 /// The text of a command without the marks of a menu.
 QString title_of(const QAction& action);
 
-/// Gives the actions the keys that the user has assigned, which are stored under their object names.
-/// Call it once, while the actions have the program's own keys; the dialog remembers those.
+/// Gives the actions the keys that the user has assigned, which are stored under their object
+/// names. Call it once, while the actions have the program's own keys; the dialog remembers those.
 void load_shortcuts(const QList<QAction*>& actions);
 
 /// Lists all actions with their keys. OK applies the keys and stores them for this user; it refuses

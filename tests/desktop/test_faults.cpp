@@ -204,8 +204,7 @@ TEST_CASE("While a plugin does not return, the window says so") {
   window.open_text(world_with("looping"));
   window.bench().set_speed(0.0);
   window.bench().run();
-  REQUIRE(wait_for(
-      [&] { return window.said().contains("Stop the engine now"); }));
+  REQUIRE(wait_for([&] { return window.said().contains("Stop the engine now"); }));
   CHECK(window.get<QLabel>("pace")->text().startsWith("0.0x"));
   CHECK(window.get<QLabel>("outcome")->text().contains("no answer"));
   QString report;

@@ -344,4 +344,3 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
   CHECK(window.bench().text().count("<resource ") == 2);
   CHECK(window.bench().text().contains("arena &lt;1&gt;"));
 }
-

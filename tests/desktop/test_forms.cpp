@@ -98,9 +98,7 @@ TEST_CASE("The priority of a behaviour is set") {
       qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor("priority"));
   REQUIRE(priority);
   priority->setFocus();
-  window.after([&] {
-    enter(priority, "7");
-  });
+  window.after([&] { enter(priority, "7"); });
   CHECK(window.bench().text().contains("priority=\"7\""));
 }
 

@@ -44,7 +44,7 @@ QLineEdit* field(Window& window, const char* name) {
   return edit;
 }
 
-void enter(QLineEdit* edit, const char* text) {
+void enter_by_hand(QLineEdit* edit, const char* text) {
   click_on(edit);
   press_key(edit, Qt::Key_A, Qt::ControlModifier);
   type_text(edit, text);
@@ -99,7 +99,7 @@ TEST_CASE("Ctrl+Z after Enter in a field undoes the edit; while something is typ
   Room window;
   click_row(world_tree(window), "robot[r1]");
   QLineEdit* x = field(window, "x");
-  window.after([&] { enter(x, "0.5"); });
+  window.after([&] { enter_by_hand(x, "0.5"); });
   REQUIRE(x->hasFocus());
   window.after([&] { press_key(x, Qt::Key_Z, Qt::ControlModifier); });
   CHECK(window.bench().text() == kRoom);
@@ -188,12 +188,12 @@ TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in us
   CHECK(tree->selection() == QStringList{"robot[r1]"});
 
   // The same in the form.
-  window.after([&] { enter(field(window, "id"), "lead"); });
+  window.after([&] { enter_by_hand(field(window, "id"), "lead"); });
   CHECK(properties->path() == "robot[lead]");
-  window.after([&] { enter(field(window, "x"), "0.5"); });
+  window.after([&] { enter_by_hand(field(window, "x"), "0.5"); });
   CHECK(window.bench().text().contains("<robot id=\"lead\" team=\"red\" x=\"0.5\">"));
   const QString before = window.bench().text();
-  enter(field(window, "id"), "r2");
+  enter_by_hand(field(window, "id"), "r2");
   auto* problem = properties->form().findChild<QLabel*>("id_problem");
   CHECK(wait_for([&] { return problem->text().contains("r2"); }));
   CHECK(problem->isVisible());

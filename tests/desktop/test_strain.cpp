@@ -180,8 +180,7 @@ TEST_CASE("A thousand random orders, and the window neither waits nor forgets") 
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ready; }));
   CHECK(window.bench().text() == kRoom);
   window.after([&] { window.bench().reset(3); });
-  CHECK(window.hash_at_the_end() ==
-        headless_hash({file, "--seed", "3"}));
+  CHECK(window.hash_at_the_end() == headless_hash({file, "--seed", "3"}));
 }
 
 TEST_CASE("A window that stalls for a second holds no run up, and loses nothing of it") {

@@ -159,8 +159,7 @@ TEST_CASE("A run with a network trained in the window is the one of the saved fi
   School::enter(dialog, "training", "samples.txt");
   school.ok(dialog);
   REQUIRE(window.saved_as(window.bench().file()).isEmpty());
-  CHECK(window.hash_at_the_end() ==
-        headless_hash({window.bench().file()}));
+  CHECK(window.hash_at_the_end() == headless_hash({window.bench().file()}));
 }
 
 TEST_CASE("A network is trained again while its robot drives; the old weights stay for undo") {
@@ -313,7 +312,7 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
 
   const auto save = [&] {
     at_dialog("save_dialog",
-                      [&](QDialog* asked) { save_as_file(asked, window.folder() + "/pupil.xml"); });
+              [&](QDialog* asked) { save_as_file(asked, window.folder() + "/pupil.xml"); });
     window.act("save");
     REQUIRE_FALSE(window->isWindowModified());
   };

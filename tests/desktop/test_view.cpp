@@ -72,7 +72,8 @@ TEST_CASE("Ctrl and the mouse move the camera, also over the handle of what is c
   const auto handle = scene.handle(SceneView::Tool::move);
   REQUIRE(handle);
   const double yaw = scene.camera().yaw;
-  drag_by_hand(&scene, Qt::LeftButton, handle->toPoint(), handle->toPoint() + QPoint(50, 10), Qt::ControlModifier);
+  drag_by_hand(&scene, Qt::LeftButton, handle->toPoint(), handle->toPoint() + QPoint(50, 10),
+               Qt::ControlModifier);
   CHECK(scene.camera().yaw != yaw);
   CHECK(window.bench().text() == kSeeing);
 }

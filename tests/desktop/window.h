@@ -246,7 +246,8 @@ inline void enter(QLineEdit* edit, const QString& text) {
 /// A window with a world, the room if no other is given, in a file of its own.
 class Room : public Window {
  public:
-  explicit Room(const QString& text = kRoom, const QStringList& options = {}) : Window({}, options) {
+  explicit Room(const QString& text = kRoom, const QStringList& options = {})
+      : Window({}, options) {
     open(file(text.toUtf8().constData()));
   }
 };

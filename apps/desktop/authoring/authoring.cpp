@@ -65,11 +65,7 @@ std::vector<Authoring::Obstacle> Authoring::obstacles() {
 }
 
 Authoring::Authoring(Workbench& workbench, SceneView& view, QWidget* window)
-    : QObject(window),
-      workbench_(workbench),
-      view_(view),
-      stage_(view.stage()),
-      window_(window) {
+    : QObject(window), workbench_(workbench), view_(view), stage_(view.stage()), window_(window) {
   connect(&workbench_, &Workbench::described, this, &Authoring::find_renamed);
   connect(&view_, &SceneView::said, this, &Authoring::said);
   connect(&view_, &SceneView::selected, this, &Authoring::select);

@@ -44,7 +44,8 @@ void Exporter::export_picture() {
     return;
   }
   const QString why = save_picture(scene_.picture(), file);
-  why.isEmpty() ? Q_EMIT said(tr("The picture is in '%1'").arg(file)) : warn(window_, tr("Not exported"), why, "picture_failed");
+  why.isEmpty() ? Q_EMIT said(tr("The picture is in '%1'").arg(file))
+                : warn(window_, tr("Not exported"), why, "picture_failed");
 }
 
 // The film

@@ -112,8 +112,9 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != button_ || drag_ == Drag::none || typed_.is_on()) {
     return;
   }
-  const bool is_click = drag_ == Drag::pressed ||
-                        (is_selection_dragged() && QLineF(event->position(), pressed_).length() < kClick);
+  const bool is_click =
+      drag_ == Drag::pressed ||
+      (is_selection_dragged() && QLineF(event->position(), pressed_).length() < kClick);
   if (!is_click) {
     end_drag();
     return;

@@ -70,8 +70,10 @@ void list_edges(const recording::SensedVolume& sensed, std::size_t robot,
                                        pyramid.frame.point({pyramid.range_m, -aside, -above}),
                                        pyramid.frame.point({pyramid.range_m, aside, -above})};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    edges.push_back(snapshots::BeamState::of(pyramid.frame.origin, corners[i], robot, sensed.detected));
-    edges.push_back(snapshots::BeamState::of(corners[i], corners[(i + 1) % 4], robot, sensed.detected));
+    edges.push_back(
+        snapshots::BeamState::of(pyramid.frame.origin, corners[i], robot, sensed.detected));
+    edges.push_back(
+        snapshots::BeamState::of(corners[i], corners[(i + 1) % 4], robot, sensed.detected));
   }
 }
 
