@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "engine/workbench.h"
-#include "paint/quiet_wheel.h"
+#include "paint/boxes.h"
 
 namespace elsie::desktop {
 namespace {
@@ -150,11 +150,8 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
   now_->setText(tr("Now"));
   now_->setToolTip(tr("Back to the present (End)"));
   row->addWidget(now_);
-  connect(slider_, &QSlider::valueChanged, this, [this](int value) {
-    if (!is_showing_) {
-      go_to(span_s() * value / kTicks);
-    }
-  });
+  connect(slider_, &QSlider::valueChanged, this,
+          [this](int value) { go_to(span_s() * value / kTicks); });
   connect(now_, &QToolButton::clicked, this, &TimeLine::go_to_now);
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     shown_s_ = snapshot.facts.time_s;
@@ -179,12 +176,11 @@ TimeLine::TimeLine(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
 }
 
 void TimeLine::show_now() {
-  is_showing_ = true;
   const double part = span_s() > 0.0 ? shown_s_ / span_s() : 1.0;
   if (!slider_->isSliderDown() && !is_pressed_) {  // not against the hand of the user
+    const QSignalBlocker blocker(slider_);
     slider_->setValue(static_cast<int>(std::lround(kTicks * std::min(1.0, part))));
   }
-  is_showing_ = false;
   label_->setText(is_in_the_past_ || ahead_until_s_ > 0.0
                       ? tr("%1 of %2 s").arg(shown_s_, 0, 'f', 2).arg(span_s(), 0, 'f', 2)
                       : tr("%1 s").arg(shown_s_, 0, 'f', 2));

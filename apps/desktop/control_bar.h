@@ -107,7 +107,6 @@ class TimeLine : public QWidget {
   double asked_s_ = 0.0;  // the time of the past that was asked for last
   bool is_in_the_past_ = false;
   bool was_in_the_past_ = false;  // when past_changed() was last considered
-  bool is_showing_ = false;
   bool is_pressed_ = false;  // the mouse button is down on the slider, even before the slider takes
                              // hold of its handle
   QTimer play_timer_;

@@ -19,7 +19,7 @@
 #include "control_bar.h"
 #include "engine/past.h"
 #include "export/exporter.h"
-#include "main_window_recorded.h"
+#include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/plots_panel.h"
@@ -77,13 +77,13 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   centre_->addWidget(start_);
   centre_->addWidget(view);
   setCentralWidget(centre_);
-  authoring_ = new Authoring(workbench_, scene_->stage(), this);
+  authoring_ = new Authoring(workbench_, *scene_, this);
   exporter_ = new Exporter(workbench_, *scene_, *time_line_, this);
   runs_ = new RunReader(elsie, options, this);
 
-  make_actions();
-  make_docks();
   make_menus();
+  make_status_bar();
+  make_docks();
   connect_workbench();
   connect_views();
 
@@ -98,7 +98,7 @@ MainWindow::MainWindow(const QString& elsie, const QStringList& options, QWidget
   }
   restoreState(settings.value("layout").toByteArray());
   plots_->set_choice(settings.value("plots").toStringList());
-  findChild<QAction*>("show_status_bar")->setChecked(settings.value("status_bar", true).toBool());
+  actions_.status_bar->setChecked(settings.value("status_bar", true).toBool());
   show_recent();
   show_state();
   show_title();
@@ -111,14 +111,15 @@ QSize MainWindow::first_size(const QSize& room, const QSize& frame) {
 
 // Deletes the views before the objects that they show.
 MainWindow::~MainWindow() {
-  for (QDockWidget* each : std::as_const(docks_)) {
+  const QList<QDockWidget*> docks = findChildren<QDockWidget*>();
+  for (QDockWidget* each : docks) {
     each->disconnect(this);
   }
   time_line_->disconnect(this);
   workbench_.disconnect(this);
   qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));
   qDeleteAll(findChildren<QToolBar*>(Qt::FindDirectChildrenOnly));
-  qDeleteAll(docks_);
+  qDeleteAll(docks);
   delete takeCentralWidget();
 }
 
@@ -131,30 +132,21 @@ void MainWindow::show_title() {
       (workbench_.text().isEmpty() && workbench_.file().isEmpty() ? QString() : name + "[*] - ") +
       "Elsie");
   setWindowModified(workbench_.is_modified() && !workbench_.text().isEmpty());
-  enable_actions();
+  enable_commands();
 }
 
-void MainWindow::enable_actions() {
+void MainWindow::enable_commands() {
   const bool has_world = workbench_.tree().is_object();
-  const QStringList others{
-      "add_robot",      "add_sensor",   "behaviors",   "coordinator",  "add_resource",
-      "add_charger",    "add_goal",     "add_measure", "add_team",     "physics",
-      "arena",          "limits",       "measure",     "follow",       "start_pose",
-      "export_picture", "export_film",  "record",      "copy_command", "cut",
-      "copy",           "paste",        "duplicate",   "delete",       "edit",
-      "rename",         "more",         "lock",        "run",          "step",
-      "reset",          "event_before", "event_after", "now",          "view_all",
-      "view_top",       "view_front",   "view_side",   "clear_trails", "frame"};
-  for (const QString& name : others + boxes_actions_) {
-    actions_[name]->setEnabled(has_world);
-  }
+  with_world_->setEnabled(has_world);
   boxes_->setEnabled(has_world);
-  const bool has_text = !workbench_.text().isEmpty() || !workbench_.file().isEmpty();
-  for (const char* name : {"save", "save_as", "start_page", "next_problem"}) {
-    actions_[name]->setEnabled(has_text);
-  }
-  actions_["undo"]->setEnabled(!workbench_.undo_name().isEmpty());
-  actions_["redo"]->setEnabled(!workbench_.redo_name().isEmpty());
+  with_text_->setEnabled(!workbench_.text().isEmpty() || !workbench_.file().isEmpty());
+  const auto name = [](QAction& action, const QString& title, const QString& edit) {
+    action.setText(edit.isEmpty() ? title : tr("%1: %2").arg(title, edit));
+    action.setToolTip(action.text().remove('&'));
+    action.setEnabled(!edit.isEmpty());
+  };
+  name(*actions_.undo, tr("&Undo"), workbench_.undo_name());
+  name(*actions_.redo, tr("&Redo"), workbench_.redo_name());
 }
 
 void MainWindow::show_state() {
@@ -197,30 +189,19 @@ void MainWindow::show_pose() {
 
 void MainWindow::show_lock() {
   const bool is_locked = scene_->locked().contains(authoring_->selection().value(0));
-  actions_["lock"]->setText(is_locked ? tr("Unloc&k for the mouse")
-                                      : tr("Loc&k against the mouse"));
+  actions_.lock->setText(is_locked ? tr("Unloc&k for the mouse") : tr("Loc&k against the mouse"));
 }
 
 void MainWindow::show_selection(const QStringList& paths) {
-  QStringList in_view = paths;
-  in_view.removeAll(QString());  // the world itself has no place
-  scene_->set_selection(in_view);
   world_tree_->set_selection(paths);
-  for (WorldTree* each : std::as_const(teams_)) each->set_selection(paths);
+  for (const Team& each : std::as_const(teams_)) each.tree->set_selection(paths);
   properties_->show_element(paths.isEmpty() ? QString() : paths.front());
   show_lock();
   show_pose();
   if (const QString robot = authoring_->robot(); !robot.isEmpty()) {
-    watch_robot(robot.mid(6).chopped(1));
+    watch_robot(robot_id(robot));
   }
   watch();
-}
-
-void MainWindow::warn(const QString& title, const QString& sentence) {
-  auto* box = new QMessageBox(QMessageBox::Warning, title, sentence, QMessageBox::Ok, this);
-  box->setObjectName("warning");
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
 }
 
 void MainWindow::about() {

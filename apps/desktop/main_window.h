@@ -1,5 +1,5 @@
 // The window with its docks and files. main_window.cpp shows the state of the run,
-// main_window_actions.cpp has actions and menus, main_window_docks.cpp the docks,
+// main_window_actions.cpp has commands, menus and bars, main_window_docks.cpp the docks,
 // main_window_files.cpp files and unsaved work, main_window_runs.cpp recorded runs,
 // main_window_connections.cpp the signals that the window receives.
 #pragma once
@@ -11,7 +11,9 @@
 #include "engine/workbench.h"
 
 class QAction;
+class QActionGroup;
 class QLabel;
+class QToolBar;
 class QStackedWidget;
 class QToolButton;
 
@@ -26,6 +28,7 @@ class Past;
 class PlotsPanel;
 class ProblemsPanel;
 class RunReader;
+struct Recorded;
 struct RecordedWorld;
 struct StoredRun;
 class SceneView;
@@ -72,8 +75,24 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  QAction* action(const QString& name, const QString& text, const QKeySequence& key,
-                  std::function<void()> does, const QString& tip = {});
+  /// A command of the window, at the end of a menu; null: in none. It is enabled with its group.
+  /// Users' keys are stored under its `name`, the object name.
+  QAction* command(QMenu* menu, QActionGroup* group, const char* name, const QString& text,
+                   const QKeySequence& key, std::function<void()> does, const QString& tip = {});
+  QAction* local(QAction* action, Qt::ShortcutContext context);
+  void make_menus();
+  void fill_file_menu(QMenu* menu);
+  void fill_edit_menu(QMenu* menu);
+  void fill_add_menu(QMenu* menu);
+  void fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolBar& environment);
+  void fill_simulation_menu(QMenu* menu);
+  void fill_help_menu(QMenu* menu);
+  void fill_tool_bars(QToolBar& tools, QToolBar& environment);
+  void make_status_bar();
+  void go_to_next_dock();
+  void ask_for_command();
+  void show_keys();
+
   QDockWidget* dock(const char* name, const QString& title, QWidget* widget,
                     Qt::DockWidgetArea area);
   void bring_back(QDockWidget* dock);
@@ -81,8 +100,6 @@ class MainWindow : public QMainWindow {
   QDockWidget* new_dock(const char* name, const QString& title, QWidget* widget);
   void connect_tree(WorldTree* tree, const QString& team);
   QDockWidget* make_team(const QString& team);
-  void make_actions();
-  void make_menus();
   void make_docks();
   void connect_workbench();
   void connect_views();
@@ -91,7 +108,6 @@ class MainWindow : public QMainWindow {
   bool save(bool elsewhere);
   bool may_have_mistakes();
   bool is_agreed(const char* name, const QString& title, const QString& question);
-  struct Recorded;
   void open_database(const QString& file);
   void read_run(const QString& file, const StoredRun& run);
   void show_recording(const QString& title, const RecordedWorld& world);
@@ -112,8 +128,8 @@ class MainWindow : public QMainWindow {
   void show_pose();
   void show_lock();
   void show_title();
-  /// Enables the actions that need a world only while there is one.
-  void enable_actions();
+  /// Enables the commands that need a world only while there is one, and names what undo undoes.
+  void enable_commands();
   void show_teams();
   void show_recent();
   void note_recent(const QString& file);
@@ -123,7 +139,6 @@ class MainWindow : public QMainWindow {
   void request_past();
   void show_looked_back();
   void watch_robot(const QString& id);
-  bool is_the_present();
   void enter_what_is_typed();
   /// Whether a problem's file is the text of the world.
   bool is_of_world(const QString& file) const;
@@ -133,7 +148,6 @@ class MainWindow : public QMainWindow {
                                  const QStringList& not_made);
   void go_to(const QString& file, int line);
   void say(const QString& text);
-  void warn(const QString& title, const QString& sentence);
   void ask_about_disk();
 
   void show_selection(const QStringList& paths);
@@ -151,10 +165,18 @@ class MainWindow : public QMainWindow {
   TimeLine* time_line_;
   ControlBar* control_bar_;
   WorldTree* world_tree_;
-  QHash<QString, WorldTree*> teams_;
+  struct Team {
+    WorldTree* tree = nullptr;
+    QDockWidget* dock = nullptr;
+  };
+  QHash<QString, Team> teams_;
   QStringList teams_shown_;   // in their order
   QSet<QString> idle_teams_;  // usual ones whose windows give way
-  QHash<QString, QDockWidget*> docks_;
+  struct Docks {
+    QDockWidget *world, *properties, *coordination, *plots, *text, *problems, *vision, *fuzzy,
+        *sensors;
+  };
+  Docks docks_{};
   Properties* properties_;
   WorldEditor* editor_;
   ProblemsPanel* problems_;
@@ -163,11 +185,21 @@ class MainWindow : public QMainWindow {
   VisionPanel* vision_;
   FuzzyPanel* fuzzy_;
   SensorsPanel* sensors_;
-  QHash<QString, QAction*> actions_;
-  QStringList boxes_actions_{"add_static", "add_dynamic", "add_moving"};  // and other shapes
+  /// The commands that are used outside of their menus, in the order of these.
+  struct Actions {
+    QAction *new_world, *open, *save;
+    QAction *undo, *redo, *cut, *copy, *paste, *remove, *lock;
+    QAction *add_robot, *add_sensor, *behaviors, *coordinator, *add_resource, *add_charger;
+    QList<QAction*> obstacles;
+    QAction *measure, *status_bar;
+    QAction* run;
+  };
+  Actions actions_{};
+  QList<QAction*> commands_;  // all
+  QActionGroup* with_world_;  // the commands that need a world
+  QActionGroup* with_text_;   // those that need the text of one, right or not
   QToolButton* boxes_;
   QMenu* recent_;
-  QMenu* windows_;
   QLabel* time_label_;
   QLabel* pace_label_;
   QLabel* seed_label_;
@@ -182,10 +214,10 @@ class MainWindow : public QMainWindow {
   bool is_stuck_ = false;  // the engine does not answer
   bool is_seed_asked_ = false;
   QByteArray default_state_;
-  QSet<QString> seen_;     // the docks in front
-  QString watched_;        // what the engine was last asked to send
-  QString watched_robot_;  // the robot in the panels that show one robot
-  QStringList plottable_;  // the robots whose numbers are offered; none: all
+  QSet<const QDockWidget*> seen_;  // the docks in front
+  QString watched_;                // what the engine was last asked to send
+  QString watched_robot_;          // the robot in the panels that show one robot
+  QStringList plottable_;          // the robots whose numbers are offered; none: all
   bool was_shown_ = false;
 };
 

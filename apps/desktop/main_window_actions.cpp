@@ -1,4 +1,5 @@
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QComboBox>
 #include <QCompleter>
@@ -27,8 +28,15 @@
 
 namespace elsie::desktop {
 
-QAction* MainWindow::action(const QString& name, const QString& text, const QKeySequence& key,
-                            std::function<void()> does, const QString& tip) {
+namespace {
+
+QKeySequence key(const char* keys) { return QKeySequence(QString(keys)); }
+
+}  // namespace
+
+QAction* MainWindow::command(QMenu* menu, QActionGroup* group, const char* name,
+                             const QString& text, const QKeySequence& key,
+                             std::function<void()> does, const QString& tip) {
   auto* made = new QAction(text, this);
   made->setObjectName(name);
   made->setShortcut(key);
@@ -38,140 +46,180 @@ QAction* MainWindow::action(const QString& name, const QString& text, const QKey
   }
   connect(made, &QAction::triggered, this, std::move(does));
   addAction(made);
-  actions_[name] = made;
+  commands_ << made;
+  if (group) group->addAction(made);
+  if (menu) menu->addAction(made);
   return made;
 }
 
-void MainWindow::make_actions() {
-  const auto key = [](const char* keys) { return QKeySequence(QString(keys)); };
-  action("new", tr("&New world..."), QKeySequence::New, [this] {
-    begin_world([this] { return ask_for_new_world(this); });
-  })->setIconText(tr("New"));
-  action("open", tr("&Open..."), QKeySequence::Open, [this] {
+/// Its key acts only where the view, or a tree that has the action, has the keyboard.
+QAction* MainWindow::local(QAction* action, Qt::ShortcutContext context) {
+  action->setShortcutContext(context);
+  removeAction(action);
+  scene_->addAction(action);
+  return action;
+}
+
+void MainWindow::make_menus() {
+  for (QActionGroup** group : {&with_world_, &with_text_}) {
+    *group = new QActionGroup(this);
+    (*group)->setExclusionPolicy(QActionGroup::ExclusionPolicy::None);
+  }
+  QToolBar* tools = addToolBar(tr("Tools"));
+  tools->setObjectName("tools");
+  QToolBar* environment = addToolBar(tr("Environment"));
+  environment->setObjectName("environment");
+  fill_file_menu(menuBar()->addMenu(tr("&File")));
+  fill_edit_menu(menuBar()->addMenu(tr("&Edit")));
+  fill_view_menu(menuBar()->addMenu(tr("&View")), *tools, *environment);
+  fill_simulation_menu(menuBar()->addMenu(tr("&Simulation")));
+  fill_help_menu(menuBar()->addMenu(tr("&Help")));
+  command(nullptr, with_text_, "next_problem", tr("Next error"), key("F8"),
+          [this] { problems_->next(); });
+  fill_tool_bars(*tools, *environment);
+  load_shortcuts(commands_);
+}
+
+void MainWindow::fill_file_menu(QMenu* menu) {
+  actions_.new_world = command(menu, nullptr, "new", tr("&New world..."), QKeySequence::New,
+                               [this] { begin_world([this] { return ask_for_new_world(this); }); });
+  actions_.new_world->setIconText(tr("New"));
+  actions_.open = command(menu, nullptr, "open", tr("&Open..."), QKeySequence::Open, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Open a world, a recording or a run of a database"),
                                      QFileInfo(workbench_.file()).path(),
                                      tr("Worlds and runs (*.xml *.mcap *.sqlite);;All files (*)"));
     if (!file.isEmpty()) open(file);
   });
-  action("save", tr("&Save"), QKeySequence::Save, [this] { save(false); });
-  action("save_as", tr("Save &as..."), key("Ctrl+Shift+S"), [this] { save(true); });
-  action("start_page", tr("Start &page"), {}, [this] { show_start(); });
-  action("export_picture", tr("Export p&icture..."), {}, [this] { exporter_->export_picture(); });
-  action(
-      "export_film", tr("Export &film..."), {}, [this] { exporter_->export_film(); },
-      tr("Writes the run, from its start to now, as a film"));
-  action(
-      "record", tr("&Record the next run..."), {}, [this] { exporter_->record(); },
+  recent_ = menu->addMenu(tr("Recent&ly opened"));
+  command(menu, with_text_, "start_page", tr("Start &page"), {}, [this] { show_start(); });
+  menu->addSeparator();
+  actions_.save =
+      command(menu, with_text_, "save", tr("&Save"), QKeySequence::Save, [this] { save(false); });
+  command(menu, with_text_, "save_as", tr("Save &as..."), key("Ctrl+Shift+S"),
+          [this] { save(true); });
+  menu->addSeparator();
+  command(menu, with_world_, "export_picture", tr("Export p&icture..."), {},
+          [this] { exporter_->export_picture(); });
+  command(
+      menu, with_world_, "export_film", tr("Export &film..."), {},
+      [this] { exporter_->export_film(); }, tr("Writes the run, from its start to now, as a film"));
+  command(
+      menu, with_world_, "record", tr("&Record the next run..."), {},
+      [this] { exporter_->record(); },
       tr("Writes it from its start into a CSV or MCAP file, 10 samples per simulated second"));
-  action("copy_command", tr("&Copy the command line that repeats this"), {},
-         [this] { exporter_->copy_command(); });
-  action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+  command(menu, with_world_, "copy_command", tr("&Copy the command line that repeats this"), {},
+          [this] { exporter_->copy_command(); });
+  menu->addSeparator();
+  command(menu, nullptr, "quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
 
+void MainWindow::fill_edit_menu(QMenu* menu) {
+  const auto add = [&](const char* name, const QString& text, const QKeySequence& key,
+                       std::function<void()> does, const QString& tip = {}) {
+    return command(menu, with_world_, name, text, key, std::move(does), tip);
+  };
   // The texts of Undo and Redo name the change, which would move all buttons after them on the tool
   // bar.
-  action("undo", tr("&Undo"), QKeySequence::Undo, [this] {
-    workbench_.undo();
-  })->setIconText(tr("Undo"));
-  action("redo", tr("&Redo"), key("Ctrl+Shift+Z"), [this] {
-    workbench_.redo();
-  })->setIconText(tr("Redo"));
-  action("cut", tr("Cu&t"), QKeySequence::Cut, [this] { authoring_->cut_selected(); });
-  action("copy", tr("&Copy"), QKeySequence::Copy, [this] { authoring_->copy_selected(); });
-  action("paste", tr("&Paste"), QKeySequence::Paste, [this] { authoring_->paste(); });
-  action("duplicate", tr("&Duplicate"), key("Ctrl+D"),
-         [this] { authoring_->duplicate_selected(); });
-  action("delete", tr("De&lete"), QKeySequence::Delete, [this] { authoring_->remove_selected(); });
-  action("rename", tr("Re&name..."), key("F2"), [this] { authoring_->rename_selected(); });
-  action("edit", tr("&Edit..."), key("Return"), [this] { authoring_->edit_selected(); });
+  actions_.undo = command(menu, nullptr, "undo", tr("&Undo"), QKeySequence::Undo,
+                          [this] { workbench_.undo(); });
+  actions_.undo->setIconText(tr("Undo"));
+  actions_.redo = command(menu, nullptr, "redo", tr("&Redo"), key("Ctrl+Shift+Z"),
+                          [this] { workbench_.redo(); });
+  actions_.redo->setIconText(tr("Redo"));
+  menu->addSeparator();
   // These keys act in trees and the view; a text has its own.
-  for (const char* name : {"edit", "delete", "cut", "copy", "paste"}) {
-    actions_[name]->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    removeAction(actions_[name]);
-    scene_->addAction(actions_[name]);
-  }
-  action("lock", tr("Loc&k against the mouse"), key("Ctrl+L"),
-         [this] { scene_->toggle_locked(authoring_->selection()); });
-  action("more", tr("&More for the selection..."), {},
-         [this] { authoring_->open_menu(authoring_->selection().value(0), QCursor::pos()); });
-  action(
+  const auto own = Qt::WidgetWithChildrenShortcut;
+  actions_.cut =
+      local(add("cut", tr("Cu&t"), QKeySequence::Cut, [this] { authoring_->cut_selected(); }), own);
+  actions_.copy = local(
+      add("copy", tr("&Copy"), QKeySequence::Copy, [this] { authoring_->copy_selected(); }), own);
+  actions_.paste =
+      local(add("paste", tr("&Paste"), QKeySequence::Paste, [this] { authoring_->paste(); }), own);
+  add("duplicate", tr("&Duplicate"), key("Ctrl+D"), [this] { authoring_->duplicate_selected(); });
+  actions_.remove = local(
+      add("delete", tr("De&lete"), QKeySequence::Delete, [this] { authoring_->remove_selected(); }),
+      own);
+  menu->addSeparator();
+  local(add("edit", tr("&Edit..."), key("Return"), [this] { authoring_->edit_selected(); }), own);
+  add("rename", tr("Re&name..."), key("F2"), [this] { authoring_->rename_selected(); });
+  add("more", tr("&More for the selection..."), {},
+      [this] { authoring_->open_menu(authoring_->selection().value(0), QCursor::pos()); });
+  add(
       "start_pose", tr("Make &start pose"), {}, [this] { authoring_->make_start_poses(); },
       tr("The selected robots begin where they are now"));
-  action("add_robot", tr("&Robot..."), {}, [this] { authoring_->add_element({}, "robots"); });
-  action(
-      "add_sensor", tr("Se&nsor..."), {},
+  actions_.lock = add("lock", tr("Loc&k against the mouse"), key("Ctrl+L"),
+                      [this] { scene_->toggle_locked(authoring_->selection()); });
+  menu->addSeparator();
+  fill_add_menu(menu->addMenu(tr("&Add")));
+}
+
+void MainWindow::fill_add_menu(QMenu* menu) {
+  menu->setObjectName("add_menu");
+  const auto add = [&](const char* name, const QString& text, std::function<void()> does,
+                       const QString& tip = {}) {
+    return command(menu, with_world_, name, text, {}, std::move(does), tip);
+  };
+  const auto member = [&](const char* name, const QString& text, const char* list) {
+    return add(name, text, [this, list] { authoring_->add_element({}, list); });
+  };
+  actions_.add_robot = member("add_robot", tr("&Robot..."), "robots");
+  actions_.add_sensor = add(
+      "add_sensor", tr("Se&nsor..."),
       [this] { authoring_->add_element(authoring_->robot(), "sensors"); },
       tr("Add a sensor to the selected robot"));
-  action(
-      "behaviors", tr("&Behaviours..."), {},
+  actions_.behaviors = add(
+      "behaviors", tr("&Behaviours..."),
       [this] { authoring_->edit_behaviors(authoring_->robot()); },
       tr("Choose the behaviours of the selected robot"));
-  action(
-      "coordinator", tr("C&oordinator..."), {},
-      [this] { authoring_->edit_coordinator(authoring_->robot()); },
+  actions_.coordinator = add(
+      "coordinator", tr("C&oordinator..."),
+      [this] { authoring_->add_element(authoring_->robot(), "coordinator"); },
       tr("Choose or edit the coordinator of the selected robot"));
-  action("add_static", tr("&Static box..."), {}, [this] {
-    authoring_->add_element({}, "obstacles", {"static_box", {}, {}});
-  });
-  action("add_dynamic", tr("&Dynamic box..."), {}, [this] {
-    authoring_->add_element({}, "obstacles", {"dynamic_box", {}, {}});
-  });
-  action("add_moving", tr("&Moving box..."), {}, [this] {
-    authoring_->add_element({}, "obstacles", {"moving_box", {}, {}});
-  });
-  for (const auto& [shape, text] : Authoring::other_shapes()) {
-    QString name = text + "...";
-    name[name.startsWith('&') ? 1 : 0] = name[name.startsWith('&') ? 1 : 0].toUpper();
-    action("add_" + shape, name, {}, [this, kind = "static_" + shape] {
-      authoring_->add_element({}, "obstacles", {kind, {}, {}});
-    });
-    boxes_actions_ << "add_" + shape;
+  menu->addSeparator();
+  for (const Authoring::Obstacle& each : Authoring::obstacles()) {
+    QString title = each.text + "...";
+    const int first = title.startsWith('&') ? 1 : 0;
+    title[first] = title[first].toUpper();
+    actions_.obstacles << add(("add_" + each.name).toUtf8().constData(), title,
+                              [this, kind = each.kind] {
+                                authoring_->add_element({}, "obstacles", {kind, {}, {}});
+                              });
   }
-  action("add_resource", tr("R&esource..."), {},
-         [this] { authoring_->add_element({}, "resources"); });
-  action("add_charger", tr("&Charger..."), {}, [this] { authoring_->add_element({}, "chargers"); });
-  action("add_goal", tr("&Goal..."), {}, [this] { authoring_->add_element({}, "goals"); });
-  action("add_measure", tr("Meas&ure..."), {}, [this] { authoring_->add_element({}, "measures"); });
-  action("add_team", tr("&Team..."), {}, [this] { authoring_->add_element({}, "teams"); });
+  actions_.add_resource = member("add_resource", tr("R&esource..."), "resources");
+  actions_.add_charger = member("add_charger", tr("&Charger..."), "chargers");
+  menu->addSeparator();
+  member("add_goal", tr("&Goal..."), "goals");
+  member("add_measure", tr("Meas&ure..."), "measures");
+  member("add_team", tr("&Team..."), "teams");
+}
 
-  action("run", tr("&Run or pause"), key("F5"), [this] { run_or_pause(); });
-  action("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
-  action("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
-  action("event_before", tr("Pre&vious event"), {}, [this] { time_line_->go_to_event(false); });
-  action("event_after", tr("Ne&xt event"), {}, [this] { time_line_->go_to_event(true); });
-  action("now", tr("Back to &now"), {}, [this] { time_line_->go_to_now(); });
-  action(
-      "physics", tr("&Physics parameters..."), {}, [this] { authoring_->edit_element("physics"); },
-      tr("Gravity, ERP and CFM or kp and kd, and the time step; also during a run"));
-  action("arena", tr("&Arena..."), {}, [this] { authoring_->edit_element("arena"); });
-  action("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
-  action(
-      "stop_engine", tr("S&top the engine now"), {}, [this] { workbench_.stop_engine(); },
-      tr("For a plugin that does not return: the engine starts again, and the world stays"));
-
-  action("view_all", tr("Show &all"), key("Home"), [this] { scene_->show_all(); });
-  action("frame", tr("Go &near to the selection"), key("F"), [this] { scene_->frame_selection(); });
-  action("view_top", tr("From the &top"), key("7"), [this] { scene_->look_from_top(); });
-  action("view_front", tr("From the &front"), key("1"), [this] { scene_->look_from_front(); });
-  action("view_side", tr("From the &side"), key("3"), [this] { scene_->look_from_side(); });
-  action("follow", tr("F&ollow the selected robot"), key("Shift+F"), [this] {
+void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolBar& environment) {
+  // These keys act only in the view: elsewhere users type them, and Home goes to the first row.
+  const auto in_view = [&](const char* name, const QString& text, const char* keys,
+                           std::function<void()> does) {
+    return local(command(menu, with_world_, name, text, key(keys), std::move(does)),
+                 Qt::WidgetShortcut);
+  };
+  in_view("view_all", tr("Show &all"), "Home", [this] { scene_->show_all(); });
+  in_view("frame", tr("Go &near to the selection"), "F", [this] { scene_->frame_selection(); });
+  in_view("view_top", tr("From the &top"), "7", [this] { scene_->look(OrbitCamera::kFromTop); });
+  in_view("view_front", tr("From the &front"), "1",
+          [this] { scene_->look(OrbitCamera::kFromFront); });
+  in_view("view_side", tr("From the &side"), "3", [this] { scene_->look(OrbitCamera::kFromSide); });
+  in_view("follow", tr("F&ollow the selected robot"), "Shift+F", [this] {
     scene_->follow(scene_->followed().isEmpty() ? authoring_->robot() : QString());
   });
-  action("measure", tr("&Measuring tape"), key("M"), [this] {
+  actions_.measure = in_view("measure", tr("&Measuring tape"), "M", [this] {
     scene_->set_tool(scene_->tool() == SceneView::Tool::measure ? SceneView::Tool::move
                                                                 : SceneView::Tool::measure);
-  })->setIconText(tr("Tape"));
-  // These keys act only in the view: elsewhere users type them, and Home goes to the first row.
-  for (const char* name :
-       {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure"}) {
-    actions_[name]->setShortcutContext(Qt::WidgetShortcut);
-    removeAction(actions_[name]);
-    scene_->addAction(actions_[name]);
-  }
+  });
+  actions_.measure->setIconText(tr("Tape"));
+  menu->addSeparator();
   const auto overlay = [&](const char* name, const QString& text,
                            bool SceneView::Overlays::*which) {
-    QAction* made = action(name, text, {}, [this, which, name] {
-      scene_->overlays().*which = actions_[name]->isChecked();
+    QAction* made = command(menu, nullptr, name, text, {}, [this, which] {
+      scene_->overlays().*which = !(scene_->overlays().*which);
       scene_->update();
       request_past();
     });
@@ -183,190 +231,185 @@ void MainWindow::make_actions() {
   overlay("show_views", tr("Fields of &view"), &SceneView::Overlays::views);
   overlay("show_names", tr("Nam&es"), &SceneView::Overlays::names);
   overlay("show_grid", tr("&Grid"), &SceneView::Overlays::grid);
-  action("clear_trails", tr("&Clear trajectories"), {},
-         [this] { scene_->begin_trails_at(scene_->stage().time_s()); });
-  for (const auto& [layout, text] : {std::pair{"author", tr("Layout: aut&hor")},
-                                     {"watch", tr("Layout: &watch")},
-                                     {"train", tr("Layout: t&rain")}}) {
-    action((std::string("layout_") + layout).c_str(), text, {},
-           [this, name = QString(layout)] { arrange(name); });
-  }
-  action("layout_reset", tr("Reset the la&yout"), {}, [this] { restoreState(default_state_); });
-  action("next_problem", tr("Next error"), key("F8"), [this] { problems_->next(); });
-  action("next_dock", tr("Next window"), key("F6"), [this] {
-    QList<QDockWidget*> shown;
+  command(menu, with_world_, "clear_trails", tr("&Clear trajectories"), {},
+          [this] { scene_->begin_trails_at(scene_->stage().time_s()); });
+  menu->addSeparator();
+  actions_.status_bar = new QAction(this);
+  actions_.status_bar->setCheckable(true);
+  actions_.status_bar->setChecked(true);
+  connect(actions_.status_bar, &QAction::toggled, statusBar(), &QStatusBar::setVisible);
+  const auto bar = [menu](const char* name, const QString& text, QAction* toggle) {
+    toggle->setObjectName(name);
+    toggle->setText(text);
+    menu->addAction(toggle);
+  };
+  bar("show_control_bar", tr("Contro&l bar"), tools.toggleViewAction());
+  bar("show_environment_bar", tr("Env&ironment bar"), environment.toggleViewAction());
+  bar("show_status_bar", tr("Stat&us bar"), actions_.status_bar);
+  menu->addSeparator();
+  QMenu* windows = menu->addMenu(tr("Win&dows"));
+  connect(windows, &QMenu::aboutToShow, this, [this, windows] {
+    windows->clear();
     for (QDockWidget* each : findChildren<QDockWidget*>()) {
-      if (each->isVisible()) shown << each;
-    }
-    // raise() changes the order of the children.
-    std::sort(shown.begin(), shown.end(), [](const QDockWidget* a, const QDockWidget* b) {
-      return a->objectName() < b->objectName();
-    });
-    if (!shown.isEmpty()) {
-      QWidget* focus = QApplication::focusWidget();
-      qsizetype now = -1;
-      for (qsizetype i = 0; i < shown.size(); ++i) {
-        if (focus && shown[i]->isAncestorOf(focus)) now = i;
-      }
-      QDockWidget* next = shown[(now + 1) % shown.size()];
-      next->raise();
-      if (next->widget()) next->widget()->setFocus();
+      windows->addAction(each->toggleViewAction());
     }
   });
-  action("commands", tr("&Commands..."), key("Ctrl+Shift+P"), [this] {
-    QStringList names;
-    QHash<QString, QAction*> by_name;
-    for (QAction* each : std::as_const(actions_)) {
-      QString name = each->text().remove('&').remove("...");
-      if (!each->shortcut().isEmpty())
-        name += "   " + each->shortcut().toString(QKeySequence::NativeText);
-      names << name;
-      by_name[name] = each;
-    }
-    names.sort(Qt::CaseInsensitive);
-    QInputDialog dialog(this);
-    dialog.setObjectName("commands_dialog");
-    dialog.setWindowTitle(tr("Commands"));
-    dialog.setLabelText(tr("A part of the command's name"));
-    dialog.setComboBoxItems(names);
-    dialog.setComboBoxEditable(true);
-    auto* choice = dialog.findChild<QComboBox*>();
-    choice->completer()->setCompletionMode(QCompleter::PopupCompletion);
-    choice->completer()->setFilterMode(Qt::MatchContains);
-    choice->clearEditText();
-    if (dialog.exec() == QDialog::Accepted && !dialog.textValue().isEmpty()) {
-      const QString wished = dialog.textValue();
-      const QStringList fitting = names.filter(wished, Qt::CaseInsensitive);
-      const QString name = names.contains(wished) || fitting.size() != 1 ? wished : fitting.front();
-      by_name.contains(name) ? by_name[name]->trigger()
-                             : say(tr("There is no command '%1'.").arg(wished));
-    }
-  });
-  action("keys", tr("&Keys"), key("F1"), [this] {
-    QString text = "<table>";
-    QStringList rows;
-    for (const QAction* each : std::as_const(actions_)) {
-      if (!each->shortcut().isEmpty()) {
-        rows << "<tr><td>" + each->shortcut().toString(QKeySequence::NativeText) +
-                    "&nbsp;&nbsp;</td><td>" +
-                    each->text().remove('&').remove("...").toHtmlEscaped() + "</td></tr>";
-      }
-    }
-    rows.sort();
-    text +=
-        rows.join("") + "</table>" +
-        tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
-           "click selects, with Shift several; a right click edits. "
-           "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
-           "snaps, Shift refines. "
-           "Arrow keys move the selection, with Shift by 1 cm. Space runs and pauses. G moves, R "
-           "turns, S resizes: "
-           "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
-           "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
-           "to the previous and next event; Home and End to the start and to now.</p>");
-    QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
-    box.exec();
-  });
-  action(
-      "shortcuts", tr("C&hange keys..."), {},
-      [this] { (new ShortcutsDialog(actions_, this))->show(); }, tr("The keys of all commands"));
-  action("about", tr("&About"), {}, [this] { about(); });
-  load_shortcuts(actions_);
+  command(menu, nullptr, "layout_author", tr("Layout: aut&hor"), {}, [this] { arrange("author"); });
+  command(menu, nullptr, "layout_watch", tr("Layout: &watch"), {}, [this] { arrange("watch"); });
+  command(menu, nullptr, "layout_train", tr("Layout: t&rain"), {}, [this] { arrange("train"); });
+  command(menu, nullptr, "layout_reset", tr("Reset the la&yout"), {},
+          [this] { restoreState(default_state_); });
+  command(menu, nullptr, "next_dock", tr("Next window"), key("F6"), [this] { go_to_next_dock(); });
 }
 
-void MainWindow::make_menus() {
-  const auto fill = [this](QMenu* menu, const QStringList& names) {
-    for (const QString& name : names) {
-      name.isEmpty() ? static_cast<void>(menu->addSeparator()) : menu->addAction(actions_[name]);
-    }
+void MainWindow::fill_simulation_menu(QMenu* menu) {
+  const auto add = [&](const char* name, const QString& text, const QKeySequence& key,
+                       std::function<void()> does, const QString& tip = {}) {
+    return command(menu, with_world_, name, text, key, std::move(does), tip);
   };
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, {"new", "open"});
-  recent_ = file->addMenu(tr("Recent&ly opened"));
-  fill(file, {"start_page", "", "save", "save_as", "", "export_picture", "export_film", "record",
-              "copy_command", "", "quit"});
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  fill(edit, {"undo", "redo", "", "cut", "copy", "paste", "duplicate", "delete", "", "edit",
-              "rename", "more", "start_pose", "lock", ""});
-  QMenu* add = edit->addMenu(tr("&Add"));
-  add->setObjectName("add_menu");
-  fill(add,
-       QStringList{"add_robot", "add_sensor", "behaviors", "coordinator", ""} + boxes_actions_ +
-           QStringList{"add_resource", "add_charger", "", "add_goal", "add_measure", "add_team"});
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  fill(view,
-       {"view_all", "frame", "view_top", "view_front", "view_side", "follow", "measure", "",
-        "show_trails", "show_beams", "show_views", "show_names", "show_grid", "clear_trails", ""});
-  QAction* const before = view->addSeparator();
-  windows_ = view->addMenu(tr("Win&dows"));
-  connect(windows_, &QMenu::aboutToShow, this, [this] {
-    windows_->clear();
-    for (QDockWidget* each : findChildren<QDockWidget*>()) {
-      windows_->addAction(each->toggleViewAction());
-    }
-  });
-  fill(view, {"layout_author", "layout_watch", "layout_train", "layout_reset", "next_dock"});
-  QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  fill(simulation, {"run", "step", "reset", ""});
-  QMenu* events = simulation->addMenu(tr("&Go to an event"));
+  actions_.run = add("run", tr("&Run or pause"), key("F5"), [this] { run_or_pause(); });
+  add("step", tr("&Step"), key("F10"), [this] { workbench_.step(); });
+  add("reset", tr("R&eset"), key("Ctrl+R"), [this] { workbench_.reset(workbench_.seed()); });
+  menu->addSeparator();
+  QMenu* events = menu->addMenu(tr("&Go to an event"));
   events->setObjectName("events_menu");
   connect(events, &QMenu::aboutToShow, this, [this, events] { list_events(events); });
-  fill(simulation,
-       {"event_before", "event_after", "now", "", "physics", "arena", "limits", "", "stop_engine"});
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  fill(help, {"commands", "keys", "shortcuts", "about"});
+  add("event_before", tr("Pre&vious event"), {}, [this] { time_line_->go_to_event(false); });
+  add("event_after", tr("Ne&xt event"), {}, [this] { time_line_->go_to_event(true); });
+  add("now", tr("Back to &now"), {}, [this] { time_line_->go_to_now(); });
+  menu->addSeparator();
+  add(
+      "physics", tr("&Physics parameters..."), {}, [this] { authoring_->edit_element("physics"); },
+      tr("Gravity, ERP and CFM or kp and kd, and the time step; also during a run"));
+  add("arena", tr("&Arena..."), {}, [this] { authoring_->edit_element("arena"); });
+  add("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
+  menu->addSeparator();
+  command(
+      menu, nullptr, "stop_engine", tr("S&top the engine now"), {},
+      [this] { workbench_.stop_engine(); },
+      tr("For a plugin that does not return: the engine starts again, and the world stays"));
+}
 
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName("tools");
-  for (const char* name : {"new", "open", "save"}) bar->addAction(actions_[name]);
-  bar->addSeparator();
-  for (const char* name : {"undo", "redo"}) bar->addAction(actions_[name]);
-  bar->addSeparator();
+void MainWindow::fill_help_menu(QMenu* menu) {
+  command(menu, nullptr, "commands", tr("&Commands..."), key("Ctrl+Shift+P"),
+          [this] { ask_for_command(); });
+  command(menu, nullptr, "keys", tr("&Keys"), key("F1"), [this] { show_keys(); });
+  command(
+      menu, nullptr, "shortcuts", tr("C&hange keys..."), {},
+      [this] { (new ShortcutsDialog(commands_, this))->show(); }, tr("The keys of all commands"));
+  command(menu, nullptr, "about", tr("&About"), {}, [this] { about(); });
+}
+
+void MainWindow::fill_tool_bars(QToolBar& tools, QToolBar& environment) {
+  tools.addActions({actions_.new_world, actions_.open, actions_.save});
+  tools.addSeparator();
+  tools.addActions({actions_.undo, actions_.redo});
+  tools.addSeparator();
   control_bar_ = new ControlBar(workbench_);
   connect(control_bar_, &ControlBar::run_wished, this, &MainWindow::run_or_pause);
   connect(control_bar_, &ControlBar::seed_wished, this, &MainWindow::begin_anew);
-  bar->addWidget(control_bar_);
-  QToolBar* environment = addToolBar(tr("Environment"));
-  environment->setObjectName("environment");
-  const auto offer = [view, before](const char* name, const QString& text, QAction* toggle) {
-    toggle->setObjectName(name);
-    toggle->setText(text);
-    view->insertAction(before, toggle);
-  };
-  offer("show_control_bar", tr("Contro&l bar"), bar->toggleViewAction());
-  offer("show_environment_bar", tr("Env&ironment bar"), environment->toggleViewAction());
-  auto* status = new QAction(this);
-  status->setCheckable(true);
-  status->setChecked(true);
-  connect(status, &QAction::toggled, statusBar(), &QStatusBar::setVisible);
-  offer("show_status_bar", tr("Stat&us bar"), status);
-  for (const char* name : {"add_robot", "add_sensor", "behaviors", "coordinator"}) {
-    environment->addAction(actions_[name]);
-  }
+  tools.addWidget(control_bar_);
+
+  environment.addActions(
+      {actions_.add_robot, actions_.add_sensor, actions_.behaviors, actions_.coordinator});
   boxes_ = new QToolButton;
   boxes_->setObjectName("boxes");
   boxes_->setText(tr("Box"));
   boxes_->setToolTip(tr("Add a static, dynamic or moving box, or another obstacle"));
   boxes_->setPopupMode(QToolButton::InstantPopup);
-  for (const QString& name : boxes_actions_) boxes_->addAction(actions_[name]);
-  environment->addWidget(boxes_);
-  for (const char* name : {"add_resource", "add_charger", "measure"}) {
-    environment->addAction(actions_[name]);
-  }
+  boxes_->addActions(actions_.obstacles);
+  environment.addWidget(boxes_);
+  environment.addActions({actions_.add_resource, actions_.add_charger, actions_.measure});
+}
 
-  time_label_ = new QLabel;
-  time_label_->setObjectName("time_s");
-  pace_label_ = new QLabel;
-  pace_label_->setObjectName("pace");
-  seed_label_ = new QLabel;
-  seed_label_->setObjectName("seed_shown");
-  outcome_label_ = new QLabel;
-  outcome_label_->setObjectName("outcome");
-  recording_label_ = new QLabel;
-  recording_label_->setObjectName("recording");
-  for (QLabel* each : {recording_label_, time_label_, pace_label_, seed_label_, outcome_label_}) {
-    statusBar()->addPermanentWidget(each);
+void MainWindow::make_status_bar() {
+  const auto label = [this](const char* name) {
+    auto* made = new QLabel;
+    made->setObjectName(name);
+    statusBar()->addPermanentWidget(made);
+    return made;
+  };
+  recording_label_ = label("recording");
+  time_label_ = label("time_s");
+  pace_label_ = label("pace");
+  seed_label_ = label("seed_shown");
+  outcome_label_ = label("outcome");
+}
+
+void MainWindow::go_to_next_dock() {
+  QList<QDockWidget*> shown;
+  for (QDockWidget* each : findChildren<QDockWidget*>()) {
+    if (each->isVisible()) shown << each;
   }
+  if (shown.isEmpty()) {
+    return;
+  }
+  // raise() changes the order of the children.
+  std::sort(shown.begin(), shown.end(), [](const QDockWidget* a, const QDockWidget* b) {
+    return a->objectName() < b->objectName();
+  });
+  const QWidget* focus = QApplication::focusWidget();
+  const auto now = std::find_if(shown.begin(), shown.end(), [focus](const QDockWidget* each) {
+    return focus && each->isAncestorOf(focus);
+  });
+  QDockWidget* next = now == shown.end() || now + 1 == shown.end() ? shown.front() : *(now + 1);
+  next->raise();
+  if (next->widget()) next->widget()->setFocus();
+}
+
+void MainWindow::ask_for_command() {
+  QStringList names;
+  QHash<QString, QAction*> by_name;
+  for (QAction* each : std::as_const(commands_)) {
+    QString name = title_of(*each);
+    if (!each->shortcut().isEmpty()) {
+      name += "   " + each->shortcut().toString(QKeySequence::NativeText);
+    }
+    names << name;
+    by_name[name] = each;
+  }
+  names.sort(Qt::CaseInsensitive);
+  QInputDialog dialog(this);
+  dialog.setObjectName("commands_dialog");
+  dialog.setWindowTitle(tr("Commands"));
+  dialog.setLabelText(tr("A part of the command's name"));
+  dialog.setComboBoxItems(names);
+  dialog.setComboBoxEditable(true);
+  auto* choice = dialog.findChild<QComboBox*>();
+  choice->completer()->setCompletionMode(QCompleter::PopupCompletion);
+  choice->completer()->setFilterMode(Qt::MatchContains);
+  choice->clearEditText();
+  if (dialog.exec() == QDialog::Accepted && !dialog.textValue().isEmpty()) {
+    const QString wished = dialog.textValue();
+    const QStringList fitting = names.filter(wished, Qt::CaseInsensitive);
+    const QString name = names.contains(wished) || fitting.size() != 1 ? wished : fitting.front();
+    by_name.contains(name) ? by_name[name]->trigger()
+                           : say(tr("There is no command '%1'.").arg(wished));
+  }
+}
+
+void MainWindow::show_keys() {
+  QStringList rows;
+  for (const QAction* each : std::as_const(commands_)) {
+    if (!each->shortcut().isEmpty()) {
+      rows << "<tr><td>" + each->shortcut().toString(QKeySequence::NativeText) +
+                  "&nbsp;&nbsp;</td><td>" + title_of(*each).toHtmlEscaped() + "</td></tr>";
+    }
+  }
+  rows.sort();
+  const QString text =
+      "<table>" + rows.join("") + "</table>" +
+      tr("<p>In the view: the left button orbits, the right one pans, the wheel zooms; a "
+         "click selects, with Shift several; a right click edits. "
+         "Ctrl and a button always move the camera. Handles move, turn and resize; Ctrl "
+         "snaps, Shift refines. "
+         "Arrow keys move the selection, with Shift by 1 cm. Space runs and pauses. G moves, R "
+         "turns, S resizes: "
+         "then X or Y, a number (m, degrees, a factor), and Enter; or the mouse.</p>"
+         "<p>On the time line: Left and Right by 0.1 s, with Shift by 1 s; comma and period "
+         "to the previous and next event; Home and End to the start and to now.</p>");
+  QMessageBox box(QMessageBox::NoIcon, tr("Keys"), text, QMessageBox::Close, this);
+  box.exec();
 }
 
 }  // namespace elsie::desktop

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "authoring/authoring.h"
@@ -14,6 +15,7 @@
 #include "engine/past.h"
 #include "export/exporter.h"
 #include "main_window.h"
+#include "paint/warning_label.h"
 #include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
@@ -49,7 +51,7 @@ void MainWindow::connect_workbench() {
     show_pose();
     world_tree_->show_world();
     show_teams();
-    for (WorldTree* each : std::as_const(teams_)) each->show_world();
+    for (const Team& each : std::as_const(teams_)) each.tree->show_world();
     QStringList still;
     for (const QString& path : authoring_->selection()) {
       if (place_of(workbench_.tree(), path).element || !path.contains('[')) still << path;
@@ -58,13 +60,10 @@ void MainWindow::connect_workbench() {
     editor_->set_text(workbench_.text());
     if (watched_robot_.isEmpty() ||
         !place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
-      QString first;
-      for (const Stage::Body& body : scene_->stage().bodies()) {
-        if (first.isEmpty() && body.is_robot()) {
-          first = body.robot();
-        }
-      }
-      watch_robot(first);
+      const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
+      const auto first =
+          std::find_if(bodies.begin(), bodies.end(), std::mem_fn(&Stage::Body::is_robot));
+      watch_robot(first == bodies.end() ? QString() : robot_id(first->path));
     }
     watch();
     show_title();
@@ -72,13 +71,13 @@ void MainWindow::connect_workbench() {
   });
   connect(&workbench_, &Workbench::problems_changed, this, &MainWindow::show_problems);
   connect(&workbench_, &Workbench::state, this, [this](const Json& state) {
-    if (seen_.contains("coordination")) {
+    if (seen_.contains(docks_.coordination)) {
       coordination_->add(state);
       request_past();
     }
-    if (seen_.contains("vision")) vision_->add(state);
-    if (seen_.contains("fuzzy")) fuzzy_->add(state);
-    if (seen_.contains("sensors")) sensors_->add(state);
+    if (seen_.contains(docks_.vision)) vision_->add(state);
+    if (seen_.contains(docks_.fuzzy)) fuzzy_->add(state);
+    if (seen_.contains(docks_.sensors)) sensors_->add(state);
     for (WorldTree* each : findChildren<WorldTree*>()) {
       if (each->isVisible()) each->show_weights(state);
     }
@@ -90,16 +89,7 @@ void MainWindow::connect_workbench() {
     show_pose();
     show_state();
   });
-  connect(&workbench_, &Workbench::history_changed, this, [this] {
-    const QString undo = workbench_.undo_name(), redo = workbench_.redo_name();
-    actions_["undo"]->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
-    actions_["undo"]->setToolTip(actions_["undo"]->text().remove('&'));
-    actions_["undo"]->setEnabled(!undo.isEmpty());
-    actions_["redo"]->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
-    actions_["redo"]->setToolTip(actions_["redo"]->text().remove('&'));
-    actions_["redo"]->setEnabled(!redo.isEmpty());
-    show_title();
-  });
+  connect(&workbench_, &Workbench::history_changed, this, &MainWindow::show_title);
   connect(&workbench_, &Workbench::run_changed, this, [this] {
     if (workbench_.run_state() == Workbench::Run::ready) {
       outcome_.clear();
@@ -119,11 +109,9 @@ void MainWindow::connect_workbench() {
     }
   });
   connect(&workbench_, &Workbench::ended, this, [this](const Json& end) {
-    const QString reason = QString::fromStdString(end.value("reason", std::string()));
-    outcome_ = QString::fromStdString(end.value("outcome", std::string()));
-    outcome_label_->setToolTip(
-        tr("%1\nstate hash %2")
-            .arg(reason, QString::fromStdString(end.value("state_hash", std::string()))));
+    const QString reason = text_of(end, "reason");
+    outcome_ = text_of(end, "outcome");
+    outcome_label_->setToolTip(tr("%1\nstate hash %2").arg(reason, text_of(end, "state_hash")));
     say(reason.isEmpty() ? tr("The run has ended: %1").arg(outcome_)
                          : tr("The run has ended: %1, %2").arg(outcome_, reason));
     if (outcome_ == "stopped") {
@@ -133,8 +121,7 @@ void MainWindow::connect_workbench() {
     show_state();
   });
   connect(&workbench_, &Workbench::raised, this, [this](const Json& event) {
-    time_line_->mark(event.value("time_s", 0.0),
-                     QString::fromStdString(event.value("name", std::string())));
+    time_line_->mark(event.value("time_s", 0.0), text_of(event, "name"));
   });
   connect(&workbench_, &Workbench::noted, this, &MainWindow::say);
   connect(&workbench_, &Workbench::refused, this, [this](const Problems& problems) {
@@ -174,47 +161,29 @@ void MainWindow::connect_workbench() {
 }
 
 void MainWindow::connect_views() {
-  connect(scene_, &SceneView::said, this, &MainWindow::say);
   connect(scene_, &SceneView::locks_changed, this, [this] {
     for (WorldTree* each : findChildren<WorldTree*>()) each->show_locked(scene_->locked());
     show_lock();
   });
-  connect(scene_, &SceneView::selected, authoring_, &Authoring::select);
-  connect(scene_, &SceneView::edit_wished, authoring_, &Authoring::edit_element);
-  connect(scene_, &SceneView::menu_wished, authoring_,
-          [this](const QPoint& global, double x, double y) {
-            authoring_->open_floor_menu(global, QPointF(x, y));
-          });
-  connect(scene_, &SceneView::element_menu_wished, authoring_, &Authoring::open_menu);
-  connect(authoring_, &Authoring::called_otherwise, scene_, &SceneView::rename);
   connect(authoring_, &Authoring::called_otherwise, properties_, &Properties::rename);
-  connect(scene_, &SceneView::run_wished, actions_["run"], &QAction::trigger);
+  connect(scene_, &SceneView::run_wished, this, &MainWindow::run_or_pause);
   connect(time_line_, &TimeLine::past_changed, this, &MainWindow::show_past);
   connect(time_line_, &TimeLine::has_caught_up, this, [this] {
     if (workbench_.run_state() == Workbench::Run::paused && !workbench_.is_at_halt()) {
       workbench_.run();
     }
   });
-  connect(scene_, &SceneView::moved, this, [this](const QStringList& paths, double x, double y) {
-    if (is_the_present()) authoring_->move(paths, x, y);
-  });
-  connect(scene_, &SceneView::turned, this, [this](const QString& path, double by_rad) {
-    if (is_the_present()) authoring_->turn(path, by_rad);
-  });
-  connect(scene_, &SceneView::resized, this,
-          [this](const QString& path, double length, double width) {
-            if (is_the_present()) authoring_->resize(path, length, width);
-          });
   connect(authoring_, &Authoring::selected, this, &MainWindow::show_selection);
   connect(properties_, &Properties::add_wished, authoring_,
           [this](const QString& holder, const QString& list) {
             list == "behaviors" ? authoring_->edit_behaviors(holder)
                                 : authoring_->add_element(holder, list);
           });
-  // So that keys act on the new element.
-  connect(authoring_, &Authoring::added, scene_, qOverload<>(&QWidget::setFocus));
   connect(authoring_, &Authoring::said, this, &MainWindow::say);
-  connect(authoring_, &Authoring::follow_wished, scene_, &SceneView::follow);
+  connect(authoring_, &Authoring::moved_in_the_past, this, [this] {
+    time_line_->go_to_now();
+    say(tr("The view showed the past, in which nothing can be changed. Now it shows the present."));
+  });
   connect(exporter_, &Exporter::said, this, &MainWindow::say);
   connect(scene_, &SceneView::measured, this, [this](double x, double y, double to_x, double to_y) {
     say(tr("from (%1, %2) to (%3, %4): %5 m")
@@ -230,22 +199,11 @@ void MainWindow::connect_views() {
   connect(editor_, &WorldEditor::redo_wished, &workbench_, &Workbench::redo);
   connect(problems_, &ProblemsPanel::go_to, this, &MainWindow::go_to);
   connect(start_, &StartPage::open_wished, this, [this](const QString& file) { open(file); });
-  connect(start_, &StartPage::new_wished, actions_["new"], &QAction::trigger);
+  connect(start_, &StartPage::new_wished, actions_.new_world, &QAction::trigger);
   connect(start_, &StartPage::empty_wished, this, [this] { begin_world(empty_world); });
-  connect(start_, &StartPage::browse_wished, this, [this] { actions_["open"]->trigger(); });
+  connect(start_, &StartPage::browse_wished, actions_.open, &QAction::trigger);
   connect(runs_, &RunReader::failed, this,
-          [this](const QString& why) { warn(tr("The run cannot be opened"), why); });
-}
-
-/// Returns false, with a sentence, while the view shows the past, because the dragged object is now
-/// elsewhere.
-bool MainWindow::is_the_present() {
-  if (!time_line_->is_in_the_past()) {
-    return true;
-  }
-  time_line_->go_to_now();
-  say(tr("The view showed the past, in which nothing can be changed. Now it shows the present."));
-  return false;
+          [this](const QString& why) { warn(this, tr("The run cannot be opened"), why); });
 }
 
 void MainWindow::enter_what_is_typed() {
@@ -277,17 +235,16 @@ void MainWindow::show_problems() {
   });
   problems_shown_ = all;
   problems_->set_problems(all);
-  docks_["problems"]->setWindowTitle(all.empty() ? tr("Errors")
-                                                 : tr("Errors (%1)").arg(all.size()));
+  docks_.problems->setWindowTitle(all.empty() ? tr("Errors") : tr("Errors (%1)").arg(all.size()));
   std::erase_if(all, [this](const Problem& each) { return !is_of_world(each.file); });
   editor_->set_problems(all);
   scene_->set_notice(notice());
   if (has_news && !editor_->hasFocus()) {
-    docks_["problems"]->show();
-    docks_["problems"]->raise();
+    docks_.problems->show();
+    docks_.problems->raise();
     if (workbench_.tree().is_null()) {  // it is mended in its text
-      docks_["text"]->show();
-      docks_["text"]->raise();
+      docks_.text->show();
+      docks_.text->raise();
       if (!all.empty() && all.front().line > 0) editor_->go_to(all.front().line);
     }
   }
@@ -310,8 +267,8 @@ void MainWindow::go_to(const QString& file, int line) {
     say(tr("The problem is in another file: %1, line %2").arg(file).arg(line));
     return;
   }
-  docks_["text"]->show();
-  docks_["text"]->raise();
+  docks_.text->show();
+  docks_.text->raise();
   editor_->go_to(line);
 }
 
@@ -355,28 +312,28 @@ void MainWindow::say_that_the_engine_ended(const QString& report, bool was_stopp
 
 void MainWindow::watch() {
   Json what = Json::array();
-  const auto shows = [this](const char* name) { return seen_.contains(name); };
+  const auto shows = [this](const QDockWidget* dock) { return seen_.contains(dock); };
   const bool is_behavior =
       !authoring_->selection().isEmpty() && authoring_->selection().front().contains("/behavior[");
-  if (shows("coordination") || is_behavior) what.push_back("decisions");
-  if (shows("sensors")) what.push_back("sensors");
-  if (shows("plots") || !plots_->choice().isEmpty()) what.push_back("measures");
-  if (shows("vision")) what.push_back("cameras");
+  if (shows(docks_.coordination) || is_behavior) what.push_back("decisions");
+  if (shows(docks_.sensors)) what.push_back("sensors");
+  if (shows(docks_.plots) || !plots_->choice().isEmpty()) what.push_back("measures");
+  if (shows(docks_.vision)) what.push_back("cameras");
   const QStringList plotted = plots_->choice();
   const auto is_fuzzy = [](const QString& name) {
     return name.contains("/inputs/") || name.contains("/outputs/");
   };
-  if (shows("fuzzy") || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
+  if (shows(docks_.fuzzy) || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
     what.push_back("fuzzy");
   }
   Json robots = Json::array();  // none: all
-  if (!shows("vision") && place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
+  if (!shows(docks_.vision) &&
+      place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {
     robots.push_back(watched_robot_.toStdString());
   }
   const std::vector<Stage::Body>& bodies = scene_->stage().bodies();
-  const bool are_few = std::count_if(bodies.begin(), bodies.end(), [](const Stage::Body& body) {
-                         return body.is_robot();
-                       }) <= kFewRobots;
+  const bool are_few = std::count_if(bodies.begin(), bodies.end(),
+                                     std::mem_fn(&Stage::Body::is_robot)) <= kFewRobots;
   plottable_ = are_few ? QStringList() : plots_->chosen_robots() + QStringList{watched_robot_};
   request_past();
   const Json order{{"do", "watch"}, {"what", what}, {"robots", robots}};
@@ -389,14 +346,14 @@ void MainWindow::watch() {
 }
 
 void MainWindow::request_past() {
-  const bool plots = seen_.contains("plots") || !plots_->choice().isEmpty();
+  const bool plots = seen_.contains(docks_.plots) || !plots_->choice().isEmpty();
   past_->request_paths(scene_->overlays().trails);
-  if (!plots && !seen_.contains("coordination")) {
+  if (!plots && !seen_.contains(docks_.coordination)) {
     past_->request_no_numbers();
     return;
   }
   QStringList numbers = plots ? plots_->chosen() : QStringList();
-  if (seen_.contains("coordination")) {
+  if (seen_.contains(docks_.coordination)) {
     numbers += coordination_->numbers(time_line_->is_in_the_past());
   }
   numbers.removeDuplicates();
@@ -411,8 +368,8 @@ void MainWindow::show_looked_back() {
 void MainWindow::watch_robot(const QString& id) {
   if (id != watched_robot_) {
     watched_robot_ = id;
-    docks_["coordination"]->setWindowTitle(id.isEmpty() ? tr("Coordination")
-                                                        : tr("Coordination of %1").arg(id));
+    docks_.coordination->setWindowTitle(id.isEmpty() ? tr("Coordination")
+                                                     : tr("Coordination of %1").arg(id));
     coordination_->set_robot(id);
     fuzzy_->set_robot(id);
     sensors_->set_robot(id);

@@ -55,7 +55,6 @@ QDockWidget* MainWindow::new_dock(const char* name, const QString& title, QWidge
   auto* made = new QDockWidget(title, this);
   made->setObjectName(QString("dock_") + name);
   made->setWidget(widget);
-  docks_[name] = made;
   connect(made->toggleViewAction(), &QAction::triggered, made, [made](bool is_shown) {
     if (is_shown) made->raise();
   });
@@ -64,9 +63,9 @@ QDockWidget* MainWindow::new_dock(const char* name, const QString& title, QWidge
 
 void MainWindow::make_docks() {
   world_tree_ = new WorldTree(workbench_);
-  dock("world", tr("World"), world_tree_, Qt::LeftDockWidgetArea);
+  docks_.world = dock("world", tr("World"), world_tree_, Qt::LeftDockWidgetArea);
   properties_ = new Properties(workbench_);
-  dock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
+  docks_.properties = dock("properties", tr("Properties"), properties_, Qt::RightDockWidgetArea);
   connect_tree(world_tree_, {});
   for (const QString& team : kUsualTeams) {
     addDockWidget(Qt::LeftDockWidgetArea, make_team(team));
@@ -78,17 +77,19 @@ void MainWindow::make_docks() {
   vision_ = new VisionPanel;
   fuzzy_ = new FuzzyPanel;
   sensors_ = new SensorsPanel;
-  dock("coordination", tr("Coordination"), coordination_, Qt::BottomDockWidgetArea);
-  dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea);
-  dock("text", tr("Text"), editor_, Qt::BottomDockWidgetArea);
-  dock("problems", tr("Errors"), problems_, Qt::BottomDockWidgetArea);
-  dock("vision", tr("Vision"), vision_, Qt::RightDockWidgetArea);
-  dock("fuzzy", tr("Fuzzy"), fuzzy_, Qt::RightDockWidgetArea);
-  dock("sensors", tr("Sensors"), sensors_, Qt::RightDockWidgetArea);
-  for (const char* name : {"coordination", "plots", "vision", "fuzzy", "sensors"}) {
+  docks_.coordination =
+      dock("coordination", tr("Coordination"), coordination_, Qt::BottomDockWidgetArea);
+  docks_.plots = dock("plots", tr("Plots"), plots_, Qt::BottomDockWidgetArea);
+  docks_.text = dock("text", tr("Text"), editor_, Qt::BottomDockWidgetArea);
+  docks_.problems = dock("problems", tr("Errors"), problems_, Qt::BottomDockWidgetArea);
+  docks_.vision = dock("vision", tr("Vision"), vision_, Qt::RightDockWidgetArea);
+  docks_.fuzzy = dock("fuzzy", tr("Fuzzy"), fuzzy_, Qt::RightDockWidgetArea);
+  docks_.sensors = dock("sensors", tr("Sensors"), sensors_, Qt::RightDockWidgetArea);
+  for (QDockWidget* each :
+       {docks_.coordination, docks_.plots, docks_.vision, docks_.fuzzy, docks_.sensors}) {
     // A dock behind another one also counts as "visible".
-    connect(docks_[name], &QDockWidget::visibilityChanged, this, [this, name](bool is_seen) {
-      is_seen ? void(seen_.insert(name)) : void(seen_.remove(name));
+    connect(each, &QDockWidget::visibilityChanged, this, [this, each](bool is_seen) {
+      is_seen ? void(seen_.insert(each)) : void(seen_.remove(each));
       watch();
     });
   }
@@ -107,88 +108,74 @@ void MainWindow::make_docks() {
 }
 
 void MainWindow::arrange(const QString& layout) {
-  for (QDockWidget* each : std::as_const(docks_)) {
+  for (QDockWidget* each : findChildren<QDockWidget*>()) {
     each->setFloating(false);
     each->hide();
   }
-  const auto put = [this](Qt::DockWidgetArea area, const QStringList& names) {
-    QDockWidget* first = nullptr;
-    for (const QString& name : names) {
-      QDockWidget* each = docks_.value(name);
-      if (!each) continue;
+  const auto put = [this](Qt::DockWidgetArea area, const QList<QDockWidget*>& docks) {
+    for (QDockWidget* each : docks) {
       addDockWidget(area, each);
       each->show();
-      if (first) {
-        tabifyDockWidget(first, each);
-      }
-      first = first ? first : each;
+      if (each != docks.front()) tabifyDockWidget(docks.front(), each);
     }
-    if (first) first->raise();
+    docks.front()->raise();
   };
-  QStringList trees{"world"};
+  QList<QDockWidget*> trees{docks_.world};
   for (const QString& team : std::as_const(teams_shown_)) {
-    if (!idle_teams_.contains(team)) trees << "team_" + team;
+    if (!idle_teams_.contains(team)) trees << teams_[team].dock;
   }
   put(Qt::LeftDockWidgetArea, trees);
-  if (layout == "watch") {
-    put(Qt::RightDockWidgetArea, {"vision", "fuzzy", "sensors"});
-    put(Qt::BottomDockWidgetArea, {"coordination", "plots"});
-  } else if (layout == "train") {
-    put(Qt::RightDockWidgetArea, {"properties"});
-    put(Qt::BottomDockWidgetArea, {"coordination", "plots", "text"});
-  } else {
-    put(Qt::RightDockWidgetArea, {"properties"});
-    put(Qt::BottomDockWidgetArea, {"coordination", "plots", "text", "problems"});
-  }
+  const bool is_watch = layout == "watch";
+  const QList<QDockWidget*> watching{docks_.vision, docks_.fuzzy, docks_.sensors};
+  put(Qt::RightDockWidgetArea, is_watch ? watching : QList{docks_.properties});
+  QList<QDockWidget*> below{docks_.coordination, docks_.plots};
+  if (!is_watch) below << docks_.text;
+  if (layout == "author") below << docks_.problems;
+  put(Qt::BottomDockWidgetArea, below);
   // Panels that are shown later are put behind the form, not into a strip below it.
-  for (const char* name : {"vision", "fuzzy", "sensors"}) {
-    if (layout != "watch") {
-      addDockWidget(Qt::RightDockWidgetArea, docks_[name]);
-      tabifyDockWidget(docks_["properties"], docks_[name]);
-      docks_[name]->hide();
-    }
+  for (QDockWidget* each : is_watch ? QList<QDockWidget*>() : watching) {
+    addDockWidget(Qt::RightDockWidgetArea, each);
+    tabifyDockWidget(docks_.properties, each);
+    each->hide();
   }
-  QList<QDockWidget*> columns{docks_.value("world")};
+  QList<QDockWidget*> columns{docks_.world};
   QList<int> widths{220};
   if (layout == "author" && width() >= kWide) {
-    put(Qt::RightDockWidgetArea, {"text"});
-    addDockWidget(Qt::RightDockWidgetArea, docks_["properties"], Qt::Horizontal);
-    columns << docks_["text"];
+    put(Qt::RightDockWidgetArea, {docks_.text});
+    addDockWidget(Qt::RightDockWidgetArea, docks_.properties, Qt::Horizontal);
+    columns << docks_.text;
     widths << width() / 4;
   }
-  QDockWidget* right = docks_.value(layout == "watch" ? "vision" : "properties");
-  if (right) {
-    columns << right;
-    widths << (layout == "watch" ? std::max(420, width() / 4) : 280);
-  }
+  columns << (is_watch ? docks_.vision : docks_.properties);
+  widths << (is_watch ? std::max(420, width() / 4) : 280);
   resizeDocks(columns, widths, Qt::Horizontal);
-  if (QDockWidget* bottom = docks_.value("coordination")) {
-    resizeDocks({bottom}, {170}, Qt::Vertical);
-  }
+  resizeDocks({docks_.coordination}, {170}, Qt::Vertical);
 }
 
 void MainWindow::connect_tree(WorldTree* tree, const QString& team) {
   connect(tree, &WorldTree::selected, authoring_, &Authoring::select);
   connect(tree, &WorldTree::list_selected, properties_, &Properties::show_list);
   connect(tree, &WorldTree::edit_wished, authoring_, &Authoring::edit_element);
-  connect(tree, &WorldTree::add_wished, authoring_,
-          [this, team](const QString& holder, const QString& list) {
-            authoring_->add_element(holder, list, {{}, list == "robots" ? team : QString(), {}});
-          });
-  connect(tree, &WorldTree::behaviors_wished, authoring_, &Authoring::edit_behaviors);
+  connect(
+      tree, &WorldTree::add_wished, authoring_,
+      [this, team](const QString& path, const QString& list) {
+        const QString holder = list == "robots" ? QString() : authoring_->holder_for(list, path);
+        list == "behaviors"
+            ? authoring_->edit_behaviors(holder)
+            : authoring_->add_element(holder, list, {{}, list == "robots" ? team : QString(), {}});
+      });
   connect(tree, &WorldTree::menu_wished, authoring_, &Authoring::open_menu);
-  for (const char* name : {"delete", "cut", "copy", "paste"}) {
-    tree->addAction(actions_[name]);
-  }
+  tree->addActions({actions_.remove, actions_.cut, actions_.copy, actions_.paste});
 }
 
 QDockWidget* MainWindow::make_team(const QString& team) {
   auto* tree = new WorldTree(workbench_, team);
-  teams_[team] = tree;
+  QDockWidget* made = new_dock(("team_" + team).toUtf8().constData(), team, tree);
+  teams_[team] = {tree, made};
   teams_shown_ << team;
   connect_tree(tree, team);
   tree->show_locked(scene_->locked());
-  return new_dock(("team_" + team).toUtf8().constData(), team, tree);
+  return made;
 }
 
 // The windows of the two usual teams are hidden in a world that has other teams and no robot in
@@ -201,8 +188,7 @@ void MainWindow::show_teams() {
   for (const QString& team : QStringList(teams_shown_)) {
     if (!teams.contains(team) && !kUsualTeams.contains(team)) {
       teams_shown_.removeAll(team);
-      teams_.remove(team);
-      QDockWidget* gone = docks_.take("team_" + team);
+      QDockWidget* gone = teams_.take(team).dock;
       removeDockWidget(gone);
       gone->deleteLater();
     }
@@ -212,8 +198,8 @@ void MainWindow::show_teams() {
       QDockWidget* made = make_team(team);
       if (!restoreDockWidget(made)) {
         addDockWidget(Qt::LeftDockWidgetArea, made);
-        tabifyDockWidget(docks_["world"], made);
-        docks_["world"]->raise();
+        tabifyDockWidget(docks_.world, made);
+        docks_.world->raise();
       }
       bring_back(made);
     }
@@ -222,7 +208,7 @@ void MainWindow::show_teams() {
       teams.begin(), teams.end(), [](const QString& team) { return !kUsualTeams.contains(team); });
   for (const QString& team : kUsualTeams) {
     const bool is_idle = has_others && !teams.contains(team);
-    QDockWidget* window = docks_["team_" + team];
+    QDockWidget* window = teams_[team].dock;
     if (is_idle && !window->isHidden()) {
       window->hide();
       idle_teams_ << team;
@@ -252,7 +238,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::keep_layout() const {
   for (const QString& team : idle_teams_) {
-    docks_["team_" + team]->show();  // it is not the user who closed it
+    teams_[team].dock->show();  // it is not the user who closed it
   }
   QSettings settings;
   settings.setValue("plots", plots_->choice());

@@ -15,7 +15,8 @@
 #include "authoring/authoring.h"
 #include "control_bar.h"
 #include "main_window.h"
-#include "main_window_recorded.h"
+#include "paint/warning_label.h"
+#include "recorded_world.h"
 #include "scene/scene_view.h"
 #include "start_page.h"
 #include "watch/fuzzy_panel.h"
@@ -69,7 +70,7 @@ bool MainWindow::open(const QString& file) {
     return true;
   }
   if (may_be_table(file)) {
-    warn(tr("The table of a run cannot be played"),
+    warn(this, tr("The table of a run cannot be played"),
          tr("'%1' has the numbers of a run, but not its world. Record the run as .mcap to open it "
             "here; Plots shows numbers while it runs.")
              .arg(file));
@@ -80,7 +81,7 @@ bool MainWindow::open(const QString& file) {
   }
   QString why;
   if (!workbench_.open(file, why)) {
-    warn(tr("The world cannot be opened"), why);
+    warn(this, tr("The world cannot be opened"), why);
     return false;
   }
   show_opened(file);
@@ -202,10 +203,11 @@ bool MainWindow::save(bool elsewhere) {
   if (saving->why && saving->why->isEmpty()) {
     return true;
   }
-  warn(tr("Not saved"), saving->why.value_or(tr(
-                            "The engine does not answer: a plugin takes long. The world is saved "
-                            "as soon as it does. 'Stop the engine now' in the menu Simulation "
-                            "starts it again; then save again.")));
+  warn(
+      this, tr("Not saved"),
+      saving->why.value_or(tr("The engine does not answer: a plugin takes long. The world is saved "
+                              "as soon as it does. 'Stop the engine now' in the menu Simulation "
+                              "starts it again; then save again.")));
   return false;
 }
 
@@ -234,7 +236,7 @@ void MainWindow::ask_about_disk() {
   const QString file = workbench_.file();
   connect(again, &QPushButton::clicked, this, [this, file] {
     QString why;
-    if (file == workbench_.file() && !workbench_.read_again(why)) warn(tr("Not read"), why);
+    if (file == workbench_.file() && !workbench_.read_again(why)) warn(this, tr("Not read"), why);
   });
   box->open();
 }
@@ -254,7 +256,7 @@ void MainWindow::offer_recovered() {
   const auto damaged = std::stable_partition(
       left.begin(), left.end(), [](const Recovered& each) { return !each.is_damaged; });
   for (auto each = damaged; each != left.end(); ++each) {
-    warn(tr("Unsaved work"),
+    warn(this, tr("Unsaved work"),
          tr("The unsaved work of a window that was not closed properly cannot be read. It is in "
             "'%1', and stays there.")
              .arg(each->kept_in));

@@ -5,7 +5,8 @@
 
 #include "control_bar.h"
 #include "main_window.h"
-#include "main_window_recorded.h"
+#include "paint/warning_label.h"
+#include "recorded_world.h"
 #include "scene/scene_view.h"
 
 // Recorded runs: opening and playing them, and comparing them with the run made here.
@@ -27,7 +28,7 @@ void MainWindow::read_run(const QString& file, const StoredRun& run) {
       return;
     }
     if (!workbench_.open(world.file, why, world.seed, true)) {
-      warn(tr("The run cannot be opened"), why);
+      warn(this, tr("The run cannot be opened"), why);
       return;
     }
     show_opened(file);
@@ -68,7 +69,7 @@ void MainWindow::set_end_of_recording(double time_s) {
   }
 }
 
-const MainWindow::Recorded* MainWindow::recorded() const {
+const Recorded* MainWindow::recorded() const {
   return recorded_ && workbench_.is_borrowed() && workbench_.text() == recorded_->text &&
                  workbench_.seed() == recorded_->world.seed
              ? recorded_.get()
@@ -82,14 +83,14 @@ void MainWindow::compare_with_recording(const Json& end) {
   if (wanted.state_hash.isEmpty() || end.value("steps", qint64{-1}) != wanted.steps) {
     return;
   }
-  const bool is_same = text_at(end, "state_hash") == wanted.state_hash;
+  const bool is_same = text_of(end, "state_hash") == wanted.state_hash;
   recorded_->verdict = is_same ? tr("as recorded") : tr("not as recorded");
   if (!is_same) {
-    warn(tr("Not the recorded run"),
+    warn(this, tr("Not the recorded run"),
          tr("This run ended differently from the recorded one: state hash %1, recorded %2. "
             "Another version of Elsie, other plugins or other files of the world made the "
             "recording.")
-             .arg(text_at(end, "state_hash"), wanted.state_hash));
+             .arg(text_of(end, "state_hash"), wanted.state_hash));
   }
   show_state();
 }

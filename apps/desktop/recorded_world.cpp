@@ -70,8 +70,7 @@ RecordedEnd end_in(const Json& said) {
   const auto duration = said.find("duration_s");
   const bool is_stopped =
       outcome != said.end() && (outcome->is_null() || *outcome == Json("stopped"));
-  return {0.0, said.value("steps", qint64{0}),
-          QString::fromStdString(said.value("state_hash", std::string())),
+  return {0.0, said.value("steps", qint64{0}), text_of(said, "state_hash"),
           is_stopped || (duration != said.end() && !duration->is_null())};
 }
 
@@ -82,12 +81,10 @@ RecordedEvents events_in(const QByteArray& answer) {
     return recorded;
   }
   recorded.end_s = json.value("end_s", 0.0);
-  for (const Json& robot : json.value("robots", Json::array())) {
-    const QString id = QString::fromStdString(robot.value("id", std::string()));
-    for (const Json& event : robot.value("events", Json::array())) {
-      recorded.events.emplace_back(
-          event.value("time_s", 0.0),
-          id + ' ' + QString::fromStdString(event.value("name", std::string())));
+  for (const Json& robot : member(json, "robots")) {
+    const QString id = text_of(robot, "id");
+    for (const Json& event : member(robot, "events")) {
+      recorded.events.emplace_back(event.value("time_s", 0.0), id + ' ' + text_of(event, "name"));
     }
   }
   return recorded;

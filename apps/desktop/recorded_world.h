@@ -39,6 +39,14 @@ struct RecordedWorld {
   std::shared_ptr<QTemporaryDir> folder;  // deleted after the last use, if it has no other files
 };
 
+/// The recording that a window plays.
+struct Recorded {
+  QString title;
+  RecordedWorld world;
+  QString text;     // the world's text when it was opened
+  QString verdict;  // on the run that was made here; "" before it has ended
+};
+
 /// The events of a recording, with their times in s, and its end.
 struct RecordedEvents {
   std::vector<std::pair<double, QString>> events;

@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "paint/warning_label.h"
 
@@ -19,29 +20,29 @@ namespace {
 constexpr auto kGroup = "shortcuts/";
 constexpr auto kOwn = "own_shortcut";  // the property of an action: the program's key
 
-QString title_of(const QAction& action) { return action.text().remove('&').remove("..."); }
-
 QKeySequence own_key(const QAction& action) { return action.property(kOwn).value<QKeySequence>(); }
 
 }  // namespace
 
-void load_shortcuts(const Actions& actions) {
+QString title_of(const QAction& action) { return action.text().remove('&').remove("..."); }
+
+void load_shortcuts(const QList<QAction*>& actions) {
   const QSettings settings;
-  for (auto each = actions.begin(); each != actions.end(); ++each) {
-    (*each)->setProperty(kOwn, QVariant::fromValue((*each)->shortcut()));
-    if (const QVariant chosen = settings.value(kGroup + each.key()); chosen.isValid()) {
-      (*each)->setShortcut(QKeySequence(chosen.toString(), QKeySequence::PortableText));
+  for (QAction* each : actions) {
+    each->setProperty(kOwn, QVariant::fromValue(each->shortcut()));
+    if (const QVariant chosen = settings.value(kGroup + each->objectName()); chosen.isValid()) {
+      each->setShortcut(QKeySequence(chosen.toString(), QKeySequence::PortableText));
     }
   }
 }
 
-ShortcutsDialog::ShortcutsDialog(const Actions& actions, QWidget* parent)
-    : QDialog(parent), actions_(actions), names_(actions.keys()) {
+ShortcutsDialog::ShortcutsDialog(QList<QAction*> actions, QWidget* parent)
+    : QDialog(parent), actions_(std::move(actions)) {
   setObjectName("shortcuts_dialog");
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Keys of the commands"));
-  std::sort(names_.begin(), names_.end(), [this](const QString& a, const QString& b) {
-    return title_of(*actions_[a]).localeAwareCompare(title_of(*actions_[b])) < 0;
+  std::sort(actions_.begin(), actions_.end(), [](const QAction* a, const QAction* b) {
+    return title_of(*a).localeAwareCompare(title_of(*b)) < 0;
   });
   auto* column = new QVBoxLayout(this);
   auto* filter = new QLineEdit;
@@ -50,7 +51,7 @@ ShortcutsDialog::ShortcutsDialog(const Actions& actions, QWidget* parent)
   filter->setAccessibleName(tr("Filter of the commands"));
   filter->setClearButtonEnabled(true);
   column->addWidget(filter);
-  table_ = new QTableWidget(static_cast<int>(names_.size()), 2);
+  table_ = new QTableWidget(static_cast<int>(actions_.size()), 2);
   table_->setObjectName("keys");
   table_->setAccessibleName(tr("Commands and their keys"));
   table_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
@@ -58,12 +59,12 @@ ShortcutsDialog::ShortcutsDialog(const Actions& actions, QWidget* parent)
   table_->verticalHeader()->hide();
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const QAction& action = *actions_[names_[row]];
+    const QAction& action = *actions_[row];
     auto* title = new QTableWidgetItem(title_of(action));
     title->setFlags(Qt::ItemIsEnabled);
     table_->setItem(row, 0, title);
     auto* key = new QKeySequenceEdit(action.shortcut());
-    key->setObjectName("key_" + names_[row]);
+    key->setObjectName("key_" + action.objectName());
     key->setAccessibleName(tr("Key of %1").arg(title_of(action)));
     table_->setCellWidget(row, 1, key);
   }
@@ -80,7 +81,7 @@ ShortcutsDialog::ShortcutsDialog(const Actions& actions, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &ShortcutsDialog::reject);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
     for (int row = 0; row < table_->rowCount(); ++row) {
-      set_key(row, own_key(*actions_[names_[row]]));
+      set_key(row, own_key(*actions_[row]));
     }
   });
   connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -103,7 +104,7 @@ void ShortcutsDialog::accept() {
   QHash<QKeySequence, QString> taken;
   for (int row = 0; row < table_->rowCount(); ++row) {
     const QKeySequence key = key_in(row);
-    const QString title = title_of(*actions_[names_[row]]);
+    const QString title = title_of(*actions_[row]);
     if (!key.isEmpty() && taken.contains(key)) {
       refusal_->say(tr("%1 is the key of '%2' and of '%3'. Remove it from one of them.")
                         .arg(key.toString(QKeySequence::NativeText), taken[key], title));
@@ -113,13 +114,13 @@ void ShortcutsDialog::accept() {
   }
   QSettings settings;
   for (int row = 0; row < table_->rowCount(); ++row) {
-    QAction& action = *actions_[names_[row]];
+    QAction& action = *actions_[row];
     const QKeySequence key = key_in(row);
     action.setShortcut(key);
     if (key == own_key(action)) {
-      settings.remove(kGroup + names_[row]);
+      settings.remove(kGroup + action.objectName());
     } else {
-      settings.setValue(kGroup + names_[row], key.toString(QKeySequence::PortableText));
+      settings.setValue(kGroup + action.objectName(), key.toString(QKeySequence::PortableText));
     }
   }
   QDialog::accept();

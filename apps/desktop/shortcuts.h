@@ -2,8 +2,8 @@
 #pragma once
 
 #include <QDialog>
-#include <QHash>
 #include <QKeySequence>
+#include <QList>
 
 class QAction;
 class QDialogButtonBox;
@@ -12,11 +12,13 @@ class QTableWidget;
 namespace elsie::desktop {
 
 class WarningLabel;
-using Actions = QHash<QString, QAction*>;  // by their object names
 
-/// Gives the actions the keys that the user has assigned. Call it once, while the actions have the
-/// program's own keys; the dialog remembers those.
-void load_shortcuts(const Actions& actions);
+/// The text of a command without the marks of a menu.
+QString title_of(const QAction& action);
+
+/// Gives the actions the keys that the user has assigned, which are stored under their object
+/// names. Call it once, while the actions have the program's own keys; the dialog remembers those.
+void load_shortcuts(const QList<QAction*>& actions);
 
 /// Lists all actions with their keys. OK applies the keys and stores them for this user; it refuses
 /// a key that two actions would share. Keys that only the view or the time line uses, such as G and
@@ -25,7 +27,7 @@ class ShortcutsDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit ShortcutsDialog(const Actions& actions, QWidget* parent = nullptr);
+  explicit ShortcutsDialog(QList<QAction*> actions, QWidget* parent = nullptr);
 
   void accept() override;
 
@@ -33,8 +35,7 @@ class ShortcutsDialog : public QDialog {
   QKeySequence key_in(int row) const;
   void set_key(int row, const QKeySequence& key);
 
-  Actions actions_;
-  QStringList names_;  // by row
+  QList<QAction*> actions_;  // by row
   QTableWidget* table_;
   WarningLabel* refusal_;
 };

@@ -1,22 +1,27 @@
 #include "start_page.h"
 
-#include <QCheckBox>
+#include <QCryptographicHash>
+#include <QDateTime>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "engine/elements.h"
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 
 namespace elsie::desktop {
 namespace {
@@ -36,10 +41,23 @@ QString about(const QString& file) {
   return comment.match(text).captured(1).simplified().section(". ", 0, 0);
 }
 
+/// The file of the picture of a world in its present state on disk.
+QString picture_of(const QString& world) {
+  const QFileInfo file(world);
+  const QString which = file.absoluteFilePath() + u'\n' +
+                        QString::number(file.lastModified().toMSecsSinceEpoch()) + u'\n' +
+                        QString::number(file.size());
+  const QString folder =
+      QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/pictures";
+  QDir().mkpath(folder);
+  return folder + '/' + QCryptographicHash::hash(which.toUtf8(), QCryptographicHash::Sha1).toHex() +
+         ".png";
+}
+
 }  // namespace
 
-StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* parent)
-    : QWidget(parent), thumbnails_(elsie) {
+StartPage::StartPage(const QString& worlds, QString elsie, QWidget* parent)
+    : QWidget(parent), elsie_(std::move(elsie)) {
   setObjectName("start_page");
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(24, 20, 24, 20);
@@ -88,6 +106,12 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
   examples_ = list("examples", tr("E&xamples"), 3);
   examples_->setIconSize(QSize(kIcon_em, kIcon_em * 3 / 4) * fontMetrics().averageCharWidth());
   recent_ = list("recent", tr("Recent&ly opened"), 2);
+  drawing_.setStandardOutputFile(QProcess::nullDevice());
+  drawing_.setStandardErrorFile(QProcess::nullDevice());
+  connect(&drawing_, &QProcess::finished, this, [this] {
+    show_picture(next_++);  // a world that cannot be drawn has none
+    draw_next();
+  });
   const QDir folder(worlds);
   for (const QString& name :
        worlds.isEmpty() ? QStringList() : folder.entryList({"*.xml"}, QDir::Files, QDir::Name)) {
@@ -100,25 +124,38 @@ StartPage::StartPage(const QString& worlds, const QString& elsie, QWidget* paren
   }
 }
 
-void StartPage::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  QTimer::singleShot(kDelay_ms, this, &StartPage::draw_examples);
-}
-
-void StartPage::hideEvent(QHideEvent* event) {
-  thumbnails_.stop();
-  QWidget::hideEvent(event);
+StartPage::~StartPage() {
+  drawing_.disconnect(this);
+  drawing_.kill();
+  drawing_.waitForFinished(1000);
 }
 
 // Draws nothing for a page that a world replaces at once.
-void StartPage::draw_examples() {
-  for (int i = 0; isVisible() && i < examples_->count(); ++i) {
-    QListWidgetItem* item = examples_->item(i);
-    if (item->icon().isNull()) {
-      thumbnails_.draw(item->data(Qt::UserRole).toString(),
-                       [item](const QIcon& icon) { item->setIcon(icon); });
-    }
+void StartPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QTimer::singleShot(kDelay_ms, this, &StartPage::draw_next);
+}
+
+// One at a time, so that the machine stays responsive.
+void StartPage::draw_next() {
+  if (drawing_.state() != QProcess::NotRunning) {
+    return;
   }
+  while (next_ < examples_->count() && show_picture(next_)) {
+    ++next_;
+  }
+  if (isVisible() && next_ < examples_->count()) {
+    const QString world = examples_->item(next_)->data(Qt::UserRole).toString();
+    drawing_.start(elsie_, {"picture", world, "--bare", "--output", picture_of(world), "--width",
+                            QString::number(kPicture_px)});
+  }
+}
+
+bool StartPage::show_picture(int example) {
+  QListWidgetItem* item = examples_->item(example);
+  const QIcon picture(picture_of(item->data(Qt::UserRole).toString()));
+  if (!picture.isNull()) item->setIcon(picture);
+  return !picture.isNull();
 }
 
 void StartPage::show_recent(const QStringList& files) {

@@ -1,10 +1,10 @@
 // The first page of the window: examples, a new world, and the files that were opened last.
 #pragma once
 
+#include <QProcess>
 #include <QWidget>
 
-#include "thumbnails.h"
-
+class QIcon;
 class QListWidget;
 
 namespace elsie::desktop {
@@ -13,9 +13,13 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
+  static constexpr int kPicture_px = 240;
+
   /// `worlds` is the folder of the shipped worlds, "" if it was not found. `elsie` is the program
-  /// that draws them.
-  StartPage(const QString& worlds, const QString& elsie, QWidget* parent = nullptr);
+  /// that draws them, in the background and while the page is visible. The pictures are kept; a
+  /// world that has changed is drawn again.
+  StartPage(const QString& worlds, QString elsie, QWidget* parent = nullptr);
+  ~StartPage() override;
 
   void show_recent(const QStringList& files);
 
@@ -27,14 +31,16 @@ class StartPage : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
-  void draw_examples();
+  void draw_next();
+  bool show_picture(int example);
 
+  QString elsie_;
+  QProcess drawing_;
+  int next_ = 0;  // the example that is drawn next, or now
   QListWidget* examples_;
   QListWidget* recent_;
-  Thumbnails thumbnails_;
 };
 
 /// The text of a world with only four walls.

@@ -6,19 +6,12 @@
 #include <QMessageBox>
 #include <QStandardPaths>
 #include <csignal>
-#include <optional>
 
 #include <sys/resource.h>
 
 #include "window.h"
 
 namespace elsie::desktop {
-
-inline QByteArray bytes_of(const QString& path) {
-  QFile file(path);
-  REQUIRE(file.open(QIODevice::ReadOnly));
-  return file.readAll();
-}
 
 inline void write(const QString& path, const QByteArray& bytes) {
   QFile file(path);
@@ -52,14 +45,6 @@ inline void press_yes(QDialog* box) {
 }
 inline void press_no(QDialog* box) {
   QTest::mouseClick(qobject_cast<QMessageBox*>(box)->button(QMessageBox::No), Qt::LeftButton);
-}
-
-/// What the window's own save says: "" if it is done.
-inline QString saved(Window& window, const QString& file) {
-  std::optional<QString> said;
-  window.bench().save_as(file, [&](const QString& sentence) { said = sentence; });
-  REQUIRE(wait_for([&] { return said.has_value(); }));
-  return *said;
 }
 
 }  // namespace elsie::desktop

@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 #include <QWindow>
 
+#include "scene/scene_view.h"
 #include "window.h"
 
 namespace elsie::desktop {
@@ -36,11 +37,17 @@ inline void type_text(QWidget* in, const char* text) {
     QTest::keyClick(in->window()->windowHandle(), *letter);
   }
 }
-inline void turn_wheel_over(QWidget* widget, int eighths) {
-  const QPoint at = widget->rect().center();
+inline void turn_wheel(QWidget* widget, const QPoint& at, int eighths) {
   QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, {},
                     Qt::NoScrollPhase, false);
   QApplication::sendEvent(widget, &wheel);
+}
+
+/// The pixel of a point of the world in the view.
+inline QPoint pixel_at(Window& window, const Vector3& point) {
+  const auto at = window->scene().pixel_of(point);
+  REQUIRE(at);
+  return at->toPoint();
 }
 
 /// Clicks on a row of a tree.
@@ -79,20 +86,6 @@ inline std::shared_ptr<bool> pick_when_open(const char* menu_name, const QString
   });
   waiting->start(20);
   return done;
-}
-
-/// Does something with the modal dialog of that name, once it is there.
-inline void answer_when_asked(const char* name, const std::function<void(QDialog*)>& answer) {
-  auto* waiting = new QTimer(qApp);
-  QObject::connect(waiting, &QTimer::timeout, waiting, [=] {
-    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    if (dialog && dialog->objectName() == name) {
-      waiting->stop();
-      waiting->deleteLater();
-      answer(dialog);
-    }
-  });
-  waiting->start(20);
 }
 
 /// A drag in steps, as a hand makes it.

@@ -9,6 +9,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "main_window.h"
+#include "waiting.h"
+
 namespace elsie::desktop {
 
 class ScriptedEngine {
@@ -53,5 +56,15 @@ done
 /// An answer to "open" that any window takes.
 inline constexpr const char* kOpens = R"(open) say "{\"answer\":$id,$world,$scene,\"epoch\":1}" ;;)"
                                       "\n";
+
+/// A window with such an engine.
+class ScriptedWindow : public MainWindow {
+ public:
+  explicit ScriptedWindow(const ScriptedEngine& elsie) : MainWindow(elsie.program(), {}) { show(); }
+  void open_world() {
+    workbench().open_text("<world/>", {});
+    REQUIRE(wait_for([&] { return workbench().is_right(); }));
+  }
+};
 
 }  // namespace elsie::desktop

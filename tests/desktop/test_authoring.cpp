@@ -1,10 +1,8 @@
 // What is done with the selection: clipboard, copies, menus, in a window with an engine.
 #include <QClipboard>
-#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QStatusBar>
 #include <QTreeWidget>
 
 #include <catch2/catch.hpp>
@@ -30,12 +28,6 @@ void choose(Window& window, const QStringList& paths) {
   }
 }
 
-/// What the status bar was given to say.
-QString said(Window& window, const std::function<void()>& order) {
-  order();
-  return window->statusBar()->currentMessage();
-}
-
 }  // namespace
 
 TEST_CASE("Pieces of a world are told apart, with their attributes") {
@@ -55,8 +47,7 @@ TEST_CASE("Pieces of a world are told apart, with their attributes") {
 }
 
 TEST_CASE("Several things are chosen, copied, pasted and deleted, each as one edit") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   choose(window, {"obstacle[crate]", "robot[r1]"});
   window.act("copy");
   window.after([&] { window.act("paste"); });
@@ -83,8 +74,7 @@ TEST_CASE("Several things are chosen, copied, pasted and deleted, each as one ed
 }
 
 TEST_CASE("A behaviour is copied from one robot to another") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   choose(window, {"robot[r1]"});
   window.after([&] { window.act("duplicate"); });
   choose(window, {"robot[r1]/sensor[ahead]"});
@@ -95,11 +85,11 @@ TEST_CASE("A behaviour is copied from one robot to another") {
 }
 
 TEST_CASE("What cannot be pasted is named, and changes nothing") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const auto paste = [&](const QString& text) {
     QApplication::clipboard()->setText(text);
-    return said(window, [&] { window.act("paste"); });
+    window.act("paste");
+    return window.said();
   };
   CHECK(paste("a letter <to").contains("nothing to paste"));
   CHECK(paste("<letter/>").contains("'letter' is not an element"));
@@ -109,28 +99,9 @@ TEST_CASE("What cannot be pasted is named, and changes nothing") {
   CHECK(window.bench().undo_name().isEmpty());
 }
 
-TEST_CASE("A new robot of a team's window has a free id and the team") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.get<QDockWidget>("dock_team_blue")->raise();
-  auto* blue = window.get<WorldTree>("team_tree_blue");
-  REQUIRE(wait_for([&] { return !blue->visibleRegion().isEmpty(); }));
-  click_on(blue->findChild<QPushButton*>("add_robot"));
-  auto* dialog = window.dialog("element_dialog");
-  CHECK(qobject_cast<QLineEdit*>(dialog->findChild<Form*>("form_robot")->editor("id"))->text() ==
-        "r2");
-  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
-  CHECK(window.get<WorldTree>("team_tree_blue")->item("robot[r2]"));
-}
-
 TEST_CASE("A robot begins where it is now") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.bench().set_speed(5.0);
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().time_s() > 5.0; }));
-  window.bench().pause();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  Room window;
+  window.run_past(5.0);
   choose(window, {"robot[r1]"});
   const double x = window->scene().stage().body_of("robot[r1]")->frame.origin.x;
   window.after([&] { window.act("start_pose"); });
@@ -143,8 +114,7 @@ TEST_CASE("A robot begins where it is now") {
 }
 
 TEST_CASE("After a run has ended, its last pose can be made the start") {
-  Window window;
-  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"2\"").toUtf8()));
+  Room window(QString(kRoom).replace("time=\"60\"", "time=\"2\""));
   window.run_to_the_end();
   window.choose("robot[r1]");
   REQUIRE(wait_for(
@@ -167,8 +137,7 @@ TEST_CASE("A copy of a robot keeps its template") {
 }
 
 TEST_CASE("A list in the tree shows what it holds, and adds to it") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = window.get<WorldTree>("world_tree");
   const auto choose_list = [&](const QString& member) {
     QTreeWidgetItem* list = tree->item(member)->parent();
@@ -186,7 +155,7 @@ TEST_CASE("A list in the tree shows what it holds, and adds to it") {
   CHECK(add->text() == "Add sensor...");
   QTest::mouseClick(add, Qt::LeftButton);
   Window::press(window.dialog("element_dialog"), QDialogButtonBox::Cancel);
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
   choose_list("robot[r1]");
   CHECK(title() == "robots");
   CHECK(add->text() == "Add robot...");

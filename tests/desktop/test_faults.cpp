@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QStatusBar>
 #include <csignal>
 
 #include <catch2/catch.hpp>
@@ -135,7 +134,7 @@ TEST_CASE("With any fault of a plugin the window goes on, and names it") {
   window.answer = MainWindow::Answer::discard;
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes on, too") {
@@ -153,7 +152,7 @@ TEST_CASE("With a fault that nobody can lay at a plugin's door the window goes o
   CHECK(window.bench().text() == world_with(plugin));
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 // `forgetful` of tests/program is built from its source, as a user would do it.
@@ -197,17 +196,15 @@ TEST_CASE("A coordinator, a sensor or a measure that fails is named, too") {
   CHECK(window.bench().text() == text);
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("While a plugin does not return, the window says so") {
   Window window({}, options());
-  window.bench().open_text(world_with("looping"), {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(world_with("looping"));
   window.bench().set_speed(0.0);
   window.bench().run();
-  REQUIRE(wait_for(
-      [&] { return window->statusBar()->currentMessage().contains("Stop the engine now"); }));
+  REQUIRE(wait_for([&] { return window.said().contains("Stop the engine now"); }));
   CHECK(window.get<QLabel>("pace")->text().startsWith("0.0x"));
   CHECK(window.get<QLabel>("outcome")->text().contains("no answer"));
   QString report;
@@ -260,8 +257,7 @@ TEST_CASE("An edit that hangs the engine is given up and named; those after it a
 }
 
 TEST_CASE("An engine that is killed from outside is laid at no plugin's door") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const QList<int> found = engines();
   REQUIRE(found.size() == 1);
   REQUIRE(::kill(found.front(), SIGKILL) == 0);
@@ -315,7 +311,7 @@ TEST_CASE("A library that changes the rounding of numbers while it is loaded cha
   qunsetenv("TRESPASS_WHILE_LOADED");
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("A world at the ends of what is allowed is refused, or has an end that is said") {
@@ -339,13 +335,12 @@ TEST_CASE("A world at the ends of what is allowed is refused, or has an end that
   CHECK(window.bench().text() == text);
   const QString file = window.file(kRoom);
   window.open(file);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("An engine that ends again and again is not started for ever, and is said once") {
   ScriptedEngine elsie(QString(kOpens).replace(";;", "; (sleep 0.3; kill -9 $$) & ;;"));
-  MainWindow window(elsie.program(), {});
-  window.show();
+  ScriptedWindow window(elsie);
   window.workbench().open_text("<world/>", {}, false);
   REQUIRE(wait_for([&] {
     const Problems& problems = window.workbench().problems();
@@ -369,8 +364,7 @@ TEST_CASE("An engine that ends again and again is not started for ever, and is s
 
 TEST_CASE("A message that the window cannot use ends the engine, and not the window") {
   ScriptedEngine elsie(QString(kOpens).replace(R"(\"epoch\":1)", R"(\"epoch\":\"first\")"));
-  MainWindow window(elsie.program(), {});
-  window.show();
+  ScriptedWindow window(elsie);
   window.workbench().open_text("<world/>", {}, false);
   REQUIRE(wait_for([&] { return !window.workbench().problems().empty(); }));
   CHECK(window.workbench().text() == "<world/>");
@@ -399,15 +393,10 @@ TEST_CASE("A seed that the engine refuses is not shown as the one that runs") {
   ScriptedEngine elsie(QString(kOpens) +
                        R"(reset) say "{\"answer\":$id,\"refused\":[{\"message\":\"no\"}]}" ;;
 )");
-  MainWindow window(elsie.program(), {});
-  window.show();
-  window.workbench().open_text("<world/>", {});
-  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  ScriptedWindow window(elsie);
+  window.open_world();
   auto* seed = window.findChild<QLineEdit*>("seed");
-  seed->setFocus();
-  seed->selectAll();
-  QTest::keyClicks(seed, "77");
-  QTest::keyClick(seed, Qt::Key_Return);
+  enter(seed, "77");
   CHECK(wait_for([&] { return seed->text() == "1"; }));
   CHECK(window.workbench().seed() == 1);
   CHECK(window.findChild<QLabel*>("seed_shown")->text().contains("seed 1"));
@@ -421,10 +410,8 @@ TEST_CASE("Playing the past stops when the past is refused") {
       touch "$(dirname "$0")/past"; say "{\"answer\":$id,\"to_s\":1000}"
     fi ;;
 )");
-  MainWindow window(elsie.program(), {});
-  window.show();
-  window.workbench().open_text("<world/>", {});
-  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  ScriptedWindow window(elsie);
+  window.open_world();
   auto* line = window.findChild<TimeLine*>();
   line->go_to(0.0);
   REQUIRE(wait_for([&] { return QFileInfo::exists(elsie.folder() + "/past"); }));
@@ -438,8 +425,7 @@ TEST_CASE("Playing the past stops when the past is refused") {
 }
 
 TEST_CASE("A run that is refused is said, and the window does not show one") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->findChild<Exporter*>()->record_into("/proc/run.csv");
   auto* run = window.get<QToolButton>("run");
   QString why;
@@ -447,7 +433,7 @@ TEST_CASE("A run that is refused is said, and the window does not show one") {
                    [&](const Problems& problems) { why = problems.front().message; });
   QTest::mouseClick(run, Qt::LeftButton);
   REQUIRE(wait_for([&] { return !why.isEmpty(); }));
-  CHECK(window->statusBar()->currentMessage() == why);
+  CHECK(window.said() == why);
   CHECK(window.bench().run_state() == Workbench::Run::ready);
   CHECK(run->text().contains("Start"));
   // The next run is not recorded, and starts.
@@ -458,8 +444,7 @@ TEST_CASE("A run that is refused is said, and the window does not show one") {
 TEST_CASE("Without an engine a world can be saved, and the window does not say that there is one") {
   ScriptedEngine elsie("*) exit 3 ;;\n");
   QTemporaryDir folder;
-  MainWindow window(elsie.program(), {});
-  window.show();
+  ScriptedWindow window(elsie);
   REQUIRE(wait_for([&] { return !window.workbench().engine().is_there(); }));
   window.workbench().open_text(kRoom, {}, false);
   REQUIRE(wait_for([&] {
@@ -471,16 +456,13 @@ TEST_CASE("Without an engine a world can be saved, and the window does not say t
   window.workbench().save_as(file, [&](const QString& said) { why = said; });
   REQUIRE(wait_for([&] { return why.has_value(); }));
   CHECK(why->isEmpty());
-  QFile saved(file);
-  REQUIRE(saved.open(QIODevice::ReadOnly));
-  CHECK(saved.readAll() == kRoom);
+  CHECK(bytes_of(file) == kRoom);
   CHECK_FALSE(window.workbench().is_modified());
 }
 
 TEST_CASE("An engine that hangs does not hold the window up when another world is opened") {
   Window window({}, options());
-  window.bench().open_text(world_with("looping"), {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(world_with("looping"));
   window.bench().set_speed(0.0);
   window.bench().run();
   // It hangs once it does not answer.

@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
-#include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
@@ -22,7 +21,6 @@
 #include "authoring/authoring.h"
 #include "hands.h"
 #include "inferring.h"
-#include "scene/scene_view.h"
 #include "watch/control_surface.h"
 #include "watch/plots_panel.h"
 #include "watch/vision_panel.h"
@@ -76,8 +74,7 @@ TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names
 }
 
 TEST_CASE("All tools fit a window of 1280 pixels") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->resize(1280, 800);
   for (const char* name : {"tools", "environment"}) {
     auto* bar = window.get<QToolBar>(name);
@@ -94,8 +91,7 @@ TEST_CASE("All tools fit a window of 1280 pixels") {
 }
 
 TEST_CASE("The status bar shows simulated time, real-time factor, seed and outcome") {
-  Window window;
-  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"2\"").toUtf8()));
+  Room window(QString(kRoom).replace("time=\"60\"", "time=\"2\""));
   window.after([&] { window.bench().reset(7); });
   window.bench().set_speed(1.0);
   window.bench().run();
@@ -145,14 +141,12 @@ TEST_CASE("On a large screen the text stands beside the view, elsewhere below it
 }
 
 TEST_CASE("Physics parameters are changed while it runs, and the run is that of --at") {
-  Window window;
-  window.open(window.file(QString(kRoom).replace("time=\"60\"", "time=\"8\"").toUtf8()));
+  Room window(QString(kRoom).replace("time=\"60\"", "time=\"8\""));
   window.bench().set_speed(1.0);
   click_on(window.get<QToolButton>("run"));
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.2; }));
   window.bench().set_speed(0.1);  // it must not end before the change
-  window.act("physics");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("physics");
   auto* form = dialog->findChild<Form*>("form_physics");
   REQUIRE(form);
   for (const char* name : {"gravity", "erp", "cfm", "step"}) {
@@ -184,8 +178,7 @@ TEST_CASE("Physics parameters are changed while it runs, and the run is that of 
 }
 
 TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* speed = window.get<QComboBox>("speed");
   speed->setFocus();
   while (speed->currentIndex() > 0) {
@@ -203,8 +196,7 @@ TEST_CASE("The control bar paces a run from 0.1 to as fast as possible") {
 }
 
 TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams are put in") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = window.get<WorldTree>("world_tree");
   const std::pair<const char*, const char*> added[] = {{"add_static", "<static_box"},
                                                        {"add_dynamic", "<dynamic_box"},
@@ -227,18 +219,15 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
     INFO(path);
     CHECK(tree->item(path));
   }
-  window.act("add_static");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_static");
   dialog->findChild<Form*>("form_static_box")->set_value("length", "0.75");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().contains("length=\"0.75\""));
 }
 
 TEST_CASE("A prism begins as a regular polygon with the corners that its dialog says") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.act("add_prism");
-  QDialog* dialog = window.dialog("element_dialog");
+  Room window;
+  QDialog* dialog = window.dialog_of("add_prism");
   dialog->findChild<Form*>("form_outline")->set_value("corners", "5");
   dialog->findChild<Form*>("form_outline")->set_value("radius", "0.3");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
@@ -295,8 +284,7 @@ TEST_CASE("The fuzzy viewer shows the model, its rules and its control surface a
 }
 
 TEST_CASE("Plots: what is chosen goes on while another window lies in front, also after a reset") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* plots = window->findChild<PlotsPanel*>();
   window.get<QDockWidget>("dock_plots")->raise();
   window.bench().step();
@@ -305,30 +293,24 @@ TEST_CASE("Plots: what is chosen goes on while another window lies in front, als
   window.get<QDockWidget>("dock_coordination")->raise();
   window.bench().run();
   REQUIRE(wait_for([&] { return window.bench().time_s() > 1.0; }));
-  window.bench().pause();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.pause();
   const QString table = window.folder() + "/speed.csv";
   REQUIRE(plots->save(table).isEmpty());
-  QFile file(table);
-  REQUIRE(file.open(QIODevice::ReadOnly));
-  CHECK(file.readAll().count('\n') > 10);
+  CHECK(bytes_of(table).count('\n') > 10);
   window.after([&] { window.bench().reset(1); });
   CHECK(plots->chosen() == QStringList{"r1/speed"});
 }
 
 TEST_CASE("Worlds are opened and saved elsewhere; the files opened last are listed") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
   const QString copy = window.folder() + "/copy.xml";
-  answer_when_asked("save_dialog", [&](QDialog* dialog) { save_as_file(dialog, copy); });
+  at_dialog("save_dialog", [&](QDialog* dialog) { save_as_file(dialog, copy); });
   window.act("save_as");
   REQUIRE(wait_for([&] { return QFile::exists(copy) && !window->isWindowModified(); }));
   CHECK(window.bench().file() == copy);
-  QFile before(file);
-  REQUIRE(before.open(QIODevice::ReadOnly));
-  CHECK(before.readAll() == kRoom);
+  CHECK(bytes_of(file) == kRoom);
   QStringList recent;
   for (QMenu* each : window->findChildren<QMenu*>()) {
     if (each->title().contains("opened")) {
@@ -350,7 +332,7 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
     }
     return true;
   }));
-  answer_when_asked("new_world_dialog", [](QDialog* dialog) {
+  at_dialog("new_world_dialog", [](QDialog* dialog) {
     dialog->findChild<QLineEdit*>("name")->setText("arena <1>");
     dialog->findChild<QSpinBox*>("boxes")->setValue(3);
     dialog->findChild<QSpinBox*>("resources")->setValue(2);
@@ -361,15 +343,4 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
   CHECK(window.bench().text().count("<static_box") == 3);
   CHECK(window.bench().text().count("<resource ") == 2);
   CHECK(window.bench().text().contains("arena &lt;1&gt;"));
-}
-
-TEST_CASE("The title names the file, and a star the changes that are not saved") {
-  Window window;
-  window.open(window.file(kRoom));
-  CHECK(window->windowTitle().contains("room.xml"));
-  CHECK_FALSE(window->isWindowModified());
-  window.after([&] { window.bench().edit({"robot[r1]/@x=0"}, "move"); });
-  CHECK(window->isWindowModified());
-  window.after([&] { window.act("undo"); });
-  CHECK_FALSE(window->isWindowModified());
 }

@@ -16,10 +16,8 @@
 using namespace elsie::desktop;
 
 TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a run takes changes") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.act("add_robot");
-  QDialog* dialog = window.dialog("element_dialog");
+  Room window;
+  QDialog* dialog = window.dialog_of("add_robot");
   auto* form = dialog->findChild<Form*>("form_robot");
   REQUIRE(form);
   for (const char* name : {"max_speed", "coverage", "leader", "x", "y", "heading_deg"}) {
@@ -52,11 +50,9 @@ TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a ru
 }
 
 TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 90 degrees") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
-  window.act("add_sensor");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_sensor");
   auto* kinds = dialog->findChild<QListWidget*>("kinds");
   for (const char* kind : {"beam_range", "proximity"}) {
     INFO(kind);
@@ -78,8 +74,7 @@ TEST_CASE("A new beam or proximity sensor is offered a random heading from 0 to 
 }
 
 TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, and >> takes one") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
   window.act("behaviors");
   QDialog* dialog = window.dialog("behaviors_dialog");
@@ -97,27 +92,20 @@ TEST_CASE("No behaviour is carried twice: what is carried is not in the pool, an
 }
 
 TEST_CASE("The priority of a behaviour is set") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]/behavior[wander]");
   auto* priority =
       qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor("priority"));
   REQUIRE(priority);
   priority->setFocus();
-  window.after([&] {
-    priority->selectAll();
-    QTest::keyClicks(priority, "7");
-    QTest::keyClick(priority, Qt::Key_Return);
-  });
+  window.after([&] { enter(priority, "7"); });
   CHECK(window.bench().text().contains("priority=\"7\""));
 }
 
 TEST_CASE("All coordinators that are found are offered") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
-  window.act("coordinator");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("coordinator");
   auto* kinds = dialog->findChild<QListWidget*>("kinds");
   REQUIRE(kinds);
   CHECK(kinds->count() == static_cast<int>(window.bench().catalog().plugins("coordinator").size()));

@@ -7,15 +7,12 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QScrollBar>
-#include <QStatusBar>
 
 #include <catch2/catch.hpp>
 
 #include "engine/history.h"
 #include "hands.h"
-#include "scene/scene_view.h"
 #include "world/form.h"
 #include "world/properties.h"
 
@@ -41,19 +38,13 @@ constexpr const char* kThree = R"(<world format="1">
 </world>
 )";
 
-QPoint pixel(Window& window, const elsie::Vector3& point) {
-  const auto at = window->scene().pixel_of(point);
-  REQUIRE(at);
-  return at->toPoint();
-}
-
 QLineEdit* field(Window& window, const char* name) {
   auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(name));
   REQUIRE(edit);
   return edit;
 }
 
-void enter(QLineEdit* edit, const char* text) {
+void enter_by_hand(QLineEdit* edit, const char* text) {
   click_on(edit);
   press_key(edit, Qt::Key_A, Qt::ControlModifier);
   type_text(edit, text);
@@ -65,10 +56,9 @@ WorldTree* world_tree(Window& window) { return window.get<WorldTree>("world_tree
 }  // namespace
 
 TEST_CASE("A click in the view gives it the keys: Space runs, and no form takes them") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   REQUIRE(wait_for([&] { return window->scene().stage().body_of("robot[r1]") != nullptr; }));
-  click_at(&window->scene(), pixel(window, {1.0, 1.0, 0.1}));
+  click_at(&window->scene(), pixel_at(window, {1.0, 1.0, 0.1}));
   REQUIRE(window.get<Properties>("properties")->path() == "obstacle[crate]");
   CHECK(window->scene().hasFocus());
   press_key(&window->scene(), Qt::Key_Space);
@@ -78,8 +68,7 @@ TEST_CASE("A click in the view gives it the keys: Space runs, and no form takes 
 }
 
 TEST_CASE("What is typed when another thing is chosen goes to the thing that it was typed for") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   click_row(world_tree(window), "robot[r1]");
   QLineEdit* x = field(window, "x");
   click_on(x);
@@ -91,16 +80,15 @@ TEST_CASE("What is typed when another thing is chosen goes to the thing that it 
 }
 
 TEST_CASE("The wheel over a box without the focus moves the page and changes nothing") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   click_row(world_tree(window), "robot[r1]");
   auto* leader =
       qobject_cast<QComboBox*>(window.get<Properties>("properties")->form().editor("leader"));
   REQUIRE(leader);
-  turn_wheel_over(leader, -120);
+  turn_wheel(leader, leader->rect().center(), -120);
   auto* speed = window.get<QComboBox>("speed");
   const int row = speed->currentIndex();
-  turn_wheel_over(speed, -120);
+  turn_wheel(speed, speed->rect().center(), -120);
   CHECK(speed->currentIndex() == row);
   CHECK(window.bench().text() == kRoom);
   CHECK(window.bench().undo_name().isEmpty());
@@ -108,11 +96,10 @@ TEST_CASE("The wheel over a box without the focus moves the page and changes not
 }
 
 TEST_CASE("Ctrl+Z after Enter in a field undoes the edit; while something is typed, the typing") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   click_row(world_tree(window), "robot[r1]");
   QLineEdit* x = field(window, "x");
-  window.after([&] { enter(x, "0.5"); });
+  window.after([&] { enter_by_hand(x, "0.5"); });
   REQUIRE(x->hasFocus());
   window.after([&] { press_key(x, Qt::Key_Z, Qt::ControlModifier); });
   CHECK(window.bench().text() == kRoom);
@@ -127,8 +114,7 @@ TEST_CASE("Ctrl+Z after Enter in a field undoes the edit; while something is typ
 }
 
 TEST_CASE("Arrow keys step a number without losing its digits") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   click_row(world_tree(window), "robot[r1]");
   QLineEdit* x = field(window, "x");
   click_on(x);
@@ -152,8 +138,7 @@ TEST_CASE("Arrow keys step a number without losing its digits") {
 }
 
 TEST_CASE("Several things are deleted in any order of choosing, and nothing else") {
-  Window window;
-  window.open(window.file(kThree));
+  Room window(kThree);
   auto* tree = world_tree(window);
   QStringList boxes;
   visit(window.bench().tree(), [&](const ElementPlace& place) {
@@ -183,17 +168,14 @@ TEST_CASE("Several things are deleted in any order of choosing, and nothing else
 }
 
 TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in use is refused") {
-  Window window;
-  window.open(window.file(kThree));
+  Room window(kThree);
   auto* tree = world_tree(window);
   auto* properties = window.get<Properties>("properties");
   click_row(tree, "robot[r1]");
   window.act("follow");
-  answer_when_asked("rename_dialog", [](QDialog* dialog) {
+  at_dialog("rename_dialog", [](QDialog* dialog) {
     auto* name = dialog->findChild<QLineEdit*>();
-    name->selectAll();
-    QTest::keyClicks(name, "scout");
-    QTest::keyClick(name, Qt::Key_Return);
+    enter(name, "scout");
   });
   window.after([&] { press_key(tree, Qt::Key_F2); });
   CHECK(window.bench().text().contains("id=\"scout\""));
@@ -206,12 +188,12 @@ TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in us
   CHECK(tree->selection() == QStringList{"robot[r1]"});
 
   // The same in the form.
-  window.after([&] { enter(field(window, "id"), "lead"); });
+  window.after([&] { enter_by_hand(field(window, "id"), "lead"); });
   CHECK(properties->path() == "robot[lead]");
-  window.after([&] { enter(field(window, "x"), "0.5"); });
+  window.after([&] { enter_by_hand(field(window, "x"), "0.5"); });
   CHECK(window.bench().text().contains("<robot id=\"lead\" team=\"red\" x=\"0.5\">"));
   const QString before = window.bench().text();
-  enter(field(window, "id"), "r2");
+  enter_by_hand(field(window, "id"), "r2");
   auto* problem = properties->form().findChild<QLabel*>("id_problem");
   CHECK(wait_for([&] { return problem->text().contains("r2"); }));
   CHECK(problem->isVisible());
@@ -220,11 +202,10 @@ TEST_CASE("What is renamed stays chosen and followed, also by undo; a name in us
 }
 
 TEST_CASE("A drag and back leaves no entry in the history, and no star") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("obstacle[crate]") != nullptr; }));
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
   const auto move = [&](Qt::Key key) { window.after([&] { press_key(&scene, key); }); };
   while (true) {
     QElapsedTimer clock;
@@ -244,17 +225,16 @@ TEST_CASE("A drag and back leaves no entry in the history, and no star") {
 }
 
 TEST_CASE("What is locked stays where it is: arrows, drags and G move the others") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
-  click_at(&scene, pixel(window, {1.0, 1.0, 0.1}));
+  click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
   press_key(&scene, Qt::Key_L, Qt::ControlModifier);
   press_key(&scene, Qt::Key_Right);
   press_key(&scene, Qt::Key_G);
   press_key(&scene, Qt::Key_Escape);
   CHECK_FALSE(scene.handle(SceneView::Tool::move));
-  click_at(&scene, pixel(window, {-1.0, 0.0, 0.05}), Qt::LeftButton, Qt::ShiftModifier);
+  click_at(&scene, pixel_at(window, {-1.0, 0.0, 0.05}), Qt::LeftButton, Qt::ShiftModifier);
   window.after([&] { press_key(&scene, Qt::Key_Right); });
   CHECK(window.bench().text().contains("<static_box id=\"crate\" x=\"1\" y=\"1\"/>"));
   CHECK(window.bench().text().contains("x=\"-0.9\""));
@@ -270,8 +250,7 @@ TEST_CASE("What is locked stays where it is: arrows, drags and G move the others
 }
 
 TEST_CASE("Home moves the camera in the view only") {
-  Window window;
-  window.open(window.file(kThree));
+  Room window(kThree);
   SceneView& scene = window->scene();
   click_row(world_tree(window), "robot[r2]");
   scene.camera().distance = 1.0;
@@ -299,15 +278,14 @@ TEST_CASE("The rows of the tree stay in view, and the current one stays, when th
 }
 
 TEST_CASE("A right click opens the editor of an item, in the trees and in the view") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = world_tree(window);
   const auto edited = [&](const std::function<void()>& click) {
     click();
     QDialog* dialog = window.dialog("element_dialog");
     const QString title = dialog->windowTitle();
     click_on(dialog->findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Cancel));
-    REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+    window.await_closed("element_dialog");
     return title;
   };
   CHECK(edited([&] { click_row(tree, "robot[r1]", Qt::RightButton); }) == "Edit r1");
@@ -316,12 +294,12 @@ TEST_CASE("A right click opens the editor of an item, in the trees and in the vi
   CHECK(edited([&] { click_row(tree, "robot[r1]/behavior[wander]", Qt::RightButton); }) ==
         "Edit wander");
   CHECK(edited([&] {
-          click_at(&window->scene(), pixel(window, {1.0, 1.0, 0.1}), Qt::RightButton);
+          click_at(&window->scene(), pixel_at(window, {1.0, 1.0, 0.1}), Qt::RightButton);
         }) == "Edit crate");
 
   // On the floor it offers what can be put there.
   const auto is_picked = pick_when_open("floor_menu", "charger");
-  click_at(&window->scene(), pixel(window, {-1.0, 1.0, 0.0}), Qt::RightButton);
+  click_at(&window->scene(), pixel_at(window, {-1.0, 1.0, 0.0}), Qt::RightButton);
   CHECK(*is_picked);
   QDialog* dialog = window.dialog("element_dialog");
   const double y = dialog->findChild<Form*>("form_charger")->values().at("y").toDouble();
@@ -331,8 +309,7 @@ TEST_CASE("A right click opens the editor of an item, in the trees and in the vi
 }
 
 TEST_CASE("The key for menus opens the menu of what is chosen") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = world_tree(window);
   click_row(tree, "robot[r1]");
   const auto is_picked = pick_when_open("element_menu", "Duplicate");
@@ -347,16 +324,14 @@ TEST_CASE("The key for menus opens the menu of what is chosen") {
 }
 
 TEST_CASE("A right click on an item without parameters opens nothing, and says why") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   click_row(world_tree(window), "robot[r1]/coordinator", Qt::RightButton);
-  CHECK(window->statusBar()->currentMessage().contains("has no parameters"));
+  CHECK(window.said().contains("has no parameters"));
   CHECK(window->findChild<QDialog*>("element_dialog") == nullptr);
 }
 
 TEST_CASE("In a team's window the buttons act on the chosen robot, and on none if none is chosen") {
-  Window window;
-  window.open(window.file(kThree));
+  Room window(kThree);
   auto* red = window.get<WorldTree>("team_tree_red");
   window.get<QDockWidget>("dock_team_red")->raise();
   REQUIRE(wait_for([&] { return red->isVisible() && !red->visibleRegion().isEmpty(); }));
@@ -364,7 +339,7 @@ TEST_CASE("In a team's window the buttons act on the chosen robot, and on none i
     INFO(name);
     window->statusBar()->clearMessage();
     click_on(red->findChild<QPushButton*>(name));
-    CHECK(window->statusBar()->currentMessage().contains("Select the robot"));
+    CHECK(window.said().contains("Select the robot"));
   }
   CHECK(window->findChild<QDialog*>("element_dialog") == nullptr);
   click_row(red, "robot[r1]");
@@ -372,7 +347,7 @@ TEST_CASE("In a team's window the buttons act on the chosen robot, and on none i
   QDialog* sensor = window.dialog("element_dialog");
   CHECK(sensor->windowTitle() == "New sensor of r1");
   Window::press(sensor, QDialogButtonBox::Cancel);
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
 
   // The coordinator that is there can be replaced by another.
   click_on(red->findChild<QPushButton*>("coordinator"));
@@ -387,8 +362,7 @@ TEST_CASE("In a team's window the buttons act on the chosen robot, and on none i
 }
 
 TEST_CASE("OK of the behaviours waits for the engine: a second click adds nothing again") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   click_row(world_tree(window), "robot[r1]");
   window.act("behaviors");
   QDialog* dialog = window.dialog("behaviors_dialog");
@@ -399,7 +373,7 @@ TEST_CASE("OK of the behaviours waits for the engine: a second click adds nothin
     CHECK_FALSE(ok->isEnabled());
     QTest::mouseClick(ok, Qt::LeftButton);
   });
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("behaviors_dialog"); }));
+  window.await_closed("behaviors_dialog");
   CHECK(window.bench().text().count("<avoid_obstacle") == 1);
   window.after([&] { window.act("undo"); });
   CHECK(window.bench().text() == kRoom);

@@ -9,14 +9,12 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QStatusBar>
 #include <memory>
 
 #include <catch2/catch.hpp>
 
 #include "export/film.h"
 #include "hands.h"
-#include "scene/scene_view.h"
 #include "text/world_editor.h"
 #include "training/trainer.h"
 #include "world/form.h"
@@ -26,16 +24,13 @@ using namespace elsie::desktop;
 
 namespace {
 
-QPoint pixel_at(Window& window, const elsie::Vector3& point) {
-  const auto at = window->scene().pixel_of(point);
-  REQUIRE(at);
-  return at->toPoint();
-}
-
-void open_room(Window& window) {
-  window.open(window.file(kRoom));
-  REQUIRE(wait_for([&] { return window->scene().stage().body_of("robot[r1]") != nullptr; }));
-}
+/// The room, once the view has it.
+class SeenRoom : public Room {
+ public:
+  SeenRoom() {
+    REQUIRE(wait_for([&] { return window().scene().stage().body_of("robot[r1]") != nullptr; }));
+  }
+};
 
 double number_in(Window& window, const QString& path, const char* name) {
   const ElementPlace place = place_of(window.bench().tree(), path);
@@ -64,8 +59,7 @@ void pick(Window& window, const char* menu_title, const char* action) {
 }  // namespace
 
 TEST_CASE("Shift and a click choose several things in the view") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   SceneView& scene = window->scene();
   auto* tree = window.get<WorldTree>("world_tree");
   click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
@@ -78,8 +72,7 @@ TEST_CASE("Shift and a click choose several things in the view") {
 }
 
 TEST_CASE("A double click in the view follows a robot, and leaves it again") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   SceneView& scene = window->scene();
   const QPoint at = pixel_at(window, {-1.0, 0.0, 0.05});
   QTest::mouseDClick(&scene, Qt::LeftButton, {}, at);
@@ -89,8 +82,7 @@ TEST_CASE("A double click in the view follows a robot, and leaves it again") {
 }
 
 TEST_CASE("A box is turned by its knob and resized by its corner") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   SceneView& scene = window->scene();
   press_key(&scene, Qt::Key_7);
   click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
@@ -113,8 +105,7 @@ TEST_CASE("A box is turned by its knob and resized by its corner") {
 }
 
 TEST_CASE("A cylinder stays round, and a prism keeps its form, when they are resized") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   const auto resize = [&](const QString& element, const QPointF& to) {
     window.after([&] { window.bench().edit({"obstacle[crate]=" + element}, "replace"); });
     SceneView& scene = window->scene();
@@ -138,8 +129,7 @@ TEST_CASE("A cylinder stays round, and a prism keeps its form, when they are res
 }
 
 TEST_CASE("Ctrl during a drag snaps to 0.1 m, Shift makes it finer") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   SceneView& scene = window->scene();
   press_key(&scene, Qt::Key_7);
   click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
@@ -162,8 +152,7 @@ TEST_CASE("Ctrl during a drag snaps to 0.1 m, Shift makes it finer") {
 }
 
 TEST_CASE("Arrow keys in the view move what is chosen by 10 cm, with Shift by 1 cm") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   SceneView& scene = window->scene();
   click_at(&scene, pixel_at(window, {1.0, 1.0, 0.1}));
   window.after([&] { press_key(&scene, Qt::Key_Up); });
@@ -173,8 +162,7 @@ TEST_CASE("Arrow keys in the view move what is chosen by 10 cm, with Shift by 1 
 }
 
 TEST_CASE("The views are in the menu, and F6 goes round the windows") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   pick(window, "View", "view_top");
   CHECK(window->scene().camera().pitch < -1.5);
   QSet<QDockWidget*> visited;
@@ -189,8 +177,7 @@ TEST_CASE("The views are in the menu, and F6 goes round the windows") {
 }
 
 TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About names Qt") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   const auto text_when_shown = [] {
     auto text = std::make_shared<QString>();
     auto* waiting = new QTimer(qApp);
@@ -212,7 +199,7 @@ TEST_CASE("F1 shows the keys, the commands dialog does what is typed, and About 
   pick(window, "Help", "about");
   CHECK(about->contains(qVersion()));
 
-  answer_when_asked("commands_dialog", [](QDialog* dialog) {
+  at_dialog("commands_dialog", [](QDialog* dialog) {
     auto* choice = dialog->findChild<QComboBox*>();
     QTest::keyClicks(choice->lineEdit(), "From the top");
     QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
@@ -278,10 +265,9 @@ TEST_CASE("A world is opened by dropping it, from the files opened last, and fro
 }
 
 TEST_CASE("A picture is exported whole or not at all") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   const auto export_as = [&](const QString& file) {
-    answer_when_asked("export_dialog", [file](QDialog* dialog) {
+    at_dialog("export_dialog", [file](QDialog* dialog) {
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
       wait_for([&] {  // the menu gives the focus back some time later
         dialog->activateWindow();
@@ -295,7 +281,7 @@ TEST_CASE("A picture is exported whole or not at all") {
   const QString picture = window.folder() + "/view.png";
   export_as(picture);
   CHECK(QImage(picture).size() == window->scene().size() * window->scene().devicePixelRatioF());
-  CHECK(window->statusBar()->currentMessage().contains("view.png"));
+  CHECK(window.said().contains("view.png"));
   export_as(window.folder() + "/view.letter");
   auto* box = window.dialog<QMessageBox>("picture_failed");
   CHECK(box->text().contains(".png"));
@@ -319,9 +305,7 @@ TEST_CASE("A film that outgrows its format is refused, and leaves the file as it
     CHECK(film.error().contains("AVI"));
     CHECK_FALSE(film.end());
   }
-  QFile still(file);
-  REQUIRE(still.open(QIODevice::ReadOnly));
-  CHECK(still.readAll() == "before");
+  CHECK(bytes_of(file) == "before");
 }
 
 TEST_CASE("A trainer whose program cannot start says so, and takes the next lesson") {
@@ -358,8 +342,7 @@ TEST_CASE("A scene that is none leaves the stage empty, and the window alive") {
 }
 
 TEST_CASE("Where a robot is now, and how fast, is shown beside what it was given") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   click_at(&window->scene(), pixel_at(window, {-1.0, 0.0, 0.05}));
   press_key(&window->scene(), Qt::Key_Space);
   auto* properties = window.get<Properties>("properties");
@@ -375,8 +358,7 @@ TEST_CASE("Where a robot is now, and how fast, is shown beside what it was given
 }
 
 TEST_CASE("The view says when it shows the past") {
-  Window window;
-  open_room(window);
+  SeenRoom window;
   window.bench().set_speed(5.0);
   press_key(&window->scene(), Qt::Key_Space);
   REQUIRE(wait_for([&] { return window.bench().time_s() > 1.0; }));

@@ -6,10 +6,8 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
-#include <QMessageBox>
 #include <QProgressDialog>
 #include <QSlider>
-#include <QStatusBar>
 #include <QStyle>
 
 #include "authoring/authoring.h"
@@ -17,7 +15,7 @@
 #include "disk.h"
 #include "export/exporter.h"
 #include "hands.h"
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 #include "scene/scene_view.h"
 #include "scene/typed_drag.h"
 #include "text/world_editor.h"
@@ -26,16 +24,9 @@
 
 using namespace elsie::desktop;
 
-namespace {
-
-QString said(Window& window) { return window->statusBar()->currentMessage(); }
-
-}  // namespace
-
 TEST_CASE("A text with mistakes is saved only when that is agreed, and the star stays right") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window->arrange("author");
   window.get<QDockWidget>("dock_text")->raise();
   auto* editor = window.get<WorldEditor>("world_editor");
@@ -45,7 +36,7 @@ TEST_CASE("A text with mistakes is saved only when that is agreed, and the star 
 
   bool is_asked = false;
   SECTION("No leaves the file as it is") {
-    answer_when_asked("save_mistakes", [&](QDialog* box) {
+    at_dialog("save_mistakes", [&](QDialog* box) {
       is_asked = true;
       press_key(box, Qt::Key_Escape);
     });
@@ -55,9 +46,9 @@ TEST_CASE("A text with mistakes is saved only when that is agreed, and the star 
     CHECK(window->isWindowModified());
   }
   SECTION("after Yes and undo the star says that the file has something else") {
-    answer_when_asked("save_mistakes", [&](QDialog* box) {
+    at_dialog("save_mistakes", [&](QDialog* box) {
       is_asked = true;
-      QTest::mouseClick(static_cast<QMessageBox*>(box)->button(QMessageBox::Yes), Qt::LeftButton);
+      press_yes(box);
     });
     press_key(editor, Qt::Key_S, Qt::ControlModifier);
     CHECK(is_asked);
@@ -85,26 +76,19 @@ TEST_CASE("Of thousands of mistakes the first are listed, and how many more ther
 }
 
 TEST_CASE("A command line that does not repeat the run any more says so") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.bench().run_until(1.0);
-  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.99; }));
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  Room window;
+  run_until(window, 1.0);
   window.act("copy_command");
-  REQUIRE(wait_for([&] { return said(window).startsWith("Copied"); }));
-  CHECK_FALSE(said(window).contains("different run"));
+  REQUIRE(wait_for([&] { return window.said().startsWith("Copied"); }));
+  CHECK_FALSE(window.said().contains("different run"));
   window.after([&] { window.bench().edit({"robot[r1]/@max_speed=0.1"}, "slower"); });
-  QString why = "waiting";
-  window.bench().save_as(window.bench().file(), [&](const QString& said) { why = said; });
-  REQUIRE(wait_for([&] { return why != "waiting"; }));
-  REQUIRE(why.isEmpty());
+  REQUIRE(window.saved_as(window.bench().file()).isEmpty());
   window.act("copy_command");
-  CHECK(wait_for([&] { return said(window).contains("gives a different run"); }));
+  CHECK(wait_for([&] { return window.said().contains("gives a different run"); }));
 }
 
 TEST_CASE("Copies stand where nothing is, and are chosen; keys go on with them") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->scene().setFocus();
   auto* authoring = window->findChild<Authoring*>();
   authoring->select({"obstacle[crate]"});
@@ -136,13 +120,11 @@ TEST_CASE("Copies stand where nothing is, and are chosen; keys go on with them")
 }
 
 TEST_CASE("What was added from the tool bar is deleted by the key") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.get<QLineEdit>("filter")->setFocus();
-  window.act("add_static");
-  auto* dialog = window.dialog("element_dialog");
+  auto* dialog = window.dialog_of("add_static");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
   activate(window.window());
   REQUIRE(wait_for([&] { return window->scene().hasFocus(); }));
   CHECK(window.bench().text() != kRoom);
@@ -151,8 +133,7 @@ TEST_CASE("What was added from the tool bar is deleted by the key") {
 }
 
 TEST_CASE("A film that is cancelled gives the run back, also one that has ended") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.bench().reset(1);
   window.after([&] { window.bench().edit({"limits/@time=20"}, "shorter"); });
   window.run_to_the_end();
@@ -173,8 +154,7 @@ TEST_CASE("A film that is cancelled gives the run back, also one that has ended"
 }
 
 TEST_CASE("A click in the tree chooses; Enter and a double click edit") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = window.get<WorldTree>("world_tree");
   const auto edited = [&] { return window->findChild<QDialog*>("element_dialog") != nullptr; };
   click_row(tree, "robot[r1]");
@@ -219,7 +199,7 @@ TEST_CASE("A comma that is typed is a decimal point, and refused in a count") {
   }
   QLocale::setDefault(QLocale::c());
   TypedDrag drag;
-  drag.begin(TypedDrag::Kind::move);
+  drag.begin(Tool::move);
   for (const Qt::Key key : {Qt::Key_6, Qt::Key_Comma, Qt::Key_5}) {
     CHECK(drag.take(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier)));
   }
@@ -234,8 +214,7 @@ TEST_CASE("A new window has room on the screen with its frame") {
 }
 
 TEST_CASE("A click in the groove of the time line goes there") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.run_to_the_end();
   auto* slider = window.get<QSlider>("time");
   QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
@@ -243,15 +222,12 @@ TEST_CASE("A click in the groove of the time line goes there") {
 }
 
 TEST_CASE("What is no seed is said") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* seed = window.get<QLineEdit>("seed");
   seed->setFocus();
   for (const char* wrong : {"abc", "12345678901234567890123"}) {
-    seed->selectAll();
-    QTest::keyClicks(seed, wrong);
-    QTest::keyClick(seed, Qt::Key_Return);
-    CHECK(said(window).contains(QString(wrong)));
+    enter(seed, wrong);
+    CHECK(window.said().contains(QString(wrong)));
     CHECK(seed->text() == "1");
   }
 }
@@ -271,32 +247,29 @@ TEST_CASE("Without a world nothing can be added; a world just made has nothing t
 }
 
 TEST_CASE("The window says what it shows: whose coordination, and that the text has mistakes") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   CHECK(window.get<QDockWidget>("dock_coordination")->windowTitle() == "Coordination of r1");
   window.bench().type(QString(kRoom).replace("<limits", "<foo/><limits"));
   REQUIRE(wait_for([&] { return !window.bench().problems().empty(); }));
   window.bench().run();
-  CHECK(wait_for([&] { return said(window).contains("has mistakes"); }));
+  CHECK(wait_for([&] { return window.said().contains("has mistakes"); }));
   window.bench().pause();
 }
 
 TEST_CASE("S on a robot says that it has no size, Delete of the world that nothing is chosen") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
   window->scene().setFocus();
   press_key(&window->scene(), Qt::Key_S);
-  CHECK(said(window).contains("Properties"));
+  CHECK(window.said().contains("Properties"));
   window.choose("");
   window.act("delete");
-  CHECK(said(window).contains("Nothing is selected"));
+  CHECK(window.said().contains("Nothing is selected"));
   CHECK(window.bench().text() == kRoom);
 }
 
 TEST_CASE("The menu of the world in the tree offers what has no place, too") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const auto is_picked = pick_when_open("floor_menu", "Add goal");
   window->findChild<Authoring*>()->open_menu({}, window->mapToGlobal(QPoint(50, 50)));
   CHECK(*is_picked);

@@ -15,18 +15,14 @@ namespace {
 
 /// Types into a field of the chosen thing, and does not enter it.
 void type_into(Window& window, const char* field, const QString& text) {
-  auto* edit = qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(field));
-  REQUIRE(edit);
-  edit->setFocus();
-  edit->selectAll();
-  QTest::keyClicks(edit, text);
+  type_over(qobject_cast<QLineEdit*>(window.get<Properties>("properties")->form().editor(field)),
+            text);
 }
 
 }  // namespace
 
 TEST_CASE("Changes are made one after another, in the order of the keys") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto& bench = window.bench();
   bench.edit({"robot[r1]/@x=0.1"}, "one");
   bench.edit({"robot[r1]/@x=0.2"}, "two");
@@ -79,9 +75,8 @@ TEST_CASE("What waits when the engine ends is answered once, and what was typed 
 }
 
 TEST_CASE("What is typed in a field and not entered is saved, too") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.choose("robot[r1]");
   type_into(window, "x", "0.5");
   window.act("save");
@@ -99,8 +94,7 @@ TEST_CASE("What is typed in a field and not entered is saved, too") {
 }
 
 TEST_CASE("Closing asks about an edit that the engine has not made yet") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.bench().edit({"robot[r1]/@x=0.5"}, "move");
   CHECK(window.bench().is_modified());
   window.answer = MainWindow::Answer::cancel;
@@ -130,7 +124,7 @@ TEST_CASE("Saving elsewhere keeps the run and what can be undone, and the engine
   REQUIRE(wait_for([&] { return bench.run_state() == Workbench::Run::paused; }));
   const double time_s = bench.time_s();
   const QString target = window.folder() + "/other/room.xml";
-  CHECK(saved(window, target).isEmpty());
+  CHECK(window.saved_as(target).isEmpty());
   CHECK(bench.time_s() == time_s);
   CHECK(bench.run_state() == Workbench::Run::paused);
   CHECK(bench.undo_name() == "move");
@@ -159,16 +153,15 @@ TEST_CASE("Saving elsewhere keeps the run and what can be undone, and the engine
   window.after([&] { window.act("undo"); });
   window.file("<robot_template format=\"1\" max_speed=\"0.1\"/>", "other/beside.xml");
   window.after([&] { bench.edit({"robot[r1]/@template=beside.xml"}, "template"); });
-  CHECK(saved(window, target).isEmpty());
+  CHECK(window.saved_as(target).isEmpty());
   window.after([&] { bench.reset(1); });
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({target}));
+  CHECK(window.hash_at_the_end() == headless_hash({target}));
 }
 
 TEST_CASE("A new world that was saved finds what lies beside it") {
   Window window;
-  window.bench().open_text(kRoom, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
-  CHECK(saved(window, window.folder() + "/mine.xml").isEmpty());
+  window.open_text(kRoom);
+  CHECK(window.saved_as(window.folder() + "/mine.xml").isEmpty());
   window.file("<robot_template format=\"1\" max_speed=\"0.1\"/>", "beside.xml");
   Problems refused{{}};
   window.bench().edit({"robot[r1]/@template=beside.xml"}, "template", {}, &window.window(),

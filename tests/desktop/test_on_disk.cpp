@@ -21,7 +21,7 @@ TEST_CASE("Line ends and the mark of UTF-8 are saved as they were") {
     write(file, text);
     window.open(file);
     window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
-    CHECK(saved(window, file).isEmpty());
+    CHECK(window.saved_as(file).isEmpty());
     QByteArray expected = text;
     expected.replace("x=\"-1\"", "x=\"-1.5\"");
     CHECK(bytes_of(file) == expected);
@@ -29,8 +29,7 @@ TEST_CASE("Line ends and the mark of UTF-8 are saved as they were") {
 }
 
 TEST_CASE("A text in another encoding is refused with its line, and what is open stays") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const QString file = window.file("", "latin1.xml");
   write(file, "<world format=\"1\">\n<!-- \xE9 -->\n</world>\n");
   QString why;
@@ -40,9 +39,8 @@ TEST_CASE("A text in another encoding is refused with its line, and what is open
 }
 
 TEST_CASE("A file that another program has changed is asked about, and never written over") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
   const QByteArray mine = window.bench().text().toUtf8();
   QByteArray theirs(kRoom);
@@ -60,7 +58,7 @@ TEST_CASE("A file that another program has changed is asked about, and never wri
     window.after([&] { window.act("undo"); });
     CHECK(window.bench().text().toUtf8() == mine);
     CHECK(window->isWindowModified());
-    CHECK(saved(window, file).isEmpty());
+    CHECK(window.saved_as(file).isEmpty());
     CHECK(bytes_of(file) == mine);
   }
   SECTION("and Enter, which one may be typing, keeps what is unsaved") {
@@ -77,9 +75,8 @@ TEST_CASE("A file that another program has changed is asked about, and never wri
 }
 
 TEST_CASE("A text with mistakes is there again after what another program wrote was read") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   const QString typed = QString(kRoom).replace("<limits", "<limit");
   window.bench().type(typed);
   REQUIRE(wait_for([&] { return !window.bench().problems().empty(); }));
@@ -97,13 +94,12 @@ TEST_CASE("A text with mistakes is there again after what another program wrote 
 }
 
 TEST_CASE("A world whose file is taken away is unsaved until it is back, or saved") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   CHECK_FALSE(window->isWindowModified());
   REQUIRE(QFile::remove(file));
   REQUIRE(wait_for([&] { return window->isWindowModified(); }));
-  CHECK(window->statusBar()->currentMessage().contains("not on disk any more"));
+  CHECK(window.said().contains("not on disk any more"));
   SECTION("closing asks") {
     window.answer = MainWindow::Answer::cancel;
     CHECK_FALSE(window->close());
@@ -129,9 +125,8 @@ TEST_CASE("A world whose file is taken away is unsaved until it is back, or save
 }
 
 TEST_CASE("A file that a program replaces in two steps is not missed") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   bool was_missed = false;
   QObject::connect(&window.bench(), &Workbench::history_changed, &window.window(),
                    [&] { was_missed |= window.bench().is_gone_from_disk(); });
@@ -146,32 +141,30 @@ TEST_CASE("A file that a program replaces in two steps is not missed") {
 }
 
 TEST_CASE("The same text on disk again asks nothing") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   write(file, kRoom);
   QTest::qWait(300);
   CHECK(window->findChild<QMessageBox*>("changed_on_disk") == nullptr);
 }
 
 TEST_CASE("A world that cannot be saved is said, and the file is what it was") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
 
   SECTION("on a full disk") {
     const FullDisk full(64);
-    CHECK(saved(window, file).contains("could not be saved"));
+    CHECK(window.saved_as(file).contains("could not be saved"));
   }
   SECTION("in a folder that is not there, or takes no files") {
-    CHECK(saved(window, window.folder() + "/nowhere/room.xml").contains("no such folder"));
-    CHECK(saved(window, "/proc/room.xml").contains("could not be saved"));
+    CHECK(window.saved_as(window.folder() + "/nowhere/room.xml").contains("no such folder"));
+    CHECK(window.saved_as("/proc/room.xml").contains("could not be saved"));
   }
   CHECK(bytes_of(file) == kRoom);
   CHECK(window.bench().file() == file);
   CHECK(window->isWindowModified());
-  CHECK(saved(window, file).isEmpty());
+  CHECK(window.saved_as(file).isEmpty());
   CHECK(bytes_of(file) == window.bench().text().toUtf8());
 }
 
@@ -185,7 +178,7 @@ TEST_CASE("A file whose lines end in two ways keeps each of them") {
   window.open(file);
   window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
   window.after([&] { window.bench().edit({"limits/@time=61"}, "longer"); });
-  CHECK(saved(window, file).isEmpty());
+  CHECK(window.saved_as(file).isEmpty());
   text.replace("x=\"-1\"", "x=\"-1.5\"");
   text.replace("time=\"60\"", "time=\"61\"");
   CHECK(bytes_of(file) == text);
@@ -209,8 +202,7 @@ TEST_CASE("A write-protected file is asked about, and stays write-protected") {
 }
 
 TEST_CASE("What is no file of a world is refused at once, and not waited for") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const QString pipe = window.folder() + "/pipe.xml";
   REQUIRE(mkfifo(pipe.toUtf8().constData(), 0600) == 0);
   for (const QString& file : {pipe, QString("/dev/zero"), window.folder()}) {
@@ -227,9 +219,8 @@ TEST_CASE("What is no file of a world is refused at once, and not waited for") {
 }
 
 TEST_CASE("A file that was taken away and comes back is watched, as before") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   QFileSystemWatcher watcher({file});
   bool is_seen = false;
   QObject::connect(&watcher, &QFileSystemWatcher::fileChanged, &watcher, [&] { is_seen = true; });

@@ -2,7 +2,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineF>
-#include <QStatusBar>
 #include <QToolButton>
 
 #include <catch2/catch.hpp>
@@ -10,10 +9,8 @@
 #include "control_bar.h"
 #include "hands.h"
 #include "paint/axes.h"
-#include "scene/scene_view.h"
 #include "watch/coordination_panel.h"
 #include "watch/plots_panel.h"
-#include "window.h"
 
 using namespace elsie::desktop;
 
@@ -65,9 +62,8 @@ bool is_driven(const SceneView& scene, const Table& table, std::size_t rows, dou
 }  // namespace
 
 TEST_CASE("At greatest speed, trails and plots are those of a recording") {
-  Window window;
-  const QString room = window.file(kRoom);
-  window.open(room);
+  Room window;
+  const QString room = window.bench().file();
   window.get<QDockWidget>("dock_plots")->raise();
   auto* plots = window->findChild<PlotsPanel*>();
   window.run_to_the_end();
@@ -96,9 +92,8 @@ TEST_CASE("At greatest speed, trails and plots are those of a recording") {
 }
 
 TEST_CASE("After seeking, the trail leads to the shown time, and Coordination shows that time") {
-  Window window;
-  const QString room = window.file(kRoom);
-  window.open(room);
+  Room window;
+  const QString room = window.bench().file();
   window.get<QDockWidget>("dock_coordination")->raise();
   auto* panel = window->findChild<CoordinationPanel*>();
   const SceneView& scene = window->scene();
@@ -157,8 +152,7 @@ TEST_CASE("A recording that is opened has its own paths, wherever the time line 
 }
 
 TEST_CASE("A trail has a gap where a hand put the robot somewhere else, and begins where cleared") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 1.0);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0", "robot[r1]/@y=-1"}, "move"); });
   run_until(window, 2.0);
@@ -173,8 +167,7 @@ TEST_CASE("A trail has a gap where a hand put the robot somewhere else, and begi
 }
 
 TEST_CASE("A run that starts again keeps what is chosen, without its past") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.get<QDockWidget>("dock_plots")->raise();
   auto* plots = window->findChild<PlotsPanel*>();
   auto* panel = window->findChild<CoordinationPanel*>();
@@ -229,23 +222,8 @@ TEST_CASE("A trail is painted through points a centimetre apart, and a robot tha
   }
 }
 
-TEST_CASE("The past of a run is shown, and the run goes on from now") {
-  Window window;
-  window.open(window.file(kRoom));
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().time_s() > 1.0; }));
-  window.bench().pause();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
-  const double now_s = window.bench().time_s();
-  window.bench().ask({{"do", "at"}, {"time_s", 0.5}}, {});
-  REQUIRE(wait_for([&] { return std::abs(window->scene().stage().time_s() - 0.5) < 0.1; }));
-  window.bench().ask({{"do", "at"}}, {});
-  REQUIRE(wait_for([&] { return window->scene().stage().time_s() == now_s; }));
-}
-
 TEST_CASE("A step while the view shows the past is one of the present, and the time line says so") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 1.0);
   auto* line = window->findChild<TimeLine*>();
   auto* label = window.get<QLabel>("shown_time");
@@ -260,8 +238,7 @@ TEST_CASE("A step while the view shows the past is one of the present, and the t
 }
 
 TEST_CASE("Looking back in a run that goes on shows how far it came") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.bench().set_speed(0.0);
   window.bench().run();
   auto* line = window->findChild<TimeLine*>();
@@ -277,8 +254,7 @@ TEST_CASE("Looking back in a run that goes on shows how far it came") {
 }
 
 TEST_CASE("What is dragged in the past does not change the present") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 1.0);
   SceneView& scene = window->scene();
   window.choose("obstacle[crate]");
@@ -289,12 +265,9 @@ TEST_CASE("What is dragged in the past does not change the present") {
   const auto foot = scene.handle(SceneView::Tool::move);
   const auto goal = scene.pixel_of({-1.0, 1.0, 0.0});
   REQUIRE((foot && goal));
-  QTest::mousePress(&scene, Qt::LeftButton, {}, foot->toPoint());
-  QTest::mouseMove(&scene, (0.5 * (*foot + *goal)).toPoint());
-  QTest::mouseMove(&scene, goal->toPoint());
-  QTest::mouseRelease(&scene, Qt::LeftButton, {}, goal->toPoint());
+  drag_by_hand(&scene, Qt::LeftButton, foot->toPoint(), goal->toPoint());
   CHECK_FALSE(line->is_in_the_past());
   REQUIRE(wait_for([&] { return scene.stage().time_s() > 0.5; }));
   CHECK(window.bench().text() == kRoom);
-  CHECK(window->statusBar()->currentMessage().contains("past"));
+  CHECK(window.said().contains("past"));
 }

@@ -128,13 +128,13 @@ TEST_CASE("Pictures: cameras and plots", "[.pictures]") {
 TEST_CASE("Pictures: a run at greatest speed", "[.pictures]") {
   Window window(world_file("layers"));
   resize(window);
-  window->scene().look_from_top();
+  window->scene().look(OrbitCamera::kFromTop);
   window.get<QDockWidget>("dock_coordination")->raise();
   window.run_to_the_end();
   keep(window.window(), "fast_coordination");
   window.get<QDockWidget>("dock_plots")->raise();
   auto* plots = window->findChild<PlotsPanel*>();
-  const QString robot = window->scene().stage().bodies().front().robot();
+  const QString robot = robot_id(window->scene().stage().bodies().front().path);
   REQUIRE(wait_for([&] { return plots->names().contains(robot + "/speed"); }));
   plots->choose(robot + "/speed", true);
   plots->choose(robot + "/asked/turn", true);
@@ -168,7 +168,7 @@ TEST_CASE("Pictures: obstacles of all forms", "[.pictures]") {
 TEST_CASE("Pictures: errors, teams, keys and the wizard", "[.pictures]") {
   Window window;
   resize(window);
-  answer_when_asked("new_world_dialog", [](QDialog* dialog) {
+  at_dialog("new_world_dialog", [](QDialog* dialog) {
     keep(*dialog, "dialog_new_world");
     dialog->reject();
   });
@@ -198,8 +198,7 @@ TEST_CASE("Pictures: behaviours in use, and the past", "[.pictures]") {
 }
 
 TEST_CASE("Pictures: when a plugin ends the engine, and after a crash", "[.pictures]") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   resize(window);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0.3"}, "move r1"); });
   window.act("stop_engine");
@@ -236,9 +235,8 @@ TEST_CASE("Pictures: questions about unsaved work and files", "[.pictures]") {
     CHECK_FALSE(plain.close());
     plain.workbench().give_up_unsaved();
   }
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   resize(window);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0.3"}, "move r1"); });
   window.file(QByteArray(kRoom).replace("a room", "their room"));
@@ -296,7 +294,7 @@ TEST_CASE("Pictures: a network that learns, a film that is written, and runs to 
   auto* progress = window.get<QDialog>("film_progress");
   progress->show();  // it waits some seconds, and goes with a film that is ready
   CHECK(progress->grab().save(qEnvironmentVariable("ELSIE_PICTURES", ".") + "/film_progress.png"));
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("film_progress"); }));
+  window.await_closed("film_progress");
 
   window.file(kRoom);
   REQUIRE(window->open(study_in(window, 1, 6)));

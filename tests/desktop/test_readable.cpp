@@ -54,8 +54,7 @@ QStringList cut_off(const QWidget& whole) {
 
 TEST_CASE("Readable: the window fits on a small screen, and no word of a dialog is cut off",
           "[readable]") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->resize(kScreen);
   window.act("layout_author");
   CHECK(window->minimumSizeHint().width() <= kScreen.width());
@@ -114,8 +113,7 @@ TEST_CASE("Readable: numbers have a point in every language", "[readable]") {
   type_text(x, "1.5");
   window.after([&] { press_key(x, Qt::Key_Return); });
   CHECK(window.bench().text().contains("x=\"1.5\""));
-  window.act("add_sensor");
-  QDialog* dialog = window.dialog("element_dialog");
+  QDialog* dialog = window.dialog_of("add_sensor");
   auto* spread = dialog->findChild<QDoubleSpinBox*>("spread_deg");
   REQUIRE(spread);
   CHECK(spread->cleanText() == "120.0");

@@ -32,8 +32,7 @@ void run_until_killed(const QString& tag, const QString& home) {
 }  // namespace
 
 TEST_CASE("Unsaved work that cannot be kept is said once") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   QStringList notes;
   QObject::connect(&window.bench(), &Workbench::noted, &window.window(),
                    [&](const QString& note) { notes << note; });
@@ -117,7 +116,7 @@ TEST_CASE("What was saved, given up or replaced is not offered again") {
   };
   window.open(file);
   change();
-  CHECK(saved(window, file).isEmpty());
+  CHECK(window.saved_as(file).isEmpty());
   CHECK(left() == before);
   window.after([&] { window.bench().edit({"robot[r1]/@x=0.5"}, "move"); });
   window.answer = MainWindow::Answer::discard;

@@ -11,25 +11,31 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include <catch2/catch.hpp>
 
 #include "control_bar.h"
 #include "export/exporter.h"
-#include "export/film.h"
 #include "hands.h"
-#include "scene/scene_view.h"
 #include "watch/plots_panel.h"
 
 using namespace elsie::desktop;
 
 namespace {
 
-std::string content_of(const QString& file) {
-  std::ifstream in(file.toStdString(), std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+std::string content_of(const QString& file) { return bytes_of(file).toStdString(); }
+
+/// Whether the film that is written into the file is whole.
+bool write_film(Window& window, const QString& file, const std::function<void()>& meanwhile = {}) {
+  std::optional<bool> is_whole;
+  auto* exporter = window->findChild<Exporter*>();
+  QObject::connect(exporter, &Exporter::film_ended, &window.window(),
+                   [&](bool whole) { is_whole = whole; });
+  exporter->write_film(file);
+  if (meanwhile) meanwhile();
+  REQUIRE(wait_for([&] { return is_whole.has_value(); }));
+  return *is_whole;
 }
 
 }  // namespace
@@ -44,7 +50,7 @@ TEST_CASE("A recording opens as the world that makes the same run, at its seed")
   CHECK(window.bench().is_borrowed());
   CHECK(window.bench().seed() == 7);
   CHECK(window.get<QLineEdit>("seed")->text() == "7");
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
+  CHECK(window.hash_at_the_end() ==
         headless_hash({room, "--seed", "7", "--at", "1:robot[r1]/@max_speed=0.1"}));
 }
 
@@ -63,21 +69,20 @@ TEST_CASE("A run of a results database opens at its seed") {
   Window::press(dialog, QDialogButtonBox::Open);
   REQUIRE(wait_for([&] { return window.bench().is_right(); }));
   CHECK(window.bench().seed() == 6);
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
+  CHECK(window.hash_at_the_end() ==
         headless_hash({window.folder() + "/room.xml", "--seed", "6", "--duration", "3"}));
 
   // Cancel opens nothing.
   const QString text = window.bench().text();
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("run_dialog"); }));
+  window.await_closed("run_dialog");
   REQUIRE(window->open(database));
   Window::press(window.dialog("run_dialog"), QDialogButtonBox::Cancel);
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("run_dialog"); }));
+  window.await_closed("run_dialog");
   CHECK(window.bench().text() == text);
 }
 
 TEST_CASE("A file that only looks like a recording is said, while the window stays alive") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   const QString broken = window.file("\x89MCAP0\r\n and no more", "broken.mcap");
   REQUIRE(window->open(broken));
   auto* box = window.dialog<QMessageBox>("warning");
@@ -210,8 +215,7 @@ TEST_CASE("A recording of which another run was made here says so at its end") {
 }
 
 TEST_CASE("The events of a run are in a menu, and lead to their times") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 2.0);
   auto* line = window->findChild<TimeLine*>();
   line->mark(1.5, "second");
@@ -235,8 +239,7 @@ TEST_CASE("The table of a run is not taken for a world") {
 }
 
 TEST_CASE("A run that is over is played again from the past that is shown") {
-  Window window;
-  window.open(window.file(QString(kRoom).replace("\"60\"", "\"2\"").toUtf8()));
+  Room window(QString(kRoom).replace("\"60\"", "\"2\""));
   window.run_to_the_end();
   auto* line = window->findChild<TimeLine*>();
   auto* run = window.get<QToolButton>("run");
@@ -252,8 +255,7 @@ TEST_CASE("A run that is over is played again from the past that is shown") {
 }
 
 TEST_CASE("A film has the pictures of the run, and replaces its file only when it is whole") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 0.5);
   const double until_s = window.bench().time_s();
   window->findChild<TimeLine*>()->go_to(0.2);  // whatever is shown
@@ -261,15 +263,7 @@ TEST_CASE("A film has the pictures of the run, and replaces its file only when i
   CHECK(window.bench().latest_s() == until_s);
   const QString film = window.folder() + "/run.avi";
   std::ofstream(film.toStdString()) << "before";
-  std::optional<bool> is_whole;
-  auto* exporter = window->findChild<Exporter*>();
-  REQUIRE(exporter);
-  QObject::connect(exporter, &Exporter::film_ended, &window.window(),
-                   [&](bool whole) { is_whole = whole; });
-  exporter->write_film(film);
-  CHECK(content_of(film) == "before");
-  REQUIRE(wait_for([&] { return is_whole.has_value(); }));
-  CHECK(*is_whole);
+  CHECK(write_film(window, film, [&] { CHECK(content_of(film) == "before"); }));
   const std::string bytes = content_of(film);
   CHECK(bytes.substr(0, 4) == "RIFF");
   CHECK(bytes.substr(8, 4) == "AVI ");
@@ -284,24 +278,16 @@ TEST_CASE("A film has the pictures of the run, and replaces its file only when i
 }
 
 TEST_CASE("A film that cannot be written says why") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 0.5);
-  std::optional<bool> is_whole;
-  auto* exporter = window->findChild<Exporter*>();
-  QObject::connect(exporter, &Exporter::film_ended, &window.window(),
-                   [&](bool whole) { is_whole = whole; });
-  exporter->write_film(window.folder() + "/no/such/folder/run.avi");
-  REQUIRE(wait_for([&] { return is_whole.has_value(); }));
-  CHECK_FALSE(*is_whole);
+  CHECK_FALSE(write_film(window, window.folder() + "/no/such/folder/run.avi"));
   auto* box = window->findChild<QMessageBox*>("film_failed");
   REQUIRE(box);
   CHECK(box->text().contains("could not be written"));
 }
 
 TEST_CASE("What is saved as CSV says how it was sampled") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window->arrange("watch");
   auto* plots = window->findChild<PlotsPanel*>();
   window.get<QDockWidget>("dock_plots")->raise();
@@ -325,22 +311,20 @@ TEST_CASE("What is saved as CSV says how it was sampled") {
 }
 
 TEST_CASE("The next run is recorded, and its command line repeats it") {
-  Window window;
-  const QString room = window.file(kRoom);
-  window.open(room);
+  Room window;
+  const QString room = window.bench().file();
   const QString table = window.folder() + "/run.csv";
   window->findChild<Exporter*>()->record_into(table);
   window.after([&] { window.bench().reset(4); });
   window.run_to_the_end();
-  REQUIRE(wait_for([&] { return content_of(table).find("r1") != std::string::npos; }));
+  REQUIRE(wait_for([&] { return QFile::exists(table) && bytes_of(table).contains("r1"); }));
   window.act("copy_command");
   REQUIRE(wait_for([] { return QApplication::clipboard()->text().contains("--seed 4"); }));
   CHECK(QApplication::clipboard()->text().contains(room));
 }
 
 TEST_CASE("The keys of the time line step through the past and to its events") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   run_until(window, 2.0);
   auto* line = window->findChild<TimeLine*>();
   REQUIRE(line);

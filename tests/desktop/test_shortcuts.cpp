@@ -92,8 +92,7 @@ TEST_CASE("The page of the manual has the keys of all commands, and no others") 
 
 TEST_CASE("Keys of the view are shown in its menu, and typed in fields") {
   const KeptKeys kept;
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   CHECK(window.get<QAction>("view_top")->shortcut() == QKeySequence("7"));
   SceneView& scene = window->scene();
   scene.setFocus();

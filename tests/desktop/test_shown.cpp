@@ -64,8 +64,7 @@ QString doubled(const QMap<QString, QStringList>& all) {
 }  // namespace
 
 TEST_CASE("At rest, Properties shows where a thing is, also after an edit and a new engine") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.choose("robot[r1]");
   auto* x = window.get<QLabel>("x_live");
   CHECK(wait_for([&] { return x->text() == "now -1.00"; }));
@@ -104,10 +103,8 @@ TEST_CASE("Why a run failed is in the list of errors until the next run") {
       say '{"event":"ended","outcome":"stopped","reason":")" +
                        reason + R"("}' ;;
 )");
-  MainWindow window(elsie.program(), {});
-  window.show();
-  window.workbench().open_text("<world/>", {});
-  REQUIRE(wait_for([&] { return window.workbench().is_right(); }));
+  ScriptedWindow window(elsie);
+  window.open_world();
   window.workbench().run();
   auto* list = window.findChild<QTreeWidget*>("problems");
   REQUIRE(wait_for([&] { return list->topLevelItemCount() == 1; }));
@@ -159,8 +156,7 @@ TEST_CASE("Bars are hidden by the menu View, and stay so") {
 
 TEST_CASE("The numbers that are plotted are plotted again in the next window") {
   {
-    Window window;
-    window.open(window.file(kRoom));
+    Room window;
     window.get<QDockWidget>("dock_plots")->raise();
     auto* plots = window->findChild<PlotsPanel*>();
     window.bench().run();
@@ -168,8 +164,7 @@ TEST_CASE("The numbers that are plotted are plotted again in the next window") {
     plots->choose("r1/speed", true);
     CHECK(window->close());
   }
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.get<QDockWidget>("dock_plots")->raise();
   auto* plots = window->findChild<PlotsPanel*>();
   window.bench().run();
@@ -217,7 +212,7 @@ TEST_CASE("Nested behaviours are in the tree, and their coordinator is edited wh
   QDialog* dialog = window.dialog("element_dialog");
   CHECK(dialog->windowTitle().contains("arbiter_subsumption"));
   Window::press(dialog, QDialogButtonBox::Cancel);
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
   window.get<QDockWidget>("dock_coordination")->raise();
   window.bench().edit({blend + "/behavior[wander]/@speed=10"}, "slower");
   REQUIRE(wait_for([&] { return window.bench().undo_name() == "slower"; }));

@@ -180,14 +180,12 @@ TEST_CASE("A thousand random orders, and the window neither waits nor forgets") 
   REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::ready; }));
   CHECK(window.bench().text() == kRoom);
   window.after([&] { window.bench().reset(3); });
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
-        headless_hash({file, "--seed", "3"}));
+  CHECK(window.hash_at_the_end() == headless_hash({file, "--seed", "3"}));
 }
 
 TEST_CASE("A window that stalls for a second holds no run up, and loses nothing of it") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   Json end;
   QObject::connect(&window.bench(), &Workbench::ended, &window.window(),
                    [&](const Json& event) { end = event; });
@@ -204,8 +202,7 @@ TEST_CASE("In a longer language every text is translated, and the window still f
   Marked marked;
   QCoreApplication::installTranslator(&marked);
   {
-    Window window;
-    window.open(window.file(kRoom));
+    Room window;
     const auto check = [](const QString& what, const QString& text) {
       INFO(what.toStdString() << ": " << text.toStdString());
       CHECK((!has_words(text) || Marked::has(text)));

@@ -47,7 +47,6 @@ constexpr const char* kSamples = "1 1 0 1\n0.2 1 1 0\n1 0.2 1 0\n0.2 0.3 1 0\n";
 class School {
  public:
   School() {
-    window.open(window.file(kPupil));
     samples = window.file(kSamples, "samples.txt");
     window->findChild<Authoring*>()->select({"robot[r1]"});
   }
@@ -63,10 +62,7 @@ class School {
     return window.dialog<ElementDialog>("element_dialog");
   }
   static void enter(ElementDialog* dialog, const char* name, const QString& value) {
-    auto* edit = dialog->findChild<QLineEdit*>(name);
-    REQUIRE(edit);
-    edit->selectAll();
-    QTest::keyClicks(edit, value);
+    type_over(dialog->findChild<QLineEdit*>(name), value);
   }
   /// Trains, and waits until the robot has the network: then there is only the button Close.
   void train(ElementDialog* dialog) {
@@ -84,7 +80,7 @@ class School {
   }
   QStringList weight_files() const { return QDir(window.folder()).entryList({"*.weights"}); }
 
-  Window window;
+  Room window{kPupil};
   QString samples;
 };
 
@@ -162,11 +158,8 @@ TEST_CASE("A run with a network trained in the window is the one of the saved fi
   auto* dialog = school.new_network();
   School::enter(dialog, "training", "samples.txt");
   school.ok(dialog);
-  QString why = "not saved";
-  window.bench().save_as(window.bench().file(), [&](const QString& text) { why = text; });
-  REQUIRE(wait_for([&] { return why.isEmpty(); }));
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() ==
-        headless_hash({window.bench().file()}));
+  REQUIRE(window.saved_as(window.bench().file()).isEmpty());
+  CHECK(window.hash_at_the_end() == headless_hash({window.bench().file()}));
 }
 
 TEST_CASE("A network is trained again while its robot drives; the old weights stay for undo") {
@@ -267,7 +260,7 @@ TEST_CASE("Weights that nobody uses go with the dialog, also those of a network 
 TEST_CASE("A training file is browsed for, and named as the world would name it") {
   School school;
   auto* dialog = school.new_network();
-  answer_when_asked("browse_dialog", [&](QDialog* browse) {
+  at_dialog("browse_dialog", [&](QDialog* browse) {
     auto* name = browse->findChild<QLineEdit*>("fileNameEdit");
     name->setText(school.samples);
     auto* open = browse->findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open);
@@ -282,10 +275,7 @@ TEST_CASE("A network of a recording's world has its weights where they stay") {
   School school;
   Window& window = school.window;
   const QString recording = window.folder() + "/run.mcap";
-  QProcess run;
-  run.start(build_file("elsie"),
-            {"run", window.bench().file(), "--duration", "1", "--record", recording});
-  REQUIRE(run.waitForFinished(kPatience_ms));
+  run_elsie({"run", window.bench().file(), "--duration", "1", "--record", recording});
   window.open(recording);
   REQUIRE(wait_for([&] { return window.bench().is_borrowed() && window.bench().is_right(); }));
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
@@ -304,8 +294,7 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
   School school;
   Window& window = school.window;
   const QString text = QString(kPupil);
-  window.bench().open_text(text, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(text);
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   CHECK(dialog->findChild<QLabel*>("where_weights_go")->text().contains("copied next to"));
@@ -314,30 +303,24 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
   const auto weights = [&] {
     return attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
   };
-  const auto content = [](const QString& name) {
-    QFile file(name);
-    REQUIRE(file.open(QIODevice::ReadOnly));
-    return file.readAll();
-  };
   const QString kept = weights();
   REQUIRE(QFileInfo(kept).isAbsolute());
-  const QByteArray learned = content(kept);
+  const QByteArray learned = bytes_of(kept);
   window.file("mine", "r1.weights");
-  window.bench().step();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.step();
   const double time_s = window.bench().time_s();
 
   const auto save = [&] {
-    answer_when_asked("save_dialog",
-                      [&](QDialog* asked) { save_as_file(asked, window.folder() + "/pupil.xml"); });
+    at_dialog("save_dialog",
+              [&](QDialog* asked) { save_as_file(asked, window.folder() + "/pupil.xml"); });
     window.act("save");
     REQUIRE_FALSE(window->isWindowModified());
   };
   save();
   CHECK(weights() == "r1-2.weights");
-  CHECK(content(window.folder() + "/pupil.xml").contains("weights=\"r1-2.weights\""));
-  CHECK(content(window.folder() + "/r1-2.weights") == learned);
-  CHECK(content(window.folder() + "/r1.weights") == "mine");
+  CHECK(bytes_of(window.folder() + "/pupil.xml").contains("weights=\"r1-2.weights\""));
+  CHECK(bytes_of(window.folder() + "/r1-2.weights") == learned);
+  CHECK(bytes_of(window.folder() + "/r1.weights") == "mine");
   CHECK(window.bench().run_state() == Workbench::Run::paused);  // the run goes on
   CHECK(window.bench().time_s() == time_s);
 
@@ -356,8 +339,7 @@ TEST_CASE("The first save copies weights beside the world, and writes no file ov
 TEST_CASE("Saving removes no weights that it did not make, and names all that it cannot copy") {
   School school;
   Window& window = school.window;
-  window.bench().open_text(kPupil, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(kPupil);
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   School::enter(dialog, "training", school.samples);
@@ -374,15 +356,8 @@ TEST_CASE("Saving removes no weights that it did not make, and names all that it
   QString second = text.mid(begin, end - begin).replace("\"r1\"", "\"r2\"").replace(kept, two);
   second.replace("<robot ", "<robot y=\"1.5\" ");
   text = text.insert(end, second).replace(kept, one);
-  const auto save_as = [&](const QString& name) {
-    std::optional<QString> why;
-    window.bench().save_as(window.folder() + '/' + name, [&](const QString& said) { why = said; });
-    REQUIRE(wait_for([&] { return why.has_value(); }));
-    REQUIRE(why->isEmpty());
-  };
-  window.bench().open_text(text, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
-  save_as("copied.xml");
+  window.open_text(text);
+  REQUIRE(window.saved_as(window.folder() + "/copied.xml").isEmpty());
   CHECK(school.weight_files() == QStringList{"one.weights", "two.weights"});
   window.open(window.file(kRoom));
   CHECK(QFileInfo::exists(one));
@@ -391,14 +366,13 @@ TEST_CASE("Saving removes no weights that it did not make, and names all that it
   QString note;
   QObject::connect(&window.bench(), &Workbench::noted, &window.window(),
                    [&](const QString& said) { note = said; });
-  window.bench().open_text(text, {}, false);
-  REQUIRE(wait_for([&] { return window.bench().is_right(); }));
+  window.open_text(text);
   // No file can be made where a link is that leads nowhere.
   for (const char* name : {"/one.weights", "/two.weights"}) {
     REQUIRE(QFile::remove(window.folder() + name));
     REQUIRE(QFile::link("/proc/nowhere/file", window.folder() + name));
   }
-  save_as("not_copied.xml");
+  REQUIRE(window.saved_as(window.folder() + "/not_copied.xml").isEmpty());
   REQUIRE(wait_for([&] { return !note.isEmpty(); }));
   CHECK(note.contains("could not be copied next to it"));
   CHECK((note.contains("one.weights") && note.contains("two.weights")));

@@ -1,16 +1,11 @@
 // The main view: camera, overlays, handles and keys, by real mouse events.
 #include <QImage>
-#include <QKeyEvent>
-#include <QLabel>
-#include <QStatusBar>
-#include <QWheelEvent>
 #include <cmath>
 
 #include <catch2/catch.hpp>
 
-#include "scene/scene_view.h"
+#include "hands.h"
 #include "watch/vision_panel.h"
-#include "window.h"
 
 using namespace elsie::desktop;
 
@@ -34,53 +29,27 @@ constexpr const char* kSeeing = R"(<world format="1">
 </world>
 )";
 
-void drag(SceneView& scene, Qt::MouseButton button, const QPoint& from, const QPoint& by,
-          Qt::KeyboardModifiers keys = {}) {
-  QTest::mousePress(&scene, button, keys, from);
-  for (int i = 1; i <= 4; ++i) {
-    QMouseEvent move(QEvent::MouseMove, from + by * i / 4, scene.mapToGlobal(from + by * i / 4),
-                     Qt::NoButton, button, keys);
-    QApplication::sendEvent(&scene, &move);
-  }
-  QTest::mouseRelease(&scene, button, keys, from + by);
-}
-
-void turn_wheel(SceneView& scene, const QPoint& at, int eighths) {
-  QWheelEvent wheel(at, scene.mapToGlobal(at), {}, {0, eighths}, Qt::NoButton, {},
-                    Qt::NoScrollPhase, false);
-  QApplication::sendEvent(&scene, &wheel);
-}
-
-void pause_after(Window& window, double time_s) {
-  window.bench().set_speed(5.0);
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().time_s() >= time_s; }));
-  window.bench().pause();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
-}
-
 }  // namespace
 
 TEST_CASE("The camera orbits, pans and zooms by the mouse, and looks from three sides by keys") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   SceneView& scene = window->scene();
   const QPoint middle = scene.rect().center();
   const double yaw = scene.camera().yaw, pitch = scene.camera().pitch;
-  drag(scene, Qt::LeftButton, middle, {60, 0});
+  drag_by_hand(&scene, Qt::LeftButton, middle, middle + QPoint(60, 0));
   CHECK(scene.camera().yaw != yaw);
   CHECK(scene.camera().pitch == pitch);
   const auto before = scene.camera().target;
-  drag(scene, Qt::RightButton, middle, {0, 50});
+  drag_by_hand(&scene, Qt::RightButton, middle, middle + QPoint(0, 50));
   CHECK(std::hypot(scene.camera().target.x - before.x, scene.camera().target.y - before.y) > 0.05);
   const double distance = scene.camera().distance;
-  turn_wheel(scene, middle, 240);
+  turn_wheel(&scene, middle, 240);
   CHECK(scene.camera().distance < distance);
 
   // What is under the pointer stays there.
   const auto under = scene.camera().on_plane({200.0, 150.0}, scene.size());
   REQUIRE(under);
-  turn_wheel(scene, {200, 150}, 120);
+  turn_wheel(&scene, {200, 150}, 120);
   const auto still = scene.pixel_of(*under);
   REQUIRE(still);
   CHECK(std::hypot(still->x() - 200.0, still->y() - 150.0) < 1.0);
@@ -96,27 +65,26 @@ TEST_CASE("The camera orbits, pans and zooms by the mouse, and looks from three 
 }
 
 TEST_CASE("Ctrl and the mouse move the camera, also over the handle of what is chosen") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
   window.choose("robot[r1]");
   const auto handle = scene.handle(SceneView::Tool::move);
   REQUIRE(handle);
   const double yaw = scene.camera().yaw;
-  drag(scene, Qt::LeftButton, handle->toPoint(), {50, 10}, Qt::ControlModifier);
+  drag_by_hand(&scene, Qt::LeftButton, handle->toPoint(), handle->toPoint() + QPoint(50, 10),
+               Qt::ControlModifier);
   CHECK(scene.camera().yaw != yaw);
   CHECK(window.bench().text() == kSeeing);
 }
 
 TEST_CASE("The camera follows a robot") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   SceneView& scene = window->scene();
   window.choose("robot[r1]");
   scene.setFocus();
   QTest::keyClick(&scene, Qt::Key_F, Qt::ShiftModifier);
-  pause_after(window, 2.0);
+  window.run_past(2.0);
   REQUIRE(wait_for([&] {
     const auto& robot = scene.stage().body_of("robot[r1]")->frame.origin;
     return std::abs(scene.camera().target.x - robot.x) < 1e-6 &&
@@ -128,12 +96,11 @@ TEST_CASE("The camera follows a robot") {
 TEST_CASE(
     "Trajectories, beams, pyramids, fields of view, names and grid are drawn and can be hidden; "
     "no robot's camera sees them") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   window->arrange("watch");
   SceneView& scene = window->scene();
   auto* vision = window->findChild<VisionPanel*>();
-  pause_after(window, 2.0);
+  window.run_past(2.0);
   REQUIRE(scene.stage().beams().size() == 9);  // one ray, eight edges
   REQUIRE(wait_for([&] { return !vision->picture("r1/eye raw").isNull(); }));
   const QImage with = scene.picture();
@@ -167,12 +134,11 @@ TEST_CASE(
 }
 
 TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   SceneView& scene = window->scene();
   scene.overlays() = {
       .trails = true, .beams = false, .views = false, .names = false, .grid = false};
-  pause_after(window, 3.0);
+  window.run_past(3.0);
   const QImage bit_by_bit = scene.picture().convertToFormat(QImage::Format_Grayscale8);
   scene.follow({});
   scene.camera().yaw += 1.0;
@@ -191,8 +157,7 @@ TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
 }
 
 TEST_CASE("G, R and S with an axis and a number move, turn and resize; Esc leaves all as it was") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("obstacle[crate]") != nullptr; }));
   window.choose("obstacle[crate]");
@@ -229,21 +194,10 @@ TEST_CASE("G, R and S with an axis and a number move, turn and resize; Esc leave
   CHECK(window.bench().text() == kRoom);
 }
 
-TEST_CASE("Space in the view runs and pauses") {
-  Window window;
-  window.open(window.file(kRoom));
-  window->scene().setFocus();
-  QTest::keyClick(&window->scene(), Qt::Key_Space);
-  REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
-  QTest::keyClick(&window->scene(), Qt::Key_Space);
-  CHECK(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
-}
-
 TEST_CASE("The measuring tape says how far apart two places are") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   SceneView& scene = window->scene();
-  scene.look_from_top();
+  scene.look(OrbitCamera::kFromTop);
   const auto from = scene.pixel_of({-1.0, 0.0, 0.0}), to = scene.pixel_of({1.0, 0.0, 0.0});
   REQUIRE((from && to));
   double length = 0.0;
@@ -252,15 +206,14 @@ TEST_CASE("The measuring tape says how far apart two places are") {
                      length = std::hypot(to_x - x, to_y - y);
                    });
   window.act("measure");
-  drag(scene, Qt::LeftButton, from->toPoint(), to->toPoint() - from->toPoint());
+  drag_by_hand(&scene, Qt::LeftButton, from->toPoint(), to->toPoint());
   CHECK(length == Approx(2.0).margin(0.02));
-  CHECK(window->statusBar()->currentMessage().contains(" m"));
+  CHECK(window.said().contains(" m"));
   CHECK(window.bench().text() == kRoom);
 }
 
 TEST_CASE("The arena is whole in a view of any size until the camera is moved") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   SceneView& scene = window->scene();
   const auto is_whole = [&] {
     for (const double x : {-2.0, 2.0}) {
@@ -278,7 +231,7 @@ TEST_CASE("The arena is whole in a view of any size until the camera is moved") 
     REQUIRE(wait_for([&] { return scene.size() != before; }));
     CHECK(is_whole());
   }
-  turn_wheel(scene, scene.rect().center(), 480);
+  turn_wheel(&scene, scene.rect().center(), 480);
   const double near = scene.camera().distance;
   const QSize before = scene.size();
   window->resize(1200, 700);
@@ -300,15 +253,14 @@ TEST_CASE("Names do not lie over one another, however small the robots are") {
     return true;
   };
   CHECK(are_apart());
-  for (int i = 0; i < 12; ++i) turn_wheel(scene, scene.rect().center(), -240);
+  for (int i = 0; i < 12; ++i) turn_wheel(&scene, scene.rect().center(), -240);
   CHECK_FALSE(scene.labels().empty());
   CHECK(scene.labels().size() < 10);
   CHECK(are_apart());
 }
 
 TEST_CASE("What is locked is marked in the trees and in the view, and can be unlocked") {
-  Window window;
-  window.open(window.file(kSeeing));
+  Room window(kSeeing);
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
   auto* tree = window.get<WorldTree>("world_tree");

@@ -80,11 +80,9 @@ TEST_CASE("From an empty world to a robot that avoids obstacles in nine clicks")
 
   // The file runs headless.
   const QString file = window.folder() + "/walk.xml";
-  QString why = "not saved";
-  window.bench().save_as(file, [&](const QString& sentence) { why = sentence; });
-  REQUIRE(wait_for([&] { return why.isEmpty(); }));
+  REQUIRE(window.saved_as(file).isEmpty());
   window.after([&] { window.bench().reset(1); });
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 
   // It drives all the time, and touches nothing.
   const Json robot = headless({file}).at("robots").front();
@@ -101,9 +99,7 @@ TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the win
       auto* edit = dialog->findChild<Form*>(form)->findChild<QLineEdit*>(name);
       INFO(name.toStdString());
       REQUIRE(edit);
-      edit->setFocus();
-      edit->selectAll();
-      QTest::keyClicks(edit, value);
+      type_over(edit, value);
     }
     return dialog;
   };
@@ -158,8 +154,6 @@ TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the win
   add("limits", "form_limits", {{"time", "60"}});
 
   const QString file = window.folder() + "/case_1.xml";
-  QString why = "not saved";
-  window.bench().save_as(file, [&](const QString& sentence) { why = sentence; });
-  REQUIRE(wait_for([&] { return why.isEmpty(); }));
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  REQUIRE(window.saved_as(file).isEmpty());
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTemporaryFile>
 #include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
@@ -105,6 +106,20 @@ RULE 2 : IF range IS far OR angle IS aside THEN speed IS fast;
 END_RULEBLOCK
 END_FUNCTION_BLOCK
 )";
+
+/// A file of a model, as long as it lives.
+class ModelFile {
+ public:
+  explicit ModelFile(const char* text) {
+    REQUIRE(file_.open());
+    file_.write(text);
+    file_.close();
+  }
+  std::string name() const { return file_.fileName().toStdString(); }
+
+ private:
+  QTemporaryFile file_;
+};
 
 }  // namespace
 
@@ -343,10 +358,7 @@ TEST_CASE("plots: a long curve keeps its peaks") {
 }
 
 TEST_CASE("fuzzy: how far each rule fires now, and a file that cannot be read") {
-  QTemporaryDir folder;
-  QFile model(folder.filePath(QStringLiteral("m.fcl")));
-  REQUIRE(model.open(QIODevice::WriteOnly));
-  model.write(R"(FUNCTION_BLOCK m
+  const ModelFile model(R"(FUNCTION_BLOCK m
 VAR_INPUT range : REAL; END_VAR
 VAR_OUTPUT speed : REAL; END_VAR
 FUZZIFY range TERM near := (0, 1) (1, 0); TERM far := (0, 0) (1, 1); END_FUZZIFY
@@ -358,10 +370,9 @@ RULE 2 : IF range IS far THEN speed IS fast;
 END_RULEBLOCK
 END_FUNCTION_BLOCK
 )");
-  model.close();
   Json now = state(0.1, 0.5);
   now["robots"][0]["fuzzy"] = {{{"path", "avoid"},
-                                {"file", model.fileName().toStdString()},
+                                {"file", model.name()},
                                 {"inputs", {{"range", 0.25}}},
                                 {"outputs", {{"speed", 0.4}}}}};
   FuzzyPanel panel;
@@ -383,9 +394,6 @@ END_FUNCTION_BLOCK
       dynamic_cast<const ShowsFigures*>(panel.findChild<QWidget*>(QStringLiteral("fuzzy_page")));
   REQUIRE(page);
   CHECK(page->figures().rows.size() == 4);  // an input, two rules, an output
-  if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {
-    panel.grab().save(qEnvironmentVariable("ELSIE_SHOTS") + QStringLiteral("/fuzzy.png"));
-  }
   now["robots"][0]["fuzzy"][0]["file"] = "/nowhere.fcl";
   panel.add(now);
   CHECK(panel.problem().contains(QStringLiteral("/nowhere.fcl")));
@@ -395,12 +403,7 @@ END_FUNCTION_BLOCK
 }
 
 TEST_CASE("fuzzy: a control surface over two inputs, the others held") {
-  QTemporaryDir folder;
-  QFile file(folder.filePath(QStringLiteral("m.fcl")));
-  REQUIRE(file.open(QIODevice::WriteOnly));
-  file.write(kTwoInputs);
-  file.close();
-  const auto model = elsie::fuzzy::read_fcl(file.fileName().toStdString());
+  const auto model = elsie::fuzzy::read_fcl(ModelFile(kTwoInputs).name());
   const FuzzyGrid grid = fuzzy_grid(model, 0, 0, 1, {0.0, 0.0});
   REQUIRE(grid.rows == FuzzyGrid::kAcross);
   REQUIRE(grid.values.size() == FuzzyGrid::kAcross * FuzzyGrid::kAcross);
@@ -422,53 +425,11 @@ TEST_CASE("fuzzy: a control surface over two inputs, the others held") {
   CHECK(up->currentText() == QStringLiteral("range"));
   CHECK(across->currentText() == QStringLiteral("angle"));
   CHECK(surface.grid().values[10 * FuzzyGrid::kAcross + 30] == out[0]);
-  if (qEnvironmentVariableIsSet("ELSIE_SHOTS")) {
-    surface.grab().save(qEnvironmentVariable("ELSIE_SHOTS") + QStringLiteral("/surface.png"));
-  }
 }
 
 TEST_CASE("fuzzy: a formula without a value is said, not thrown") {
-  QTemporaryDir folder;
-  QFile file(folder.filePath(QStringLiteral("m.fcl")));
-  REQUIRE(file.open(QIODevice::WriteOnly));
-  file.write(kTwoInputs);
-  file.close();
-  const auto model = elsie::fuzzy::read_fcl(file.fileName().toStdString());
+  const auto model = elsie::fuzzy::read_fcl(ModelFile(kTwoInputs).name());
   const FuzzyInstant now = fuzzy_instant(model, {std::numeric_limits<double>::infinity(), 0.0});
   CHECK_FALSE(now.problem.isEmpty());
   CHECK(now.degrees.empty());
-}
-
-TEST_CASE("pictures of the panels", "[.shots]") {
-  const QString folder = qEnvironmentVariable("ELSIE_SHOTS");
-  CoordinationPanel coordination;
-  coordination.set_robot(QStringLiteral("r1"));
-  coordination.resize(900, 200);
-  std::vector<double> times;
-  std::vector<float> shares, asked(300, 1.0F);
-  for (int i = 0; i < 300; ++i) {
-    times.push_back(0.1 * i);
-    shares.push_back(static_cast<float>(0.5 + 0.5 * std::sin(0.05 * i)));
-  }
-  Samples samples;
-  samples.add(
-      stored(times, {{"r1/explore/avoid/share", shares}, {"r1/explore/avoid/asked", asked}}, 0.1));
-  coordination.add(state(times.back(), shares.back()));
-  coordination.set_samples(samples);
-  coordination.grab().save(folder + QStringLiteral("/coordination.png"));
-  PlotsPanel plots;
-  plots.resize(700, 300);
-  plots.set_names({kShare});
-  plots.set_samples(samples);
-  plots.choose(kShare, true);
-  plots.grab().save(folder + QStringLiteral("/plots.png"));
-  VisionPanel vision;
-  vision.resize(300, 250);
-  vision.add(state(0.1, 0.5));
-  vision.grab().save(folder + QStringLiteral("/vision.png"));
-  SensorsPanel sensors;
-  sensors.set_robot(QStringLiteral("r1"));
-  sensors.resize(400, 200);
-  sensors.add(state(0.1, 0.5));
-  sensors.grab().save(folder + QStringLiteral("/sensors.png"));
 }

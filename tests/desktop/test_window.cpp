@@ -7,7 +7,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
-#include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -15,11 +14,9 @@
 #include <catch2/catch.hpp>
 
 #include "control_bar.h"
-#include "scene/scene_view.h"
+#include "hands.h"
 #include "text/problems_panel.h"
 #include "text/world_editor.h"
-#include "watch/coordination_panel.h"
-#include "window.h"
 #include "world/form.h"
 #include "world/properties.h"
 #include "world/world_tree.h"
@@ -27,9 +24,8 @@
 using namespace elsie::desktop;
 
 TEST_CASE("A run in the window has the state hash of the same run headless, also with edits") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.after([&] { window.bench().reset(3); });
   window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=20"}, "turn"); });
   const Json end = window.run_to_the_end();
@@ -38,8 +34,7 @@ TEST_CASE("A run in the window has the state hash of the same run headless, also
 }
 
 TEST_CASE("Start, pause, step and reset") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* run = window.get<QToolButton>("run");
   CHECK(window.bench().time_s() == 0.0);
   QTest::mouseClick(window.get<QToolButton>("step"), Qt::LeftButton);
@@ -60,10 +55,8 @@ TEST_CASE("Start, pause, step and reset") {
 }
 
 TEST_CASE("The properties of what is chosen are edits with a name that are undone and redone") {
-  Window window;
-  window.open(window.file(kRoom));
-  auto* tree = window.get<WorldTree>("world_tree");
-  tree->tree()->setCurrentItem(tree->item("robot[r1]"));
+  Room window;
+  window.choose("robot[r1]");
   auto* properties = window.get<Properties>("properties");
   REQUIRE(properties->path() == "robot[r1]");
   auto* x = qobject_cast<QLineEdit*>(properties->form().editor("x"));
@@ -86,10 +79,7 @@ TEST_CASE("The properties of what is chosen are edits with a name that are undon
 
   SECTION("and a wrong number is refused at the field, with nothing changed") {
     const QString before = window.bench().text();
-    x->setFocus();
-    x->selectAll();
-    QTest::keyClicks(x, "1,5");
-    QTest::keyClick(x, Qt::Key_Return);
+    enter(x, "1,5");
     CHECK(properties->form().findChild<QLabel*>("x_problem")->text().contains("with a point"));
     CHECK(window.bench().text() == before);
   }
@@ -97,20 +87,20 @@ TEST_CASE("The properties of what is chosen are edits with a name that are undon
 
 TEST_CASE(
     "A robot is added to a team with the button of its window, and gets a sensor and behaviours") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* blue = window.get<WorldTree>("team_tree_blue");
   window.get<QDockWidget>("dock_team_blue")->raise();
   QTest::mouseClick(blue->findChild<QPushButton*>("add_robot"), Qt::LeftButton);
   auto* robot = window.dialog("element_dialog");
   auto* form = robot->findChild<Form*>("form_robot");
   REQUIRE(form);
+  CHECK(qobject_cast<QLineEdit*>(form->editor("id"))->text() == "r2");  // a free one
   form->set_value("id", "b1");
   form->set_value("x", "1");
   window.after([&] { Window::press(robot, QDialogButtonBox::Ok); });
   REQUIRE(blue->item("robot[b1]"));
   CHECK(window.bench().text().contains("team=\"blue\""));
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
 
   blue->tree()->setCurrentItem(blue->item("robot[b1]"));
   QTest::mouseClick(blue->findChild<QPushButton*>("add_sensor"), Qt::LeftButton);
@@ -139,12 +129,9 @@ TEST_CASE(
 }
 
 TEST_CASE("OK with a wrong number in a field leaves the dialog open, with the sentence") {
-  Window window;
-  window.open(window.file(kRoom));
-  auto* tree = window.get<WorldTree>("world_tree");
-  tree->tree()->setCurrentItem(tree->item("robot[r1]"));
-  window.act("add_sensor");
-  auto* dialog = window.dialog("element_dialog");
+  Room window;
+  window.choose("robot[r1]");
+  auto* dialog = window.dialog_of("add_sensor");
   auto* yaw = dialog->findChild<QLineEdit*>("yaw_deg");
   REQUIRE(yaw);
   QTest::keyClicks(yaw, "4,5");
@@ -159,8 +146,7 @@ TEST_CASE("OK with a wrong number in a field leaves the dialog open, with the se
 }
 
 TEST_CASE("A dialog that edits applies its changes with OK, with Cancel none, or immediately") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* tree = window.get<WorldTree>("world_tree");
   const auto edit = [&] {
     Q_EMIT tree->edit_wished("robot[r1]/sensor[ahead]");
@@ -169,14 +155,14 @@ TEST_CASE("A dialog that edits applies its changes with OK, with Cancel none, or
   QDialog* dialog = edit();
   dialog->findChild<Form*>("form_beam_range")->set_value("max_range", "2");
   Window::press(dialog, QDialogButtonBox::Cancel);
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
   CHECK(window.bench().text() == kRoom);
 
   dialog = edit();
   dialog->findChild<Form*>("form_beam_range")->set_value("max_range", "2");
   window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
   CHECK(window.bench().text().contains("max_range=\"2\""));
-  REQUIRE(wait_for([&] { return !window->findChild<QDialog*>("element_dialog"); }));
+  window.await_closed("element_dialog");
 
   dialog = edit();
   QTest::mouseClick(dialog->findChild<QAbstractButton*>("apply_immediately"), Qt::LeftButton, {},
@@ -187,8 +173,7 @@ TEST_CASE("A dialog that edits applies its changes with OK, with Cancel none, or
 }
 
 TEST_CASE("A thing is chosen by a click in the view, and moved by its handle, also in a run") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   SceneView& scene = window->scene();
   REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
   const auto at = scene.pixel_of({1.0, 1.0, 0.1});
@@ -198,14 +183,8 @@ TEST_CASE("A thing is chosen by a click in the view, and moved by its handle, al
   const auto foot = scene.handle(SceneView::Tool::move);
   const auto goal = scene.pixel_of({-1.0, 1.0, 0.0});
   REQUIRE((foot && goal));
-  QTest::mouseClick(window.get<QToolButton>("step"), Qt::LeftButton);
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
-  window.after([&] {
-    QTest::mousePress(&scene, Qt::LeftButton, {}, foot->toPoint());
-    QTest::mouseMove(&scene, (0.5 * (*foot + *goal)).toPoint());
-    QTest::mouseMove(&scene, goal->toPoint());
-    QTest::mouseRelease(&scene, Qt::LeftButton, {}, goal->toPoint());
-  });
+  window.step();
+  window.after([&] { drag_by_hand(&scene, Qt::LeftButton, foot->toPoint(), goal->toPoint()); });
   REQUIRE(wait_for([&] {
     return std::abs(scene.stage().body_of("obstacle[crate]")->frame.origin.x + 1.0) < 0.05;
   }));
@@ -215,8 +194,7 @@ TEST_CASE("A thing is chosen by a click in the view, and moved by its handle, al
 }
 
 TEST_CASE("Text and world change together, and a wrong text leaves the world as it is") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* editor = window->findChild<WorldEditor*>();
   REQUIRE(editor);
   CHECK(editor->toPlainText() == kRoom);
@@ -236,20 +214,10 @@ TEST_CASE("Text and world change together, and a wrong text leaves the world as 
   CHECK_FALSE(editor->toPlainText().contains("nonsense"));
 }
 
-TEST_CASE("A world with errors opens as text, with the place of each") {
-  Window window;
-  window.open(window.file(
-      "<world format=\"1\">\n  <robots><robot id=\"r1\" speed=\"1\"/></robots>\n</world>\n"));
-  REQUIRE(window.bench().problems().size() == 1);
-  CHECK(window.bench().problems().front().line == 2);
-  CHECK(window->findChild<WorldEditor*>()->toPlainText().contains("speed"));
-}
-
 TEST_CASE(
     "What is saved runs headless with the same state hash, and nothing unsaved is lost silently") {
-  Window window;
-  const QString file = window.file(kRoom);
-  window.open(file);
+  Room window;
+  const QString file = window.bench().file();
   window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=30"}, "turn"); });
   window.answer = MainWindow::Answer::cancel;
   CHECK_FALSE(window->close());
@@ -259,7 +227,7 @@ TEST_CASE(
   CHECK(window->close());
   CHECK(window.asked == 1);
   window->show();
-  CHECK(window.run_to_the_end().at("state_hash").get<std::string>() == headless_hash({file}));
+  CHECK(window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("Without a world, only what needs none can be done") {
@@ -307,19 +275,11 @@ TEST_CASE("Without a world, only what needs none can be done") {
 }
 
 TEST_CASE("A new seed asks before it ends a run that is under way") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* seed = window.get<QLineEdit>("seed");
-  const auto enter = [&](const char* text) {
-    seed->setFocus();
-    seed->selectAll();
-    QTest::keyClicks(seed, text);
-    QTest::keyClick(seed, Qt::Key_Return);
-  };
-  window.after([&] { enter("5"); });  // nothing is lost with it
+  window.after([&] { enter(seed, "5"); });  // nothing is lost with it
   CHECK(window.bench().seed() == 5);
-  window.bench().step();
-  REQUIRE(wait_for([&] { return window.bench().run_state() == Workbench::Run::paused; }));
+  window.step();
   int asked = 0;
   const auto answer = [&](QMessageBox::StandardButton button) {
     at_dialog("new_seed", [&asked, button](QDialog* box) {
@@ -329,21 +289,20 @@ TEST_CASE("A new seed asks before it ends a run that is under way") {
     });
   };
   answer(QMessageBox::No);
-  enter("6");
+  enter(seed, "6");
   CHECK(asked == 1);
   CHECK(seed->text() == "5");
   CHECK(window.bench().seed() == 5);
   CHECK(window.bench().run_state() == Workbench::Run::paused);
   answer(QMessageBox::Yes);
-  window.after([&] { enter("6"); });
+  window.after([&] { enter(seed, "6"); });
   CHECK(asked == 2);
   CHECK(window.bench().seed() == 6);
   CHECK(window.bench().time_s() == 0.0);
 }
 
 TEST_CASE("When the user stops the engine, the world and its unsaved changes stay") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   window.after([&] { window.bench().edit({"robot[r1]/@heading_deg=30"}, "turn"); });
   const QString text = window.bench().text();
   QString report;
@@ -365,16 +324,6 @@ TEST_CASE("When the user stops the engine, the world and its unsaved changes sta
   CHECK(window.bench().text() == kRoom);
 }
 
-TEST_CASE("Who decides is shown while it runs") {
-  Window window(world_file("clutter"));
-  auto* panel = window->findChild<CoordinationPanel*>();
-  REQUIRE(panel);
-  window.get<QDockWidget>("dock_coordination")->raise();
-  window.bench().run();
-  REQUIRE(wait_for([&] { return panel->rows() > 0; }));
-  CHECK(panel->row_text(0).contains("avoid_obstacle"));
-}
-
 TEST_CASE("Errors of other files are listed, and not marked in the text of the world") {
   Window window;
   window.file("<robot_template format=\"1\"\n speed=\"0.2\"/>", "part.xml");
@@ -388,8 +337,7 @@ TEST_CASE("Errors of other files are listed, and not marked in the text of the w
 }
 
 TEST_CASE("The errors panel has the warnings of elsie check") {
-  Window window;
-  window.open(window.file(kRoom));
+  Room window;
   auto* list = window->findChild<ProblemsPanel*>()->findChild<QTreeWidget*>("problems");
   CHECK(list->topLevelItemCount() == 0);
   window.after([&] { window.bench().edit({"physics/@cfm=0"}, "stiff"); });

@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -36,6 +38,11 @@ inline QString build_file(const QString& name) {
 }
 inline QString world_file(const QString& name) {
   return build_file("../share/elsie/worlds/" + name + ".xml");
+}
+inline QByteArray bytes_of(const QString& path) {
+  QFile file(path);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  return file.readAll();
 }
 
 /// Does something with the modal dialog of that name, once it is there.
@@ -128,6 +135,10 @@ class Window {
     REQUIRE(window_.open(file));
     REQUIRE(wait_for([&] { return bench().is_right() || !bench().problems().empty(); }));
   }
+  void open_text(const QString& text) {
+    bench().open_text(text, {}, false);
+    REQUIRE(wait_for([&] { return bench().is_right(); }));
+  }
   /// As a click on it in the tree does.
   void choose(const QString& path) {
     auto* tree = get<WorldTree>("world_tree");
@@ -150,6 +161,35 @@ class Window {
     REQUIRE(wait_for([&] { return is_described; }));
     QObject::disconnect(connection);
   }
+  void pause() {
+    bench().pause();
+    REQUIRE(wait_for([&] { return bench().run_state() == Workbench::Run::paused; }));
+  }
+  void step() {
+    bench().step();
+    REQUIRE(wait_for([&] { return bench().run_state() == Workbench::Run::paused; }));
+  }
+  /// Runs at this speed until the time is past, and pauses.
+  void run_past(double time_s, double speed = 5.0) {
+    bench().set_speed(speed);
+    bench().run();
+    REQUIRE(wait_for([&] { return bench().time_s() > time_s; }));
+    pause();
+  }
+  /// What the window's own save says: "" if it is done.
+  QString saved_as(const QString& file) {
+    std::optional<QString> said;
+    bench().save_as(file, [&](const QString& sentence) { said = sentence; });
+    REQUIRE(wait_for([&] { return said.has_value(); }));
+    return *said;
+  }
+  QString said() { return window_.statusBar()->currentMessage(); }
+  /// Waits until no dialog of that name is open.
+  void await_closed(const char* name) {
+    REQUIRE(wait_for([&] { return !window_.findChild<QDialog*>(name); }));
+  }
+  /// Runs to the end, and returns the state hash.
+  std::string hash_at_the_end() { return run_to_the_end().at("state_hash").get<std::string>(); }
   Json run_to_the_end() {
     Json end;
     const auto connection = QObject::connect(&bench(), &Workbench::ended, &window_,
@@ -173,6 +213,11 @@ class Window {
     }));
     return found;
   }
+  /// The dialog of an element that a command opens.
+  QDialog* dialog_of(const char* command) {
+    act(command);
+    return dialog("element_dialog");
+  }
   static void press(QDialog* dialog, QDialogButtonBox::StandardButton which) {
     QTest::mouseClick(dialog->findChild<QDialogButtonBox*>("buttons")->button(which),
                       Qt::LeftButton);
@@ -184,6 +229,27 @@ class Window {
  private:
   QTemporaryDir folder_;
   MainWindow window_;
+};
+
+/// Types a text in the place of the one that is there, without Enter.
+inline void type_over(QLineEdit* edit, const QString& text) {
+  REQUIRE(edit);
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+}
+inline void enter(QLineEdit* edit, const QString& text) {
+  type_over(edit, text);
+  QTest::keyClick(edit, Qt::Key_Return);
+}
+
+/// A window with a world, the room if no other is given, in a file of its own.
+class Room : public Window {
+ public:
+  explicit Room(const QString& text = kRoom, const QStringList& options = {})
+      : Window({}, options) {
+    open(file(text.toUtf8().constData()));
+  }
 };
 
 /// Runs to this time and pauses there, or ends before.

@@ -16,7 +16,7 @@
 
 #include "authoring/pieces.h"
 #include "engine/workbench.h"
-#include "scene/stage.h"
+#include "scene/scene_view.h"
 #include "world/behaviors_dialog.h"
 #include "world/element_dialog.h"
 
@@ -45,27 +45,36 @@ QPointF free_place(const Stage& stage) {
 
 }  // namespace
 
-std::vector<std::pair<QString, QString>> Authoring::other_shapes() {
+std::vector<Authoring::Obstacle> Authoring::obstacles() {
+  std::vector<Obstacle> all{{"static", "static_box", tr("&static box")},
+                            {"dynamic", "dynamic_box", tr("&dynamic box")},
+                            {"moving", "moving_box", tr("&moving box")}};
   QString taken = "bcdegmnorstu";
-  std::vector<std::pair<QString, QString>> shapes;
-  for (const char* const each : kBoxShapes) {
-    const QString shape = each;
+  for (const QString shape : kBoxShapes) {
     if (shape == "box") continue;
-    QString name = tr(each);
+    QString text = tr(shape.toUtf8().constData());
     const auto letter = std::find_if(
-        name.begin(), name.end(), [&](QChar one) { return one.isLower() && !taken.contains(one); });
-    if (letter != name.end()) {
+        text.begin(), text.end(), [&](QChar one) { return one.isLower() && !taken.contains(one); });
+    if (letter != text.end()) {
       taken += *letter;
-      name.insert(letter - name.begin(), '&');
+      text.insert(letter - text.begin(), '&');
     }
-    shapes.emplace_back(shape, name);
+    all.push_back({shape, "static_" + shape, text});
   }
-  return shapes;
+  return all;
 }
 
-Authoring::Authoring(Workbench& workbench, const Stage& stage, QWidget* window)
-    : QObject(window), workbench_(workbench), stage_(stage), window_(window) {
+Authoring::Authoring(Workbench& workbench, SceneView& view, QWidget* window)
+    : QObject(window), workbench_(workbench), view_(view), stage_(view.stage()), window_(window) {
   connect(&workbench_, &Workbench::described, this, &Authoring::find_renamed);
+  connect(&view_, &SceneView::said, this, &Authoring::said);
+  connect(&view_, &SceneView::selected, this, &Authoring::select);
+  connect(&view_, &SceneView::edit_wished, this, &Authoring::edit_element);
+  connect(&view_, &SceneView::menu_wished, this, &Authoring::open_floor_menu);
+  connect(&view_, &SceneView::element_menu_wished, this, &Authoring::open_menu);
+  connect(&view_, &SceneView::moved, this, &Authoring::move);
+  connect(&view_, &SceneView::turned, this, &Authoring::turn);
+  connect(&view_, &SceneView::resized, this, &Authoring::resize);
 }
 
 // The selection stays when its paths change: by a form, by undo, in the text.
@@ -73,6 +82,7 @@ void Authoring::find_renamed() {
   const Outline before = std::exchange(outline_, outline_of(workbench_.tree()));
   const QHash<QString, QString> names = renamed(before, outline_);
   for (auto name = names.begin(); name != names.end(); ++name) {
+    view_.rename(name.key(), name.value());
     Q_EMIT called_otherwise(name.key(), name.value());
   }
   QStringList paths = selection_;
@@ -88,6 +98,9 @@ QString Authoring::title(const QString& path) const { return title_at(workbench_
 
 void Authoring::select(const QStringList& paths) {
   selection_ = paths;
+  QStringList in_view = paths;
+  in_view.removeAll(QString());  // the world itself has no place
+  view_.set_selection(in_view);
   Q_EMIT selected(paths);
 }
 
@@ -140,17 +153,10 @@ void Authoring::add_element(const QString& holder, const QString& list,
   }
   // The new element is selected next: it is the last of its list.
   connect(dialog, &QDialog::accepted, this, [this, holder, list] {
-    QString last;
-    visit(workbench_.tree(), [&](const ElementPlace& place) {
-      if (place.list.isEmpty() && place.parent && name_of(*place.parent) == list &&
-          holder_of(place.path) == holder) {
-        last = place.path;
-      }
-      return true;
-    });
-    if (!last.isEmpty()) {
-      select({last});
-      Q_EMIT added();
+    const std::vector<ElementPlace> members = members_of(workbench_.tree(), holder, list);
+    if (!members.empty()) {
+      select({members.back().path});
+      view_.setFocus();  // so that keys act on it
     }
   });
   dialog->show();
@@ -201,8 +207,6 @@ void Authoring::add_point(const QString& path) {
   add_place(path, "point", at + 0.02 * outwards);
 }
 
-void Authoring::edit_coordinator(const QString& holder) { add_element(holder, "coordinator"); }
-
 void Authoring::edit_behaviors(const QString& holder) {
   if (holder.isEmpty()) {
     Q_EMIT said(tr("Select the robot first."));
@@ -236,7 +240,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   }
   if (is_robot || (kind && kind->holds_behaviors)) {
     menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });
-    menu.addAction(tr("&Coordinator..."), this, [this, path] { edit_coordinator(path); });
+    menu.addAction(tr("&Coordinator..."), this, [this, path] { add_element(path, "coordinator"); });
   }
   if (kind && kind->elements.contains("waypoint")) {
     menu.addAction(tr("Add &waypoint"), this, [this, path] { add_waypoint(path); });
@@ -245,7 +249,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
     menu.addAction(tr("Add &point"), this, [this, path] { add_point(path); });
   }
   if (is_robot) {
-    menu.addAction(tr("&Follow"), this, [this, path] { Q_EMIT follow_wished(path); });
+    menu.addAction(tr("&Follow"), this, [this, path] { view_.follow(path); });
     menu.addAction(tr("Make &start pose"), this, &Authoring::make_start_poses);
   }
   if (path.endsWith("/coordinator")) {
@@ -268,15 +272,9 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   };
   const bool is_here = at.has_value();
   offer(is_here ? tr("Add &robot here...") : tr("Add &robot..."), "robots");
-  offer(is_here ? tr("Add &static box here...") : tr("Add &static box..."), "obstacles",
-        "static_box");
-  offer(is_here ? tr("Add &dynamic box here...") : tr("Add &dynamic box..."), "obstacles",
-        "dynamic_box");
-  offer(is_here ? tr("Add &moving box here...") : tr("Add &moving box..."), "obstacles",
-        "moving_box");
-  for (const auto& [shape, name] : other_shapes()) {
-    offer((is_here ? tr("Add %1 here...") : tr("Add %1...")).arg(name), "obstacles",
-          "static_" + shape);
+  for (const Obstacle& each : obstacles()) {
+    offer((is_here ? tr("Add %1 here...") : tr("Add %1...")).arg(each.text), "obstacles",
+          each.kind);
   }
   offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
   offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");
@@ -334,7 +332,13 @@ void Authoring::make_start_poses() {
 
 // Drags
 
+bool Authoring::is_the_present() {
+  if (stage_.is_past()) Q_EMIT moved_in_the_past();
+  return !stage_.is_past();
+}
+
 void Authoring::move(const QStringList& paths, double by_x, double by_y) {
+  if (!is_the_present()) return;
   QStringList edits;
   for (const QString& path : paths) {
     const ElementPlace place = place_of(workbench_.tree(), path);
@@ -356,7 +360,8 @@ void Authoring::move(const QStringList& paths, double by_x, double by_y) {
 }
 
 void Authoring::turn(const QString& path, double by_rad) {
-  if (const Stage::Body* body = stage_.body_of(path)) {
+  const Stage::Body* body = stage_.body_of(path);
+  if (body && is_the_present()) {
     workbench_.edit({path + "/@heading_deg=" + heading_deg(heading_rad(body->frame) + by_rad)},
                     tr("turn %1").arg(title(path)), "turn " + path);
   }
@@ -364,7 +369,7 @@ void Authoring::turn(const QString& path, double by_rad) {
 
 void Authoring::resize(const QString& path, double length, double width) {
   const Stage::Solid* solid = stage_.solid_of(path);
-  if (!solid) {
+  if (!solid || !is_the_present()) {
     return;
   }
   const Shape made = resized(solid->shape, length, width);

@@ -16,6 +16,7 @@ class QWidget;
 namespace elsie::desktop {
 
 struct Piece;
+class SceneView;
 class Stage;
 class Workbench;
 
@@ -26,8 +27,9 @@ class Authoring : public QObject {
   Q_OBJECT
 
  public:
-  /// `stage` knows where the bodies are now; `window` owns this object and the dialogs.
-  Authoring(Workbench& workbench, const Stage& stage, QWidget* window);
+  /// Does what users do in the view, which shows the selection. `window` owns this object and the
+  /// dialogs.
+  Authoring(Workbench& workbench, SceneView& view, QWidget* window);
 
   const QStringList& selection() const { return selection_; }
   void select(const QStringList& paths);
@@ -49,11 +51,17 @@ class Authoring : public QObject {
   void add_point(const QString& path);
   /// These act on a robot, or on a behaviour that holds others.
   void edit_behaviors(const QString& holder);
-  /// Opens the editor of the coordinator, or the dialog for a new one.
-  void edit_coordinator(const QString& holder);
-  /// The shapes of obstacles besides boxes, each with its text for a menu that adds things: with a
-  /// letter that no other entry has.
-  static std::vector<std::pair<QString, QString>> other_shapes();
+  /// The element that takes members of that list where this element is selected: the behaviour at
+  /// the path if it holds others, otherwise its robot; "" outside of robots.
+  QString holder_for(const QString& list, const QString& path) const;
+  /// An obstacle that can be added.
+  struct Obstacle {
+    QString name;  // "dynamic" for a box, "cylinder" for another shape
+    QString kind;  // "dynamic_box", "static_cylinder"
+    QString text;  // for a menu that adds things, with a letter that no other entry has
+  };
+  /// The boxes of all kinds, and the other shapes.
+  static std::vector<Obstacle> obstacles();
   /// Opens the menu of the element, or of the world if the path is "".
   void open_menu(const QString& path, const QPoint& global);
   /// Opens the menu of what can be added `at` that point of the floor, m; none: to the world.
@@ -68,28 +76,27 @@ class Authoring : public QObject {
   /// Makes the present poses of the selected robots their start poses.
   void make_start_poses();
 
-  /// Make the edit at the end of a drag in the view; lengths in m, angles in rad.
+  /// Make the edit at the end of a drag in the view; lengths in m, angles in rad. While the view
+  /// shows the past, where all stands elsewhere, they change nothing and emit moved_in_the_past().
   void move(const QStringList& paths, double by_x, double by_y);
   void turn(const QString& path, double by_rad);
   void resize(const QString& path, double length, double width);
 
  Q_SIGNALS:
   void selected(const QStringList& paths);
-  /// A new element exists and is selected.
-  void added();
   void said(const QString& sentence);
-  void follow_wished(const QString& path);
+  void moved_in_the_past();
   /// The path of an element has changed, whether it is selected or not.
   void called_otherwise(const QString& from, const QString& to);
 
  private:
   void find_renamed();
+  bool is_the_present();
   QString title(const QString& path) const;
   QStringList wholes() const;
   QString markup_of_selected() const;
   QString list_for(const QString& name) const;
   std::optional<QString> holder_of_part(const QString& name) const;
-  QString carrier(const QString& list) const;
   void insert(const QString& markup, const QString& name);
   /// The edit that puts a piece into the world; "", with a sentence, if it cannot be put there.
   /// Adds the id that it gives to `taken`.
@@ -104,7 +111,8 @@ class Authoring : public QObject {
   QStringList last_of(const QStringList& places) const;
 
   Workbench& workbench_;
-  const Stage& stage_;
+  SceneView& view_;
+  const Stage& stage_;  // where the bodies are now
   QWidget* window_;
   QStringList selection_;
   Outline outline_;  // of the world

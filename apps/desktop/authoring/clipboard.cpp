@@ -112,12 +112,10 @@ std::optional<QString> Authoring::holder_of_part(const QString& name) const {
   return std::nullopt;
 }
 
-// The selected behaviour if it holds others, otherwise the selected robot; "" if none is selected.
-QString Authoring::carrier(const QString& list) const {
-  const QString chosen = selection_.value(0);
-  const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), chosen));
-  const bool holds = kind && kind->holds_behaviors && chosen.contains("/behavior[");
-  return holds && (list == "behaviors" || list == "coordinator") ? chosen : robot();
+QString Authoring::holder_for(const QString& list, const QString& path) const {
+  const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), path));
+  const bool holds = kind && kind->holds_behaviors && path.contains("/behavior[");
+  return holds && (list == "behaviors" || list == "coordinator") ? path : robot_path(path);
 }
 
 void Authoring::insert(const QString& markup, const QString& name) {
@@ -218,7 +216,7 @@ QString Authoring::insertion_of(Piece piece, const QPointF& aside, QStringList& 
   }
   const bool is_carried =
       list == "sensors" || list == "behaviors" || list == "coordinator" || list == "drive";
-  const QString holder = is_carried ? carrier(list) : QString();
+  const QString holder = is_carried ? holder_for(list, selection_.value(0)) : QString();
   if (is_carried && holder.isEmpty()) {
     why = tr("Select the robot that '%1' is for.").arg(piece.name);
     return {};

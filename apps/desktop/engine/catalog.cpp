@@ -29,9 +29,8 @@ Field field_of(const Json& json) {
   field.meaning = text_of(json, "meaning");
   field.is_required = json.value("required", false);
   const auto number = [&](const char* name) -> std::optional<double> {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_number() ? std::optional(found->get<double>())
-                                                     : std::nullopt;
+    const Json& value = member(json, name);
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
   };
   QStringList bounds;
   const auto bound = [&](const char* name, const QString& words) {
@@ -45,20 +44,14 @@ Field field_of(const Json& json) {
   field.range = bounds.join(tr(" and "));
   field.least = number("min");
   field.most = number("max");
-  if (const auto choices = json.find("choices"); choices != json.end()) {
-    for (const Json& each : *choices) {
-      field.choices << words_of(each);
-    }
+  for (const Json& each : member(json, "choices")) {
+    field.choices << words_of(each);
   }
   return field;
 }
 
 void add_fields(Kind& kind, const Json& json, const char* list) {
-  const auto found = json.find(list);
-  if (found == json.end()) {
-    return;
-  }
-  for (const Json& each : *found) {
+  for (const Json& each : member(json, list)) {
     if (text_of(each, "name") != "remove") {  // an inherited element is removed in the tree
       kind.fields.push_back(field_of(each));
     }
@@ -71,11 +64,11 @@ Kind plugin_of(const Json& json) {
   kind.description = text_of(json, "description");
   kind.holds_behaviors = json.value("holds_behaviors", false);
   add_fields(kind, json, "parameters");
-  for (const Json& each : json.value("elements", Json::array())) {
+  for (const Json& each : member(json, "elements")) {
     kind.elements << text_of(each, "name");
   }
   for (const auto& [name, list] : {std::pair("needs", &kind.needs), {"produces", &kind.produces}}) {
-    for (const Json& each : json.value(name, Json::array())) {
+    for (const Json& each : member(json, name)) {
       *list << words_of(each);
     }
   }
@@ -84,42 +77,30 @@ Kind plugin_of(const Json& json) {
 
 }  // namespace
 
+// Adds the attributes that all plugins of the kind may have in a world: the place of a sensor, the
+// priority of a behaviour.
 std::vector<Kind> Catalog::plugins(const QString& kind) const {
+  const auto common = element(kind);
   std::vector<Kind> kinds;
-  for (const Json& each : answer_.value("plugins", Json::array())) {
+  for (const Json& each : member(answer_, "plugins")) {
     if (text_of(each, "kind") == kind) {
-      kinds.push_back(*plugin(kind, text_of(each, "name")));
+      std::vector<Field>& fields = kinds.emplace_back(plugin_of(each)).fields;
+      if (common) fields.insert(fields.begin(), common->fields.begin(), common->fields.end());
     }
   }
   return kinds;
 }
 
-// Adds the attributes that all plugins of the kind may have in a world: the place of a sensor, the
-// priority of a behaviour.
-std::optional<Kind> Catalog::plugin(const QString& kind, const QString& name) const {
-  for (const Json& each : answer_.value("plugins", Json::array())) {
-    if (text_of(each, "kind") == kind && text_of(each, "name") == name) {
-      Kind found = plugin_of(each);
-      if (const auto common = element(kind)) {
-        found.fields.insert(found.fields.begin(), common->fields.begin(), common->fields.end());
-      }
-      return found;
-    }
-  }
-  return std::nullopt;
-}
-
 std::optional<Kind> Catalog::element(const QString& name) const {
-  const Json elements = answer_.value("elements", Json::object());
-  const auto found = elements.find(name.toStdString());
-  if (found == elements.end()) {
+  const Json& found = member(member(answer_, "elements"), name.toUtf8().constData());
+  if (!found.is_object()) {
     return std::nullopt;
   }
   Kind kind;
   kind.name = name;
-  kind.description = text_of(*found, "meaning");
-  add_fields(kind, *found, "attributes");
-  for (const Json& each : found->value("children", Json::array())) {
+  kind.description = text_of(found, "meaning");
+  add_fields(kind, found, "attributes");
+  for (const Json& each : member(found, "children")) {
     kind.elements << words_of(each);
   }
   return kind;
@@ -156,8 +137,8 @@ std::optional<Kind> Catalog::kind_of(const ElementPlace& place) const {
       return each;
     }
   }
-  for (const Json& plugin : answer_.value("plugins", Json::array())) {
-    for (const Json& each : plugin.value("elements", Json::array())) {
+  for (const Json& plugin : member(answer_, "plugins")) {
+    for (const Json& each : member(plugin, "elements")) {
       if (text_of(each, "name") == name && text_of(plugin, "name") == holder) {
         Kind kind;
         kind.name = name;

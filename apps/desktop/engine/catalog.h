@@ -51,8 +51,6 @@ class Catalog {
   std::optional<Kind> element(const QString& name) const;
 
  private:
-  std::optional<Kind> plugin(const QString& kind, const QString& name) const;
-
   Json answer_;
 };
 

@@ -87,6 +87,15 @@ ElementPlace list_at(const Json& world, const QString& holder, const QString& li
   return found;
 }
 
+std::vector<ElementPlace> members_of(const Json& world, const QString& holder,
+                                     const QString& list) {
+  std::vector<ElementPlace> members;
+  if (const ElementPlace place = list_at(world, holder, list); place.element) {
+    visit_children(place, [&](const ElementPlace& each) { members.push_back(each); });
+  }
+  return members;
+}
+
 QString member_word(const QString& list) {
   static const QHash<QString, QString> words{{"teams", "team"},
                                              {"obstacles", "obstacle"},

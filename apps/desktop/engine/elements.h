@@ -30,6 +30,8 @@ ElementPlace place_of(const Json& world, const QString& path);
 /// The list of that name ("sensors") directly in the element at that path; its `element` is null if
 /// there is none.
 ElementPlace list_at(const Json& world, const QString& holder, const QString& list);
+/// The elements in that list.
+std::vector<ElementPlace> members_of(const Json& world, const QString& holder, const QString& list);
 
 /// The word for the members of a list: "robot" for "robots"; "" if that is not a list.
 QString member_word(const QString& list);

@@ -101,17 +101,9 @@ std::vector<Recovered> Recovery::left_behind() {
       continue;
     }
     const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
-    const auto member = [&json](const char* word) -> std::optional<QString> {
-      const auto found = json.is_object() ? json.find(word) : json.end();
-      return found != json.end() && found->is_string()
-                 ? std::optional(QString::fromStdString(found->get<std::string>()))
-                 : std::nullopt;
-    };
-    const auto text = member("text");
-    const bool is_borrowed = json.is_object() && json.contains("borrowed") &&
-                             json["borrowed"].is_boolean() && json["borrowed"].get<bool>();
-    all.push_back({member("file").value_or(QString()), text.value_or(QString()), path, is_borrowed,
-                   !text, waiting_in(json)});
+    all.push_back({text_of(json, "file"), text_of(json, "text"), path,
+                   member(json, "borrowed") == true, !member(json, "text").is_string(),
+                   waiting_in(json)});
   }
   return all;
 }

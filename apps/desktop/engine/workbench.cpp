@@ -28,19 +28,12 @@ Problems listed(const Json& object, const char* list, bool are_warnings) {
       break;
     }
     problems.push_back(
-        {text_at(each, "file"), each.value("line", 0), text_at(each, "message"), are_warnings});
+        {text_of(each, "file"), each.value("line", 0), text_of(each, "message"), are_warnings});
   }
   return problems;
 }
 
 }  // namespace
-
-QString text_at(const Json& object, const char* name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string()
-             ? QString::fromStdString(found->get<std::string>())
-             : QString();
-}
 
 Problems problems_of(const Json& answer) {
   Problems problems = listed(answer, "refused", false);
@@ -139,7 +132,6 @@ void Workbench::open_in_engine(const QString& text) {
           if (answer.contains("refused")) {
             tree_ = scene_ = Json();
             warnings_.clear();
-            is_right_ = false;
             set_problems(problems_of(answer));
             Q_EMIT described();
           } else {
@@ -154,8 +146,7 @@ void Workbench::open_in_engine(const QString& text) {
 
 /// `sent` is the text when the order was sent; anything typed since then stays.
 void Workbench::describe(const Json& answer, const QString& sent) {
-  is_right_ = true;
-  history_text_ = text_at(answer, "text");
+  history_text_ = text_of(answer, "text");
   if (text_ == sent) {
     text_ = history_text_;
   }
@@ -190,7 +181,7 @@ void Workbench::heard(const Json& event) {
   if (what == "state") {
     if (is_current(event.value("epoch", epoch_))) Q_EMIT state(event);
   } else if (what == "note") {
-    Q_EMIT noted(text_at(event, "text"));
+    Q_EMIT noted(text_of(event, "text"));
   } else if (what == "raised") {
     Q_EMIT raised(event);
   } else if (what == "paused") {
@@ -217,7 +208,6 @@ void Workbench::heard(const Json& event) {
 
 /// Keeps the world as a text only, because no engine accepts it.
 void Workbench::keep_as_text(const QString& why) {
-  is_right_ = false;
   tree_ = scene_ = Json();
   warnings_.clear();
   set_problems({{file_, 0, why}});

@@ -43,7 +43,7 @@ class Workbench : public QObject {
   /// The present text, valid or not.
   const QString& text() const { return text_; }
   /// Whether the engine has a world of this document; otherwise problems() says why not.
-  bool is_right() const { return is_right_; }
+  bool is_right() const { return tree_.is_object(); }
   const Problems& problems() const { return problems_; }
   /// Whether the engine is reading a world; a large one takes some seconds.
   bool is_opening() const { return !under_way_.isEmpty() && tree_.is_null(); }
@@ -229,7 +229,6 @@ class Workbench : public QObject {
   TextForm form_;
   Json tree_, scene_;
   std::uint64_t epoch_ = 0;
-  bool is_right_ = false;
   Problems problems_, warnings_, plugin_problems_;
   History history_;
   std::deque<Change> changes_;  // the first is under way if is_changing_
@@ -266,8 +265,5 @@ bool names_plugin(const QString& report);
 /// except a file with that content.
 QString free_name(const QString& folder, const QString& name,
                   const std::optional<QByteArray>& content = {});
-
-/// The text of that name in the object; "" if there is none.
-QString text_at(const Json& object, const char* name);
 
 }  // namespace elsie::desktop

@@ -105,7 +105,7 @@ void Workbench::edit(const QStringList& edits, const QString& name, const QStrin
   deaths_ = 0;
   in_turn(
       [this, edits, name, merge] {
-        if (engine_.is_there() && (!is_right_ || text_ != history_text_)) {
+        if (engine_.is_there() && (!is_right() || text_ != history_text_)) {
           end_change({{{},
                        0,
                        tr("The text of the world has mistakes; fix them first, or undo what was "
@@ -222,7 +222,7 @@ void Workbench::undo() {
           text_ = history_text_;
           keep();
           Q_EMIT history_changed();
-          if (!is_right_) {
+          if (!is_right()) {
             open_in_engine(text_);
             return;
           }

@@ -82,7 +82,6 @@ void Workbench::open_text(const QString& text, const QString& file, bool is_save
   is_gone_ = false;
   keep();
   tree_ = scene_ = Json();
-  is_right_ = false;
   plugin_problems_.clear();
   watch_file();
   in_turn([this] { open_in_engine(text_); });
@@ -286,7 +285,7 @@ void Workbench::save_elsewhere(const QString& target) {
             return;
           }
           QString not_copied;
-          const QString text = bring_beside(target, text_at(answer, "text"), not_copied);
+          const QString text = bring_beside(target, text_of(answer, "text"), not_copied);
           if (const QString why = write(target, text); !why.isEmpty()) {
             end_change({{target, 0, why}});
             return;

@@ -76,7 +76,7 @@ void Workbench::reset(std::uint64_t seed) {
   Q_EMIT about_to_change();
   deaths_ = 0;
   in_turn([this, seed] {
-    if (!is_right_) {  // the text is opened with this seed once it is valid
+    if (!is_right()) {  // the text is opened with this seed once it is valid
       seed_ = seed;
       Q_EMIT run_changed();
       end_change();

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFileDialog>
-#include <QMessageBox>
 #include <QProgressDialog>
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "engine/workbench.h"
 #include "export/film.h"
 #include "paint/save_picture.h"
+#include "paint/warning_label.h"
 #include "scene/scene_view.h"
 
 namespace elsie::desktop {
@@ -37,14 +37,6 @@ QString Exporter::ask_for_file(const QString& title, const QString& name, const 
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front() : QString();
 }
 
-void Exporter::warn(const QString& name, const QString& sentence) {
-  auto* box =
-      new QMessageBox(QMessageBox::Warning, tr("Not exported"), sentence, QMessageBox::Ok, window_);
-  box->setObjectName(name);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
-}
-
 void Exporter::export_picture() {
   const QString file =
       ask_for_file(tr("Export the picture"), "world.png", tr("Pictures (*.png *.jpg)"));
@@ -52,7 +44,8 @@ void Exporter::export_picture() {
     return;
   }
   const QString why = save_picture(scene_.picture(), file);
-  why.isEmpty() ? Q_EMIT said(tr("The picture is in '%1'").arg(file)) : warn("picture_failed", why);
+  why.isEmpty() ? Q_EMIT said(tr("The picture is in '%1'").arg(file))
+                : warn(window_, tr("Not exported"), why, "picture_failed");
 }
 
 // The film
@@ -127,9 +120,10 @@ void Exporter::end_film(bool is_wanted) {
   if (is_whole) {
     Q_EMIT said(tr("%1 pictures in '%2'").arg(frames).arg(film_file_));
   } else if (is_wanted) {
-    warn("film_failed", tr("The film could not be written to '%1': %2. What was there before is "
-                           "unchanged.")
-                            .arg(film_file_, why));
+    warn(window_, tr("Not exported"),
+         tr("The film could not be written to '%1': %2. What was there before is unchanged.")
+             .arg(film_file_, why),
+         "film_failed");
   }
   Q_EMIT film_ended(is_whole);
 }
@@ -155,7 +149,7 @@ void Exporter::record_into(const QString& file) {
 
 void Exporter::copy_command() {
   workbench_.ask({{"do", "command"}}, [this](const Json& answer) {
-    const QString text = QString::fromStdString(answer.value("text", std::string()));
+    const QString text = text_of(answer, "text");
     if (text.isEmpty()) {
       Q_EMIT said(tr("There is no world yet."));
       return;

@@ -44,7 +44,6 @@ class Exporter : public QObject {
  private:
   /// Returns "" if the user cancels.
   QString ask_for_file(const QString& title, const QString& name, const QString& kinds);
-  void warn(const QString& name, const QString& sentence);
   void add_frame(int number);
   void end_film(bool is_wanted);
 

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QMessageBox>
 
 #include "paint/axes.h"
 
@@ -30,6 +31,13 @@ void WarningLabel::colour() {
   QPalette own = QApplication::palette(this);
   own.setColor(QPalette::WindowText, red(own));
   setPalette(own);
+}
+
+void warn(QWidget* window, const QString& title, const QString& sentence, const QString& name) {
+  auto* box = new QMessageBox(QMessageBox::Warning, title, sentence, QMessageBox::Ok, window);
+  box->setObjectName(name);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
 }
 
 }  // namespace elsie::desktop

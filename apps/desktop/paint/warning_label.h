@@ -21,4 +21,8 @@ class WarningLabel : public QLabel {
   void colour();
 };
 
+/// Warns in a box that does not block the event loop; `name` is its object name.
+void warn(QWidget* window, const QString& title, const QString& sentence,
+          const QString& name = "warning");
+
 }  // namespace elsie::desktop

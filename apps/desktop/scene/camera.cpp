@@ -4,12 +4,10 @@
 #include <QRectF>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace elsie::desktop {
 namespace {
 
-constexpr double kSteepest = -0.5 * std::numbers::pi;
 constexpr double kFlattest = 0.1;
 constexpr double kNearest = 0.05;  // m
 constexpr double kFarthest = 30'000.0;
@@ -41,24 +39,9 @@ void OrbitCamera::show(double length, double width, const QSizeF& size) {
   }
 }
 
-void OrbitCamera::look_from_top() {
-  yaw = 0.5 * std::numbers::pi;
-  pitch = kSteepest;
-}
-
-void OrbitCamera::look_from_front() {
-  yaw = 0.5 * std::numbers::pi;
-  pitch = -0.15;
-}
-
-void OrbitCamera::look_from_side() {
-  yaw = std::numbers::pi;
-  pitch = -0.15;
-}
-
 void OrbitCamera::orbit(const QPointF& by) {
   yaw = wrap_angle(yaw - kPerPixel * by.x());
-  pitch = std::clamp(pitch - kPerPixel * by.y(), kSteepest, kFlattest);
+  pitch = std::clamp(pitch - kPerPixel * by.y(), kFromTop.pitch, kFlattest);
 }
 
 void OrbitCamera::pan(const QPointF& by, const QSizeF& size) {

@@ -3,6 +3,7 @@
 
 #include <QPointF>
 #include <QSizeF>
+#include <numbers>
 #include <optional>
 
 #include "elsie/api/geometry.h"
@@ -22,9 +23,13 @@ class OrbitCamera {
 
   /// Shows an area around the origin completely, obliquely from the south or from above.
   void show(double length, double width, const QSizeF& size);
-  void look_from_top();
-  void look_from_front();
-  void look_from_side();
+  /// Where the camera looks from, whatever its target is.
+  struct View {
+    double yaw, pitch;
+  };
+  static constexpr View kFromTop{0.5 * std::numbers::pi, -0.5 * std::numbers::pi};
+  static constexpr View kFromFront{0.5 * std::numbers::pi, -0.15};
+  static constexpr View kFromSide{std::numbers::pi, -0.15};
 
   /// Move the camera by a movement of the mouse, px.
   void orbit(const QPointF& by);

@@ -32,8 +32,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   try {
     renderer_ = std::make_unique<render::Renderer>();
-  } catch (const render::RenderError&) {
-    has_no_renderer_ = true;  // outlines by Qt
+  } catch (const render::RenderError&) {  // outlines by Qt
   }
 }
 
@@ -142,18 +141,9 @@ void SceneView::show_all() {
   camera_moved();
 }
 
-void SceneView::look_from_top() {
-  camera_.look_from_top();
-  camera_moved();
-}
-
-void SceneView::look_from_front() {
-  camera_.look_from_front();
-  camera_moved();
-}
-
-void SceneView::look_from_side() {
-  camera_.look_from_side();
+void SceneView::look(const OrbitCamera::View& from) {
+  camera_.yaw = from.yaw;
+  camera_.pitch = from.pitch;
   camera_moved();
 }
 
@@ -199,7 +189,6 @@ void SceneView::draw_solids() {
     renderer_->render(stage_.drawn(), std::span(&view, 1), pictures);
   } catch (const render::RenderError&) {
     renderer_.reset();
-    has_no_renderer_ = true;
     return;
   }
   drawn_ = QImage(pixels_.bytes.data(), width, height, static_cast<qsizetype>(width) * 3,
@@ -240,7 +229,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     return;
   }
   const OverlayPainter over(painter, stage_, camera_, size());
-  if (has_no_renderer_) over.outlines();
+  if (!renderer_) over.outlines();
   if (overlays_.grid) over.grid();
   if (overlays_.trails) {
     trails_.paint(painter, stage_, camera_, size(), devicePixelRatioF());
@@ -331,7 +320,7 @@ QStringList SceneView::movable() const {
 }
 
 void SceneView::paint_selection(QPainter& painter, const OverlayPainter& over) const {
-  const bool is_dragged = drag_ == Drag::move || drag_ == Drag::turn || drag_ == Drag::resize;
+  const bool is_dragged = is_selection_dragged();
   for (const QString& path : selection_) {
     const bool is_moved = is_dragged && !locked_.contains(path);
     for (const Stage::Solid& solid : stage_.solids()) {

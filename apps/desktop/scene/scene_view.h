@@ -35,7 +35,7 @@ class SceneView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Tool { move, turn, resize, measure };
+  using Tool = elsie::desktop::Tool;
   /// What is drawn over the solids.
   struct Overlays {
     bool trails = true;
@@ -74,9 +74,7 @@ class SceneView : public QWidget {
   Tool tool() const { return tool_; }
 
   void show_all();
-  void look_from_top();
-  void look_from_front();
-  void look_from_side();
+  void look(const OrbitCamera::View& from);
   void frame_selection();
   /// The camera follows this robot; "" stops following.
   void follow(const QString& path);
@@ -99,9 +97,9 @@ class SceneView : public QWidget {
   void selected(const QStringList& paths);
   void said(const QString& sentence);
   void locks_changed();
-  void edit_wished(const QString& path, const QPoint& global);
-  /// `x`, `y`: the point of the floor there, m.
-  void menu_wished(const QPoint& global, double x, double y);
+  void edit_wished(const QString& path);
+  /// `floor`: the point of the floor there, m.
+  void menu_wished(const QPoint& global, std::optional<QPointF> floor);
   /// The menu key was pressed: opens the menu of the selected object.
   void element_menu_wished(const QString& path, const QPoint& global);
   /// A drag has ended; the movement is in m or rad.
@@ -125,7 +123,7 @@ class SceneView : public QWidget {
   QSize sizeHint() const override { return {640, 480}; }
 
  private:
-  enum class Drag { none, pressed, orbit, pan, move, turn, resize, measure };
+  enum class Drag { none, pressed, orbit, pan, tool };
   struct Ghost {
     double x = 0.0, y = 0.0, turn = 0.0;
     std::optional<Vector3> size;
@@ -142,8 +140,9 @@ class SceneView : public QWidget {
   std::optional<Tool> handle_at(const QPointF& pixel) const;
   std::optional<Frame> frame_of_selected() const;
   std::optional<Vector3> size_of_selected() const;
+  bool is_selection_dragged() const { return drag_ == Drag::tool && dragged_ != Tool::measure; }
   void drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
-  void begin_typed(TypedDrag::Kind kind);
+  void begin_typed(Tool tool);
   void take_typed(const QKeyEvent& key);
   void end_drag();
   void stop_drag();
@@ -152,8 +151,7 @@ class SceneView : public QWidget {
   OrbitCamera camera_;
   OrbitCamera all_;  // as show_all() left it
   Overlays overlays_;
-  std::unique_ptr<render::Renderer> renderer_;
-  bool has_no_renderer_ = false;
+  std::unique_ptr<render::Renderer> renderer_;  // null: outlines by Qt
   Image pixels_;
   QImage drawn_;
   bool is_stale_ = true;
@@ -166,6 +164,7 @@ class SceneView : public QWidget {
   Tool tool_ = Tool::move;
 
   Drag drag_ = Drag::none;
+  Tool dragged_ = Tool::none;  // while drag_ is Drag::tool
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF pressed_, last_;
   Vector3 pressed_at_;

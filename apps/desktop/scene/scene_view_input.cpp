@@ -34,12 +34,12 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   drag_ = Drag::pressed;
   if (button_ == Qt::LeftButton && !(event->modifiers() & Qt::ControlModifier) && floor) {
     if (tool_ == Tool::measure) {
-      drag_ = Drag::measure;
+      drag_ = Drag::tool;
+      dragged_ = Tool::measure;
       tape_ = {pressed_at_, pressed_at_};
     } else if (const auto handle = handle_at(pressed_)) {
-      drag_ = *handle == Tool::move   ? Drag::move
-              : *handle == Tool::turn ? Drag::turn
-                                      : Drag::resize;
+      drag_ = Drag::tool;
+      dragged_ = *handle;
       ghost_ = {};
     }
   }
@@ -88,18 +88,18 @@ void SceneView::drag_to(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   const auto snapped = [&](double value, double step) {
     return snaps ? std::round(value / step) * step : value;
   };
-  if (drag_ == Drag::measure) {
+  if (dragged_ == Tool::measure) {
     tape_->second = {snapped(floor->x, kSnap), snapped(floor->y, kSnap), 0.0};
-  } else if (frame && drag_ == Drag::move) {
+  } else if (frame && dragged_ == Tool::move) {
     const Vector3 foot = frame->origin;
     ghost_.x = snapped(foot.x + part * (floor->x - pressed_at_.x), kSnap) - foot.x;
     ghost_.y = snapped(foot.y + part * (floor->y - pressed_at_.y), kSnap) - foot.y;
-  } else if (frame && drag_ == Drag::turn) {
+  } else if (frame && dragged_ == Tool::turn) {
     const double heading = heading_rad(*frame);
     const double wanted = std::atan2(floor->y - frame->origin.y, floor->x - frame->origin.x);
     const double by = part * wrap_angle(wanted - heading);
     ghost_.turn = radians(snapped(degrees(heading + by), kSnapTurn)) - heading;
-  } else if (frame && drag_ == Drag::resize) {
+  } else if (frame && dragged_ == Tool::resize) {
     const Vector3 aside = *floor - frame->origin;
     ghost_.size =
         Vector3{std::max(kLeastSize, snapped(2.0 * std::abs(dot(aside, frame->forward)), kSnap)),
@@ -112,9 +112,9 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != button_ || drag_ == Drag::none || typed_.is_on()) {
     return;
   }
-  const bool is_at_handle = drag_ == Drag::move || drag_ == Drag::turn || drag_ == Drag::resize;
-  const bool is_click = drag_ == Drag::pressed ||
-                        (is_at_handle && QLineF(event->position(), pressed_).length() < kClick);
+  const bool is_click =
+      drag_ == Drag::pressed ||
+      (is_selection_dragged() && QLineF(event->position(), pressed_).length() < kClick);
   if (!is_click) {
     end_drag();
     return;
@@ -137,24 +137,24 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (!path.isEmpty()) {
       set_selection({path});
       Q_EMIT selected({path});
-      Q_EMIT edit_wished(path, event->globalPosition().toPoint());
+      Q_EMIT edit_wished(path);
     } else {
       const Vector3 at = camera_.on_plane(event->position(), size()).value_or(Vector3{});
-      Q_EMIT menu_wished(event->globalPosition().toPoint(), at.x, at.y);
+      Q_EMIT menu_wished(event->globalPosition().toPoint(), QPointF(at.x, at.y));
     }
   }
 }
 
 void SceneView::end_drag() {
-  const Drag drag = drag_;
+  const Tool dragged = drag_ == Drag::tool ? dragged_ : Tool::none;
   drag_ = Drag::none;
-  if (drag == Drag::move && (ghost_.x != 0.0 || ghost_.y != 0.0)) {
+  if (dragged == Tool::move && (ghost_.x != 0.0 || ghost_.y != 0.0)) {
     Q_EMIT moved(movable(), ghost_.x, ghost_.y);
-  } else if (drag == Drag::turn && ghost_.turn != 0.0) {
+  } else if (dragged == Tool::turn && ghost_.turn != 0.0) {
     Q_EMIT turned(selection_.front(), ghost_.turn);
-  } else if (drag == Drag::resize && ghost_.size) {
+  } else if (dragged == Tool::resize && ghost_.size) {
     Q_EMIT resized(selection_.front(), ghost_.size->x, ghost_.size->y);
-  } else if (drag == Drag::measure) {
+  } else if (dragged == Tool::measure) {
     Q_EMIT measured(tape_->first.x, tape_->first.y, tape_->second.x, tape_->second.y);
   }
   ghost_ = {};
@@ -182,21 +182,19 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void SceneView::begin_typed(TypedDrag::Kind kind) {
+void SceneView::begin_typed(Tool tool) {
   const auto frame = frame_of_selected();
-  if (frame && drag_ == Drag::none && !locked_.contains(selection_.front()) &&
-      kind == TypedDrag::Kind::resize && !handle(Tool::resize)) {
-    Q_EMIT said(tr("The view cannot resize this; its numbers are in Properties."));
-  }
-  if (!frame || drag_ != Drag::none || locked_.contains(selection_.front()) ||
-      (kind == TypedDrag::Kind::resize && !handle(Tool::resize))) {
+  if (!frame || drag_ != Drag::none || locked_.contains(selection_.front())) {
     return;
   }
-  typed_.begin(kind);
+  if (tool == Tool::resize && !handle(tool)) {
+    Q_EMIT said(tr("The view cannot resize this; its numbers are in Properties."));
+    return;
+  }
+  typed_.begin(tool);
   ghost_ = {};
-  drag_ = kind == TypedDrag::Kind::move   ? Drag::move
-          : kind == TypedDrag::Kind::turn ? Drag::turn
-                                          : Drag::resize;
+  drag_ = Drag::tool;
+  dragged_ = tool;
   pressed_at_ = camera_.on_plane(mapFromGlobal(QCursor::pos()), size()).value_or(frame->origin);
   update();
 }
@@ -212,9 +210,9 @@ void SceneView::take_typed(const QKeyEvent& key) {
   ghost_ = {};
   const double number = typed_.has_number() ? typed_.number() : 0.0;
   const TypedDrag::Axis axis = typed_.axis();
-  if (drag_ == Drag::move) {
+  if (dragged_ == Tool::move) {
     (axis == TypedDrag::Axis::y ? ghost_.y : ghost_.x) = number;
-  } else if (drag_ == Drag::turn) {
+  } else if (dragged_ == Tool::turn) {
     ghost_.turn = radians(number);
   } else if (const auto sides = size_of_selected(); sides && number > 0.0) {
     ghost_.size = Vector3{axis == TypedDrag::Axis::y ? sides->x : number * sides->x,
@@ -263,13 +261,13 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
       }
       break;
     case Qt::Key_G:
-      begin_typed(TypedDrag::Kind::move);
+      begin_typed(Tool::move);
       break;
     case Qt::Key_R:
-      begin_typed(TypedDrag::Kind::turn);
+      begin_typed(Tool::turn);
       break;
     case Qt::Key_S:
-      begin_typed(TypedDrag::Kind::resize);
+      begin_typed(Tool::resize);
       break;
     case Qt::Key_Left:
       nudge(-1.0, 0.0);

@@ -26,8 +26,6 @@ class Stage {
 
     /// Whether this is the first vehicle of a robot's train.
     bool is_robot() const { return vehicle == 0 && path.startsWith("robot["); }
-    /// The id of the robot.
-    QString robot() const { return path.mid(6).chopped(1); }
   };
   /// A part of a body, or of the arena.
   struct Solid {

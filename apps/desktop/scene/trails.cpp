@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/elements.h"
+
 namespace elsie::desktop {
 namespace {
 
@@ -106,7 +108,7 @@ void Trails::paint(QPainter& painter, const Stage& stage, const OrbitCamera& cam
         if (run.size() > 1) lines.drawPolyline(run);
         run.clear();
       };
-      const std::vector<Point>& points = this->points(body.robot());
+      const std::vector<Point>& points = this->points(robot_id(body.path));
       const auto is_before = [](const Point& point, std::size_t sample) {
         return point.sample < sample;
       };

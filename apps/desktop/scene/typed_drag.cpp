@@ -41,18 +41,18 @@ bool TypedDrag::has_number() const {
 double TypedDrag::number() const { return number_.toDouble(); }
 
 TypedDrag::Axis TypedDrag::axis() const {
-  return axis_ == Axis::both && kind_ == Kind::move ? Axis::x : axis_;
+  return axis_ == Axis::both && tool_ == Tool::move ? Axis::x : axis_;
 }
 
 QString TypedDrag::text() const {
   const QString number = number_.isEmpty() ? QStringLiteral("...") : number_;
   const QString along = axis() == Axis::x ? tr("x") : axis() == Axis::y ? tr("y") : tr("x and y");
-  switch (kind_) {
-    case Kind::move:
+  switch (tool_) {
+    case Tool::move:
       return tr("move along %1 by %2 m").arg(along, number);
-    case Kind::turn:
+    case Tool::turn:
       return tr("turn by %1\u00b0").arg(number);
-    case Kind::resize:
+    case Tool::resize:
       return tr("size along %1 times %2").arg(along, number);
     default:
       return {};

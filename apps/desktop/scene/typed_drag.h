@@ -7,17 +7,18 @@ class QKeyEvent;
 
 namespace elsie::desktop {
 
+/// What a drag does: with the selection, or with the tape.
+enum class Tool { none, move, turn, resize, measure };
+
 /// An axis and a number, typed one key after the other: "X - 0 . 5". The view handles Enter and
 /// Esc.
 class TypedDrag {
  public:
-  enum class Kind { none, move, turn, resize };
   enum class Axis { both, x, y };
 
-  void begin(Kind kind) { *this = TypedDrag(), kind_ = kind; }
-  void end() { begin(Kind::none); }
-  bool is_on() const { return kind_ != Kind::none; }
-  Kind kind() const { return kind_; }
+  void begin(Tool tool) { *this = TypedDrag(), tool_ = tool; }
+  void end() { begin(Tool::none); }
+  bool is_on() const { return tool_ != Tool::none; }
 
   /// Takes a key. Returns false if the key does not belong to the drag.
   bool take(const QKeyEvent& key);
@@ -30,7 +31,7 @@ class TypedDrag {
   QString text() const;
 
  private:
-  Kind kind_ = Kind::none;
+  Tool tool_ = Tool::none;
   Axis axis_ = Axis::both;
   QString number_;
 };

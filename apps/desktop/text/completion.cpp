@@ -2,25 +2,8 @@
 
 #include <QRegularExpression>
 
-#include <nlohmann/json.hpp>
-
 namespace elsie::desktop {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-QString text_of(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string()
-             ? QString::fromStdString(found->get<std::string>())
-             : QString();
-}
-
-const Json& member(const Json& object, const char* key) {
-  static const Json none = Json::array();
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return object.is_object() && found != object.end() ? *found : none;
-}
 
 const Json& element(const Json& catalog, const QString& name) {
   return member(member(catalog, "elements"), name.toUtf8().constData());

@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include <nlohmann/json_fwd.hpp>
+#include "engine/json.h"
 
 namespace elsie::desktop {
 
@@ -17,6 +17,6 @@ struct Completion {
 };
 
 /// `catalog` is the answer to the order "catalog". The text need not be complete XML.
-Completion complete(const nlohmann::ordered_json& catalog, const QString& before);
+Completion complete(const Json& catalog, const QString& before);
 
 }  // namespace elsie::desktop

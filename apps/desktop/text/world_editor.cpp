@@ -13,8 +13,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "paint/axes.h"
 #include "text/completion.h"
 #include "text/find_bar.h"
 #include "text/xml_highlighter.h"
@@ -41,10 +40,6 @@ class Margin : public QWidget {
   WorldEditor* editor_;
 };
 
-QColor red(const QPalette& palette) {
-  return QColor(palette.color(QPalette::Base).lightnessF() < 0.5F ? 0xff7b72 : 0xb3151a);
-}
-
 }  // namespace
 
 WorldEditor::WorldEditor(QWidget* parent)
@@ -53,8 +48,7 @@ WorldEditor::WorldEditor(QWidget* parent)
       margin_(new Margin(this)),
       find_(new FindBar(this)),
       words_(new QStringListModel(this)),
-      completer_(new QCompleter(words_, this)),
-      catalog_(std::make_unique<nlohmann::ordered_json>()) {
+      completer_(new QCompleter(words_, this)) {
   setObjectName(QStringLiteral("world_editor"));
   setAccessibleName(tr("Text of the world"));
   QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -91,8 +85,6 @@ WorldEditor::WorldEditor(QWidget* parent)
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, &WorldEditor::mark_lines);
   lay_out();
 }
-
-WorldEditor::~WorldEditor() = default;
 
 // Not toPlainText(), which turns all other blanks into plain ones.
 QString WorldEditor::whole_text() const {
@@ -155,7 +147,7 @@ void WorldEditor::set_problems(const std::vector<Problem>& problems) {
   margin_->update();
 }
 
-void WorldEditor::set_catalog(const nlohmann::ordered_json& catalog) { *catalog_ = catalog; }
+void WorldEditor::set_catalog(const Json& catalog) { catalog_ = catalog; }
 
 void WorldEditor::go_to(int line) {
   const QTextBlock block = document()->findBlockByNumber(std::clamp(line, 1, blockCount()) - 1);
@@ -308,7 +300,7 @@ void WorldEditor::keyPressEvent(QKeyEvent* event) {
 }
 
 void WorldEditor::offer_words(bool wished) {
-  const Completion found = complete(*catalog_, whole_text().left(textCursor().position()));
+  const Completion found = complete(catalog_, whole_text().left(textCursor().position()));
   words_->setStringList(found.words);
   completer_->setCompletionPrefix(found.prefix);
   const bool is_whole =

@@ -4,11 +4,9 @@
 #include <QPlainTextEdit>
 #include <QTimer>
 #include <map>
-#include <memory>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "engine/json.h"
 #include "engine/problem.h"
 
 class QCompleter;
@@ -26,7 +24,6 @@ class WorldEditor : public QPlainTextEdit {
 
  public:
   explicit WorldEditor(QWidget* parent = nullptr);
-  ~WorldEditor() override;
 
   /// Changes only what differs, so that cursor and scroll position stay, without edited(). While
   /// typed text waits for its edited(), the text stays as typed, and edited() sends it.
@@ -39,7 +36,7 @@ class WorldEditor : public QPlainTextEdit {
   /// must be of this text.
   void set_problems(const std::vector<Problem>& problems);
   /// `catalog` is the answer to the order "catalog".
-  void set_catalog(const nlohmann::ordered_json& catalog);
+  void set_catalog(const Json& catalog);
   /// Puts the cursor at the start of the line, counted from 1, in the middle of the view.
   void go_to(int line);
   void open_find();
@@ -78,7 +75,7 @@ class WorldEditor : public QPlainTextEdit {
   QTimer typing_;
   bool from_outside_ = false;
   std::map<int, QString> problems_;  // by line, from 1
-  std::unique_ptr<nlohmann::ordered_json> catalog_;
+  Json catalog_;
 };
 
 }  // namespace elsie::desktop

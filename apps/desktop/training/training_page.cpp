@@ -11,7 +11,7 @@
 
 #include "engine/workbench.h"
 #include "paint/axes.h"
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 #include "training/learning_curve.h"
 
 namespace elsie::desktop {
@@ -138,25 +138,18 @@ void TrainingPage::remove_weights() {
 // They follow from the robot; nobody enters them.
 void TrainingPage::show_sizes(const Kind& kind) {
   QStringList inputs, outputs;
-  const QString holder = holder_of(coordinator_);
-  const QString robot = robot_path(coordinator_);
-  visit(workbench_.tree(), [&](const ElementPlace& place) {
-    if (!place.parent || !place.list.isEmpty()) {
-      return true;
+  const Json& world = workbench_.tree();
+  for (const ElementPlace& each : members_of(world, holder_of(coordinator_), "behaviors")) {
+    outputs << title_of(*each.element);
+  }
+  for (const ElementPlace& each : members_of(world, robot_path(coordinator_), "sensors")) {
+    const auto sensor = workbench_.catalog().kind_of(each);
+    if (sensor && std::any_of(kind.needs.begin(), kind.needs.end(), [&](const QString& need) {
+          return sensor->produces.contains(need);
+        })) {
+      inputs << title_of(*each.element);
     }
-    const QString list = name_of(*place.parent);
-    if (list == "behaviors" && holder_of(place.path) == holder) {
-      outputs << title_of(*place.element);
-    } else if (list == "sensors" && holder_of(place.path) == robot) {
-      const auto sensor = workbench_.catalog().kind_of(place);
-      if (sensor && std::any_of(kind.needs.begin(), kind.needs.end(), [&](const QString& need) {
-            return sensor->produces.contains(need);
-          })) {
-        inputs << title_of(*place.element);
-      }
-    }
-    return true;
-  });
+  }
   const auto listed = [](const QStringList& names) {
     return names.isEmpty() ? tr("none") : names.join(", ");
   };

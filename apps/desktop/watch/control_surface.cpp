@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "paint/quiet_wheel.h"
+#include "paint/boxes.h"
 
 namespace elsie::desktop {
 namespace {

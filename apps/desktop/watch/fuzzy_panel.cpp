@@ -13,8 +13,8 @@
 #include "elsie/fuzzy/sets.h"
 
 #include "paint/axes.h"
+#include "paint/boxes.h"
 #include "paint/figures.h"
-#include "paint/quiet_wheel.h"
 #include "watch/control_surface.h"
 #include "watch/fuzzy_instant.h"
 #include "watch/state.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include "engine/json.h"
 
 class QComboBox;
 
@@ -26,7 +26,7 @@ class FuzzyPanel : public QWidget {
 
   void set_robot(const QString& id);
   /// Takes a `state` event.
-  void add(const nlohmann::ordered_json& state);
+  void add(const Json& state);
   void clear();
 
   /// What the chosen model computes from the last state.

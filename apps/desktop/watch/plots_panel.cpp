@@ -206,11 +206,6 @@ void PlotsPanel::add_item(const QString& name) {
 
 QStringList PlotsPanel::names() const { return {names_.begin(), names_.end()}; }
 
-QTreeWidgetItem* PlotsPanel::item_of(const QString& name) const {
-  const auto found = items_.find(name);
-  return found == items_.end() ? nullptr : found->second;
-}
-
 QStringList PlotsPanel::chosen() const {
   QStringList all;
   for (const QString& name : chosen_) {
@@ -240,7 +235,7 @@ QStringList PlotsPanel::chosen_robots() const {
 
 void PlotsPanel::choose(const QString& name, bool on) {
   if (names_.contains(name)) {
-    item_of(name)->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
+    items_[name]->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
   }
 }
 
@@ -403,25 +398,25 @@ Figures PlotsPanel::figures() const {
 }
 
 std::string PlotsPanel::table() const {
-  const QStringList shown = chosen();
-  std::map<double, std::vector<double>> rows;
-  for (int n = 0; n < shown.size(); ++n) {
-    visit(shown[n], [&](double time_s, float value) {
-      std::vector<double>& row = rows[time_s];
-      row.resize(static_cast<std::size_t>(shown.size()), std::nan(""));
-      row[static_cast<std::size_t>(n)] = shortest(value);
-    });
-  }
   files::CsvLine line;
   line.text("time_s");
-  for (const QString& name : shown) {
+  std::vector<const std::vector<float>*> curves;
+  for (const QString& name : chosen()) {
     line.text(name.toStdString());
+    curves.push_back(samples_ ? samples_->curve(name) : nullptr);
   }
   std::string text = line.take() + '\n';
-  for (const auto& [time, row] : rows) {
-    line.number(files::tidy_time(time));
-    for (const double value : row) {
-      std::isfinite(value) ? line.number(value) : line.empty();
+  const auto has_value = [](const std::vector<float>* curve, std::size_t i) {
+    return curve && std::isfinite((*curve)[i]);
+  };
+  for (std::size_t i = 0; samples_ && i < samples_->times().size(); ++i) {
+    if (std::none_of(curves.begin(), curves.end(),
+                     [&](const auto* curve) { return has_value(curve, i); })) {
+      continue;
+    }
+    line.number(files::tidy_time(samples_->times()[i]));
+    for (const std::vector<float>* curve : curves) {
+      has_value(curve, i) ? line.number(shortest((*curve)[i])) : line.empty();
     }
     text += line.take() + '\n';
   }

@@ -64,7 +64,6 @@ class PlotsPanel : public QWidget {
   /// Calls `see` with the time and the value of each sample of a number that has one.
   template <class See>
   void visit(const QString& name, const See& see) const;
-  QTreeWidgetItem* item_of(const QString& name) const;
   void add_item(const QString& name);
   /// The chosen numbers that share an axis.
   struct Strip {

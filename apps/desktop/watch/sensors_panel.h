@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include <nlohmann/json_fwd.hpp>
+#include "engine/json.h"
 
 class QLineEdit;
 class QTreeWidget;
@@ -18,7 +18,7 @@ class SensorsPanel : public QWidget {
 
   void set_robot(const QString& id);
   /// Takes a `state` event.
-  void add(const nlohmann::ordered_json& state);
+  void add(const Json& state);
   void clear();
 
  private:

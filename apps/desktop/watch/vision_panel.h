@@ -5,8 +5,7 @@
 #include <QWidget>
 #include <map>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "engine/json.h"
 #include "paint/figures.h"
 
 class QMenu;
@@ -23,7 +22,7 @@ class VisionPanel : public QWidget, public ShowsFigures {
   explicit VisionPanel(QWidget* parent = nullptr);
 
   /// Takes a `state` event.
-  void add(const nlohmann::ordered_json& state);
+  void add(const Json& state);
   void clear();
 
   /// The names of all pictures so far: "robot/camera raw" and "robot/camera processed".
@@ -44,7 +43,7 @@ class VisionPanel : public QWidget, public ShowsFigures {
 
   QStringList shown() const;
   QRect cell(int n, int count) const;
-  void take(const QString& name, const nlohmann::ordered_json& camera, const char* field);
+  void take(const QString& name, const Json& camera, const char* field);
 
   std::map<QString, Picture> pictures_;
   QToolButton* choose_;

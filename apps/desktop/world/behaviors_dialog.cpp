@@ -59,15 +59,11 @@ BehaviorsDialog::BehaviorsDialog(Workbench& workbench, QString holder, QWidget* 
   grid->addWidget(refusal_, 6, 0, 1, 3);
   grid->addWidget(buttons_, 7, 0, 1, 3);
 
-  visit(workbench_.tree(), [&](const ElementPlace& each) {
-    if (each.list.isEmpty() && each.parent && name_of(*each.parent) == "behaviors" &&
-        holder_of(each.path) == holder_) {
-      auto* item = new QListWidgetItem(title_of(*each.element), carried_);
-      item->setData(kPath, each.path);
-      item->setData(kPlugin, name_of(*each.element));
-    }
-    return true;
-  });
+  for (const ElementPlace& each : members_of(workbench_.tree(), holder_, "behaviors")) {
+    auto* item = new QListWidgetItem(title_of(*each.element), carried_);
+    item->setData(kPath, each.path);
+    item->setData(kPlugin, name_of(*each.element));
+  }
   fill_pool();
   connect(add_, &QPushButton::clicked, this, &BehaviorsDialog::add);
   connect(take_away_, &QPushButton::clicked, this, &BehaviorsDialog::take_away);
@@ -134,13 +130,9 @@ void BehaviorsDialog::accept() {
     }
   }
   QStringList removals;
-  visit(workbench_.tree(), [&](const ElementPlace& each) {
-    if (each.list.isEmpty() && each.parent && name_of(*each.parent) == "behaviors" &&
-        holder_of(each.path) == holder_ && !kept.contains(each.path)) {
-      removals << each.path + "/@remove=true";
-    }
-    return true;
-  });
+  for (const ElementPlace& each : members_of(workbench_.tree(), holder_, "behaviors")) {
+    if (!kept.contains(each.path)) removals << each.path + "/@remove=true";
+  }
   edits = removals + edits;
   if (edits.isEmpty()) {
     QDialog::accept();

@@ -5,7 +5,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QRandomGenerator>
-#include <QScrollArea>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,7 +12,7 @@
 #include <numbers>
 
 #include "engine/workbench.h"
-#include "paint/quiet_wheel.h"
+#include "paint/boxes.h"
 #include "paint/warning_label.h"
 #include "training/training_page.h"
 #include "world/element_dialog.h"
@@ -107,15 +106,12 @@ void ElementDialog::offer_headings(const Kind& kind) {
         QString::number(QRandomGenerator::global()->bounded(kMostRandomHeading_deg + 1)));
   });
   tabs_->widget(0)->layout()->addWidget(button);
-  bool has_some = !kind.produces.contains("range");
-  visit(workbench_.tree(), [&](const ElementPlace& place) {
-    const auto other =
-        place.parent && name_of(*place.parent) == "sensors" && holder_of(place.path) == holder_
-            ? workbench_.catalog().kind_of(place)
-            : std::nullopt;
-    has_some = has_some || (other && other->produces.contains("range"));
-    return !has_some;
-  });
+  const std::vector<ElementPlace> sensors = members_of(workbench_.tree(), holder_, "sensors");
+  const bool has_some = !kind.produces.contains("range") ||
+                        std::any_of(sensors.begin(), sensors.end(), [&](const ElementPlace& each) {
+                          const auto other = workbench_.catalog().kind_of(each);
+                          return other && other->produces.contains("range");
+                        });
   fan_ = new Fan(has_some ? 1 : kFirstFan);
   tabs_->widget(0)->layout()->addWidget(fan_);
   connect(form, &Form::committed, fan_, [fan = fan_](const QString& name) {
@@ -128,33 +124,23 @@ void ElementDialog::offer_drives(const QString& chosen) {
   if (drives.empty()) {
     return;
   }
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
+  add_page(tr("drive"), "drive", drives.front(), Json::object());
+  const std::size_t place = pages_.size() - 1;
   auto* choice = new QComboBox;
   choice->setObjectName("drive");
   choice->setAccessibleName(tr("Drive"));
   quiet_wheel(choice);
-  auto* form = new Form;
   for (const Kind& drive : drives) {
     choice->addItem(drive.name);
     choice->setItemData(choice->count() - 1, drive.description, Qt::ToolTipRole);
   }
-  const std::size_t place = pages_.size();
-  pages_.push_back({tr("drive"), "drive", {}, form});
-  const auto show = [this, drives, form, place](int index) {
+  connect(choice, &QComboBox::currentIndexChanged, this, [this, drives, place](int index) {
     pages_[place].kind = drives[static_cast<std::size_t>(index)];
-    form->show_fields(drives[static_cast<std::size_t>(index)].fields, Json::object());
-  };
-  connect(choice, &QComboBox::currentIndexChanged, this, show);
-  column->addWidget(choice);
-  column->addWidget(form);
-  column->addStretch(1);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setWidget(page);
-  tabs_->addTab(scroll, tr("drive"));
+    pages_[place].form->show_fields(pages_[place].kind.fields, Json::object());
+  });
+  QWidget* page = pages_[place].form->parentWidget();
+  qobject_cast<QVBoxLayout*>(page->layout())->insertWidget(0, choice);
   choice->setCurrentText(chosen);
-  show(choice->currentIndex());
 }
 
 // A coordinator that learns has a page for that, and OK trains it first.

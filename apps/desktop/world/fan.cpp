@@ -4,7 +4,7 @@
 #include <QLabel>
 #include <cmath>
 
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 
 namespace elsie::desktop {
 namespace {

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <limits>
 
-#include "paint/quiet_wheel.h"
+#include "paint/boxes.h"
 #include "paint/warning_label.h"
 
 namespace elsie::desktop {

@@ -124,14 +124,12 @@ void Properties::show_list(const QString& holder, const QString& list) {
 }
 
 void Properties::refresh_list() {
-  const ElementPlace place = list_at(workbench_.tree(), path_, list_);
-  if (!place.element) {
+  if (!list_at(workbench_.tree(), path_, list_).element) {
     list_.clear();
     refresh();
     return;
   }
-  int count = 0;
-  visit_children(place, [&count](const ElementPlace&) { ++count; });
+  const std::size_t count = members_of(workbench_.tree(), path_, list_).size();
   const auto kind = workbench_.catalog().element(list_);
   title_->setText(path_.isEmpty() ? list_
                                   : tr("%1 of %2").arg(list_, title_at(workbench_.tree(), path_)));

@@ -145,51 +145,23 @@ void WorldTree::wish_edit(const QTreeWidgetItem* item) {
 
 void WorldTree::make_team_buttons() {
   auto* grid = new QGridLayout;
-  const auto button = [&](int row, int column, const char* name, const QString& text,
-                          const QString& tip) {
+  const auto button = [&](int row, int column, const char* name, const char* list,
+                          const QString& text, const QString& tip) {
     auto* made = new QPushButton(text);
     made->setObjectName(name);
     made->setToolTip(tip);
     grid->addWidget(made, row, column);
-    return made;
+    connect(made, &QPushButton::clicked, this,
+            [this, list] { Q_EMIT add_wished(selection().value(0), list); });
   };
-  connect(button(0, 0, "add_robot", tr("Robot..."), tr("Add a robot to the team")),
-          &QPushButton::clicked, this, [this] { Q_EMIT add_wished({}, "robots"); });
-  connect(button(0, 1, "add_sensor", tr("Sensor..."),
-                 tr("Add a sensor of any kind to the selected robot")),
-          &QPushButton::clicked, this,
-          [this] { Q_EMIT add_wished(holder_for("sensors"), "sensors"); });
-  connect(button(1, 0, "behaviors", tr("Behaviours..."),
-                 tr("Choose the behaviours of the selected robot")),
-          &QPushButton::clicked, this,
-          [this] { Q_EMIT behaviors_wished(holder_for("behaviors")); });
-  connect(button(1, 1, "coordinator", tr("Coordinator..."),
-                 tr("Choose or edit the coordinator of the selected robot")),
-          &QPushButton::clicked, this,
-          [this] { Q_EMIT add_wished(holder_for("coordinator"), "coordinator"); });
+  button(0, 0, "add_robot", "robots", tr("Robot..."), tr("Add a robot to the team"));
+  button(0, 1, "add_sensor", "sensors", tr("Sensor..."),
+         tr("Add a sensor of any kind to the selected robot"));
+  button(1, 0, "behaviors", "behaviors", tr("Behaviours..."),
+         tr("Choose the behaviours of the selected robot"));
+  button(1, 1, "coordinator", "coordinator", tr("Coordinator..."),
+         tr("Choose or edit the coordinator of the selected robot"));
   static_cast<QVBoxLayout*>(layout())->addLayout(grid);
-}
-
-// The selected behaviour if it holds others, otherwise the robot.
-QString WorldTree::holder_for(const QString& list) const {
-  const QStringList chosen = selection();
-  if (!chosen.isEmpty() && list != "sensors") {
-    const ElementPlace place = place_of(workbench_.tree(), chosen.front());
-    const auto kind = workbench_.catalog().kind_of(place);
-    if (kind && kind->holds_behaviors && chosen.front().contains("/behavior[")) {
-      return chosen.front();
-    }
-  }
-  return robot();
-}
-
-QString WorldTree::robot() const {
-  for (const QString& path : selection()) {
-    if (const QString robot = robot_path(path); !robot.isEmpty()) {
-      return robot;
-    }
-  }
-  return {};
 }
 
 QStringList WorldTree::selection() const {

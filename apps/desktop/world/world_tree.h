@@ -27,8 +27,6 @@ class WorldTree : public QWidget {
   void show_world();
   void set_selection(const QStringList& paths);
   QStringList selection() const;
-  /// The selected robot, or the robot that contains the selected object; "" if there is none.
-  QString robot() const;
   QTreeWidget* tree() { return tree_; }
   QTreeWidgetItem* item(const QString& path) const;
 
@@ -44,8 +42,8 @@ class WorldTree : public QWidget {
   /// The only selected row is the list of that name of the element at `holder`.
   void list_selected(const QString& holder, const QString& list);
   void edit_wished(const QString& path);
-  void add_wished(const QString& holder, const QString& list);
-  void behaviors_wished(const QString& holder);
+  /// A button of the team was pressed: adds to the list where `path` is selected; "": in the world.
+  void add_wished(const QString& path, const QString& list);
   void menu_wished(const QString& path, const QPoint& global);
 
  protected:
@@ -64,7 +62,6 @@ class WorldTree : public QWidget {
   void build(const std::vector<Shown>& shown);
   void show_item(QTreeWidgetItem& item, const ElementPlace& place);
   void filter(const QString& text);
-  QString holder_for(const QString& list) const;
 
   Workbench& workbench_;
   QString team_;

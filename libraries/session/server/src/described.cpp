@@ -48,6 +48,10 @@ Json problems_json(std::span<const base::Problem> problems) {
   return all;
 }
 
+Json problem_json(const std::string& sentence) {
+  return problems_json(std::vector<base::Problem>{{"", 0, sentence}});
+}
+
 Json warnings_json(const world::World& world) {
   std::vector<base::Problem> warnings;
   for (const world::Warning& each : world::warnings(world)) {

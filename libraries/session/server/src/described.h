@@ -14,6 +14,8 @@
 namespace elsie::server {
 
 Json problems_json(std::span<const base::Problem> problems);
+/// A single problem, of no file.
+Json problem_json(const std::string& sentence);
 
 /// The warnings of `elsie check` about settings that the physics may not simulate well.
 Json warnings_json(const world::World& world);

@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace elsie::server {
+
 void History::begin(std::vector<std::string> names, double period_s) {
   samples_.begin(period_s);
   names_ = share(std::move(names));
@@ -44,22 +45,16 @@ History::Sample History::at(double time_s) const {
 
 std::vector<History::Path> History::paths(std::span<const std::string> names,
                                           std::span<const Sample> samples) {
-  std::vector<Path> paths(names.size());
-  const NameList* list = nullptr;  // successive samples mostly share it
-  std::vector<std::size_t> places;
-  for (const Sample& sample : samples) {
-    if (sample.names.get() != list) {
-      list = sample.names.get();
-      places = list->places_of(names);
+  constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> nowhere(samples.size(), kNowhere);
+  std::vector<Path> paths(names.size(), {nowhere, nowhere});
+  visit_places(names, samples, [&](std::size_t i, std::size_t k, std::size_t place) {
+    const std::vector<snapshots::BodyState>& bodies = samples[k].bodies;
+    if (place < bodies.size() && bodies[place].present != 0.0F) {
+      paths[i].x[k] = bodies[place].origin[0];
+      paths[i].y[k] = bodies[place].origin[1];
     }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-      const bool is_there =
-          places[i] < sample.bodies.size() && sample.bodies[places[i]].present != 0.0F;
-      paths[i].x.push_back(is_there ? sample.bodies[places[i]].origin[0] : kNowhere);
-      paths[i].y.push_back(is_there ? sample.bodies[places[i]].origin[1] : kNowhere);
-    }
-  }
+  });
   return paths;
 }
 

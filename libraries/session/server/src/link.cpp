@@ -18,24 +18,15 @@ namespace {
 constexpr int kDeepest = 100;
 
 /// Copying and printing values takes a call for each level, and a deep one has no meaning.
-bool is_deep(std::string_view line) {
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size() && depth <= kDeepest; ++i) {
-    const char c = line[i];
-    if (quoted) {
-      i += c == '\\' ? 1 : 0;
-      quoted = c != '"';
-    } else {
-      quoted = c == '"';
-      depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-    }
-  }
-  return depth > kDeepest;
-}
-
 Json parsed(std::string_view line) {
-  return is_deep(line) ? Json(Json::value_t::discarded) : Json::parse(line, nullptr, false);
+  bool is_deep = false;
+  const auto goes_on = [&](int depth, Json::parse_event_t event, const Json&) {
+    is_deep |= depth >= kDeepest && (event == Json::parse_event_t::object_start ||
+                                     event == Json::parse_event_t::array_start);
+    return !is_deep;
+  };
+  Json message = Json::parse(line, goes_on, false);
+  return is_deep ? Json(Json::value_t::discarded) : message;
 }
 
 }  // namespace

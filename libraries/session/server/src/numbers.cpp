@@ -225,20 +225,11 @@ void Numbers::add_further(const Simulation& simulation, bool with_measures, bool
 std::vector<float> Numbers::values(std::span<const std::string> names,
                                    std::span<const Sample> samples) {
   std::vector<float> values(names.size() * samples.size(), kNone);
-  const NameList* list = nullptr;  // successive samples mostly share it
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const Sample& sample = samples[k];
-    if (sample.names.get() != list) {
-      list = sample.names.get();
-      places = list->places_of(names);
+  visit_places(names, samples, [&](std::size_t i, std::size_t k, std::size_t place) {
+    if (place < samples[k].values.size()) {
+      values[i * samples.size() + k] = samples[k].values[place];
     }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (places[i] < sample.values.size()) {
-        values[i * samples.size() + k] = sample.values[places[i]];
-      }
-    }
-  }
+  });
   return values;
 }
 

@@ -81,7 +81,7 @@ void Server::Impl::answer_past() {
       past_.tell(request, full);
     } catch (const std::exception& error) {
       full = answer;
-      full["refused"] = problems_json(std::vector<base::Problem>{{"", 0, error.what()}});
+      full["refused"] = problem_json(error.what());
     }
     link_.send(full);
   }

@@ -68,6 +68,24 @@ inline SharedNames share(std::vector<std::string> names) {
   return std::make_shared<const NameList>(std::move(names));
 }
 
+/// Calls `see` for each of these names and each of the samples, with their indices and the place of
+/// the name in the sample; past its end if the sample does not have it.
+template <class Sample, class See>
+void visit_places(std::span<const std::string> names, std::span<const Sample> samples,
+                  const See& see) {
+  const NameList* list = nullptr;  // successive samples mostly share it
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (samples[k].names.get() != list) {
+      list = samples[k].names.get();
+      places = list->places_of(names);
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      see(i, k, places[i]);
+    }
+  }
+}
+
 /// One sample per period, ascending in time. When they and their names take more than `most` bytes,
 /// every second sample is dropped, and the period doubles; the first one stays. A `Sample` has
 /// `time_s`, its `names` and `bytes()` without these.

@@ -59,21 +59,6 @@ void list_views(const simulation::Simulation& simulation, std::size_t robot, int
   }
 }
 
-void put(float (&to)[3], const Vector3& from) {
-  to[0] = static_cast<float>(from.x);
-  to[1] = static_cast<float>(from.y);
-  to[2] = static_cast<float>(from.z);
-}
-
-snapshots::BeamState beam_of(const Vector3& from, const Vector3& to, std::size_t robot, bool hit) {
-  snapshots::BeamState beam;
-  put(beam.from, from);
-  put(beam.to, to);
-  beam.robot = static_cast<std::uint32_t>(robot);
-  beam.hit = hit ? 1 : 0;
-  return beam;
-}
-
 /// The eight edges of a sensor's volume.
 void list_edges(const recording::SensedVolume& sensed, std::size_t robot,
                 std::vector<snapshots::BeamState>& edges) {
@@ -85,8 +70,10 @@ void list_edges(const recording::SensedVolume& sensed, std::size_t robot,
                                        pyramid.frame.point({pyramid.range_m, -aside, -above}),
                                        pyramid.frame.point({pyramid.range_m, aside, -above})};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    edges.push_back(beam_of(pyramid.frame.origin, corners[i], robot, sensed.detected));
-    edges.push_back(beam_of(corners[i], corners[(i + 1) % 4], robot, sensed.detected));
+    edges.push_back(
+        snapshots::BeamState::of(pyramid.frame.origin, corners[i], robot, sensed.detected));
+    edges.push_back(
+        snapshots::BeamState::of(corners[i], corners[(i + 1) % 4], robot, sensed.detected));
   }
 }
 
@@ -171,7 +158,7 @@ void list_beams(const simulation::Simulation& simulation,
   beams.clear();
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     for (const recording::RangeBeam& beam : recording::range_beams(simulation, i)) {
-      beams.push_back(beam_of(beam.from, beam.to, i, beam.hit));
+      beams.push_back(snapshots::BeamState::of(beam.from, beam.to, i, beam.hit));
     }
     for (const recording::SensedVolume& volume : recording::sensed_volumes(simulation, i)) {
       list_edges(volume, i, beams);

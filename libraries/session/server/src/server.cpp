@@ -65,11 +65,10 @@ void Server::Impl::handle(const Json& message) {
   } catch (const simulation::PluginFault&) {
     throw;
   } catch (const Json::exception& error) {
-    answer["refused"] = problems_json(std::vector<base::Problem>{
-        {"", 0,
-         std::string("the order lacks a member, or one has a wrong type: ") + error.what()}});
+    answer["refused"] = problem_json(
+        std::string("the order lacks a member, or one has a wrong type: ") + error.what());
   } catch (const std::exception& error) {
-    answer["refused"] = problems_json(std::vector<base::Problem>{{"", 0, error.what()}});
+    answer["refused"] = problem_json(error.what());
   }
   if (answers_with_snapshot_) {
     return;
@@ -90,10 +89,8 @@ void Server::Impl::handle(const Json& message) {
 
 void Server::Impl::refuse_line() {
   link_.send({{"answer", nullptr},
-              {"refused", problems_json(std::vector<base::Problem>{
-                              {"", 0,
-                               "a line is no order; expected a JSON object with `id` and `do`, in "
-                               "UTF-8, on one line"}})}});
+              {"refused", problem_json("a line is no order; expected a JSON object with `id` and "
+                                       "`do`, in UTF-8, on one line")}});
 }
 
 Server::Server(build::Watch& plugins, ServerOptions options)

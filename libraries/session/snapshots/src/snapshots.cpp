@@ -68,6 +68,15 @@ BodyState BodyState::of(const Frame& frame) {
   return state;
 }
 
+BeamState BeamState::of(const Vector3& from, const Vector3& to, std::size_t robot, bool hit) {
+  BeamState beam;
+  put(beam.from, from);
+  put(beam.to, to);
+  beam.robot = static_cast<std::uint32_t>(robot);
+  beam.hit = hit ? 1 : 0;
+  return beam;
+}
+
 Frame BodyState::frame() const {
   const Vector3 f = vector(forward), l = vector(left);
   return {

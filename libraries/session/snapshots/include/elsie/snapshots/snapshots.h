@@ -32,6 +32,8 @@ struct BeamState {
   float to[3];
   std::uint32_t robot = 0;  // its index in the world
   std::uint32_t hit = 0;
+
+  static BeamState of(const Vector3& from, const Vector3& to, std::size_t robot, bool hit);
 };
 
 /// The data of a snapshot before its lists.

@@ -1,8 +1,7 @@
-#include "paint/number_boxes.h"
+#include "paint/boxes.h"
 
+#include <QEvent>
 #include <QLocale>
-
-#include "paint/quiet_wheel.h"
 
 namespace elsie::desktop {
 namespace {
@@ -13,7 +12,26 @@ QLocale plain() {
   return locale;
 }
 
+class QuietWheel : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) {
+      return false;
+    }
+    event->ignore();  // the page below it takes the event
+    return true;
+  }
+};
+
 }  // namespace
+
+void quiet_wheel(QWidget* box) {
+  box->setFocusPolicy(Qt::StrongFocus);
+  box->installEventFilter(new QuietWheel(box));
+}
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
   setLocale(plain());

@@ -1,4 +1,4 @@
-// Boxes for typed numbers, which read them alike in every language.
+// Boxes for values: the mouse wheel, and numbers that are typed.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -6,8 +6,12 @@
 
 namespace elsie::desktop {
 
-/// A comma that is typed is a decimal point; no character separates thousands. The wheel changes
-/// the box only while it has the keyboard focus (quiet_wheel.h).
+/// Lets the wheel change the box only while the box has the keyboard focus, which the wheel does
+/// not give it. Otherwise the wheel moves the page that contains the box (QGIS#4245).
+void quiet_wheel(QWidget* box);
+
+/// Reads numbers alike in every language: a comma that is typed is a decimal point; no character
+/// separates thousands. With quiet_wheel().
 class NumberBox : public QDoubleSpinBox {
  public:
   explicit NumberBox(QWidget* parent = nullptr);
