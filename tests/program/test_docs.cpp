@@ -285,7 +285,7 @@ TEST_CASE("The page on sessions quotes the example, which edits and runs a world
   CHECK_THAT(refused.err, Catch::Contains("r9"));
 }
 
-TEST_CASE("The examples of inference alone load nothing else of Elsie") {
+TEST_CASE("The examples of inference load nothing of the core") {
   Workplace here;
   for (const std::string program : {"braking", "exclusive_or"}) {
     const std::string file = elsie::test::build_path("examples") + "/" + program;
@@ -294,7 +294,7 @@ TEST_CASE("The examples of inference alone load nothing else of Elsie") {
     CHECK(run.exit_code == 0);
     const std::string libraries =
         here.sh("ldd " + file + " | grep -o 'libelsie[a-z-]*' | sort -u").out;
-    CHECK(libraries == "libelsie-base\nlibelsie-inference\n");
+    CHECK(libraries == "libelsie-base\nlibelsie-files\nlibelsie-inference\n");
   }
   CHECK(here.sh(elsie::test::build_path("examples") + "/braking 0.5 4").out ==
         "0.5 m, 4.0 m/s: brake 0.797\n");

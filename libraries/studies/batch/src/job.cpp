@@ -17,8 +17,15 @@ struct nlohmann::adl_serializer<std::optional<T>> {
 };
 
 namespace elsie {
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pose, x, y, heading_rad)
+
+static void to_json(nlohmann::json& to, RunEnd::Outcome from) { to = simulation::to_string(from); }
+static void from_json(const nlohmann::json& from, RunEnd::Outcome& to) {
+  to = results::outcome_of(from.get<std::string>()).value();
 }
+
+}  // namespace elsie
 
 namespace elsie::simulation {
 
@@ -26,11 +33,6 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MeasuredValue, name, unit, meaning, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RobotResult, id, team, distance_m, collected, energy, pose,
                                    collisions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, robot, plugin, text)
-
-static void to_json(nlohmann::json& to, Outcome from) { to = to_string(from); }
-static void from_json(const nlohmann::json& from, Outcome& to) {
-  to = results::outcome_of(from.get<std::string>()).value();
-}
 
 }  // namespace elsie::simulation
 
