@@ -171,10 +171,10 @@ TEST_CASE("A ray that looks down finds the floor") {
   CHECK(hit->floor);
   CHECK(hit->distance == Approx(0.2).margin(1e-9));
   CHECK(cast(context, {0, 0, 0.1}, {0, 0, -1}) == Approx(0.1).margin(1e-12));
-  context.obstacle(ObstacleKind::fixed, 1.0, 0.0, {0.2, 0.4, 0.3});
-  CHECK(cast(context, {1.0, 0.1, 1.0}, {0, 0, -1}) == Approx(0.7).margin(1e-12));
   CHECK(cast(context, {0, 0, 0.1}, {0, 0, 1}) == kNone);
   CHECK(cast(context, {0, 0, 0.0}, level(0), 1.0) == kNone);
+  context.obstacle(ObstacleKind::fixed, 1.0, 0.0, {0.2, 0.4, 0.3});
+  CHECK(cast(context, {1.0, 0.1, 1.0}, {0, 0, -1}) == Approx(0.7).margin(1e-12));
 }
 
 TEST_CASE("A robot sees another of its size over its own chassis' top, but not itself") {
@@ -191,8 +191,8 @@ TEST_CASE("A robot sees another of its size over its own chassis' top, but not i
   CHECK(context.engine->cast_ray(sensor, level(180), 1.0, self) == std::nullopt);
   CHECK(cast(context, sensor, level(180), 1.0, kNobody) == 0.0);
   const std::size_t disc = context.robot(0.0, 1.0, 20, round_body(0.12));
-  CHECK(cast(context, {0, 0.04, 0.05}, level(90), 2.0, self) == Approx(0.9).margin(1e-9));
-  CHECK(cast(context, {0, 0.04, 0.05}, level(90), 2.0, disc) == kNone);
+  CHECK(cast(context, {0, 0.5, 0.05}, level(90), 2.0, self) == Approx(0.44).margin(1e-9));
+  CHECK(cast(context, {0, 0.5, 0.05}, level(90), 2.0, disc) == kNone);
   // The sensor deck ends 2 cm above the chassis.
   CHECK(cast(context, {0, 0, body.top() + 0.019}, level(0), 1.0, self) < 1.0);
   CHECK(cast(context, {0, 0, body.top() + 0.021}, level(0), 1.0, self) == kNone);
