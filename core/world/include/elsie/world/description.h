@@ -42,10 +42,10 @@ struct Physics {
   double gravity = -9.81;      // m/s2
   double step = 0.01;          // s
   int control_steps = 1;       // steps in one control period
-  double friction = 0.3;     // Coulomb coefficient of contacts between bodies and with the floor;
-                             // that of tyres is three times as high
-  double wheel_slip = 1e-3;  // force-dependent slip of a wheel on the floor, m/s per N
-  double bounce = 0.0;       // restitution, in [0, 1]
+  double friction = 0.3;       // Coulomb coefficient of contacts between bodies and with the floor;
+                               // that of tyres is three times as high
+  double wheel_slip = 1e-3;    // force-dependent slip of a wheel on the floor, m/s per N
+  double bounce = 0.0;         // restitution, in [0, 1]
   /// Those that engines declare, as far as the file sets them; see engine_facts.h.
   std::map<std::string, ParameterValue> parameters{};
   Location location{};
