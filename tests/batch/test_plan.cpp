@@ -124,7 +124,7 @@ TEST_CASE("The libraries that decide a cell are those that its worlds need") {
                     "libelsie-inference", "libode",        "ode"};
   CHECK(program_of({}) == plain);
   CHECK(program_of({{"<limits", "<physics engine=\"planar\"/><limits"}}) ==
-        Names{"libelsie", "libelsie-base", "libelsie-files", "libelsie-inference", "planar"});
+        Names{"libelsie", "libelsie-base", "libelsie-inference", "planar"});
   const Names cameras{"libelsie",        "libelsie-base",   "libelsie-files", "libelsie-inference",
                       "libelsie-render", "libelsie-vision", "libode",         "ode"};
   CHECK(program_of({{"<sensors>", "<sensors><vision/>"}}) == cameras);
@@ -136,8 +136,7 @@ TEST_CASE("The libraries that decide a cell are those that its worlds need") {
       program_of(
           {{"</world>",
             "<layouts><scatter id=\"s\" gap=\"0.3\"><static_box/></scatter></layouts></world>"}}) ==
-      Names{"layouts", "libelsie", "libelsie-base", "libelsie-files", "libelsie-inference",
-            "libode", "ode"});
+      Names{"layouts", "libelsie", "libelsie-base", "libelsie-inference", "libode", "ode"});
 }
 
 TEST_CASE("A world's measures are among its plugins, and in its text") {

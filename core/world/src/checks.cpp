@@ -371,20 +371,20 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
 
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems) {
+  // After a mistake there, some checks would be about default values.
+  const auto is_sound = [&](const char* name) {
+    const Element* element = root.child(name);
+    return !element || reading.sound(element->where);
+  };
   MentionCheck mentions(reading.world, problems);
   for (const Mention& mention : reading.mentions) mentions.check(mention);
   for (const auto& [spec, object] : reading.untouched) mentions.check(*spec, object);
   check_physics(reading.world.physics, problems);
   check_edits(reading.world, problems);
-  check_engine(reading.world, problems);
+  if (is_sound("physics")) check_engine(reading.world, problems);
   for (const std::size_t robot : reading.read_robots) {
     check_robot(reading, robot, host, is_running, problems);
   }
-  // After a mistake in the file's sizes, the following checks would be about default values.
-  const auto is_sound = [&](const char* name) {
-    const Element* element = root.child(name);
-    return !element || reading.sound(element->where);
-  };
   if (is_sound("arena") && is_sound("limits")) {
     for (const Goal& goal : reading.world.goals) {
       std::visit(

@@ -35,7 +35,8 @@ struct PhysicsContext {
   }
 
   std::size_t obstacle(world::ObstacleKind kind, double x, double y, const Vector3& size,
-                  double heading_deg = 0.0, double z = 0.0, double mass = world::Obstacle{}.mass) {
+                       double heading_deg = 0.0, double z = 0.0,
+                       double mass = world::Obstacle{}.mass) {
     world::Obstacle box;
     box.kind = kind;
     box.x = x;
