@@ -120,13 +120,17 @@ TEST_CASE("The libraries that decide a cell are those that its worlds need") {
     std::sort(names.begin(), names.end());
     return names;
   };
-  const Names plain{"libelsie",           "libelsie-base", "libelsie-files",
-                    "libelsie-inference", "libode",        "ode"};
+  const Names plain{"libelsie", "libelsie-base", "libelsie-inference", "libode", "ode"};
   CHECK(program_of({}) == plain);
   CHECK(program_of({{"<limits", "<physics engine=\"planar\"/><limits"}}) ==
         Names{"libelsie", "libelsie-base", "libelsie-inference", "planar"});
-  const Names cameras{"libelsie",        "libelsie-base",   "libelsie-files", "libelsie-inference",
-                      "libelsie-render", "libelsie-vision", "libode",         "ode"};
+  const Names cameras{"libelsie",
+                      "libelsie-base",
+                      "libelsie-inference",
+                      "libelsie-render",
+                      "libelsie-vision",
+                      "libode",
+                      "ode"};
   CHECK(program_of({{"<sensors>", "<sensors><vision/>"}}) == cameras);
   // A robot that an edit adds may have one.
   CHECK(program_of({{"</world>",
