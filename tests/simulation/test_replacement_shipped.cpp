@@ -98,7 +98,8 @@ void check(const std::string& file, const std::vector<std::string>& edits = {}) 
 
 }  // namespace
 
-TEST_CASE("The same libraries, loaded time and again, change nothing of any world, bit for bit") {
+TEST_CASE("The same libraries, loaded time and again, change nothing of any world, bit for bit",
+          "[release]") {
   for (const auto& entry : fs::directory_iterator(source_path("worlds"))) {
     if (entry.path().extension() == ".xml") {
       check(entry.path().string());

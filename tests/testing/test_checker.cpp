@@ -97,7 +97,7 @@ const Fault kFaults[] = {
 
 }  // namespace
 
-TEST_CASE("The checker reports the fault of a plugin, once, and names it") {
+TEST_CASE("The checker reports the fault of a plugin, once, and names it", "[release]") {
   for (const Fault& fault : kFaults) {
     CAPTURE(fault.name);
     const auto findings = check_plugin(fault.kind, fault.name, {}, broken());
