@@ -484,16 +484,6 @@ extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_
   return new elsie::physics::OdeEngine(arena, physics);
 }
 
-extern "C" __attribute__((visibility("default"))) void elsie_engine_parameters(
-    std::vector<elsie::world::AttributeSpec>& parameters) {
-  parameters = elsie::physics::softness_parameters();
-}
-
-extern "C" __attribute__((visibility("default"))) void elsie_check_world(
-    const elsie::world::World& world, elsie::base::Problems& problems) {
-  elsie::physics::check_softness(world.physics, problems);
-}
-
 extern "C" {
 __attribute__((
     visibility("default"))) extern const elsie::physics::EngineInterface elsie_engine_interface{};

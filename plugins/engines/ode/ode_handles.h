@@ -1,6 +1,7 @@
 // Owners of ODE's objects, and ODE's start in this process.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -48,6 +49,7 @@ class OdeWorld {
 };
 
 inline Vector3 to_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
+inline bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 struct DestroyOde {
   void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }

@@ -15,10 +15,6 @@ namespace {
 // ODE's solver gives up where two motors of equal strength reach their limits at the same instant.
 constexpr double kTieBreaker = 1e-6;
 
-// ODE's stop of a joint stands before the joint's limit by this angle, so that a joint at its limit
-// is beyond the stop despite rounding.
-constexpr double kStopSlack = 1e-6;  // rad
-
 // The additional distance that it may move in a step because it is accelerated.
 constexpr double kRobotSlack = 1e-3;  // m
 
@@ -26,8 +22,6 @@ constexpr double kRobotSlack = 1e-3;  // m
 constexpr double kFlush = 1e-9;  // m
 
 constexpr double kHalfSqrt2 = 0.5 * std::numbers::sqrt2;
-
-bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 /// The orientation of a wheel that is turned by `angle` about the vehicle's y axis, in the
 /// vehicle's frame. ODE's cylinders lie along their z axis.
@@ -43,12 +37,6 @@ void multiply(dQuaternion result, const dQuaternion a, const dQuaternion b) {
   dQuaternion product;
   dQMultiply0(product, a, b);
   std::copy(product, product + 4, result);
-}
-
-/// The unit vector along v, or `otherwise` where there is none.
-Vector3 unit(const Vector3& v, const Vector3& otherwise) {
-  const double length = std::sqrt(dot(v, v));
-  return length > 1e-6 ? (1.0 / length) * v : otherwise;
 }
 
 }  // namespace
@@ -267,20 +255,6 @@ void OdeVehicle::link_wheels(dWorldID world, const Frame& frame) {
   }
 }
 
-void OdeVehicle::link_hitch(dWorldID world, dBodyID front) {
-  const dJointID joint = dJointCreateUniversal(world, nullptr);
-  hitch_state_.joint = joint;
-  dJointAttach(joint, front, chassis_);
-  const Vector3 at = hitch_place();
-  dJointSetUniversalAnchor(joint, at.x, at.y, at.z);
-  dJointSetUniversalAxis1(joint, frame_.up.x, frame_.up.y, frame_.up.z);
-  dJointSetUniversalAxis2(joint, frame_.left.x, frame_.left.y, frame_.left.z);
-  dJointSetUniversalParam(joint, dParamLoStop1, kStopSlack - hitch_->max_yaw_rad);
-  dJointSetUniversalParam(joint, dParamHiStop1, hitch_->max_yaw_rad - kStopSlack);
-  dJointSetUniversalParam(joint, dParamLoStop2, -hitch_->max_pitch_rad);
-  dJointSetUniversalParam(joint, dParamHiStop2, hitch_->max_pitch_rad);
-}
-
 std::span<const JointSetting> OdeVehicle::set(std::span<const JointSetting> settings) {
   if (hitch_ && hitch_->torque > 0.0) {
     hitch_state_.wanted_yaw_rad =
@@ -316,29 +290,6 @@ void OdeVehicle::steer(Wheel& wheel, double step) {
   } else {
     turn_geom(wheel);
   }
-}
-
-void OdeVehicle::begin_hitch(double step) {
-  // ODE counts the angles of this joint the other way round: of the front against the one behind.
-  const dJointID joint = hitch_state_.joint;
-  if (hitch_->torque > 0.0) {
-    const double off = hitch_state_.wanted_yaw_rad - hitch_state_.yaw_rad;
-    hitch_state_.rate = std::clamp(off / step, -hitch_->yaw_rate_rad_s, hitch_->yaw_rate_rad_s);
-    dJointSetUniversalParam(joint, dParamVel1, -hitch_state_.rate);
-    dJointSetUniversalParam(joint, dParamFMax1, hitch_->torque);
-    return;
-  }
-  const double rate = -dJointGetUniversalAngle1Rate(joint);
-  const double limit = std::copysign(hitch_->max_yaw_rad, rate);
-  const double room = limit - hitch_state_.yaw_rad;
-  // ODE would add the torque of a motor to that of an active limit.
-  const bool is_there = std::abs(room) <= 2.0 * kStopSlack;
-  const bool reaches_it = !is_there && std::abs(rate) * step > std::abs(room);
-  if (reaches_it) dJointSetUniversalParam(joint, dParamVel1, -room / step);
-  if (reaches_it != hitch_state_.stopping) {
-    dJointSetUniversalParam(joint, dParamFMax1, reaches_it ? dInfinity : 0.0);
-  }
-  hitch_state_.stopping = reaches_it;
 }
 
 void OdeVehicle::meet_floor(OdeContacts& contacts, dGeomID floor) const {
@@ -413,42 +364,6 @@ void OdeVehicle::carry(dBodyID body, const Vector3& at) const {
   const Vector3 v = velocity_ + cross(turning_, at - solids_.chassis.shape.center);
   dBodySetPosition(body, at.x, at.y, at.z);
   dBodySetLinearVel(body, v.x, v.y, v.z);
-}
-
-bool OdeVehicle::settle_at_hitch(const Frame& front) {
-  const Vector3 joint = front.point({-hitch_->behind, 0.0, hitch_->height});
-  const dReal* r = dBodyGetRotation(chassis_);
-  // The transverse axis stays at right angles to the vertical of the body in front: no roll.
-  const Vector3 left{r[1], r[5], r[9]};
-  frame_.left = unit(left - dot(left, front.up) * front.up, left);
-  const Vector3 forward{r[0], r[4], r[8]};
-  frame_.forward = unit(forward - dot(forward, frame_.left) * frame_.left, forward);
-  frame_.up = cross(frame_.forward, frame_.left);
-  limit_hitch(front);
-
-  const Vector3 origin = joint - hitch_->ahead * frame_.forward - hitch_->height * frame_.up;
-  const Vector3 center = origin + middle_.z * frame_.up;
-  if (!is_finite(center) || !is_finite(frame_.forward) || !is_finite(frame_.left)) return false;
-  set_rotation(chassis_, frame_);
-  dBodySetPosition(chassis_, center.x, center.y, center.z);
-  read_frame();
-  return true;
-}
-
-void OdeVehicle::limit_hitch(const Frame& front) {
-  HitchState& state = hitch_state_;
-  const double yaw =
-      std::atan2(dot(frame_.forward, front.left), dot(frame_.forward, front.forward));
-  // Relative to the last angle, so that it does not jump by a full turn.
-  const double turned = state.yaw_rad + wrap_angle(yaw - state.yaw_rad);
-  const double pitch = std::asin(std::clamp(dot(frame_.forward, front.up), -1.0, 1.0));
-  state.yaw_rad = std::clamp(turned, -hitch_->max_yaw_rad, hitch_->max_yaw_rad);
-  state.pitch_rad = std::clamp(pitch, -hitch_->max_pitch_rad, hitch_->max_pitch_rad);
-  if (state.yaw_rad == turned && state.pitch_rad == pitch) return;
-  const Frame limited = front.frame(Frame::turned({}, state.yaw_rad, state.pitch_rad));
-  frame_.forward = limited.forward;
-  frame_.left = limited.left;
-  frame_.up = limited.up;
 }
 
 /// Reads the frame of the chassis from ODE; everything else follows from it.
