@@ -49,6 +49,19 @@ function(elsie_module name)
                                                          ELSIE_USES "${arg_USES}")
 endfunction()
 
+# elsie_text(MODULE NAME FILE): compiles a file in, as `extern const char* const NAME` of the namespace elsie::MODULE. The module's source is
+# "${CMAKE_CURRENT_BINARY_DIR}/NAME.cpp".
+function(elsie_text module name file)
+  file(READ "${file}" text)
+  file(CONFIGURE OUTPUT ${name}.cpp CONTENT [=[
+namespace elsie::@module@ {
+extern const char* const @name@;
+const char* const @name@ = R"text(@text@)text";
+}  // namespace elsie::@module@
+]=] @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+endfunction()
+
 # elsie_library(NAME FILE file-name MODULES module... [USES library...] [COMPONENT component])
 #
 # Adds a storey of docs/internals/architecture.md: a shared library of some modules, elsie::NAME, component NAME of the package, that links to
