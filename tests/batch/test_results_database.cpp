@@ -1,9 +1,7 @@
-#include <csignal>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
 #include <sqlite3.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +9,7 @@
 #include "elsie/batch/results_database.h"
 #include "elsie/results/hash.h"
 
+#include "../support/full_disk.h"
 #include "support.h"
 #include "tables.h"
 
@@ -384,10 +383,7 @@ TEST_CASE_METHOD(test::SmallBatch,
                  "On a full disk the batch ends with a sentence, and what was written is valid") {
   const pid_t child = fork();
   if (child == 0) {
-    // No file may grow beyond this, as on a full disk.
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{400'000, 400'000};
-    setrlimit(RLIMIT_FSIZE, &limit);
+    const test::FullDisk disk(400'000);
     int code = 1;
     try {
       auto database = ResultsDatabase::create(file, plan);
@@ -418,9 +414,7 @@ TEST_CASE_METHOD(test::SmallBatch,
 TEST_CASE_METHOD(test::SmallBatch, "No database is left behind when it cannot be made") {
   const pid_t child = fork();
   if (child == 0) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{10'000, 10'000};
-    setrlimit(RLIMIT_FSIZE, &limit);
+    const test::FullDisk disk(10'000);
     try {
       ResultsDatabase::create(file, plan);
     } catch (const batch::DatabaseError&) {

@@ -5,10 +5,8 @@
 #include <QFile>
 #include <QMessageBox>
 #include <QStandardPaths>
-#include <csignal>
 
-#include <sys/resource.h>
-
+#include "../support/full_disk.h"
 #include "window.h"
 
 namespace elsie::desktop {
@@ -19,22 +17,7 @@ inline void write(const QString& path, const QByteArray& bytes) {
   file.write(bytes);
 }
 
-/// Files that a process writes may be no larger than this while it lives.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit now{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &now);
-  }
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-};
+using test::FullDisk;
 
 inline QDir kept_work() {
   return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery");

@@ -1,5 +1,4 @@
 // Files that grow as a run goes on.
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,11 +7,12 @@
 #include <string>
 
 #include <catch2/catch.hpp>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include "elsie/base/error.h"
 #include "elsie/files/output_file.h"
+
+#include "../support/full_disk.h"
 
 namespace fs = std::filesystem;
 using elsie::files::OutputFile;
@@ -37,21 +37,6 @@ class TemporaryFile {
   fs::path path;
 };
 
-/// No file grows longer than this while it lives.
-class SizeLimit {
- public:
-  explicit SizeLimit(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-
- private:
-  rlimit before_{};
-};
-
 }  // namespace
 
 TEST_CASE("A file grows, and is closed with the last bytes") {
@@ -74,7 +59,7 @@ TEST_CASE("A piece is in a full file whole or not at all; other bytes as far as 
     OutputFile out("log 'x'");
     out.create(file.path);
     out.write("12345678");
-    const SizeLimit limit(10);
+    const elsie::test::FullDisk limit(10);
     SECTION("a piece") {
       CHECK_THROWS_WITH(out.write_piece("abcd"), "log 'x' could not be written: File too large");
       CHECK_THROWS_AS(out.write_piece("a"), std::runtime_error);  // not after a gap
