@@ -137,7 +137,7 @@ TEST_CASE("Random edits of a document are undone byte for byte") {
       if (!random.happens(0.2)) {
         continue;
       }
-      // The text says what the edit says when it edits the old text.
+      // The text says what the edit says when it overrides the old text.
       CAPTURE(document.text());
       REQUIRE(same(reduced(document.world()),
                    reduced(world::parse_world(before, file, shipped(), shipped_options({edit})))));

@@ -27,7 +27,7 @@ void check(const Pose& pose, double z);
 void check(const world::Obstacle& box);
 /// Of a robot with so many joints that can be set.
 void check(std::span<const JointSetting> settings, std::size_t joints);
-/// What Engine::drive_obstacle() is told of a box of this kind.
+/// The arguments of Engine::drive_obstacle() for an obstacle of this kind.
 void check_drive(world::ObstacleKind kind, const Vector2& position, const Vector2& velocity);
 
 }  // namespace elsie::physics

@@ -19,7 +19,7 @@
 
 namespace elsie::simulation {
 
-/// InPlaceEdits to make together before a step.
+/// Edits to make together before a step.
 struct DueEdits {
   double time_s = 0.0;  // the time that was given
   std::vector<Edit> edits;

@@ -74,7 +74,7 @@ class Robot final : private RobotRequests {
   /// Adds the energy of a collected resource, up to the capacity.
   void collect(double energy);
 
-  // InPlaceEdits by a user between two steps.
+  // Edits by a user between two steps.
 
   /// m/s; the present motion of the drive is limited at once.
   void set_max_speed(double max_speed);

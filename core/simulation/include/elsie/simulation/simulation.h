@@ -48,7 +48,7 @@ struct Budget {
 
 struct Options {
   std::uint64_t seed = 1;
-  /// Measure how long each behaviour takes, for the trace. InPlaceEdits nothing else.
+  /// Measure how long each behaviour takes, for the trace. Changes nothing else.
   bool measure_time = false;
   /// Folders for data files that an edit names, if they are not in the folder of the world's file.
   std::vector<std::string> data_directories{};

@@ -38,8 +38,8 @@ void complete_ids(Element& element, const ElementSpec& spec = vocabulary());
 /// Merges templates into all robots of a world.
 ///
 /// The attributes of the robot and of its body override those of the template. Sensors and
-/// behaviours are matched by id (default ids included): the same id edits, a new id adds,
-/// remove="true" removes. A coordinator of the same plugin edits the template's; a coordinator
+/// behaviours are matched by id (default ids included): the same id overrides, a new id adds,
+/// remove="true" removes. A coordinator of the same plugin overrides the template's; a coordinator
 /// of another plugin replaces it. The content of a behaviour is merged in the same way. Elements
 /// that a plugin declares replace the template's elements of the same list. Templates may nest.
 void merge_templates(Element& world, const plugin::Host& host, const Files& files,

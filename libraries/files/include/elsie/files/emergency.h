@@ -9,8 +9,8 @@ class EmergencyWriter {
   virtual ~EmergencyWriter() = default;
   // Signal handlers call both functions, so they may only use calls like write(2) and unlink(2).
 
-  /// Called before the stack trace, only on the thread that made this object or on one of its pool:
-  /// another thread may be in the middle of a change. Returns whether there was a file to write.
+  /// Called before the stack trace, only on the thread that made this object or on one that works
+  /// for it: another may be in the middle of a change. Returns whether there was a file to write.
   virtual bool write_now() noexcept { return false; }
   /// Called after the stack trace.
   virtual void clean_up_now() noexcept {}
