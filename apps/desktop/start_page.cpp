@@ -9,10 +9,10 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPixmap>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -153,7 +153,7 @@ void StartPage::draw_next() {
 
 bool StartPage::show_picture(int example) {
   QListWidgetItem* item = examples_->item(example);
-  const QIcon picture(picture_of(item->data(Qt::UserRole).toString()));
+  const QPixmap picture(picture_of(item->data(Qt::UserRole).toString()));
   if (!picture.isNull()) item->setIcon(picture);
   return !picture.isNull();
 }

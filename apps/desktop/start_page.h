@@ -4,7 +4,6 @@
 #include <QProcess>
 #include <QWidget>
 
-class QIcon;
 class QListWidget;
 
 namespace elsie::desktop {

@@ -328,7 +328,7 @@ TEST_CASE("The start page has examples with pictures, and New world asks and bui
   REQUIRE(examples->count() > 10);
   CHECK(wait_for([&] {
     for (int i = 0; i < examples->count(); ++i) {
-      if (examples->item(i)->icon().isNull()) return false;
+      if (examples->item(i)->icon().availableSizes().isEmpty()) return false;
     }
     return true;
   }));

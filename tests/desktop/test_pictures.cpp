@@ -87,7 +87,8 @@ TEST_CASE("Pictures: the start page", "[.pictures]") {
   Window window;
   resize(window);
   auto* examples = window.get<QListWidget>("examples");
-  REQUIRE(wait_for([&] { return !examples->item(examples->count() - 1)->icon().isNull(); }));
+  REQUIRE(wait_for(
+      [&] { return !examples->item(examples->count() - 1)->icon().availableSizes().isEmpty(); }));
   keep(window.window(), "start");
 }
 
