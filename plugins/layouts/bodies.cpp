@@ -102,8 +102,9 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
   const auto world = read(drawing, std::move(tree), problems);
   std::vector<Body> bodies;
   if (world) {
-    for (const world::Obstacle& box : world->obstacles)
+    for (const world::Obstacle& box : world->obstacles) {
       bodies.push_back({world::footprint_of(box)});
+    }
     for (const auto& charger : world->chargers) bodies.push_back({footprint_of(charger)});
     for (const world::Robot& robot : world->robots) bodies.push_back(body_of(robot));
   }

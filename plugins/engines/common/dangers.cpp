@@ -76,16 +76,17 @@ std::optional<std::string> danger_of_path(const world::World& world, const world
 void add_idle_parameters(const world::World& world, std::vector<world::Warning>& warnings) {
   const world::Physics& physics = world.physics;
   const world::ElementSpec& element = *world::vocabulary().child("physics");
-  for (const auto& [name, value] : physics.parameters) {
+  for (const auto& given : physics.parameters) {
+    const std::string& name = given.first;
     std::vector<std::string> having = plugin::engine_names();
     std::erase_if(having, [&](const std::string& engine) {
       return !plugin::find_declared(world::engine_parameters(engine), name);
     });
     if (std::find(having.begin(), having.end(), physics.engine) != having.end()) continue;
     const world::AttributeSpec* const known = element.attribute(name);
-    if (!known || value == known->default_value) continue;
+    if (!known || given.second == known->default_value) continue;
     warnings.push_back({world::Warning::About::no_effect, 0, physics.location,
-                        name + "=\"" + plugin::format_value(value) +
+                        name + "=\"" + plugin::format_value(given.second) +
                             "\" has no effect, because the engine '" + physics.engine +
                             "' has no such parameter; expected an engine that has it: " +
                             base::enumerated(having, "or")});

@@ -407,8 +407,8 @@ void OdeEngine::settle() {
 void OdeEngine::settle_robot(std::size_t robot, Share& share) {
   OdeRobot& settled = bodies_.robots[robot];
   const Body body{BodyKind::robot, robot};
-  const auto note = [&](std::optional<Failure> failure) {
-    if (failure && !share.failure) share.failure = std::move(failure);
+  const auto note = [&](const std::optional<Failure>& failure) {
+    if (failure && !share.failure) share.failure = failure;
   };
   if (!settled.settle(physics_.step)) {
     Failure failure;

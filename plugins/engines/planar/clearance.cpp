@@ -70,8 +70,9 @@ double Clearance::part(std::span<const std::uint32_t> bodies, std::span<const Co
     const double edge = angle * mover.reach();
     aside = std::max(aside, angle * (way + edge));  // of two bodies
     // Farther away, nobody has looked for others.
-    if (mover.is_dynamic() && most * (way + edge) > 0.5 * margin)
+    if (mover.is_dynamic() && most * (way + edge) > 0.5 * margin) {
       most = 0.5 * margin / (way + edge);
+    }
   }
   const auto may_enter = [&](const Contact& contact) {
     return step * solver_.parting(contact) - aside < std::min(0.0, -contact.gap) - kSlop;

@@ -182,8 +182,9 @@ bool PlanarScene::anything_in(const Pyramid& pyramid, std::size_t except) const 
         const auto is_met = [&](const Cylinder& wheel) {
           return test.meets(placing.box(box_around(wheel, {0.0, 0.0, 1.0})));
         };
-        if (std::any_of(sensor_shape.wheels.begin(), sensor_shape.wheels.end(), is_met))
+        if (std::any_of(sensor_shape.wheels.begin(), sensor_shape.wheels.end(), is_met)) {
           return true;
+        }
       }
     }
   }

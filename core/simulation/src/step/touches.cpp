@@ -11,8 +11,9 @@ constexpr double kSameCollision = 0.2;  // s
 /// If the robot may collect the touched body, collects it and returns true.
 bool collects(const world::World& world, Robot& robot, const physics::Body& other,
               physics::Engine& engine) {
-  if (other.kind != physics::BodyKind::obstacle || other.index >= world.obstacles.size())
+  if (other.kind != physics::BodyKind::obstacle || other.index >= world.obstacles.size()) {
     return false;
+  }
   const world::Obstacle& obstacle = world.obstacles[other.index];
   if (!may_collect(robot.description().team, obstacle)) return false;
   if (engine.has_obstacle(other.index)) {  // else another robot took it in the same step

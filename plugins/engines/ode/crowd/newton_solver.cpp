@@ -188,8 +188,9 @@ double NewtonSolver::Term::product(const Vector& v) const {
 
 void NewtonSolver::Term::add(double times, Vector& to) const {
   for (const Side* side : {&a, &b}) {
-    for (std::size_t i = 0; i < place(side->count); ++i)
+    for (std::size_t i = 0; i < place(side->count); ++i) {
       to[side->at[i]] += times * side->factors[i];
+    }
   }
 }
 

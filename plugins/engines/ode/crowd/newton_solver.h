@@ -81,8 +81,8 @@ class NewtonSolver {
   /// Two blocks with a common row.
   struct Link {
     int low, high;
-    std::ptrdiff_t offset;  // of the high one in the columns of the low one
-    auto operator<=>(const Link&) const = default;
+    std::ptrdiff_t offset;                          // of the high one in the columns of the low one
+    auto operator<=>(const Link&) const = default;  // NOLINT(modernize-use-nullptr)
   };
 
   void add_blocks(const ImpulseSolver& problem);
