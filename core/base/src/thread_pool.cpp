@@ -88,7 +88,7 @@ void ThreadPool::run(std::size_t items, std::size_t least, const void* work, Cal
 
 void ThreadPool::help(std::size_t thread) {
   // For signal handlers, if this thread uses up its own.
-  constexpr std::size_t kStackSize = 64 * 1024;
+  constexpr std::size_t kStackSize = std::size_t{64} * 1024;
   const auto stack = std::make_unique_for_overwrite<char[]>(kStackSize);
   stack_t second{};
   second.ss_sp = stack.get();
