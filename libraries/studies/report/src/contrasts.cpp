@@ -54,7 +54,8 @@ Matches match(const Findings& findings, const std::vector<Observation>& first,
 // Whether all matching runs are the same bit by bit, and their values too.
 bool are_same(const Matches& matches) {
   for (const auto& [seed, by_levels] : matches) {
-    for (const auto& [levels, one] : by_levels) {
+    for (const auto& entry : by_levels) {
+      const Match& one = entry.second;
       std::vector<std::size_t> all = one.originals_first;
       all.insert(all.end(), one.originals_second.begin(), one.originals_second.end());
       const auto is_first = [&](const Observed& each) {
