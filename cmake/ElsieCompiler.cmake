@@ -23,8 +23,9 @@ if(ELSIE_SANITIZE STREQUAL "thread")
   target_compile_options(elsie_compiler INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(elsie_compiler INTERFACE -fsanitize=thread)
 elseif(ELSIE_SANITIZE)
-  target_compile_options(elsie_compiler INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
-                                                  -fno-sanitize-recover=undefined)
+  # The programs of tests are not looked at themselves: what they test is.
+  target_compile_options(elsie_compiler INTERFACE
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:ELSIE_TEST_PROGRAM>>>:-fsanitize=address,undefined;-fno-omit-frame-pointer;-fno-sanitize-recover=undefined>)
   # With the sanitizers, GCC 12 does not see that a std::variant is initialised.
   target_compile_options(elsie_compiler INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(elsie_compiler INTERFACE -fsanitize=address,undefined)
