@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "elsie/batch/estimate.h"
 #include "elsie/batch/worker_pool.h"
 
 namespace elsie::batch {
@@ -51,31 +50,14 @@ std::vector<PlannedRun> ordered(ResultsDatabase& database) {
   }
 }
 
-Estimate estimate_of(ResultsDatabase& database, const std::vector<PlannedRun>& pending,
-                     std::size_t workers) {
-  std::vector<std::int64_t> counts(database.plan().cells.size(), 0);
-  for (const PlannedRun& run : pending) {
-    ++counts[run.cell];
-  }
-  Estimate estimate(std::move(counts), workers);
-  for (const CellTime& time : database.times()) {
-    estimate.add_known(time.cell, time.wall_s, time.runs);
-  }
-  return estimate;
-}
-
 }  // namespace
 
 bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threads,
                const std::function<void(const Progress&)>& watch) {
   using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-  };
   const Plan& plan = database.plan();
   const std::vector<PlannedRun> pending = ordered(database);
   Progress progress{.runs = static_cast<std::int64_t>(pending.size())};
-  Estimate estimate = estimate_of(database, pending, options.workers);
   FileCheck files(plan);
   const auto start = Clock::now();
   options.wall_limit_s = plan.wall_limit_s;
@@ -89,11 +71,7 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
           "--database");
     }
   };
-  struct AtWork {
-    std::size_t cell;
-    Clock::time_point since;
-  };
-  std::map<std::int64_t, AtWork> at_work;                     // by run
+  std::map<std::int64_t, std::size_t> cells;                  // of the runs at work
   std::map<std::pair<std::size_t, int>, std::int64_t> alike;  // runs by cell and repetition
   for (const PlannedRun& run : pending) {
     ++alike[{run.cell, run.repetition}];
@@ -105,7 +83,7 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
     }
     require_unchanged(at->cell);
     database.require_in_place();
-    at_work[at->id] = {at->cell, Clock::now()};
+    cells[at->id] = at->cell;
     Job job = job_of(plan, *at);
     job.threads = threads;
     if (alike.at({at->cell, at->repetition}) < kFewestToShare) {
@@ -115,17 +93,14 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
     return job;
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
-    const AtWork was = at_work.at(run);
-    require_unchanged(was.cell);  // a file may have changed before the worker read it
+    require_unchanged(cells.at(run));  // a file may have changed before the worker read it
     database.write(run, record);
-    at_work.erase(run);
-    estimate.add_ended(was.cell, seconds(Clock::now() - was.since));
+    cells.erase(run);
     ++progress.ended;
     progress.failed += record.state == RunState::done ? 0 : 1;
   };
   const bool complete = pool.run(next, ended, [&] {
-    progress.elapsed_s = seconds(Clock::now() - start);
-    progress.left_s = estimate.left_s();
+    progress.elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
     if (watch) {
       watch(progress);
     }
