@@ -96,7 +96,7 @@ std::string fingerprint_of(const Plan& plan, std::size_t stages) {
       const auto& layouts = plan.cells[cell].layouts;
       for (const std::uint64_t seed :
            layouts.empty() ? std::vector<std::uint64_t>() : stage.seeds) {
-        all.add(layouts.at(seed).identity);
+        all.add(layouts.at(seed).sha256);
       }
     }
   }

@@ -77,14 +77,13 @@ struct PlannedCell {
   bool goals = true;       // the world has goals
   std::size_t place = 0;   // in the order of the experiment's grid
   /// SHA-256 over everything that affects its results: levels, world, data, plugins, libraries.
-  /// Layouts that follow the seeds of the runs are not included; see Layout::identity.
+  /// Layouts that follow the seeds of the runs are not included; see Layout.
   std::string identity;
   /// From which its layouts are drawn; none: it has none, or they follow the seeds of the runs.
   std::optional<std::uint64_t> layout_seed;
   struct Layout {
     std::string world_text;
-    std::string sha256;    // of world_text
-    std::string identity;  // SHA-256 over the world, wherever its data files are
+    std::string sha256;  // of world_text
   };
   /// If they follow the seeds: the world of each seed; world_text is that of the first.
   std::map<std::uint64_t, Layout> layouts;
