@@ -1,5 +1,6 @@
 // Finds the cells that an expectation covers.
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -76,6 +77,20 @@ std::optional<std::size_t> Grid::place_of(const std::string& factor) const {
   return found == factors_.end()
              ? std::nullopt
              : std::optional(static_cast<std::size_t>(found - factors_.begin()));
+}
+
+std::vector<Labels> Grid::labels() const {
+  std::vector<Labels> all;
+  for (std::size_t i = 0; i < factors_.size(); ++i) {
+    Labels& labels = all.emplace_back(Labels{factors_[i], {}});
+    std::set<std::string> known;
+    for (const std::vector<std::string>& cell : cells_) {
+      if (known.insert(cell[i]).second) {
+        labels.labels.push_back(cell[i]);
+      }
+    }
+  }
+  return all;
 }
 
 std::vector<std::size_t> Grid::cells_of(const Expectation& expectation) const {
