@@ -10,32 +10,6 @@
 
 namespace elsie::experiment {
 
-namespace {
-
-std::vector<std::string> factors_of(const Experiment& experiment) {
-  std::vector<std::string> names{kWorldFactor};
-  for (const Factor& factor : experiment.factors) {
-    names.push_back(factor.name);
-  }
-  return names;
-}
-
-std::vector<std::vector<std::string>> labels_of(const Experiment& experiment,
-                                                const std::vector<Cell>& cells) {
-  std::vector<std::vector<std::string>> all;
-  all.reserve(cells.size());
-  for (const Cell& cell : cells) {
-    std::vector<std::string>& labels = all.emplace_back();
-    labels.push_back(experiment.worlds[cell.world].id);
-    for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
-      labels.push_back(experiment.factors[i].levels[cell.levels[i]].label);
-    }
-  }
-  return all;
-}
-
-}  // namespace
-
 bool matches(const std::string& pattern, const std::string& label) {
   // The position after the last star in the pattern, and the end of the text that it matches so
   // far.
@@ -70,7 +44,12 @@ Grid::Grid(std::vector<std::string> factors, std::vector<std::vector<std::string
 }
 
 Grid::Grid(const Experiment& experiment, const std::vector<Cell>& cells)
-    : Grid(factors_of(experiment), labels_of(experiment, cells)) {}
+    : factors_(factor_names(experiment)) {
+  for (const Cell& cell : cells) {
+    places_.emplace(cell.labels, cells_.size());
+    cells_.push_back(cell.labels);
+  }
+}
 
 std::optional<std::size_t> Grid::place_of(const std::string& factor) const {
   const auto found = std::find(factors_.begin(), factors_.end(), factor);
