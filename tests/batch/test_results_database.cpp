@@ -238,7 +238,7 @@ TEST_CASE_METHOD(test::SmallBatch,
   CHECK_THAT(difference(plugin), Contains("the plugin library '" + library.path + "' (SHA-256 ") &&
                                      Contains(", now dddddddd)"));
   batch::Plan cells = plan;
-  cells.cells[0].levels[1].label = "another";
+  cells.cells[0].levels[1] = "another";
   CHECK_THAT(difference(cells), Contains("changed since it was begun: the cell 'slow' (removed)"));
   batch::Plan text = plan;
   text.cells[0].identity = "other";

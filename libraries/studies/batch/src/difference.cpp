@@ -67,7 +67,7 @@ void compare_worlds(const StoredGrid& stored, const Plan& plan, Changes& changes
   std::map<std::string, std::pair<std::string, std::size_t>>
       changed;  // by file: hashes, number of cells
   for (const PlannedCell& cell : plan.cells) {
-    const auto before = known.find(levels_of(cell));
+    const auto before = known.find(cell.levels);
     if (before != known.end() && before->second != cell.sha256) {
       auto& [which, count] = changed[cell.world_file];
       which = count == 0 ? hashes(before->second, cell.sha256) : which;

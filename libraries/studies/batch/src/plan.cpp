@@ -64,10 +64,7 @@ class Planner {
     plan_.shard = options_.shard;
     plan_.wall_limit_s = experiment_.wall_limit;
     plan_.trajectory_period_s = experiment_.trajectory_period;
-    plan_.factors.emplace_back("world");
-    for (const experiment::Factor& factor : experiment_.factors) {
-      plan_.factors.push_back(factor.name);
-    }
+    plan_.factors = experiment::factor_names(experiment_);
     for (const auto& directory : host_.report().directories) {
       for (const auto& file : directory.files) {
         ranks_.try_emplace(absolute_name(file.path), ranks_.size() + 1);
@@ -81,11 +78,9 @@ class Planner {
     planned.label = cell.label;
     planned.world = use.id;
     planned.world_file = absolute(use.file);
-    planned.levels.push_back({0, use.id, cell.world});
-    for (std::size_t i = 0; i < cell.levels.size(); ++i) {
-      planned.levels.push_back(
-          {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
-    }
+    planned.levels = cell.labels;
+    planned.places = cell.levels;
+    planned.places.insert(planned.places.begin(), cell.world);
     world::World world = world_of(cell, experiment_.seeds.front());
     add_program(world, planned);
     add_file(FileKind::world, planned.world_file);
@@ -236,8 +231,8 @@ class Planner {
       all += std::to_string(text.size()) + ':' + text + '\n';  // different for different lists
     };
     add(cell.layouts.empty() ? cell.sha256 : "");  // of layouts, it depends on the first seed
-    for (const PlannedLevel& level : cell.levels) {
-      add(level.label);
+    for (const std::string& level : cell.levels) {
+      add(level);
     }
     std::set<std::vector<std::string>> plugins;  // in an order that other cells do not change
     for (const std::size_t place : cell.plugins) {

@@ -35,20 +35,12 @@ std::set<std::uint64_t> as_set(const std::vector<std::uint64_t>& seeds) {
 std::map<std::vector<std::string>, std::size_t> places_of(const Plan& plan) {
   std::map<std::vector<std::string>, std::size_t> places;
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-    places[levels_of(plan.cells[i])] = i;
+    places[plan.cells[i].levels] = i;
   }
   return places;
 }
 
 }  // namespace
-
-std::vector<std::string> levels_of(const PlannedCell& cell) {
-  std::vector<std::string> labels;
-  for (const PlannedLevel& level : cell.levels) {
-    labels.push_back(level.label);
-  }
-  return labels;
-}
 
 void number_runs(Plan& plan) {
   plan.runs.clear();
