@@ -19,10 +19,8 @@ TEST_CASE_METHOD(test::SmallBatch,
   REQUIRE(plan.cells.size() == 2);
   CHECK(plan.cells[0].label == "slow");
   CHECK(plan.cells[1].label == "fast");
-  REQUIRE(plan.cells[1].levels.size() == 2);
-  CHECK(plan.cells[1].levels[0].label == "small");
-  CHECK(plan.cells[1].levels[1].label == "fast");
-  CHECK(plan.cells[1].levels[1].place == 1);
+  CHECK(plan.cells[1].levels == std::vector<std::string>{"small", "fast"});
+  CHECK(plan.cells[1].places == std::vector<std::size_t>{0, 1});
   REQUIRE(plan.runs.size() == 6);
   CHECK(plan.all_runs == 6);
   for (std::size_t i = 0; i < 6; ++i) {

@@ -123,11 +123,8 @@ TEST_CASE(
               "clutter, layers, 0.3 / arena, layers, 0.1"});
 }
 
-TEST_CASE("A cell's level by the factor's name") {
+TEST_CASE("The levels of a cell, by factor") {
   const Experiment e = read(kTwoWorlds + kFactors);
-  const Cell cell = experiment::cells(e).at(10);
-  CHECK(experiment::level_of(e, cell, "world") == "clutter");
-  CHECK(experiment::level_of(e, cell, "coordinator") == "layers");
-  CHECK(experiment::level_of(e, cell, "speed") == "0.2");
-  CHECK_FALSE(experiment::level_of(e, cell, "sped"));
+  CHECK(experiment::factor_names(e) == Texts{"world", "coordinator", "speed"});
+  CHECK(experiment::cells(e).at(10).labels == Texts{"clutter", "layers", "0.2"});
 }

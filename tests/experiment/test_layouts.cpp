@@ -29,7 +29,7 @@ TEST_CASE("Crossed layouts are a factor, whose levels are the same for every see
   const auto cells = experiment::cells(e);
   REQUIRE(cells.size() == 6);
   CHECK(experiment::number_of_runs(e) == 12);
-  CHECK(experiment::level_of(e, cells[1], "layout_seed") == "4");
+  CHECK(cells[1].labels.back() == "4");
   CHECK(text_of(e, 0, 1) == text_of(e, 0, 2));
   CHECK(text_of(e, 0, 1) != text_of(e, 1, 1));
   CHECK(experiment::read_cell(e, cells[4], host(), options(), 1).drawn->seed == 4);

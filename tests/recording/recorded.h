@@ -47,9 +47,9 @@ inline std::map<std::string, std::vector<Recorded>> recorded(const std::filesyst
 /// Runs a simulation with a recorder.
 inline simulation::RunResult record(simulation::Simulation& simulation,
                                     const std::filesystem::path& file,
-                                    recording::RecorderOptions options = {}) {
-  recording::McapRecorder recorder(file, std::move(options));
-  simulation::Observer* const observers[] = {&recorder};
+                                    const recording::RecorderOptions& options = {}) {
+  const auto recorder = recording::mcap_recorder(file, options);
+  simulation::Observer* const observers[] = {recorder.get()};
   return simulation.run(observers);
 }
 

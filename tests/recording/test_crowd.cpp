@@ -84,8 +84,8 @@ TEST_CASE("A trace has the robots whose decisions were recorded, and says who el
 TEST_CASE("A robot keeps its channels when an edit removes another, and the crowd its poses") {
   McapFile file;
   Simulation simulation(column(4), shipped());
-  recording::McapRecorder recorder(file.path, {.robots = {"r3"}});
-  simulation::Observer* const observers[] = {&recorder};
+  const auto recorder = recording::mcap_recorder(file.path, {.robots = {"r3"}});
+  simulation::Observer* const observers[] = {recorder.get()};
   const simulation::TimedEdit changes[] = {{0.25, {"robot[r1]/@remove", "true"}}};
   const auto result = simulation.run(observers, changes);
   const auto run = read_recorded_run(file.path);
@@ -103,8 +103,8 @@ TEST_CASE("A table has rows of the robots that are asked for, and without any of
   const auto robots_in = [](std::vector<std::string> asked) {
     TemporaryFile file;
     Simulation simulation(column(3, 0.1), shipped());
-    recording::CsvRecorder recorder(file.path, 10, false, asked);
-    simulation::Observer* const observers[] = {&recorder};
+    const auto recorder = recording::csv_recorder(file.path, {.rate_hz = 10, .robots = asked});
+    simulation::Observer* const observers[] = {recorder.get()};
     simulation.run(observers);
     std::set<std::string> found;
     std::ifstream in(file.path);

@@ -11,7 +11,7 @@
 
 using namespace elsie;
 using namespace elsie::test;
-using recording::CsvRecorder;
+using recording::csv_recorder;
 using simulation::Simulation;
 
 namespace {
@@ -56,8 +56,8 @@ world::World two_robots() {
 TEST_CASE(
     "A recording has a row per robot and sample, with poses, commands, readings and the trace") {
   TemporaryFile file;
-  CsvRecorder recorder(file.path, 20);
-  simulation::Observer* const observers[] = {&recorder};
+  const auto recorder = csv_recorder(file.path, {.rate_hz = 20});
+  simulation::Observer* const observers[] = {recorder.get()};
   Simulation simulation(two_robots(), shipped());
   const auto result = simulation.run(observers);
   const Table table = read(file.path);
@@ -93,8 +93,8 @@ TEST_CASE(
 
 TEST_CASE("The first row is before any decision: no readings, no trace") {
   TemporaryFile file;
-  CsvRecorder recorder(file.path, 20);
-  simulation::Observer* const observers[] = {&recorder};
+  const auto recorder = csv_recorder(file.path, {.rate_hz = 20});
+  simulation::Observer* const observers[] = {recorder.get()};
   Simulation(two_robots(), shipped()).run(observers);
   const Table table = read(file.path);
   CHECK(table[1][column(table, "time_s")] == "0");
@@ -106,8 +106,8 @@ TEST_CASE("The first row is before any decision: no readings, no trace") {
 TEST_CASE("Recording after a reset gives the same bytes as recording a new simulation") {
   const auto bytes = [](Simulation& simulation) {
     TemporaryFile file;
-    CsvRecorder recorder(file.path, 100);
-    simulation::Observer* const observers[] = {&recorder};
+    const auto recorder = csv_recorder(file.path, {.rate_hz = 100});
+    simulation::Observer* const observers[] = {recorder.get()};
     simulation.run(observers);
     std::ifstream in(file.path, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
@@ -121,8 +121,8 @@ TEST_CASE("Recording after a reset gives the same bytes as recording a new simul
 TEST_CASE("A rate of next to nothing samples the start only, a very high one every step") {
   for (const auto& [rate, rows] : {std::pair{1e-300, 1u}, std::pair{1e300, 101u}}) {
     TemporaryFile file;
-    CsvRecorder recorder(file.path, rate);
-    simulation::Observer* const observers[] = {&recorder};
+    const auto recorder = csv_recorder(file.path, {.rate_hz = rate});
+    simulation::Observer* const observers[] = {recorder.get()};
     Simulation(two_robots(), shipped()).run(observers);
     CHECK(read(file.path).size() == 1 + 2 * rows);
   }
@@ -131,8 +131,8 @@ TEST_CASE("A rate of next to nothing samples the start only, a very high one eve
 TEST_CASE("Recording the same run twice gives the same bytes") {
   const auto record = [] {
     TemporaryFile file;
-    CsvRecorder recorder(file.path, 100);
-    simulation::Observer* const observers[] = {&recorder};
+    const auto recorder = csv_recorder(file.path, {.rate_hz = 100});
+    simulation::Observer* const observers[] = {recorder.get()};
     Simulation(two_robots(), shipped()).run(observers);
     std::ifstream in(file.path, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
@@ -152,18 +152,18 @@ TEST_CASE("What was recorded until a plugin failed is kept") {
   });
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  CsvRecorder recorder(file.path, 100);
-  simulation::Observer* const observers[] = {&recorder};
+  const auto recorder = csv_recorder(file.path, {.rate_hz = 100});
+  simulation::Observer* const observers[] = {recorder.get()};
   Simulation simulation(world, scripted.host);
   CHECK_THROWS_AS(simulation.run(observers), simulation::PluginFault);
   CHECK(read(file.path).size() == 1 + 52);
 }
 
 TEST_CASE("A table that cannot be made says so") {
-  CHECK_THROWS_WITH(CsvRecorder("/nowhere/at/all.csv", 10),
+  CHECK_THROWS_WITH(csv_recorder("/nowhere/at/all.csv", {}),
                     Catch::Contains("'/nowhere/at/all.csv' cannot be created"));
   TemporaryFile file;
-  CHECK_THROWS_WITH(CsvRecorder(file.path, 0),
+  CHECK_THROWS_WITH(csv_recorder(file.path, {.rate_hz = 0}),
                     "a recording needs a positive number of samples a second");
 }
 

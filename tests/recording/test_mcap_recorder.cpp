@@ -216,8 +216,8 @@ TEST_CASE("Events are written when they happen, with the robot's place") {
   world.limits.time = 2;
   Simulation simulation(world, shipped());
   const simulation::TimedEdit changes[] = {{1.5, {"robot[r1]/@max_speed", "0.3"}}};
-  recording::McapRecorder recorder(file.path);
-  simulation::Observer* const observers[] = {&recorder};
+  const auto recorder = recording::mcap_recorder(file.path);
+  simulation::Observer* const observers[] = {recorder.get()};
   const auto result = simulation.run(observers, changes);
   const auto events = recorded(file.path)["/events"];
   REQUIRE(events.size() == result.events.size());
@@ -278,11 +278,11 @@ TEST_CASE("A sample is in the file a second later, however long the next one tak
   world::World world = two_named_robots();
   world.limits.time = 100;
   Simulation simulation(world, shipped());
-  recording::McapRecorder recorder(file.path, {.rate_hz = 0.1});
-  recorder.started(simulation);
+  const auto recorder = recording::mcap_recorder(file.path, {.rate_hz = 0.1});
+  recorder->started(simulation);
   while (simulation.time_s() < 28) {
     simulation.step();
-    recorder.stepped(simulation);
+    recorder->stepped(simulation);
   }
   // As a program that is killed now would leave it.
   const auto states = recorded(file.path)["/robots/r1/state"];
@@ -339,10 +339,10 @@ TEST_CASE("Text that is not UTF-8 becomes text that is") {
 }
 
 TEST_CASE("A recording that cannot be made says so") {
-  CHECK_THROWS_WITH(recording::McapRecorder("/nowhere/at/all.mcap"),
+  CHECK_THROWS_WITH(recording::mcap_recorder("/nowhere/at/all.mcap"),
                     Catch::Contains("'/nowhere/at/all.mcap' cannot be created"));
   McapFile file;
-  CHECK_THROWS_WITH(recording::McapRecorder(file.path, {.rate_hz = 0}),
+  CHECK_THROWS_WITH(recording::mcap_recorder(file.path, {.rate_hz = 0}),
                     "a recording needs a positive number of samples a second");
 }
 

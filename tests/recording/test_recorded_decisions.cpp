@@ -10,7 +10,7 @@ using namespace elsie;
 using namespace elsie::test;
 using elsie::test::rates;
 using elsie::test::wheels;
-using recording::McapRecorder;
+using recording::mcap_recorder;
 using recording::read_trace;
 using simulation::Simulation;
 using traces::Trace;
@@ -267,11 +267,11 @@ TEST_CASE("The file grows during the run, a second at a time") {
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);
-  McapRecorder recorder(file.path);
-  recorder.started(simulation);
+  const auto recorder = mcap_recorder(file.path);
+  recorder->started(simulation);
   for (int i = 0; i < 1500; ++i) {
     simulation.step();
-    recorder.stepped(simulation);
+    recorder->stepped(simulation);
   }
   // The recorder gets no ended(): the program might have been killed here.
   const Trace trace = read_trace(file.path);
@@ -287,11 +287,11 @@ TEST_CASE("A recording in which nothing changes still shows that the run goes on
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
   Simulation simulation(std::move(world), scripted.host);
-  McapRecorder recorder(file.path);
-  recorder.started(simulation);
+  const auto recorder = mcap_recorder(file.path);
+  recorder->started(simulation);
   for (int i = 0; i < 3550; ++i) {
     simulation.step();
-    recorder.stepped(simulation);
+    recorder->stepped(simulation);
   }
   const Trace trace = read_trace(file.path);
   CHECK(trace.end_s > 34);

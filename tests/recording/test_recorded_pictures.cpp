@@ -60,8 +60,8 @@ TEST_CASE("The picture from a recording alone is that of the run itself, byte fo
                           {.cameras = render::world_cameras});
     traces::TrackRecorder tracks;
     {
-      recording::McapRecorder recorder(file.path);
-      simulation::Observer* const observers[] = {&tracks, &recorder};
+      const auto recorder = recording::mcap_recorder(file.path);
+      simulation::Observer* const observers[] = {&tracks, recorder.get()};
       simulation.run(observers);
     }
     draw(simulation, tracks, own_png);
@@ -80,8 +80,8 @@ TEST_CASE("A robot that was put elsewhere is drawn without a line to there, from
   Simulation simulation(shipped_world("open_arena.xml", 4), shipped());
   traces::TrackRecorder tracks;
   {
-    recording::McapRecorder recorder(file.path);
-    simulation::Observer* const observers[] = {&tracks, &recorder};
+    const auto recorder = recording::mcap_recorder(file.path);
+    simulation::Observer* const observers[] = {&tracks, recorder.get()};
     const simulation::TimedEdit changes[] = {{2.0, {"robot[r1]/@x", "-1.5"}}};
     simulation.run(observers, changes);
   }
@@ -102,9 +102,9 @@ TEST_CASE("Robots that an edit removed or added are drawn as they are, from a re
                         {.data_directories = {source_path("")},
                          .time_limit_s = 4.0,
                          .cameras = render::world_cameras});
-  recording::McapRecorder recorder(file.path, {});
+  const auto recorder = recording::mcap_recorder(file.path);
   traces::TrackRecorder tracks;
-  simulation::Observer* const observers[] = {&tracks, &recorder};
+  simulation::Observer* const observers[] = {&tracks, recorder.get()};
   simulation.run(observers, std::vector<simulation::TimedEdit>{
                                 {1.0, {"robot[" + first + "]/@remove", "true"}},
                                 {1.5, {"physics/@step", "0.003"}},

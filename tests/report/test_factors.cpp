@@ -335,7 +335,7 @@ TEST_CASE_METHOD(ByFactor, "What cannot be answered is refused in a sentence") {
              Contains("there is no factor 'sped'") && Contains("speed"));
   CHECK_THAT(compared("speed=0.5", "speed=0.1"), Contains("'speed' has no level '0.5'"));
   CHECK_THAT(compared("slow", "speed=0.1"), Contains("there is no cell 'slow'"));
-  CHECK_THAT(compared("speed=0.1, speed=0.2", "speed=0.4"), Contains("no cell has all the levels"));
+  CHECK_THAT(compared("speed=0.1; speed=0.2", "speed=0.4"), Contains("'speed' stands there twice"));
   CHECK_THAT(model("path_length_m"), Contains("is no formula"));
   CHECK_THAT(model("path ~ speed"), Contains("there is no measure 'path'"));
   CHECK_THAT(model("path_length_m ~ speed + weight"), Contains("no factor 'weight' is varied"));

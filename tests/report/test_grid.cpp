@@ -36,15 +36,11 @@ const std::string kExperiment = R"(<experiment format="1">
 MadeExperiment runs_of(const experiment::Experiment& experiment) {
   MadeExperiment made;
   made.text = kExperiment;
-  for (const auto& factor : experiment.factors) {
-    made.factors.push_back(factor.name);
-  }
+  made.factors = experiment::factor_names(experiment);
   for (const experiment::Cell& cell : experiment::cells(experiment)) {
     MadeCell& in = made.cells.emplace_back();
     in.label = cell.label;
-    for (const std::string& factor : made.factors) {
-      in.levels.push_back(*experiment::level_of(experiment, cell, factor));
-    }
+    in.levels = cell.labels;
     in.world_text = made_world();
     in.runs.emplace_back().measures = {{"time_s", 1.0 + static_cast<double>(cell.index)}};
   }

@@ -62,9 +62,9 @@ TEST_CASE("A reset in the same process brings back the same run") {
 
 TEST_CASE("Watching, recording and timing a run does not change it") {
   TemporaryFile file;
-  recording::CsvRecorder recorder(file.path, 100, true);
+  const auto recorder = recording::csv_recorder(file.path, {.rate_hz = 100, .with_times = true});
   traces::TrackRecorder tracks;
-  simulation::Observer* const observers[] = {&recorder, &tracks};
+  simulation::Observer* const observers[] = {recorder.get(), &tracks};
   Simulation simulation(lively(), shipped(), {5, true});
   CHECK(simulation.run(observers).state_hash == hash(5));
 }

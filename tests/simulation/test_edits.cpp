@@ -293,11 +293,11 @@ TEST_CASE("Edits are events, with which recorders go on") {
   TemporaryFile table, recording;
   const auto run = [&](bool with_observers) {
     Simulation simulation(lively(), shipped(), {7});
-    recording::CsvRecorder csv(table.path, 10, false);
-    recording::McapRecorder mcap(recording.path, {});
+    const auto csv = recording::csv_recorder(table.path, {.rate_hz = 10});
+    const auto mcap = recording::mcap_recorder(recording.path);
     traces::TrackRecorder tracks;
     traces::AccountRecorder accounts;
-    std::vector<simulation::Observer*> all{&csv, &mcap, &tracks, &accounts};
+    std::vector<simulation::Observer*> all{csv.get(), mcap.get(), &tracks, &accounts};
     if (!with_observers) {
       all.clear();
     }

@@ -72,8 +72,8 @@ TEST_CASE("Measures agree with what the run tells otherwise") {
     world.measures.push_back(measure(name));
   }
   TemporaryFile file;
-  recording::McapRecorder recorder(file.path);
-  simulation::Observer* const observers[] = {&recorder};
+  const auto recorder = recording::mcap_recorder(file.path);
+  simulation::Observer* const observers[] = {recorder.get()};
   const RunResult result = Simulation(world, shipped(), {.seed = 3}).run(observers);
   CHECK(value(result, "path_length") == value(result, "path_length_m"));
   CHECK(value(result, "collisions.count") == value(result, "collisions"));

@@ -322,8 +322,8 @@ TEST_CASE("A recording keeps its columns when a sensor lists other numbers") {
   Simulation& simulation = stage.start();
   const TemporaryFile table;
   {
-    recording::CsvRecorder recorder(table.path, 100.0);
-    simulation::Observer* const observers[] = {&recorder};
+    const auto recorder = recording::csv_recorder(table.path, {.rate_hz = 100.0});
+    simulation::Observer* const observers[] = {recorder.get()};
     simulation.run(observers, {}, [&](Simulation& running) {
       if (running.steps() == 5) {
         stage.replace(2, 'v');

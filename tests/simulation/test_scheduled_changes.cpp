@@ -180,8 +180,8 @@ TEST_CASE("Recordings tell what was changed, and observers see the start as it i
   world.robots = {robot("r1", 0, 0, 0, behavior("scripted"))};
   Simulation simulation(world, scripted.host);
   TemporaryFile file;
-  recording::McapRecorder recorder(file.path);
-  simulation::Observer* observers[] = {&start, &recorder};
+  const auto recorder = recording::mcap_recorder(file.path);
+  simulation::Observer* observers[] = {&start, recorder.get()};
   simulation.run(observers, std::vector<TimedEdit>{{0.0, {"robot[r1]/@x", "-2"}},
                                                    {0.5, {"robot[1]/@max_speed", "0.05"}}});
   CHECK(start.x == Approx(-2));

@@ -65,9 +65,9 @@ std::size_t compare(const std::string& name, double seconds,
   Simulation run(
       std::move(world), shipped(),
       {.seed = 3, .data_directories = options.data_directories, .time_limit_s = seconds});
-  recording::McapRecorder file(folder / "run.mcap");
+  const auto file = recording::mcap_recorder(folder / "run.mcap");
   AccountRecorder recorder;
-  simulation::Observer* const observers[] = {&file, &recorder};
+  simulation::Observer* const observers[] = {file.get(), &recorder};
   run.run(observers, edits);
   const traces::Trace trace = recording::read_trace(folder / "run.mcap");
   const traces::TimeSpan all = within({}, trace);

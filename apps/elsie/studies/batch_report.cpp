@@ -107,8 +107,8 @@ std::string progress_line(const batch::Progress& progress) {
   if (progress.failed > 0) {
     line += ", " + std::to_string(progress.failed) + " failed";
   }
-  if (progress.left_s) {
-    line += ", " + duration_text(*progress.left_s) + " left";
+  if (const auto left_s = progress.left_s()) {
+    line += ", " + duration_text(*left_s) + " left";
   }
   return line;
 }

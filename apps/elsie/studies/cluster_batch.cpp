@@ -247,16 +247,11 @@ class ClusterBatch {
       }
     }
     const cluster::Count count = folder_.count();
-    batch::Progress progress{.runs = count.runs - ended_before,
-                             .ended = count.ended - ended_before,
-                             .failed = count.failed,
-                             .elapsed_s = elapsed_s_};
-    if (progress.ended > 0 && progress.ended < progress.runs) {
-      // Only numbers of runs are known of tasks on other machines.
-      progress.left_s = elapsed_s_ * static_cast<double>(progress.runs - progress.ended) /
-                        static_cast<double>(progress.ended);
-    }
-    draw_status(progress_line(progress) + note);
+    draw_status(progress_line({.runs = count.runs - ended_before,
+                               .ended = count.ended - ended_before,
+                               .failed = count.failed,
+                               .elapsed_s = elapsed_s_}) +
+                note);
   }
 
   void wipe() const {

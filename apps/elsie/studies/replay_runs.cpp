@@ -28,7 +28,6 @@
 namespace elsie::program {
 
 namespace fs = std::filesystem;
-using experiment::Labels;
 using report::Results;
 using report::Run;
 using report::RunState;
@@ -63,19 +62,16 @@ class Choice {
   }
 
   std::vector<const Run*> matching(const std::string& where) const {
+    const experiment::Grid grid(names_, rows_);
     const auto parsed = [&] {
       try {
-        return experiment::parse_where(where, labels_);
+        return experiment::parse_where(where, grid.labels());
       } catch (const std::invalid_argument& error) {
         throw BadInput("--where: " + std::string(error.what()));
       }
     }();
-    std::vector<std::string> names;
-    for (const Labels& labels : labels_) {
-      names.push_back(labels.factor);
-    }
     std::vector<const Run*> found;
-    for (const std::size_t place : experiment::Grid(names, rows_).cells_of(parsed)) {
+    for (const std::size_t place : grid.cells_of(parsed)) {
       found.push_back(&results_.runs[place]);
     }
     return found;
@@ -84,24 +80,19 @@ class Choice {
  private:
   template <class LabelOf>
   void add(const std::string& name, LabelOf label_of) {
-    if (std::any_of(labels_.begin(), labels_.end(),
-                    [&](const Labels& labels) { return labels.factor == name; })) {
+    if (std::find(names_.begin(), names_.end(), name) != names_.end()) {
       return;
     }
-    Labels& labels = labels_.emplace_back(Labels{name, {}});
+    names_.push_back(name);
     rows_.resize(results_.runs.size());
-    std::set<std::string> known;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       rows_[i].push_back(label_of(results_.runs[i]));
-      if (known.insert(rows_[i].back()).second) {
-        labels.labels.push_back(rows_[i].back());
-      }
     }
   }
 
   const Results& results_;
-  std::vector<Labels> labels_;
-  std::vector<std::vector<std::string>> rows_;  // of each run, parallel to labels_
+  std::vector<std::string> names_;
+  std::vector<std::vector<std::string>> rows_;  // of each run, parallel to names_
 };
 
 /// A label as a part of a file's name.

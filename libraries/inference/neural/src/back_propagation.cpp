@@ -106,9 +106,6 @@ BackPropagation::Factors BackPropagation::factors() const {
 BackPropagation::BackPropagation(Network& network, const LearningRule& rule)
     : network_(network),
       rule_(rule),
-      two_wide_(
-          std::all_of(network.layers_.begin(), network.layers_.end(),
-                      [](const Layer& layer) { return layer.inputs == 2 && layer.stride == 2; })),
       workspace_(network),
       deltas_(network.activations_, 0.0),
       changes_(network.weights_.size(), 0.0) {
@@ -116,9 +113,6 @@ BackPropagation::BackPropagation(Network& network, const LearningRule& rule)
 }
 
 double BackPropagation::present(std::span<const double> inputs, std::span<const double> targets) {
-  if (two_wide_) {
-    return present_two_wide(inputs.data(), targets.data());
-  }
   double* const activations = workspace_.activations_.data();
   std::copy(inputs.begin(), inputs.end(), activations);
   network_.propagate(activations);
@@ -128,40 +122,6 @@ double BackPropagation::present(std::span<const double> inputs, std::span<const 
   }
   change<true>(network_.layers_.front());
   return error;
-}
-
-/// The same for the most frequent networks: values between layers stay in registers. Sums are taken
-/// in the order of Network::propagate().
-double BackPropagation::present_two_wide(const double* inputs, const double* targets) {
-  const std::size_t layers = network_.layers_.size();
-  double* const weights = network_.weights_.data();
-  double* const activations = workspace_.activations_.data();
-  constexpr std::size_t kLayer = 6;  // numbers in a layer's matrix
-  Pair answer = load(inputs);
-  store(activations, answer);
-  for (std::size_t l = 0; l < layers; ++l) {
-    const double* const row = weights + l * kLayer;
-    answer = logistic(load(row + 4) +
-                      (first_twice(answer) * load(row) + second_twice(answer) * load(row + 2)));
-    store(activations + 2 * (l + 1), answer);
-  }
-  const Pair missing =
-      network_.outputs() == 2 ? load(targets) - answer : Pair{targets[0] - answer[0], 0.0};
-  Pair delta = answer * (both(1.0) - answer) * missing;
-  const auto [learning_rate, momentum, carried] = factors();
-  for (std::size_t l = layers; l-- > 0;) {
-    double* const row = weights + l * kLayer;
-    double* const changes = changes_.data() + l * kLayer;
-    answer = load(activations + 2 * l);
-    const Pair rate = learning_rate * answer;
-    const Pair a = change_row<1>(row, changes, &delta, first_twice(rate), momentum, carried);
-    const Pair b =
-        change_row<1>(row + 2, changes + 2, &delta, second_twice(rate), momentum, carried);
-    change_row<1>(row + 4, changes + 4, &delta, learning_rate, momentum, carried);
-    delta = sums(a, b) * (answer * (both(1.0) - answer));
-  }
-  const Pair squares = missing * missing;
-  return 0.5 * (squares[0] + squares[1]);
 }
 
 double BackPropagation::output_deltas(const double* targets) {

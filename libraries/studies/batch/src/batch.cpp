@@ -5,17 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "elsie/batch/estimate.h"
 #include "elsie/batch/worker_pool.h"
 
 namespace elsie::batch {
-
-namespace {
-
-/// Runs of one cell; with fewer, it is no use to keep a process that has read their world.
-constexpr std::int64_t kFewestToShare = 3;
-
-}  // namespace
 
 Job job_of(const Plan& plan, const PlannedRun& run) {
   const PlannedCell& cell = plan.cells[run.cell];
@@ -23,12 +15,7 @@ Job job_of(const Plan& plan, const PlannedRun& run) {
   job.run = run.id;
   job.repetition = run.repetition;
   const auto layout = cell.layouts.find(run.seed);
-  if (layout == cell.layouts.end()) {
-    job.world_text = cell.world_text;
-    job.cell = run.cell;
-  } else {
-    job.world_text = layout->second.world_text;
-  }
+  job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
   job.world_file = cell.world_file;
   for (const PlannedCell::Data& data : cell.data) {
     job.files[data.name] = plan.files[data.file].path;
@@ -51,31 +38,14 @@ std::vector<PlannedRun> ordered(ResultsDatabase& database) {
   }
 }
 
-Estimate estimate_of(ResultsDatabase& database, const std::vector<PlannedRun>& pending,
-                     std::size_t workers) {
-  std::vector<std::int64_t> counts(database.plan().cells.size(), 0);
-  for (const PlannedRun& run : pending) {
-    ++counts[run.cell];
-  }
-  Estimate estimate(std::move(counts), workers);
-  for (const CellTime& time : database.times()) {
-    estimate.add_known(time.cell, time.wall_s, time.runs);
-  }
-  return estimate;
-}
-
 }  // namespace
 
 bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threads,
                const std::function<void(const Progress&)>& watch) {
   using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-  };
   const Plan& plan = database.plan();
   const std::vector<PlannedRun> pending = ordered(database);
   Progress progress{.runs = static_cast<std::int64_t>(pending.size())};
-  Estimate estimate = estimate_of(database, pending, options.workers);
   FileCheck files(plan);
   const auto start = Clock::now();
   options.wall_limit_s = plan.wall_limit_s;
@@ -89,15 +59,7 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
           "--database");
     }
   };
-  struct AtWork {
-    std::size_t cell;
-    Clock::time_point since;
-  };
-  std::map<std::int64_t, AtWork> at_work;                     // by run
-  std::map<std::pair<std::size_t, int>, std::int64_t> alike;  // runs by cell and repetition
-  for (const PlannedRun& run : pending) {
-    ++alike[{run.cell, run.repetition}];
-  }
+  std::map<std::int64_t, std::size_t> cells;  // of the runs at work
   auto at = pending.begin();
   const auto next = [&]() -> std::optional<Job> {
     if (at == pending.end()) {
@@ -105,27 +67,21 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
     }
     require_unchanged(at->cell);
     database.require_in_place();
-    at_work[at->id] = {at->cell, Clock::now()};
+    cells[at->id] = at->cell;
     Job job = job_of(plan, *at);
     job.threads = threads;
-    if (alike.at({at->cell, at->repetition}) < kFewestToShare) {
-      job.cell.reset();
-    }
     ++at;
     return job;
   };
   const auto ended = [&](std::int64_t run, const RunRecord& record) {
-    const AtWork was = at_work.at(run);
-    require_unchanged(was.cell);  // a file may have changed before the worker read it
+    require_unchanged(cells.at(run));  // a file may have changed before the worker read it
     database.write(run, record);
-    at_work.erase(run);
-    estimate.add_ended(was.cell, seconds(Clock::now() - was.since));
+    cells.erase(run);
     ++progress.ended;
     progress.failed += record.state == RunState::done ? 0 : 1;
   };
   const bool complete = pool.run(next, ended, [&] {
-    progress.elapsed_s = seconds(Clock::now() - start);
-    progress.left_s = estimate.left_s();
+    progress.elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
     if (watch) {
       watch(progress);
     }

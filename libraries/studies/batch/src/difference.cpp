@@ -1,5 +1,6 @@
 #include "difference.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -18,35 +19,34 @@ constexpr std::size_t kMostNamed = 5;
 // The changes, each in a few words.
 using Changes = std::vector<std::string>;
 
-// Cells of a plan with their ids in the database.
-using Matches = std::vector<std::pair<const PlannedCell*, std::size_t>>;
-
 // "1a2b3c4d, now 5e6f7a8b"
 std::string hashes(const std::string& before, const std::string& now) {
   constexpr std::size_t kEnough = 8;
   return "SHA-256 " + before.substr(0, kEnough) + ", now " + now.substr(0, kEnough);
 }
 
-// Rows of a query, as a map from first to second column.
-std::map<std::string, std::string> pairs(sqlite::Connection& connection, const std::string& query) {
-  std::map<std::string, std::string> found;
-  sqlite::Statement rows(connection, query);
-  while (rows.next()) {
-    found[rows.text(0)] = rows.text(1);
-  }
-  return found;
+// "libode" of "/usr/lib/libode.so.8.1.0"
+std::string stem(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  return name.substr(0, name.find(".so"));
 }
 
-// Compares data files and libraries, then the plugins' files.
-void compare_files(sqlite::Connection& connection, const Plan& plan, const Matches& cells,
-                   Changes& changes) {
-  const auto known =
-      pairs(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world' ORDER BY id");
+// Compares data files and libraries with those of the same path, or else of the same name.
+void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
+  std::map<std::string, std::string> known;  // hashes by path
+  sqlite::Statement rows(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world'");
+  while (rows.next()) {
+    known[rows.text(0)] = rows.text(1);
+  }
   const std::set<std::size_t> program = plan.program();
-  std::set<std::string> named;
   for (std::size_t i = 0; i < plan.files.size(); ++i) {
     const PlannedFile& file = plan.files[i];
-    const auto before = known.find(file.path);
+    auto before = known.find(file.path);
+    if (before == known.end()) {
+      before = std::find_if(known.begin(), known.end(), [&](const auto& other) {
+        return stem(other.first) == stem(file.path);
+      });
+    }
     if (file.kind == FileKind::world || before == known.end() || before->second == file.sha256) {
       continue;
     }
@@ -55,63 +55,22 @@ void compare_files(sqlite::Connection& connection, const Plan& plan, const Match
                                                         : "the data file ";
     changes.push_back(what + base::name_in_quotes(file.path) + " (" +
                       hashes(before->second, file.sha256) + ")");
-    named.insert(file.path);
-  }
-  // Libraries that have another path now.
-  const auto stem = [](const std::string& path) {
-    const std::string name = std::filesystem::path(path).filename().string();
-    return name.substr(0, name.find(".so"));
-  };
-  for (const std::size_t place : program) {
-    const PlannedFile& file = plan.files[place];
-    for (const auto& [path, sha256] : known) {
-      if (path != file.path && stem(path) == stem(file.path) && sha256 != file.sha256 &&
-          named.insert(file.path).second) {
-        changes.push_back("the program's library " + base::name_in_quotes(file.path) + " (" +
-                          hashes(sha256, file.sha256) + ")");
-      }
-    }
-  }
-  const auto plugins =
-      pairs(connection,
-            "SELECT plugins.kind || ' ' || name, coalesce(sha256, '') FROM plugins "
-            "LEFT JOIN files ON files.id = file_id");
-  for (const PlannedPlugin& plugin : plan.plugins) {
-    const auto before = plugins.find(plugin.kind + " " + plugin.name);
-    if (before == plugins.end() || !plugin.file) {
-      continue;
-    }
-    const PlannedFile& file = plan.files[*plugin.file];
-    if (before->second != file.sha256 && named.insert(file.path).second) {
-      changes.push_back("the " + plugin.kind + " " + base::name_in_quotes(plugin.name) +
-                        ", which is from " + base::name_in_quotes(file.path) + " (" +
-                        hashes(before->second, file.sha256) + ")");
-    }
-  }
-  const auto data = pairs(connection,
-                          "SELECT cell_id || char(10) || name, sha256 FROM cell_files "
-                          "JOIN files ON files.id = file_id");
-  for (const auto& [cell, id] : cells) {
-    for (const PlannedCell::Data& one : cell->data) {
-      const PlannedFile& file = plan.files[one.file];
-      const auto before = data.find(std::to_string(id) + '\n' + one.name);
-      if (before != data.end() && before->second != file.sha256 && named.insert(file.path).second) {
-        changes.push_back("the data file " + base::name_in_quotes(file.path) + " (" +
-                          hashes(before->second, file.sha256) + ")");
-      }
-    }
   }
 }
 
 // Compares the worlds of the cells, with templates merged and settings made.
-void compare_worlds(const StoredGrid& stored, const Matches& cells, Changes& changes) {
+void compare_worlds(const StoredGrid& stored, const Plan& plan, Changes& changes) {
+  std::map<std::vector<std::string>, std::string> known;  // hashes by levels
+  for (const StoredGrid::Cell& cell : stored.cells) {
+    known[cell.levels] = cell.sha256;
+  }
   std::map<std::string, std::pair<std::string, std::size_t>>
       changed;  // by file: hashes, number of cells
-  for (const auto& [cell, id] : cells) {
-    const std::string& before = stored.cells[id].sha256;
-    if (before != cell->sha256) {
-      auto& [which, count] = changed[cell->world_file];
-      which = count == 0 ? hashes(before, cell->sha256) : which;
+  for (const PlannedCell& cell : plan.cells) {
+    const auto before = known.find(cell.levels);
+    if (before != known.end() && before->second != cell.sha256) {
+      auto& [which, count] = changed[cell.world_file];
+      which = count == 0 ? hashes(before->second, cell.sha256) : which;
       ++count;
     }
   }
@@ -122,21 +81,6 @@ void compare_worlds(const StoredGrid& stored, const Matches& cells, Changes& cha
         (what.second > 1 ? ", in the first of " + std::to_string(what.second) + " cells" : "") +
         ")");
   }
-}
-
-// The cells that the plan and the database both have.
-Matches matches(const StoredGrid& stored, const Plan& plan) {
-  std::map<std::vector<std::string>, std::size_t> ids;
-  for (std::size_t id = 0; id < stored.cells.size(); ++id) {
-    ids[stored.cells[id].levels] = id;
-  }
-  Matches found;
-  for (const PlannedCell& cell : plan.cells) {
-    if (const auto id = ids.find(levels_of(cell)); id != ids.end()) {
-      found.emplace_back(&cell, id->second);
-    }
-  }
-  return found;
 }
 
 }  // namespace
@@ -190,9 +134,8 @@ std::string difference(sqlite::Connection& connection, const StoredGrid& stored,
            base::enumerated(plan.factors);
   }
   Changes changes = losses(stored, plan);
-  const Matches cells = matches(stored, plan);
-  compare_worlds(stored, cells, changes);
-  compare_files(connection, plan, cells, changes);
+  compare_worlds(stored, plan, changes);
+  compare_files(connection, plan, changes);
   sqlite::Statement period(connection, "SELECT trajectory_period_s FROM about");
   period.next();
   if (period.number(0) != plan.trajectory_period_s) {

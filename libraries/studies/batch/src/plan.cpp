@@ -64,10 +64,7 @@ class Planner {
     plan_.shard = options_.shard;
     plan_.wall_limit_s = experiment_.wall_limit;
     plan_.trajectory_period_s = experiment_.trajectory_period;
-    plan_.factors.emplace_back("world");
-    for (const experiment::Factor& factor : experiment_.factors) {
-      plan_.factors.push_back(factor.name);
-    }
+    plan_.factors = experiment::factor_names(experiment_);
     for (const auto& directory : host_.report().directories) {
       for (const auto& file : directory.files) {
         ranks_.try_emplace(absolute_name(file.path), ranks_.size() + 1);
@@ -81,19 +78,17 @@ class Planner {
     planned.label = cell.label;
     planned.world = use.id;
     planned.world_file = absolute(use.file);
-    planned.levels.push_back({0, use.id, cell.world});
-    for (std::size_t i = 0; i < cell.levels.size(); ++i) {
-      planned.levels.push_back(
-          {i + 1, experiment_.factors[i].levels[cell.levels[i]].label, cell.levels[i]});
-    }
+    planned.levels = cell.labels;
+    planned.places = cell.levels;
+    planned.places.insert(planned.places.begin(), cell.world);
     world::World world = world_of(cell, experiment_.seeds.front());
     add_program(world, planned);
     add_file(FileKind::world, planned.world_file);
-    Names names;
+    FileNames files{planned.world_file, {}};
     std::vector<std::size_t> plugins;
     const auto see = [&](PluginKind kind, world::PluginUse& plugin) {
       plugins.push_back(add_plugin(kind, plugin.plugin));
-      name_files(host_.find(kind, plugin.plugin), plugin, names);
+      name_files(host_.find(kind, plugin.plugin), plugin, files);
     };
     std::map<std::string, std::string> found;
     world::ReadOptions options;
@@ -106,31 +101,24 @@ class Planner {
       experiment::for_each_use(later, see);
     });
     for (const auto& [name, path] : found) {
-      if (names.paths.try_emplace(name, path).first->second != path) {
-        throw world::WorldError(
-            {{planned.world_file, 0,
-              "the files '" + names.paths[name] + "' and '" + path + "' are both called '" + name +
-                  "', one of them by an edit; expected two names"}});
-      }
+      files.add(name, path);
     }
     std::sort(plugins.begin(), plugins.end());
     plugins.erase(std::unique(plugins.begin(), plugins.end()), plugins.end());
     planned.plugins = std::move(plugins);
-    for (const auto& [name, path] : names.paths) {
+    for (const auto& [name, path] : files.paths) {
       planned.data.push_back({name, add_file(FileKind::data, path)});
     }
     planned.world_text = world::write_world(world);
     planned.goals = !world.goals.empty();
     planned.sha256 = results::sha256(planned.world_text);
     planned.place = cell.index;
-    CellIdentity of = identity_of(planned, world, names);
     if (world.drawn && world.drawn->by_run) {
-      of.sha256.clear();  // it depends on which seed is the first
-      add_layouts(cell, planned, names);
+      add_layouts(cell, planned, files);
     } else if (world.drawn) {
       planned.layout_seed = world.drawn->seed;
     }
-    planned.identity = identity(planned, of);
+    planned.identity = identity(planned);
     plan_.cells.push_back(std::move(planned));
   }
 
@@ -140,66 +128,31 @@ class Planner {
     }
   }
 
-  struct Names;
+  /// The data files that a world's text names.
+  struct FileNames {
+    std::string world;                         // its file
+    std::map<std::string, std::string> paths;  // by name
+
+    /// Throws world::WorldError if another file has this name.
+    void add(const std::string& name, const std::string& path) {
+      if (const std::string& known = paths.try_emplace(name, path).first->second; known != path) {
+        throw world::WorldError({{world, 0,
+                                  "the files '" + known + "' and '" + path + "' are both called '" +
+                                      name + "'; expected two names"}});
+      }
+    }
+  };
 
   /// The worlds of the seeds, which differ in what their layouts have drawn.
-  void add_layouts(const experiment::Cell& cell, PlannedCell& planned, Names& names) {
+  void add_layouts(const experiment::Cell& cell, PlannedCell& planned, FileNames& files) {
     for (const std::uint64_t seed : experiment_.seeds) {
       world::World world = world_of(cell, seed);
       experiment::for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
-        name_files(host_.find(kind, plugin.plugin), plugin, names);
+        name_files(host_.find(kind, plugin.plugin), plugin, files);
       });
-      PlannedCell of_seed = planned;
-      of_seed.world_text = world::write_world(world);
-      of_seed.sha256 = results::sha256(of_seed.world_text);
-      planned.layouts[seed] = {of_seed.world_text, of_seed.sha256,
-                               identity_of(of_seed, world, names).sha256};
+      const std::string text = world::write_world(world);
+      planned.layouts[seed] = {text, results::sha256(text)};
     }
-  }
-
-  /// The data files of a world's text.
-  struct Names {
-    std::map<std::string, std::string> paths;   // by name
-    std::map<std::string, std::string> shared;  // by path: the name, if another file already has it
-  };
-
-  /// The contribution of a cell to the fingerprint.
-  struct CellIdentity {
-    std::string sha256;                       // of the world's text
-    std::map<std::string, std::string> data;  // hashes, by name
-  };
-
-  /// Files that are named by path, because another file has the same name, are renamed after their
-  /// content: paths do not count.
-  CellIdentity identity_of(const PlannedCell& cell, world::World& world, const Names& names) {
-    CellIdentity identity{cell.sha256, {}};
-    std::map<std::string, std::string> renamed;  // by path
-    for (const PlannedCell::Data& data : cell.data) {
-      const PlannedFile& file = plan_.files[data.file];
-      const auto shared = names.shared.find(data.name);
-      const std::string name = shared == names.shared.end()
-                                   ? data.name
-                                   : (renamed[data.name] = shared->second + '#' + file.sha256);
-      identity.data[name] = file.sha256;
-    }
-    if (renamed.empty()) {
-      return identity;
-    }
-    const auto rename = [&](auto& file_names) {
-      for (auto& [parameter, file] : file_names) {
-        if (const auto other = renamed.find(file.name); other != renamed.end()) {
-          file.name = other->second;
-        }
-      }
-    };
-    experiment::for_each_use(world, [&](PluginKind, world::PluginUse& plugin) {
-      rename(plugin.file_names);
-      for (world::ElementUse& element : plugin.elements) {
-        rename(element.file_names);
-      }
-    });
-    identity.sha256 = results::sha256(world::write_world(world));
-    return identity;
   }
 
   world::World world_of(const experiment::Cell& cell, std::uint64_t seed) const {
@@ -242,10 +195,10 @@ class Planner {
     return known->second;
   }
 
-  /// Makes the world's text name every file, with different names for different files.
+  /// Makes the world's text name every file.
   static void name_files(const std::vector<ParameterDeclaration>& declared,
                          const std::map<std::string, ParameterValue>& parameters,
-                         std::map<std::string, world::FileName>& file_names, Names& names) {
+                         std::map<std::string, world::FileName>& file_names, FileNames& files) {
     for (auto& [parameter, file] : file_names) {
       const auto value = parameters.find(parameter);
       if (value == parameters.end() || value->second != ParameterValue(file.path)) {
@@ -257,32 +210,29 @@ class Planner {
                          [&name = parameter](const auto& other) { return other.name == name; });
         file.name = std::get<std::string>(declaration->default_value);
       }
-      if (names.paths.try_emplace(file.name, file.path).first->second != file.path) {
-        names.shared[file.path] = file.name;
-        file.name = file.path;
-        names.paths[file.name] = file.path;
-      }
+      files.add(file.name, file.path);
     }
   }
-  static void name_files(const Declaration* declaration, world::PluginUse& use, Names& names) {
-    name_files(declaration->parameters, use.parameters, use.file_names, names);
+
+  static void name_files(const Declaration* declaration, world::PluginUse& use, FileNames& files) {
+    name_files(declaration->parameters, use.parameters, use.file_names, files);
     for (world::ElementUse& element : use.elements) {
       const auto declared =
           std::find_if(declaration->elements.begin(), declaration->elements.end(),
                        [&](const auto& other) { return other.name == element.element; });
-      name_files(declared->parameters, element.parameters, element.file_names, names);
+      name_files(declared->parameters, element.parameters, element.file_names, files);
     }
   }
 
   /// Everything about a cell that affects its results.
-  std::string identity(const PlannedCell& cell, const CellIdentity& of) const {
+  std::string identity(const PlannedCell& cell) const {
     std::string all;
     const auto add = [&](const std::string& text) {
       all += std::to_string(text.size()) + ':' + text + '\n';  // different for different lists
     };
-    add(of.sha256);
-    for (const PlannedLevel& level : cell.levels) {
-      add(level.label);
+    add(cell.layouts.empty() ? cell.sha256 : "");  // of layouts, it depends on the first seed
+    for (const std::string& level : cell.levels) {
+      add(level);
     }
     std::set<std::vector<std::string>> plugins;  // in an order that other cells do not change
     for (const std::size_t place : cell.plugins) {
@@ -304,9 +254,9 @@ class Planner {
       add(hash);
     }
     all += ";\n";
-    for (const auto& [name, hash] : of.data) {
-      add(name);
-      add(hash);
+    for (const PlannedCell::Data& data : cell.data) {  // sorted by name
+      add(data.name);
+      add(plan_.files[data.file].sha256);
     }
     return results::sha256(all);
   }

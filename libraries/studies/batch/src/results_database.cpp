@@ -253,15 +253,6 @@ SeedCount ResultsDatabase::seeds() {
       .front();
 }
 
-std::vector<CellTime> ResultsDatabase::times() {
-  return impl_->list(
-      "SELECT cell_id, avg(wall_s), count(*) FROM runs WHERE state = 'done' AND wall_s IS NOT NULL "
-      "GROUP BY cell_id",
-      [](const sqlite::Statement& row) {
-        return CellTime{static_cast<std::size_t>(row.integer(0)), row.number(1), row.integer(2)};
-      });
-}
-
 std::vector<FailedRun> ResultsDatabase::failed(std::size_t most) {
   return impl_->list(
       "SELECT runs.id, state, label, seed, message FROM runs JOIN cells ON cells.id = "

@@ -35,20 +35,12 @@ std::set<std::uint64_t> as_set(const std::vector<std::uint64_t>& seeds) {
 std::map<std::vector<std::string>, std::size_t> places_of(const Plan& plan) {
   std::map<std::vector<std::string>, std::size_t> places;
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-    places[levels_of(plan.cells[i])] = i;
+    places[plan.cells[i].levels] = i;
   }
   return places;
 }
 
 }  // namespace
-
-std::vector<std::string> levels_of(const PlannedCell& cell) {
-  std::vector<std::string> labels;
-  for (const PlannedLevel& level : cell.levels) {
-    labels.push_back(level.label);
-  }
-  return labels;
-}
 
 void number_runs(Plan& plan) {
   plan.runs.clear();
@@ -96,7 +88,7 @@ std::string fingerprint_of(const Plan& plan, std::size_t stages) {
       const auto& layouts = plan.cells[cell].layouts;
       for (const std::uint64_t seed :
            layouts.empty() ? std::vector<std::uint64_t>() : stage.seeds) {
-        all.add(layouts.at(seed).identity);
+        all.add(layouts.at(seed).sha256);
       }
     }
   }

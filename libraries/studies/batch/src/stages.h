@@ -55,7 +55,4 @@ Plan continued(const StoredGrid& stored, Plan plan);
 std::string seeds_text(const std::vector<std::uint64_t>& seeds);
 std::optional<std::vector<std::uint64_t>> seeds_in(const std::string& text);
 
-/// The labels of a planned cell's levels, in the order of the factors.
-std::vector<std::string> levels_of(const PlannedCell& cell);
-
 }  // namespace elsie::batch

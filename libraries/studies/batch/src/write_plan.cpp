@@ -91,8 +91,8 @@ void write_cells(sqlite::Connection& connection, const Plan& plan, std::size_t f
     const PlannedCell& planned = plan.cells[i];
     cell.run(i, planned.label, planned.world, planned.world_text, planned.world_file,
              planned.sha256, planned.place, planned.layout_seed);
-    for (const PlannedLevel& of : planned.levels) {
-      level.run(i, of.factor, of.label, of.place);
+    for (std::size_t factor = 0; factor < planned.levels.size(); ++factor) {
+      level.run(i, factor, planned.levels[factor], planned.places[factor]);
     }
     for (const std::size_t used : planned.plugins) {
       plugin.run(i, plugins[used]);
@@ -123,8 +123,8 @@ void rename_cells(sqlite::Connection& connection, const Plan& plan, std::size_t 
   for (std::size_t i = 0; i < count; ++i) {
     const PlannedCell& planned = plan.cells[i];
     cell.run(planned.label, planned.place, i);
-    for (const PlannedLevel& of : planned.levels) {
-      level.run(of.place, i, of.factor);
+    for (std::size_t factor = 0; factor < planned.places.size(); ++factor) {
+      level.run(planned.places[factor], i, factor);
     }
   }
 }

@@ -361,19 +361,14 @@ class CellCheck {
     if (all == complaint.cells) {
       return "";
     }
-    std::vector<std::string> factors{kWorldFactor};
-    for (const Factor& factor : experiment_.factors) {
-      factors.push_back(factor.name);
-    }
+    const std::vector<std::string> factors = factor_names(experiment_);
     const Cell& first = grid_[complaint.cells.front()];
-    for (const std::string& factor : factors) {
-      const std::string level = *level_of(experiment_, first, factor);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
       std::vector<std::size_t> with_it;
-      std::copy_if(all.begin(), all.end(), std::back_inserter(with_it), [&](std::size_t index) {
-        return level_of(experiment_, grid_[index], factor) == level;
-      });
+      std::copy_if(all.begin(), all.end(), std::back_inserter(with_it),
+                   [&](std::size_t index) { return grid_[index].labels[i] == first.labels[i]; });
       if (with_it == complaint.cells) {
-        return " (with " + factor + "=" + level + ")";
+        return " (with " + factors[i] + "=" + first.labels[i] + ")";
       }
     }
     const std::size_t count = complaint.cells.size();

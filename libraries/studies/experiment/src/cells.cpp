@@ -1,7 +1,8 @@
 // The grid of cells.
-#include <algorithm>
+#include <set>
 
 #include "elsie/experiment/experiment.h"
+#include "elsie/experiment/grid.h"
 #include "elsie/world/values.h"
 
 #include "grid.h"
@@ -12,29 +13,22 @@ namespace {
 
 // The labels of the factors that have several levels.
 std::string label_of(const Experiment& experiment, const Cell& cell) {
-  const std::string& id = experiment.worlds[cell.world].id;
+  const std::string& id = cell.labels.front();
   std::string label = experiment.worlds.size() > 1 ? id : "";
   for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
-    const std::vector<Level>& levels = experiment.factors[i].levels;
-    if (levels.size() > 1) {
-      label += (label.empty() ? "" : ", ") + levels[cell.levels[i]].label;
+    if (experiment.factors[i].levels.size() > 1) {
+      label += (label.empty() ? "" : ", ") + cell.labels[i + 1];
     }
   }
   return label.empty() ? id : label;
 }
 
-bool has_any(const Where& where, const std::optional<std::string>& label) {
-  return label && std::any_of(where.levels.begin(), where.levels.end(),
-                              [&](const std::string& pattern) { return matches(pattern, *label); });
-}
-
-bool is_excluded(const Experiment& experiment, const Cell& cell) {
-  return std::any_of(
-      experiment.exclusions.begin(), experiment.exclusions.end(), [&](const Exclusion& exclusion) {
-        return std::all_of(exclusion.where.begin(), exclusion.where.end(), [&](const Where& where) {
-          return has_any(where, level_of(experiment, cell, where.factor));
-        });
-      });
+// Takes out the cells that match.
+void exclude(const Exclusion& exclusion, const Experiment& experiment, std::vector<Cell>& grid) {
+  const std::vector<std::size_t> found = Grid(experiment, grid).cells_of(exclusion.where);
+  std::set<std::size_t> excluded(found.begin(), found.end());
+  std::size_t at = 0;
+  std::erase_if(grid, [&](const Cell&) { return excluded.contains(at++); });
 }
 
 }  // namespace
@@ -58,21 +52,12 @@ std::vector<Setting> settings_of(const Experiment& experiment, const Cell& cell)
   return settings;
 }
 
-std::vector<std::string> labels_of(const Experiment& experiment, const std::string& factor) {
-  std::vector<std::string> labels;
-  if (factor == kWorldFactor) {
-    for (const WorldUse& world : experiment.worlds) {
-      labels.push_back(world.id);
-    }
+std::vector<std::string> factor_names(const Experiment& experiment) {
+  std::vector<std::string> names{kWorldFactor};
+  for (const Factor& factor : experiment.factors) {
+    names.push_back(factor.name);
   }
-  for (const Factor& each : experiment.factors) {
-    for (const Level& level : each.levels) {
-      if (each.name == factor) {
-        labels.push_back(level.label);
-      }
-    }
-  }
-  return labels;
+  return names;
 }
 
 std::vector<Cell> cells(const Experiment& experiment) {
@@ -81,20 +66,12 @@ std::vector<Cell> cells(const Experiment& experiment) {
     std::vector<std::size_t> levels(experiment.factors.size(), 0);
     bool more = true;
     while (more) {
-      Cell cell;
-      cell.index = grid.size();
+      Cell& cell = grid.emplace_back();
       cell.world = world;
       cell.levels = levels;
-      if (!is_excluded(experiment, cell)) {
-        cell.label = label_of(experiment, cell);
-        for (const Setting& setting : settings_of(experiment, cell)) {
-          if (setting.at_s) {
-            cell.changes.push_back(setting);
-          } else {
-            cell.edits.push_back(override_of(setting));
-          }
-        }
-        grid.push_back(std::move(cell));
+      cell.labels.push_back(experiment.worlds[world].id);
+      for (std::size_t i = 0; i < levels.size(); ++i) {
+        cell.labels.push_back(experiment.factors[i].levels[levels[i]].label);
       }
       // Advances to the next cell like an odometer.
       more = false;
@@ -106,25 +83,26 @@ std::vector<Cell> cells(const Experiment& experiment) {
       }
     }
   }
+  for (const Exclusion& exclusion : experiment.exclusions) {
+    exclude(exclusion, experiment, grid);
+  }
+  for (Cell& cell : grid) {
+    cell.index = static_cast<std::size_t>(&cell - grid.data());
+    cell.label = label_of(experiment, cell);
+    for (const Setting& setting : settings_of(experiment, cell)) {
+      if (setting.at_s) {
+        cell.changes.push_back(setting);
+      } else {
+        cell.edits.push_back(override_of(setting));
+      }
+    }
+  }
   return grid;
 }
 
 std::uint64_t number_of_runs(const Experiment& experiment) {
   return cells(experiment).size() * experiment.seeds.size() *
          static_cast<std::uint64_t>(experiment.repeats);
-}
-
-std::optional<std::string> level_of(const Experiment& experiment, const Cell& cell,
-                                    const std::string& factor) {
-  if (factor == kWorldFactor) {
-    return experiment.worlds[cell.world].id;
-  }
-  for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
-    if (experiment.factors[i].name == factor) {
-      return experiment.factors[i].levels[cell.levels[i]].label;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace elsie::experiment

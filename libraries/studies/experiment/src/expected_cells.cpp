@@ -1,5 +1,6 @@
 // Finds the cells that an expectation covers.
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -8,32 +9,6 @@
 #include "grid.h"
 
 namespace elsie::experiment {
-
-namespace {
-
-std::vector<std::string> factors_of(const Experiment& experiment) {
-  std::vector<std::string> names{kWorldFactor};
-  for (const Factor& factor : experiment.factors) {
-    names.push_back(factor.name);
-  }
-  return names;
-}
-
-std::vector<std::vector<std::string>> labels_of(const Experiment& experiment,
-                                                const std::vector<Cell>& cells) {
-  std::vector<std::vector<std::string>> all;
-  all.reserve(cells.size());
-  for (const Cell& cell : cells) {
-    std::vector<std::string>& labels = all.emplace_back();
-    labels.push_back(experiment.worlds[cell.world].id);
-    for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
-      labels.push_back(experiment.factors[i].levels[cell.levels[i]].label);
-    }
-  }
-  return all;
-}
-
-}  // namespace
 
 bool matches(const std::string& pattern, const std::string& label) {
   // The position after the last star in the pattern, and the end of the text that it matches so
@@ -69,13 +44,32 @@ Grid::Grid(std::vector<std::string> factors, std::vector<std::vector<std::string
 }
 
 Grid::Grid(const Experiment& experiment, const std::vector<Cell>& cells)
-    : Grid(factors_of(experiment), labels_of(experiment, cells)) {}
+    : factors_(factor_names(experiment)) {
+  for (const Cell& cell : cells) {
+    places_.emplace(cell.labels, cells_.size());
+    cells_.push_back(cell.labels);
+  }
+}
 
 std::optional<std::size_t> Grid::place_of(const std::string& factor) const {
   const auto found = std::find(factors_.begin(), factors_.end(), factor);
   return found == factors_.end()
              ? std::nullopt
              : std::optional(static_cast<std::size_t>(found - factors_.begin()));
+}
+
+std::vector<Labels> Grid::labels() const {
+  std::vector<Labels> all;
+  for (std::size_t i = 0; i < factors_.size(); ++i) {
+    Labels& labels = all.emplace_back(Labels{factors_[i], {}});
+    std::set<std::string> known;
+    for (const std::vector<std::string>& cell : cells_) {
+      if (known.insert(cell[i]).second) {
+        labels.labels.push_back(cell[i]);
+      }
+    }
+  }
+  return all;
 }
 
 std::vector<std::size_t> Grid::cells_of(const Expectation& expectation) const {

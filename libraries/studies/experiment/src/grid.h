@@ -23,7 +23,4 @@ std::string override_of(const Setting& setting);
 /// Returns whether a label matches a pattern, in which "*" stands for any text.
 bool matches(const std::string& pattern, const std::string& label);
 
-/// All labels of a factor ("world": the ids); empty if there is no such factor.
-std::vector<std::string> labels_of(const Experiment& experiment, const std::string& factor);
-
 }  // namespace elsie::experiment

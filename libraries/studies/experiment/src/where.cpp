@@ -31,9 +31,15 @@ const Labels& named(const std::string& factor, const std::vector<Labels>& known)
 }  // namespace
 
 std::vector<Labels> labels_of(const Experiment& experiment) {
-  std::vector<Labels> all{{kWorldFactor, labels_of(experiment, kWorldFactor)}};
+  std::vector<Labels> all{{kWorldFactor, {}}};
+  for (const WorldUse& world : experiment.worlds) {
+    all.front().labels.push_back(world.id);
+  }
   for (const Factor& factor : experiment.factors) {
-    all.push_back({factor.name, labels_of(experiment, factor.name)});
+    Labels& labels = all.emplace_back(Labels{factor.name, {}});
+    for (const Level& level : factor.levels) {
+      labels.labels.push_back(level.label);
+    }
   }
   return all;
 }

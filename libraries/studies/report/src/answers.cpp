@@ -79,14 +79,7 @@ void correct_all(std::vector<std::vector<Contrast>>& comparisons) {
     }
   }
   for (const auto& [name, all] : by_response) {
-    std::vector<Contrast> together;
-    for (const Contrast* one : all) {
-      together.push_back(*one);
-    }
-    correct(together);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      *all[i] = together[i];
-    }
+    correct(all);
   }
 }
 

@@ -8,18 +8,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "elsie/base/near_name.h"
 #include "elsie/base/words.h"
-#include "elsie/experiment/split.h"
+#include "elsie/experiment/where.h"
 #include "elsie/files/clean_text.h"
 
 #include "copies.h"
 #include "numbers.h"
 
 namespace elsie::report {
-
-using experiment::split;
-using experiment::trimmed;
 
 namespace {
 
@@ -37,11 +33,7 @@ Matches match(const Findings& findings, const std::vector<Observation>& first,
   const auto add = [&](const std::vector<Observation>& all, std::vector<Observed> Match::*group,
                        std::vector<std::size_t> Match::*originals) {
     for (const Observation& one : all) {
-      std::vector<std::string> levels = findings.results.cells[one.cell].levels;
-      for (const std::size_t factor : named) {
-        levels[factor].clear();
-      }
-      Match& match = matches[one.seed][levels];
+      Match& match = matches[one.seed][levels_without(findings.results.cells[one.cell], named)];
       (match.*group).push_back(one.of);
       (match.*originals).push_back(one.original);
     }
@@ -142,45 +134,6 @@ void pair_up(const Findings& findings, const Matches& matches, bool bounds, Cont
 }
 
 [[noreturn]] void refuse(const std::string& sentence) { throw std::invalid_argument(sentence); }
-
-// The cells with one of the levels that "FACTOR=LEVEL|LEVEL" names.
-std::set<std::size_t> cells_with(const Results& results, const std::string& part,
-                                 std::vector<std::size_t>& named) {
-  const std::size_t equals = part.find('=');
-  const std::string name = trimmed(part.substr(0, equals));
-  std::vector<std::string> names;
-  for (const Factor& factor : results.factors) {
-    names.push_back(factor.name);
-  }
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    refuse("there is no factor '" + files::one_line(name) + "'" +
-           base::near_or_all(name, names, "there are"));
-  }
-  const auto factor = static_cast<std::size_t>(found - names.begin());
-  if (std::find(named.begin(), named.end(), factor) == named.end()) {
-    named.push_back(factor);
-  }
-  std::vector<std::string> levels;
-  for (const CellInfo& cell : results.cells) {
-    if (std::find(levels.begin(), levels.end(), cell.levels[factor]) == levels.end()) {
-      levels.push_back(cell.levels[factor]);
-    }
-  }
-  std::set<std::size_t> cells;
-  for (const std::string& level : split(part.substr(equals + 1), '|')) {
-    if (std::find(levels.begin(), levels.end(), level) == levels.end()) {
-      refuse("'" + files::one_line(name) + "' has no level '" + files::one_line(level) + "'" +
-             base::near_or_all(level, levels, "there are"));
-    }
-    for (std::size_t i = 0; i < results.cells.size(); ++i) {
-      if (results.cells[i].levels[factor] == level) {
-        cells.insert(i);
-      }
-    }
-  }
-  return cells;
-}
 
 /// Gives values that are_equal() one value, the least of them.
 class Rounding {
@@ -285,21 +238,18 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
   return found;
 }
 
-void correct(std::vector<Contrast>& contrasts) {
-  std::vector<Contrast*> tested;
+void correct(std::vector<Contrast*> contrasts) {
+  std::erase_if(contrasts, [](const Contrast* one) { return !one->is_tested(); });
   std::vector<double> pooled, paired;
-  for (Contrast& one : contrasts) {
-    if (one.is_tested()) {
-      tested.push_back(&one);
-      pooled.push_back(one.pooled_p);
-      paired.push_back(one.paired.p);
-    }
+  for (const Contrast* one : contrasts) {
+    pooled.push_back(one->pooled_p);
+    paired.push_back(one->paired.p);
   }
   pooled = holm(pooled);
   paired = holm(paired);
-  for (std::size_t i = 0; i < tested.size(); ++i) {
-    tested[i]->pooled_holm = pooled[i];
-    tested[i]->paired_holm = paired[i];
+  for (std::size_t i = 0; i < contrasts.size(); ++i) {
+    contrasts[i]->pooled_holm = pooled[i];
+    contrasts[i]->paired_holm = paired[i];
   }
 }
 
@@ -311,18 +261,19 @@ std::vector<Contrast> level_contrasts(const Findings& findings, const Response& 
     }
     for (std::size_t i = 0; i < factor.levels.size(); ++i) {
       for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
-        const auto group = [&](std::size_t level) {
-          return Group{factor.levels[level], factor.cells_at(level)};
-        };
-        Group first = group(j);
-        first.name = factor.name + "=" + first.name;
-        if (auto one = contrast(findings, response, first, group(i), {factor.factor})) {
+        const Group first{factor.name + "=" + factor.levels[j], factor.cells_at(j)},
+            second{factor.levels[i], factor.cells_at(i)};
+        if (auto one = contrast(findings, response, first, second, {factor.factor})) {
           all.push_back(std::move(*one));
         }
       }
     }
   }
-  correct(all);
+  std::vector<Contrast*> corrected;
+  for (Contrast& one : all) {
+    corrected.push_back(&one);
+  }
+  correct(std::move(corrected));
   return all;
 }
 
@@ -338,13 +289,14 @@ Group group_of(const Findings& findings, const std::string& text, std::vector<st
   }
   if (text.find('=') == std::string::npos) {
     refuse("there is no cell '" + files::one_line(text) +
-           "'; expected the name of a cell, or levels as in 'FACTOR=LEVEL|LEVEL, FACTOR=LEVEL'");
+           "'; expected the name of a cell, or levels as in 'FACTOR=LEVEL|LEVEL; FACTOR=LEVEL'");
   }
-  Group group{text, all_cells(findings)};
-  for (const std::string& part : split(text, ',')) {
-    const std::set<std::size_t> with = cells_with(results, part, named);
-    group.cells = common(group.cells, {with.begin(), with.end()});
+  const experiment::Grid grid = grid_of(results);
+  const std::vector<experiment::Where> where = experiment::parse_where(text, grid.labels());
+  for (const experiment::Where& one : where) {
+    named.push_back(*grid.place_of(one.factor));
   }
+  Group group{text, grid.cells_of(where)};
   if (group.cells.empty()) {
     refuse("no cell has all the levels of '" + files::one_line(text) +
            "'; name a combination that was run");

@@ -64,8 +64,7 @@ std::vector<Copies> copies_by_factor(const Findings& findings) {
   for (const VariedFactor& factor : varied_factors(results)) {
     std::map<std::pair<std::vector<std::string>, std::uint64_t>, std::vector<std::size_t>> cases;
     for (std::size_t i = 0; i < findings.cells.size(); ++i) {
-      std::vector<std::string> others = results.cells[i].levels;
-      others[factor.factor].clear();
+      const auto others = levels_without(results.cells[i], {factor.factor});
       for (const std::size_t place : findings.cells[i].runs) {
         if (results.runs[place].state == RunState::done) {
           cases[{others, results.runs[place].seed}].push_back(findings.originals[place]);

@@ -51,6 +51,27 @@ std::vector<std::vector<std::size_t>> VariedFactor::groups() const {
   return all;
 }
 
+experiment::Grid grid_of(const Results& results) {
+  std::vector<std::string> factors;
+  for (const Factor& factor : results.factors) {
+    factors.push_back(factor.name);
+  }
+  std::vector<std::vector<std::string>> cells;
+  for (const CellInfo& cell : results.cells) {
+    cells.push_back(cell.levels);
+  }
+  return {std::move(factors), std::move(cells)};
+}
+
+std::vector<std::string> levels_without(const CellInfo& cell,
+                                        const std::vector<std::size_t>& factors) {
+  std::vector<std::string> levels = cell.levels;
+  for (const std::size_t factor : factors) {
+    levels[factor].clear();
+  }
+  return levels;
+}
+
 std::vector<VariedFactor> varied_factors(const Results& results) {
   std::vector<VariedFactor> all;
   for (std::size_t factor = 0; factor < results.factors.size(); ++factor) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "elsie/report/factors.h"
 #include "elsie/report/survival.h"
 
 #include "goals.h"
@@ -180,18 +181,6 @@ void sort_out_runs(Findings& findings) {
       findings.disagreements.push_back({done});
     }
   }
-}
-
-experiment::Grid grid_of(const Results& results) {
-  std::vector<std::string> factors;
-  for (const Factor& factor : results.factors) {
-    factors.push_back(factor.name);
-  }
-  std::vector<std::vector<std::string>> cells;
-  for (const CellInfo& cell : results.cells) {
-    cells.push_back(cell.levels);
-  }
-  return {std::move(factors), std::move(cells)};
 }
 
 }  // namespace

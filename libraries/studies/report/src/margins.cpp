@@ -15,20 +15,11 @@ namespace {
 
 using Levels = std::vector<std::string>;
 
-// The levels of the factors that do not tell the groups apart.
-Levels rest_of(const Findings& findings, std::size_t cell, const std::vector<std::size_t>& named) {
-  Levels levels = findings.results.cells[cell].levels;
-  for (const std::size_t factor : named) {
-    levels[factor].clear();
-  }
-  return levels;
-}
-
 std::set<Levels> rests_of(const Findings& findings, const std::vector<std::size_t>& cells,
                           const std::vector<std::size_t>& named) {
   std::set<Levels> rests;
   for (const std::size_t cell : cells) {
-    rests.insert(rest_of(findings, cell, named));
+    rests.insert(levels_without(findings.results.cells[cell], named));
   }
   return rests;
 }
@@ -53,8 +44,9 @@ void keep_matches(const Findings& findings, const std::vector<std::size_t>& name
     return;
   }
   for (std::vector<std::size_t>& group : balance.groups) {
-    balance.dropped_cells += std::erase_if(
-        group, [&](std::size_t cell) { return !in_all->contains(rest_of(findings, cell, named)); });
+    balance.dropped_cells += std::erase_if(group, [&](std::size_t cell) {
+      return !in_all->contains(levels_without(findings.results.cells[cell], named));
+    });
   }
 }
 

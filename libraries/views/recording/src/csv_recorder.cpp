@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -38,23 +38,20 @@ std::size_t place_of(std::vector<std::string>& columns, const std::string& name)
   return columns.size() - 1;
 }
 
-}  // namespace
-
-class CsvRecorder::Impl {
+class CsvRecorder final : public simulation::Observer {
  public:
-  Impl(const std::filesystem::path& file, double rate_hz, bool with_times,
-       const std::vector<std::string>& robots)
+  CsvRecorder(const std::filesystem::path& file, const RecorderOptions& options)
       : out_("recording '" + file.string() + "'"),
-        rate_hz_(rate_hz),
-        with_times_(with_times),
-        robots_(robots.begin(), robots.end()) {
-    if (!(rate_hz > 0.0) || !std::isfinite(rate_hz)) {
+        rate_hz_(options.rate_hz),
+        with_times_(options.with_times),
+        robots_(options.robots.begin(), options.robots.end()) {
+    if (!(rate_hz_ > 0.0) || !std::isfinite(rate_hz_)) {
       throw std::runtime_error("a recording needs a positive number of samples a second");
     }
     out_.create(file);
   }
 
-  void start(const simulation::Simulation& simulation) {
+  void started(const simulation::Simulation& simulation) override {
     const double step = simulation.world().physics.step;
     sampling_ =
         traces::Sampling(static_cast<double>(traces::steps_in(1.0 / rate_hz_, step)) * step);
@@ -76,7 +73,7 @@ class CsvRecorder::Impl {
     sample(simulation);
   }
 
-  void step(const simulation::Simulation& simulation) {
+  void stepped(const simulation::Simulation& simulation) override {
     if (sampling_.is_due(simulation.time_s())) {
       sample(simulation);
       if (simulation.time_s() - flushed_at_s_ >= kFlushEvery) {
@@ -86,10 +83,10 @@ class CsvRecorder::Impl {
     }
   }
 
-  void end() { out_.close(); }
+  void ended(const simulation::Simulation&) override { out_.close(); }
 
   /// The heading line is written already: new numbers get no column.
-  void lay_out_again(const simulation::Simulation& simulation) {
+  void replaced(const simulation::Simulation& simulation) override {
     const auto readings = reading_columns_, behaviors = behaviors_;
     lay_out(simulation);
     const auto find_again = [](std::vector<std::size_t>& places,
@@ -226,29 +223,16 @@ class CsvRecorder::Impl {
   files::CsvLine line_;
 };
 
-Format CsvRecorder::format() {
-  return {".csv",
-          "a table",
-          kBodyColumns,
-          "",
-          false,
-          std::numeric_limits<std::size_t>::max(),
-          [](const std::filesystem::path& file,
-             const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
-            return std::make_unique<CsvRecorder>(file, options.rate_hz, options.with_times,
-                                                 options.robots);
-          }};
+}  // namespace
+
+std::unique_ptr<simulation::Observer> csv_recorder(const std::filesystem::path& file,
+                                                   const RecorderOptions& options) {
+  return std::make_unique<CsvRecorder>(file, options);
 }
 
-CsvRecorder::CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times,
-                         const std::vector<std::string>& robots)
-    : impl_(std::make_unique<Impl>(file, rate_hz, with_times, robots)) {}
-CsvRecorder::~CsvRecorder() = default;
-void CsvRecorder::started(const simulation::Simulation& simulation) { impl_->start(simulation); }
-void CsvRecorder::stepped(const simulation::Simulation& simulation) { impl_->step(simulation); }
-void CsvRecorder::replaced(const simulation::Simulation& simulation) {
-  impl_->lay_out_again(simulation);
+Format csv_format() {
+  return {
+      .suffix = ".csv", .description = "a table", .mark = kBodyColumns, .recorder = csv_recorder};
 }
-void CsvRecorder::ended(const simulation::Simulation&) { impl_->end(); }
 
 }  // namespace elsie::recording

@@ -13,10 +13,7 @@ double rate_in(double rate_hz, double step_s) {
 }
 
 std::span<const Format> formats() {
-  static const Format all[] = {
-      CsvRecorder::format(),
-      McapRecorder::format(),
-  };
+  static const Format all[] = {csv_format(), mcap_format()};
   return all;
 }
 

@@ -40,18 +40,16 @@ bool sees_ranges(const Simulation& simulation, std::size_t robot) {
   return false;
 }
 
-}  // namespace
-
-class McapRecorder::Impl final : private files::EmergencyWriter {
+class McapRecorder final : public simulation::Observer, private files::EmergencyWriter {
  public:
-  Impl(const std::filesystem::path& file, RecorderOptions options)
-      : options_(checked(std::move(options))),
+  McapRecorder(const std::filesystem::path& file, const RecorderOptions& options)
+      : options_(checked(options)),
         chosen_(options_.robots.begin(), options_.robots.end()),
         out_(file, {.library = options_.program}) {}
 
-  ~Impl() override { retire(); }
+  ~McapRecorder() override { retire(); }
 
-  void start(const Simulation& simulation) {
+  void started(const Simulation& simulation) override {
     const world::Physics& physics = simulation.world().physics;
     every_ = traces::steps_in(1.0 / options_.rate_hz, physics.step);
     sampling_ = traces::Sampling(static_cast<double>(every_) * physics.step);
@@ -70,7 +68,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
     sample(simulation, false);
   }
 
-  void step(const Simulation& simulation) {
+  void stepped(const Simulation& simulation) override {
     if (simulation.decided()) {
       decided_ns_ = nanoseconds(simulation.step_began_s());
       blind_ = empty_;
@@ -90,7 +88,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
 
   /// Robots that are new, or have other behaviours or other sensors than before, get channels of
   /// their own from now on.
-  void lay_out_again(const Simulation& simulation) {
+  void replaced(const Simulation& simulation) override {
     add_robots(simulation);
     write_world(simulation);
     write_scene(simulation);
@@ -98,7 +96,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
     remember_who_sees(simulation);
   }
 
-  void end(const Simulation& simulation) {
+  void ended(const Simulation& simulation) override {
     std::exception_ptr fault;
     const simulation::RunResult result = result_of(simulation, fault);
     const bool stopped = fault || result.outcome == simulation::Outcome::running;
@@ -138,7 +136,7 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
 
   bool write_now() noexcept override { return out_.write_in_emergency(); }
 
-  static RecorderOptions checked(RecorderOptions options) {
+  static const RecorderOptions& checked(const RecorderOptions& options) {
     if (!(options.rate_hz > 0.0) || !std::isfinite(options.rate_hz)) {
       throw std::invalid_argument("a recording needs a positive number of samples a second");
     }
@@ -464,25 +462,21 @@ class McapRecorder::Impl final : private files::EmergencyWriter {
   std::vector<NamedValue> values_;
 };
 
-Format McapRecorder::format() {
-  return {".mcap",
-          "a recording for viewers, `elsie replay` and `elsie explain`",
-          "\x89MCAP",
-          "elsie",
-          true,
-          kMostWithChannels,
-          [](const std::filesystem::path& file,
-             const RecorderOptions& options) -> std::unique_ptr<simulation::Observer> {
-            return std::make_unique<McapRecorder>(file, options);
-          }};
+}  // namespace
+
+std::unique_ptr<simulation::Observer> mcap_recorder(const std::filesystem::path& file,
+                                                    const RecorderOptions& options) {
+  return std::make_unique<McapRecorder>(file, options);
 }
 
-McapRecorder::McapRecorder(const std::filesystem::path& file, RecorderOptions options)
-    : impl_(std::make_unique<Impl>(file, std::move(options))) {}
-McapRecorder::~McapRecorder() = default;
-void McapRecorder::started(const Simulation& simulation) { impl_->start(simulation); }
-void McapRecorder::stepped(const Simulation& simulation) { impl_->step(simulation); }
-void McapRecorder::replaced(const Simulation& simulation) { impl_->lay_out_again(simulation); }
-void McapRecorder::ended(const Simulation& simulation) { impl_->end(simulation); }
+Format mcap_format() {
+  return {.suffix = ".mcap",
+          .description = "a recording for viewers, `elsie replay` and `elsie explain`",
+          .mark = "\x89MCAP",
+          .maker = "elsie",
+          .images = true,
+          .most_robots = kMostWithChannels,
+          .recorder = mcap_recorder};
+}
 
 }  // namespace elsie::recording

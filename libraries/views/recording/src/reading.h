@@ -1,4 +1,4 @@
-// Reading a file that McapRecorder wrote, message by message.
+// Reading a file that mcap_recorder() wrote, message by message.
 #pragma once
 
 #include <filesystem>

@@ -37,7 +37,6 @@ class BackPropagation {
  private:
   using Layer = Network::Layer;
 
-  double present_two_wide(const double* inputs, const double* targets);
   double output_deltas(const double* targets);
   template <bool First>
   void change(const Layer& layer);
@@ -46,7 +45,6 @@ class BackPropagation {
 
   Network& network_;
   LearningRule rule_;
-  bool two_wide_;  // every layer has two inputs, and one or two neurons
   Workspace workspace_;
   std::vector<double> deltas_;   // of the neurons, at the indices of their activations
   std::vector<double> changes_;  // what momentum carries on, at the indices of the weights

@@ -21,7 +21,14 @@ struct Progress {
   std::int64_t ended = 0;   // those of them that have ended
   std::int64_t failed = 0;  // those that ended in a state other than "done"
   double elapsed_s = 0.0;
-  std::optional<double> left_s{};  // estimate of the remaining time; none: not known yet
+
+  /// The remaining time, if the other runs take as long as those that have ended, which a batch
+  /// does cell by cell for each seed. None before the first has ended, and after the last.
+  std::optional<double> left_s() const {
+    return ended > 0 && ended < runs ? std::optional(elapsed_s * static_cast<double>(runs - ended) /
+                                                     static_cast<double>(ended))
+                                     : std::nullopt;
+  }
 };
 
 /// A file that a run uses has changed since the batch began; what() is a sentence.

@@ -54,19 +54,15 @@ struct PlannedPlugin {
   std::optional<std::size_t> file;  // index into Plan::files; none if linked into the program
 };
 
-struct PlannedLevel {
-  std::size_t factor = 0;  // index into Plan::factors
-  std::string label;
-  std::size_t place = 0;  // index into the factor's levels
-};
-
 struct PlannedCell {
   std::string label;
   std::string world;       // id of the world in the experiment
   std::string world_text;  // with templates merged, settings made, all data files named
   std::string world_file;  // absolute
   std::string sha256;      // of world_text
-  std::vector<PlannedLevel> levels;
+  // Of each of Plan::factors, the label of the level, and its place among the factor's levels.
+  std::vector<std::string> levels;
+  std::vector<std::size_t> places;
   std::set<std::size_t> program;     // deciding_libraries(): indices into Plan::files
   std::vector<std::size_t> plugins;  // indices into Plan::plugins, ascending
   struct Data {
@@ -77,14 +73,13 @@ struct PlannedCell {
   bool goals = true;       // the world has goals
   std::size_t place = 0;   // in the order of the experiment's grid
   /// SHA-256 over everything that affects its results: levels, world, data, plugins, libraries.
-  /// Layouts that follow the seeds of the runs are not included; see Layout::identity.
+  /// Layouts that follow the seeds of the runs are not included; see Layout.
   std::string identity;
   /// From which its layouts are drawn; none: it has none, or they follow the seeds of the runs.
   std::optional<std::uint64_t> layout_seed;
   struct Layout {
     std::string world_text;
-    std::string sha256;    // of world_text
-    std::string identity;  // SHA-256 over the world, wherever its data files are
+    std::string sha256;  // of world_text
   };
   /// If they follow the seeds: the world of each seed; world_text is that of the first.
   std::map<std::uint64_t, Layout> layouts;

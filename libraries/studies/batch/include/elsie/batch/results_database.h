@@ -38,13 +38,6 @@ struct SeedCount {
   std::int64_t complete = 0;
 };
 
-/// How long the runs of a cell took that are done.
-struct CellTime {
-  std::size_t cell = 0;  // index into Plan::cells
-  double wall_s = 0.0;   // mean of the times on the clock
-  std::int64_t runs = 0;
-};
-
 /// A run that failed.
 struct FailedRun {
   std::int64_t id = 0;
@@ -125,8 +118,6 @@ class ResultsDatabase {
   /// In the order of the experiment's grid.
   std::vector<CellCount> cells();
   SeedCount seeds();
-  /// The cells with runs that are done.
-  std::vector<CellTime> times();
   std::vector<FailedRun> failed(std::size_t most);
   std::vector<Disagreement> disagreements();
   /// Returns none if there is no such run.

@@ -159,6 +159,7 @@ struct Cell {
   std::size_t index = 0;            // from 0; worlds outermost, the last factor innermost
   std::size_t world = 0;            // index into Experiment::worlds
   std::vector<std::size_t> levels;  // index of each factor's level, in order
+  std::vector<std::string> labels;  // the id of its world, and the label of each factor's level
   /// "four_resources, fusion, 2 2": the labels of factors with several levels.
   std::string label;
   /// "PATH=VALUE" in order; the last one of a path counts: the experiment's time limit, its
@@ -174,9 +175,7 @@ std::vector<Cell> cells(const Experiment& experiment);
 /// The number of runs: cells times seeds times repetitions.
 std::uint64_t number_of_runs(const Experiment& experiment);
 
-/// The label of the cell's level of a factor ("world": the id of its world); none if there is no
-/// such factor.
-std::optional<std::string> level_of(const Experiment& experiment, const Cell& cell,
-                                    const std::string& factor);
+/// "world", and the names of the factors: parallel to Cell::labels.
+std::vector<std::string> factor_names(const Experiment& experiment);
 
 }  // namespace elsie::experiment

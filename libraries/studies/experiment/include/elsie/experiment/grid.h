@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "elsie/experiment/experiment.h"
+#include "elsie/experiment/where.h"
 
 namespace elsie::experiment {
 
@@ -34,9 +35,13 @@ class Grid {
   /// reference, or there is no such cell.
   std::optional<std::size_t> reference_of(const Expectation& expectation, std::size_t cell) const;
 
- private:
+  /// The index of a factor, if it is there.
   std::optional<std::size_t> place_of(const std::string& factor) const;
 
+  /// The factors with the labels that cells have, each once: what a choice of cells may name.
+  std::vector<Labels> labels() const;
+
+ private:
   std::vector<std::string> factors_;
   std::vector<std::vector<std::string>> cells_;
   std::map<std::vector<std::string>, std::size_t> places_;  // indices of the cells

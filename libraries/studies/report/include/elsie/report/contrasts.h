@@ -57,7 +57,7 @@ std::optional<Contrast> contrast(const Findings& findings, const Response& respo
                                  const std::vector<std::size_t>& named);
 
 /// Corrects the p-values of contrasts of one response; those without tests do not count.
-void correct(std::vector<Contrast>& contrasts);
+void correct(std::vector<Contrast*> contrasts);
 
 /// All pairs of levels of all factors, corrected. Factors with more than kMostLevels levels are
 /// left out: their pairs are too many to read.
@@ -65,9 +65,9 @@ std::vector<Contrast> level_contrasts(const Findings& findings, const Response& 
 
 inline constexpr std::size_t kMostLevels = 8;
 
-/// The cells of "coordinator=fusion|arbitration, network=4 4", or those with this label. `named`:
-/// the factors in it are added. Throws std::invalid_argument, with a sentence, for a factor, a
-/// level or a label that is not there.
+/// The cells of "coordinator=fusion|arbitration; network=4 4" (a choice as in experiments), or
+/// those with this label. `named`: the factors in it are added. Throws std::invalid_argument, with
+/// a sentence, for a factor, a level or a label that is not there.
 Group group_of(const Findings& findings, const std::string& text, std::vector<std::size_t>& named);
 
 /// All responses of two groups by text. Throws std::invalid_argument, with a sentence, for groups

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "elsie/experiment/grid.h"
 #include "elsie/report/findings.h"
 #include "elsie/report/survival.h"
 
@@ -30,6 +31,13 @@ struct VariedFactor {
 
 /// In the order of the experiment.
 std::vector<VariedFactor> varied_factors(const Results& results);
+
+/// The cells by the levels of all factors.
+experiment::Grid grid_of(const Results& results);
+
+/// The levels of a cell, empty for these factors (indices into Results::factors).
+std::vector<std::string> levels_without(const CellInfo& cell,
+                                        const std::vector<std::size_t>& factors);
 
 /// What is looked at: success, or a measure.
 struct Response {

@@ -3,8 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "elsie/recording/formats.h"
 #include "elsie/simulation/observer.h"
@@ -26,28 +24,14 @@ namespace elsie::recording {
 /// stay empty. When plugins are replaced, numbers that sensors did not have at the start get no
 /// columns. Numbers are written so that they read back the same, bit for bit. The file is written
 /// during the run: after a plugin has failed, it is valid. A recorder serves one run.
-class CsvRecorder final : public simulation::Observer {
- public:
-  /// Creates the file at once; throws std::runtime_error with a sentence when it cannot.
-  /// `rate_hz`: samples per simulated second, rounded to whole steps, at most one a step; must be
-  /// positive.
-  /// `robots`: ids of those that get rows; empty: all.
-  CsvRecorder(const std::filesystem::path& file, double rate_hz, bool with_times = false,
-              const std::vector<std::string>& robots = {});
-  ~CsvRecorder() override;
+///
+/// Creates the file at once. Throws std::runtime_error with a sentence when it cannot, or for a
+/// rate that is not positive; the recorder throws one when the file could not be written to its end
+/// (a full disk).
+std::unique_ptr<simulation::Observer> csv_recorder(const std::filesystem::path& file,
+                                                   const RecorderOptions& options);
 
-  /// Its entry in the table of formats.
-  static Format format();
-
-  void started(const simulation::Simulation& simulation) override;
-  void stepped(const simulation::Simulation& simulation) override;
-  void replaced(const simulation::Simulation& simulation) override;
-  /// Throws std::runtime_error when the file could not be written to its end (a full disk).
-  void ended(const simulation::Simulation& simulation) override;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
-};
+/// Its entry in the table of formats.
+Format csv_format();
 
 }  // namespace elsie::recording

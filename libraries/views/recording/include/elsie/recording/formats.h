@@ -35,11 +35,11 @@ struct RecorderOptions {
 };
 
 struct Format {
-  std::string_view suffix;       // ".csv"
-  std::string_view description;  // "a table"
-  std::string_view mark;         // the first bytes of every such file
-  std::string_view maker;        // text in its first kilobyte if Elsie wrote it
-  bool images = false;           // true: it has a place for pictures
+  std::string_view suffix{};       // ".csv"
+  std::string_view description{};  // "a table"
+  std::string_view mark{};         // the first bytes of every such file
+  std::string_view maker{};        // text in its first kilobyte if Elsie wrote it
+  bool images = false;             // true: it has a place for pictures
   /// Robots that are recorded in full when RecorderOptions::robots is empty.
   std::size_t most_robots = std::numeric_limits<std::size_t>::max();
   /// Creates the file at once, and throws an exception with a sentence when it cannot.

@@ -23,25 +23,14 @@ namespace elsie::recording {
 /// also when the program is killed. When a plugin brings the program down, everything until then is
 /// kept (process::report_crashes()). The same world, seed and options give the same bytes (unless
 /// with_times). A recorder serves one run.
-class McapRecorder final : public simulation::Observer {
- public:
-  /// Creates the file at once, or empties it. Throws mcap::McapError when that cannot be done,
-  /// std::invalid_argument for a rate that is not positive.
-  explicit McapRecorder(const std::filesystem::path& file, RecorderOptions options = {});
-  ~McapRecorder() override;
+///
+/// Creates the file at once, or empties it. Throws mcap::McapError when that cannot be done,
+/// std::invalid_argument for a rate that is not positive; the recorder throws mcap::McapError when
+/// the file cannot be written (a full disk).
+std::unique_ptr<simulation::Observer> mcap_recorder(const std::filesystem::path& file,
+                                                    const RecorderOptions& options = {});
 
-  /// Its entry in the table of formats.
-  static Format format();
-
-  // Each throws mcap::McapError when the file cannot be written (a full disk).
-  void started(const simulation::Simulation& simulation) override;
-  void stepped(const simulation::Simulation& simulation) override;
-  void replaced(const simulation::Simulation& simulation) override;
-  void ended(const simulation::Simulation& simulation) override;
-
- private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
-};
+/// Its entry in the table of formats.
+Format mcap_format();
 
 }  // namespace elsie::recording

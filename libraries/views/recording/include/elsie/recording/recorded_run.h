@@ -1,5 +1,5 @@
-// A run read back from an MCAP file of McapRecorder: the run, the contents of the file, the state
-// of the world at any time, and who decided when.
+// A run read back from an MCAP file of mcap_recorder(): the run, the contents of the file, the
+// state of the world at any time, and who decided when.
 #pragma once
 
 #include <cstdint>

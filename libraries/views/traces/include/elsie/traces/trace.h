@@ -1,5 +1,5 @@
 // The coordination trace of a run as data: what every coordinator decided about its behaviours,
-// from the first decision to the last. McapRecorder writes it, recording::read_trace() reads it;
+// from the first decision to the last. mcap_recorder() writes it, recording::read_trace() reads it;
 // docs/explaining-a-run.md describes it.
 #pragma once
 
