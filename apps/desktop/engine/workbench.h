@@ -192,10 +192,8 @@ class Workbench : public QObject {
 
   void describe(const Json& answer, const QString& sent);
   void take(const Json& answer, const QString& sent);
-  void remember(const QString& name, const QString& merge, const QString& before,
-                const Json& answer);
-  void lead(const History::Entry& entry, const QString& text,
-            std::function<void(std::uint64_t)> done);
+  void remember(const QString& name, const QString& merge, const QString& before);
+  void lead(const History::Entry& entry, const QString& text, void (History::*done)());
   void open_in_engine(const QString& text);
   void send_typed(const QString& name = tr("type"), const QString& merge = "type");
   void open_as_edit(const QString& text, const QString& name, const QString& merge = {});

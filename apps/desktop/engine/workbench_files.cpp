@@ -254,10 +254,7 @@ void Workbench::save_in_turn(const QString& target) {
       return;
     }
     order({{"do", "move"}, {"file", target.toStdString()}}, [this](const Json& answer) {
-      if (!answer.contains("refused")) {
-        history_.drop_undo_numbers();
-        describe(answer, history_text_);
-      }
+      if (!answer.contains("refused")) describe(answer, history_text_);
       in_turn([this] { send_typed(); });
       end_change();
     });
@@ -272,7 +269,6 @@ void Workbench::save_elsewhere(const QString& target) {
       end_change(problems_of(answer));
       return;
     }
-    history_.drop_undo_numbers();
     describe(answer, sent);
     saved_as(target, history_text_);
     end_change();

@@ -32,13 +32,13 @@ const std::map<std::string, Server::Impl::KnownOrder>& Server::Impl::orders() {
       {"open", {&Impl::open, false}},   {"catalog", {&Impl::catalog, false}},
       {"check", {&Impl::check, false}}, {"watch", {&Impl::watch, false}},
       {"pause", {&Impl::pause, false}}, {"edit", {&Impl::edit}},
-      {"become", {&Impl::become}},      {"undo", {&Impl::undo}},
-      {"text_for", {&Impl::text_for}},  {"move", {&Impl::move}},
-      {"ping", {&Impl::ping, false}},   {"run", {&Impl::start}},
-      {"step", {&Impl::step}},          {"speed", {&Impl::set_speed}},
-      {"reset", {&Impl::reset}},        {"at", {&Impl::look_back}},
-      {"record", {&Impl::record}},      {"command", {&Impl::command}},
-      {"paths", {&Impl::paths}},        {"numbers", {&Impl::numbers}},
+      {"become", {&Impl::become}},      {"text_for", {&Impl::text_for}},
+      {"move", {&Impl::move}},          {"ping", {&Impl::ping, false}},
+      {"run", {&Impl::start}},          {"step", {&Impl::step}},
+      {"speed", {&Impl::set_speed}},    {"reset", {&Impl::reset}},
+      {"at", {&Impl::look_back}},       {"record", {&Impl::record}},
+      {"command", {&Impl::command}},    {"paths", {&Impl::paths}},
+      {"numbers", {&Impl::numbers}},
   };
   return known;
 }
