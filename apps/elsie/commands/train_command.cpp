@@ -1,7 +1,6 @@
 // elsie train: trains the network of a coordinator and writes its weights.
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -12,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/base/number_text.h"
 #include "elsie/files/outputs.h"
@@ -22,6 +20,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
+#include "interrupts.h"
 #include "learner.h"
 #include "learning_curve.h"
 #include "output_files.h"
@@ -75,14 +74,7 @@ class TrainingWatcher {
  public:
   enum class Shown { nothing, bar, lines };  // lines of JSON, for a program
 
-  explicit TrainingWatcher(Shown shown) : shown_(shown) {}
-  ~TrainingWatcher() {
-    if (drawn_) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-  TrainingWatcher(const TrainingWatcher&) = delete;
-  TrainingWatcher& operator=(const TrainingWatcher&) = delete;
+  explicit TrainingWatcher(Shown shown) : shown_(shown), bar_(shown == Shown::bar) {}
 
   bool operator()(const neural::TrainingProgress& progress) {
     constexpr auto kRedraw = std::chrono::milliseconds(100);
@@ -96,12 +88,9 @@ class TrainingWatcher {
 
  private:
   void draw(const neural::TrainingProgress& progress) {
-    drawn_ = true;
     const double part =
         static_cast<double>(progress.presentations) / static_cast<double>(progress.of);
-    std::fprintf(stderr, "\r%s  mean error %s\033[K", bar_text(part).c_str(),
-                 rough(progress.error).c_str());
-    std::fflush(stderr);
+    bar_.draw(bar_text(part) + "  mean error " + rough(progress.error));
   }
   static void print(const neural::TrainingProgress& progress) {
     data_out() << nlohmann::ordered_json{{"presentations", progress.presentations},
@@ -112,7 +101,7 @@ class TrainingWatcher {
   }
 
   Shown shown_;
-  bool drawn_ = false;
+  StatusLine bar_;
   std::chrono::steady_clock::time_point last_;
 };
 
@@ -267,7 +256,7 @@ int train(const TrainOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   neural::Lesson lesson = [&] {
     using Shown = TrainingWatcher::Shown;
-    const bool has_bar = !options.quiet && !options.json && isatty(STDERR_FILENO) != 0;
+    const bool has_bar = !options.quiet && !options.json;
     TrainingWatcher watcher(options.progress ? Shown::lines
                             : has_bar        ? Shown::bar
                                              : Shown::nothing);

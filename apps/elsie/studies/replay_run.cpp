@@ -9,7 +9,6 @@
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/batch/results_database.h"
 #include "elsie/render/world_cameras.h"
@@ -18,13 +17,13 @@
 
 #include "command.h"
 #include "make_views.h"
-#include "progress.h"
 #include "restored_run.h"
 #include "run_report.h"
 #include "same_run.h"
 #include "start_world.h"
 #include "streams.h"
 #include "wall_limit.h"
+#include "watchers.h"
 
 namespace elsie::program {
 
@@ -48,32 +47,6 @@ StoredRun stored_run(const RunAgainOptions& options) {
   }
   return *std::move(run);
 }
-
-/// All observers of the run.
-class Watchers {
- public:
-  Watchers(const RunAgainOptions& options, std::unique_ptr<RunViews> views, WallLimit& limit)
-      : views_(std::move(views)), all_(views_->observers().begin(), views_->observers().end()) {
-    if (!options.quiet && isatty(STDERR_FILENO)) {
-      all_.push_back(&progress_.emplace());
-    }
-    all_.push_back(&interrupt_);
-    all_.push_back(&limit);
-  }
-  Watchers(const Watchers&) = delete;
-  Watchers& operator=(const Watchers&) = delete;
-
-  std::span<simulation::Observer* const> all() const { return all_; }
-  void draw(const Simulation& simulation, const std::string& line) const {
-    views_->draw(simulation, line);
-  }
-
- private:
-  std::unique_ptr<RunViews> views_;
-  std::vector<simulation::Observer*> all_;
-  std::optional<ProgressBar> progress_;
-  InterruptGuard interrupt_;
-};
 
 void tell_of(const StoredRun& run, const RunAgainOptions& options) {
   if (options.quiet) {
@@ -180,7 +153,8 @@ int replay_run(const RunAgainOptions& options) {
                          .files = restored.files(),
                          .cameras = render::world_cameras});
   views->open(simulation, read_files(options.database, restored.files(), options.plugins));
-  const Watchers watchers(options, std::move(views), limit);
+  simulation::Observer* const limits[] = {&limit};
+  const Watchers watchers(std::move(views), !options.quiet, limits);
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   try {
     const RunResult result = simulation.run(watchers.all());

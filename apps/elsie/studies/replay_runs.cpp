@@ -22,7 +22,7 @@
 
 #include "batch_options.h"
 #include "command.h"
-#include "stop_signals.h"
+#include "interrupts.h"
 #include "streams.h"
 
 namespace elsie::program {
@@ -215,7 +215,7 @@ bool ended_the_same(const Repeated& one) { return one.verdict.starts_with("the s
 
 /// Returns false when it was interrupted.
 bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
-  const StopSignals signals;
+  const InterruptGuard interrupt;
   std::stop_source stop;
   std::atomic<std::size_t> next{0}, ended{0};
   std::mutex printing;
@@ -242,7 +242,7 @@ bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
       threads.emplace_back(work);
     }
     while (ended < all.size() && !stop.stop_requested()) {
-      pollfd signal{.fd = signals.descriptor(), .events = POLLIN, .revents = 0};
+      pollfd signal{.fd = interrupt.descriptor(), .events = POLLIN, .revents = 0};
       if (poll(&signal, 1, kPause_ms) > 0) {
         stop.request_stop();
       }
