@@ -168,7 +168,7 @@ class Workbench : public QObject {
     bool has_receiver = false;
     Done done;
     bool is_edit = false;
-    WaitingEdits waiting = {};  // until the text has them
+    QString name = {};  // of edits that the text does not have yet
   };
 
   void start_engine();
@@ -183,7 +183,7 @@ class Workbench : public QObject {
   bool is_busy() const { return run_ == Run::running || is_stepping_; }
 
   void in_turn(std::function<void()> begin, bool is_edit = false, QObject* receiver = nullptr,
-               Done done = {}, WaitingEdits waiting = {});
+               Done done = {}, const QString& name = {});
   void next_change();
   void end_change(const Problems& problems = {});
   QStringList drop_changes(const QString& why);

@@ -9,9 +9,9 @@
 namespace elsie::desktop {
 
 void Workbench::in_turn(std::function<void()> begin, bool is_edit, QObject* receiver, Done done,
-                        WaitingEdits waiting) {
-  changes_.push_back({std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit,
-                      std::move(waiting)});
+                        const QString& name) {
+  changes_.push_back(
+      {std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit, name});
   next_change();
 }
 
@@ -30,9 +30,6 @@ void Workbench::end_change(const Problems& problems) {
   is_changing_ = false;
   under_way_.clear();
   ++turn_;
-  if (!ended.waiting.edits.isEmpty()) {
-    keep();  // without it: it was refused
-  }
   if (ended.is_edit) {
     Q_EMIT history_changed();  // it is no longer pending
   }
@@ -66,9 +63,7 @@ QStringList Workbench::drop_changes(const QString& why) {
   under_way_.clear();
   ++turn_;
   for (const Change& each : dropped) {
-    if (!each.waiting.edits.isEmpty()) {
-      names << each.waiting.name;
-    }
+    if (!each.name.isEmpty()) names << each.name;
     if (each.done && (!each.has_receiver || each.receiver)) {
       each.done({{{}, 0, why}});
     }
@@ -116,14 +111,13 @@ void Workbench::edit(const QStringList& edits, const QString& name, const QStrin
                   end_change(problems_of(answer));
                   return;
                 }
-                changes_.front().waiting = {};  // the text has them
+                changes_.front().name.clear();  // the text has them
                 take(answer, before);
                 remember(name, merge, before);
                 end_change();
               });
       },
-      true, receiver, std::move(done), {name, edits});
-  keep();
+      true, receiver, std::move(done), name);
   Q_EMIT history_changed();
 }
 

@@ -348,17 +348,13 @@ bool Workbench::is_modified() const {
 }
 
 void Workbench::keep() {
-  std::vector<WaitingEdits> waiting;
-  for (const Change& each : changes_) {
-    if (!each.waiting.edits.isEmpty()) waiting.push_back(each.waiting);
-  }
-  if (!has_unsaved_text() && waiting.empty()) {
+  if (!has_unsaved_text()) {
     recovery_.forget();
     is_kept_ = true;
     return;
   }
   const bool was_kept = is_kept_;
-  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, waiting);
+  is_kept_ = recovery_.keep(file_, text_, is_borrowed_);
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
         tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "
