@@ -85,7 +85,6 @@ Workbench::~Workbench() {
   engine_.disconnect(this);
   if (!is_modified()) {
     recovery_.forget();
-    remove_copied();
   }
 }
 

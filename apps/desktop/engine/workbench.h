@@ -8,7 +8,6 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QSet>
 #include <QTimer>
 #include <deque>
 #include <vector>
@@ -71,14 +70,8 @@ class Workbench : public QObject {
   bool read_again(QString& why);
   /// Asks the engine for the text with file names that are right in the folder of `file`, writes it
   /// whole or not at all, and calls back once with "" or a sentence. Without an engine, or with
-  /// mistakes, the text is written unchanged. Run and history stay. Files in kept_folder() are
-  /// copied next to the world, which names the copies; no copy overwrites a file.
+  /// mistakes, the text is written unchanged. Run and history stay.
   void save_as(const QString& file, std::function<void(const QString&)> done);
-  /// The folder for the files of worlds that have no folder of their own yet.
-  static QString kept_folder();
-  /// Notes that a file in kept_folder() was made for this world. Once it is copied and undo can no
-  /// longer lead to it, it is deleted.
-  void has_made(const QString& file) { made_ << file; }
   /// Whether another program has written the file since it was read or saved.
   bool is_changed_on_disk() const;
   /// Whether another program has removed the file; its text is then unsaved.
@@ -200,9 +193,6 @@ class Workbench : public QObject {
 
   void save_in_turn(const QString& target);
   void save_elsewhere(const QString& target);
-  QString bring_beside(const QString& target, QString text, QString& why);
-  bool has_kept_files() const;
-  void remove_copied();
   void saved_as(const QString& target, const QString& text);
   QString write(const QString& file, const QString& text);
   bool has_unsaved_text() const { return is_gone_ || text_ != saved_text_; }
@@ -244,8 +234,6 @@ class Workbench : public QObject {
   int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
   bool is_stepping_ = false;  // a step is ordered and not made
-  QSet<QString> made_;        // files in kept_folder() that only this world uses
-  QSet<QString> copied_;      // the files in made_ that were copied; undo may lead to them
   Recovery recovery_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
@@ -258,10 +246,5 @@ Problems problems_of(const Json& answer);
 QString cause_in(const QString& report);
 /// Whether that line names a plugin.
 bool names_plugin(const QString& report);
-
-/// "r1.weights", or the first of "r1-2.weights", "r1-3.weights"... that no file in the folder has,
-/// except a file with that content.
-QString free_name(const QString& folder, const QString& name,
-                  const std::optional<QByteArray>& content = {});
 
 }  // namespace elsie::desktop

@@ -105,9 +105,7 @@ void Server::Impl::move(const Json& message, Json& answer) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const std::string before = document_->text(), begun = repetition_.text();
   const std::string old_file = document_->file();
-  const std::string text = message.contains("text") ? message.at("text").get<std::string>()
-                                                    : document_->text_for(folder);
-  editing::Document moved(text, file, host(), reading(seed_));
+  editing::Document moved(document_->text_for(folder), file, host(), reading(seed_));
   const std::string begun_there =
       begun == before ? moved.text() : adapted(begun, old_file, folder_of(file));
   document_ = std::move(moved);
