@@ -181,29 +181,6 @@ TEST_CASE("The text for another folder names the same files from there") {
   CHECK(text_for("nowhere/w.xml").contains("refused"));
 }
 
-TEST_CASE("Any text can be checked, which changes nothing") {
-  Session session;
-  const auto check = [&](const std::string& text) {
-    return session.ask({{"do", "check"}, {"text", text}, {"file", "typed.xml"}});
-  };
-  CHECK(check(kRoom)["problems"].empty());
-  CHECK(check(kRoom)["warnings"].empty());
-  const Json wrong = check(room("<turn_left/>", "<turn_lef/>"));
-  REQUIRE(wrong["problems"].size() == 1);
-  CHECK(wrong["problems"][0]["file"] == "typed.xml");
-  CHECK(wrong["problems"][0]["line"] == 6);
-  // What only the robot as a whole says: it has no beam for this behaviour.
-  const Json unfit = check(room("<turn_left/>", "<find_resource/>"));
-  CHECK_FALSE(unfit["problems"].empty());
-  const Json risky = check(room("<robots>", "<physics cfm=\"0\"/>\n  <robots>"));
-  REQUIRE(risky["warnings"].size() == 1);
-  CHECK(risky["warnings"][0]["line"] == 4);
-
-  session.open(kRoom);
-  check("<world/>");
-  CHECK(session.ask({{"do", "reset"}})["text"] == kRoom);
-}
-
 TEST_CASE("A world that is saved elsewhere is the world of that file from then on") {
   const test::Workplace place;
   std::filesystem::create_directories(place.file("old").string());

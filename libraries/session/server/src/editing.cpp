@@ -124,11 +124,6 @@ std::string Server::Impl::adapted(const std::string& text, const std::string& fi
              : editing::Document(text, file, host(), reading(seed_)).text_for(folder.string());
 }
 
-void Server::Impl::check(const Json& message, Json& answer) {
-  const std::string file = message.value("file", document_ ? document_->file() : "");
-  answer.update(check_json(message.at("text").get<std::string>(), file, host(), reading(seed_)));
-}
-
 void Server::Impl::ping(const Json&, Json&) {}
 
 void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_json(host())); }

@@ -69,7 +69,6 @@ class Server::Impl {
   void become(const Json& message, Json& answer);
   void text_for(const Json& message, Json& answer);
   void move(const Json& message, Json& answer);
-  void check(const Json& message, Json& answer);
   void catalog(const Json& message, Json& answer);
   void ping(const Json& message, Json& answer);
   void start(const Json& message, Json& answer);
