@@ -131,7 +131,7 @@ void MainWindow::connect_workbench() {
   connect(&workbench_, &Workbench::changed_on_disk, this, &MainWindow::ask_about_disk);
   connect(&workbench_, &Workbench::catalog_changed, this, [this] {
     world_tree_->show_world();
-    editor_->set_catalog(workbench_.catalog().json());
+    editor_->set_catalog(workbench_.catalog());
     say(tr("%1 plugins were found")
             .arg(workbench_.catalog().json().value("plugins", Json::array()).size()));
   });

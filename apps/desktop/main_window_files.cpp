@@ -271,9 +271,6 @@ void MainWindow::offer_recovered() {
     const int answer = box.exec();
     if (answer == QMessageBox::Yes) {
       workbench_.open_text(each.text, each.file, false, each.is_borrowed);
-      for (const WaitingEdits& waiting : each.waiting) {
-        workbench_.edit(waiting.edits, waiting.name);
-      }
       if (workbench_.is_kept()) {
         Recovery::discard(each);
       }

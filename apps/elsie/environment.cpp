@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/base/number_text.h"
 #include "elsie/world/data_directories.h"
@@ -121,30 +120,16 @@ std::string late_text(double limit_s) {
 }
 
 build::SourceBuild compiled(const fs::path& source) {
-  const bool shown = isatty(STDERR_FILENO) != 0 && spdlog::should_log(spdlog::level::warn);
-  bool drawn = false;
-  const auto begins = [&] {
-    if (shown) {
-      draw_status("compiling " + source.filename().string() + " ...");
-      drawn = true;
-    }
-  };
-  const auto wipe = [&] {
-    if (drawn) {
-      wipe_status();
-    }
-  };
-  try {
-    auto built = build::build_source(source, build::cache_directory(), {}, begins);
-    wipe();
-    if (!built.warnings.empty() && spdlog::should_log(spdlog::level::warn)) {
-      std::cerr << built.warnings;
-    }
-    return built;
-  } catch (...) {
-    wipe();
-    throw;
+  const bool warns = spdlog::should_log(spdlog::level::warn);
+  StatusLine line(warns);
+  auto built = build::build_source(source, build::cache_directory(), {}, [&] {
+    line.draw("compiling " + source.filename().string() + " ...");
+  });
+  wipe_status();
+  if (warns) {
+    std::cerr << built.warnings;
   }
+  return built;
 }
 
 std::vector<plugin::SearchDirectory> search_path(const PluginOptions& options) {

@@ -9,13 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include <unistd.h>
-
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
 #include "elsie/simulation/simulation.h"
 
-#include "progress.h"
+#include "interrupts.h"
+#include "status_line.h"
 #include "streams.h"
 
 namespace elsie::program {
@@ -72,9 +71,7 @@ void replace_what_changed(build::Watch& watch, Simulation& simulation, bool quie
   if (!renewal) {
     return;
   }
-  if (isatty(STDERR_FILENO)) {
-    std::cerr << "\r\033[K";  // the progress bar
-  }
+  wipe_status();  // the progress bar
   const std::string at = "elsie: at " + base::fixed_text(simulation.time_s(), 2) + " s, ";
   for (const std::string& problem : renewal->problems) {
     std::cerr << problem << '\n';  // the compiler's, perhaps in colours

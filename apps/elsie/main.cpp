@@ -26,7 +26,7 @@
 #include "arithmetic.h"
 #include "command.h"
 #include "command_module.h"
-#include "progress.h"
+#include "interrupts.h"
 #include "streams.h"
 #include "usage.h"
 

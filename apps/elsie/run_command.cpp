@@ -10,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/process/crash_report.h"
 #include "elsie/simulation/simulation.h"
@@ -21,10 +20,10 @@
 #include "command_module.h"
 #include "environment.h"
 #include "live.h"
-#include "progress.h"
 #include "run_report.h"
 #include "run_views.h"
 #include "streams.h"
+#include "watchers.h"
 
 namespace elsie::program {
 
@@ -62,39 +61,6 @@ Examples:
 The run ends with exit code 0 when the world's goals are reached, 1 when they are not, 3 when a
 plugin failed, 4 when the physics failed.
 )";
-
-/// All observers of one run.
-class Watchers {
- public:
-  Watchers(const RunOptions& options, std::unique_ptr<RunViews> views) : views_(std::move(views)) {
-    if (views_) {
-      all_.assign(views_->observers().begin(), views_->observers().end());
-    }
-    if (!options.quiet && !options.json && isatty(STDERR_FILENO)) {
-      all_.push_back(&progress_.emplace());
-    }
-    if (options.speed) {
-      all_.push_back(&pacer_.emplace(*options.speed));
-    }
-    all_.push_back(&interrupt_);
-  }
-  Watchers(const Watchers&) = delete;
-  Watchers& operator=(const Watchers&) = delete;
-
-  std::span<simulation::Observer* const> all() const { return all_; }
-  void draw(const simulation::Simulation& simulation, const std::string& line) const {
-    if (views_) {
-      views_->draw(simulation, line);
-    }
-  }
-
- private:
-  std::unique_ptr<RunViews> views_;
-  std::optional<ProgressBar> progress_;
-  std::optional<Pacer> pacer_;
-  InterruptGuard interrupt_;
-  std::vector<simulation::Observer*> all_;
-};
 
 /// TIME:EDIT. Throws BadInput.
 simulation::TimedEdit change_of(const std::string& text) {
@@ -192,7 +158,12 @@ int run(const RunOptions& options) {
   if (views) {
     views->open(simulation, read_files(options.world, found, options.plugins));
   }
-  const Watchers watchers(options, std::move(views));
+  std::optional<Pacer> pacer;
+  std::vector<simulation::Observer*> others;
+  if (options.speed) {
+    others.push_back(&pacer.emplace(*options.speed));
+  }
+  const Watchers watchers(std::move(views), !options.quiet && !options.json, others);
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   const auto watchdog = watchdog_of(options);
   try {

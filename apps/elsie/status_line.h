@@ -1,6 +1,7 @@
 // The status line at the bottom of a terminal.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 
@@ -9,13 +10,29 @@ namespace elsie::program {
 /// The width of the terminal behind a descriptor; `otherwise` without one, or if it is too narrow.
 std::size_t terminal_columns(int descriptor, std::size_t otherwise);
 
-/// The line, shortened with "..." to this many columns (at least 4), because a wrapped line could
-/// not be drawn over. ASCII.
-std::string cut_to(const std::string& line, std::size_t columns);
+/// Wipes the line that is drawn, if any; also in signal handlers.
+void wipe_status() noexcept;
 
-/// Draws the line on standard error, over the one before.
-void draw_status(const std::string& line);
-/// Clears the line.
-void wipe_status();
+/// A line on standard error that shows how far some work is, drawn over the one before; wiped at
+/// the end.
+class StatusLine {
+ public:
+  /// `is_wanted`: false, or no terminal, draws nothing.
+  explicit StatusLine(bool is_wanted);
+  ~StatusLine() { wipe_status(); }
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+  bool is_shown() const { return is_shown_; }
+  /// Whether it is shown and the last line was drawn a while ago.
+  bool is_due() const;
+  /// Draws the line, shortened with "..." to the terminal's width, because a wrapped line could not
+  /// be drawn over. ASCII.
+  void draw(const std::string& line);
+
+ private:
+  bool is_shown_;
+  std::chrono::steady_clock::time_point last_drawn_;
+};
 
 }  // namespace elsie::program

@@ -168,22 +168,6 @@ TEST_CASE("A world that cannot be saved is said, and the file is what it was") {
   CHECK(bytes_of(file) == window.bench().text().toUtf8());
 }
 
-TEST_CASE("A file whose lines end in two ways keeps each of them") {
-  QByteArray text(kRoom);
-  text.replace("-->\n", "-->\r\n");
-  text.replace("<robots>\n", "<robots>\r\n");
-  Window window;
-  const QString file = window.file("");
-  write(file, text);
-  window.open(file);
-  window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
-  window.after([&] { window.bench().edit({"limits/@time=61"}, "longer"); });
-  CHECK(window.saved_as(file).isEmpty());
-  text.replace("x=\"-1\"", "x=\"-1.5\"");
-  text.replace("time=\"60\"", "time=\"61\"");
-  CHECK(bytes_of(file) == text);
-}
-
 TEST_CASE("A write-protected file is asked about, and stays write-protected") {
   Window window;
   const QString file = window.file(kRoom);

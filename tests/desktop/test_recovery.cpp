@@ -135,30 +135,6 @@ TEST_CASE("A window with unsaved work is killed", "[.killed]") {
   ::raise(SIGKILL);
 }
 
-// As the one before.
-TEST_CASE("A window with an edit that waits is killed", "[.killed_waiting]") {
-  Window window({}, {"--plugin-path", build_file("../tests/program/plugins")});
-  window.open(qEnvironmentVariable("ELSIE_TEST_HOME") + "/waiting.xml");
-  window.bench().set_speed(0.0);
-  window.bench().run();
-  REQUIRE(wait_for([&] { return window.bench().engine().waiting_ms() > 1000; }));
-  window.bench().edit({"robot[r1]/@x=0.25"}, "move");
-  ::raise(SIGKILL);
-}
-
-TEST_CASE("An edit that waited when its window was killed is made in the next one") {
-  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
-  std::ofstream((home + "/waiting.xml").toStdString())
-      << QString(kRoom).replace("<wander/>", "<looping/>").toStdString();
-  run_until_killed("[.killed_waiting]", home);
-  Window window({}, {"--plugin-path", build_file("../tests/program/plugins")});
-  at_dialog("recovered", press_yes);
-  window->offer_recovered();
-  REQUIRE(wait_for([&] { return window.bench().undo_name() == "move"; }));
-  CHECK(window.bench().text().contains("x=\"0.25\""));
-  CHECK(window->isWindowModified());
-}
-
 TEST_CASE("The unsaved work of a window that was killed is offered by the next one") {
   const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
   std::ofstream((home + "/room.xml").toStdString()) << kRoom;

@@ -25,7 +25,7 @@ using elsie::desktop::WorldEditor;
 
 namespace {
 
-const auto kCatalog = nlohmann::ordered_json::parse(R"({
+const elsie::desktop::Catalog kCatalog(nlohmann::ordered_json::parse(R"({
   "elements": {
     "world": {"attributes": [{"name": "seed", "type": "integer"}], "children": ["arena", "robot"]},
     "robot": {"attributes": [{"name": "id", "type": "text"},
@@ -35,7 +35,7 @@ const auto kCatalog = nlohmann::ordered_json::parse(R"({
     "sensors": {"attributes": [], "children": [], "holds": "sensor"},
     "sensor": {"attributes": [{"name": "rate", "type": "number"}]}},
   "plugins": [{"name": "camera", "kind": "sensor", "parameters": [{"name": "width"}]},
-              {"name": "camera", "kind": "behavior", "parameters": [{"name": "wrong"}]}]})");
+              {"name": "camera", "kind": "behavior", "parameters": [{"name": "wrong"}]}]})"));
 
 QString lines(int count) {
   QString text;

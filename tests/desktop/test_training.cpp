@@ -271,7 +271,7 @@ TEST_CASE("A training file is browsed for, and named as the world would name it"
   CHECK(dialog->findChild<QLineEdit*>("training")->text() == "samples.txt");
 }
 
-TEST_CASE("A network of a recording's world has its weights where they stay") {
+TEST_CASE("A network is trained once its world has a file of its own") {
   School school;
   Window& window = school.window;
   const QString recording = window.folder() + "/run.mcap";
@@ -281,100 +281,9 @@ TEST_CASE("A network of a recording's world has its weights where they stay") {
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   School::enter(dialog, "training", school.samples);
+  window.press(dialog, QDialogButtonBox::Ok);
+  REQUIRE(wait_for([&] { return refusal(dialog).contains("save the world first"); }));
+  REQUIRE(window.saved_as(window.folder() + "/mine.xml").isEmpty());
   school.ok(dialog);
-  const QString folder = QFileInfo(window.bench().file()).absolutePath();
-  CHECK(QDir(folder).entryList({"*.weights"}).isEmpty());
-  const QString weights =
-      attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
-  CHECK(QFileInfo(weights).isAbsolute());
-  CHECK(QFile::remove(weights));
-}
-
-TEST_CASE("The first save copies weights beside the world, and writes no file over") {
-  School school;
-  Window& window = school.window;
-  const QString text = QString(kPupil);
-  window.open_text(text);
-  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
-  auto* dialog = school.new_network();
-  CHECK(dialog->findChild<QLabel*>("where_weights_go")->text().contains("copied next to"));
-  School::enter(dialog, "training", school.samples);
-  school.ok(dialog);
-  const auto weights = [&] {
-    return attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
-  };
-  const QString kept = weights();
-  REQUIRE(QFileInfo(kept).isAbsolute());
-  const QByteArray learned = bytes_of(kept);
-  window.file("mine", "r1.weights");
-  window.step();
-  const double time_s = window.bench().time_s();
-
-  const auto save = [&] {
-    at_dialog("save_dialog",
-              [&](QDialog* asked) { save_as_file(asked, window.folder() + "/pupil.xml"); });
-    window.act("save");
-    REQUIRE_FALSE(window->isWindowModified());
-  };
-  save();
-  CHECK(weights() == "r1-2.weights");
-  CHECK(bytes_of(window.folder() + "/pupil.xml").contains("weights=\"r1-2.weights\""));
-  CHECK(bytes_of(window.folder() + "/r1-2.weights") == learned);
-  CHECK(bytes_of(window.folder() + "/r1.weights") == "mine");
-  CHECK(window.bench().run_state() == Workbench::Run::paused);  // the run goes on
-  CHECK(window.bench().time_s() == time_s);
-
-  // Undo takes the network away, and redo gives the run that is under way the copy.
-  window.after([&] { window.bench().undo(); });
-  CHECK(weights().isEmpty());
-  window.after([&] { window.bench().redo(); });
-  CHECK(weights() == "r1-2.weights");
-  window.act("save");
-  CHECK(school.weight_files() == QStringList{"r1-2.weights", "r1.weights"});
-  window.open(window.file(kRoom));
-  CHECK_FALSE(QFileInfo::exists(kept));
-  headless({window.folder() + "/pupil.xml", "--duration", "1"});
-}
-
-TEST_CASE("Saving removes no weights that it did not make, and names all that it cannot copy") {
-  School school;
-  Window& window = school.window;
-  window.open_text(kPupil);
-  click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
-  auto* dialog = school.new_network();
-  School::enter(dialog, "training", school.samples);
-  school.ok(dialog);
-  const QString kept =
-      attribute(*place_of(window.bench().tree(), "robot[r1]/coordinator").element, "weights");
-  const QString one = Workbench::kept_folder() + "/one.weights";
-  const QString two = Workbench::kept_folder() + "/two.weights";
-  REQUIRE((QFile::copy(kept, one) && QFile::copy(kept, two)));
-
-  // Robots r1 and r2, with weights that another window has made.
-  QString text = window.bench().text();
-  const qsizetype begin = text.indexOf("<robot "), end = text.indexOf("</robot>") + 8;
-  QString second = text.mid(begin, end - begin).replace("\"r1\"", "\"r2\"").replace(kept, two);
-  second.replace("<robot ", "<robot y=\"1.5\" ");
-  text = text.insert(end, second).replace(kept, one);
-  window.open_text(text);
-  REQUIRE(window.saved_as(window.folder() + "/copied.xml").isEmpty());
-  CHECK(school.weight_files() == QStringList{"one.weights", "two.weights"});
-  window.open(window.file(kRoom));
-  CHECK(QFileInfo::exists(one));
-  CHECK(QFileInfo::exists(two));
-
-  QString note;
-  QObject::connect(&window.bench(), &Workbench::noted, &window.window(),
-                   [&](const QString& said) { note = said; });
-  window.open_text(text);
-  // No file can be made where a link is that leads nowhere.
-  for (const char* name : {"/one.weights", "/two.weights"}) {
-    REQUIRE(QFile::remove(window.folder() + name));
-    REQUIRE(QFile::link("/proc/nowhere/file", window.folder() + name));
-  }
-  REQUIRE(window.saved_as(window.folder() + "/not_copied.xml").isEmpty());
-  REQUIRE(wait_for([&] { return !note.isEmpty(); }));
-  CHECK(note.contains("could not be copied next to it"));
-  CHECK((note.contains("one.weights") && note.contains("two.weights")));
-  window.bench().give_up_unsaved();
+  CHECK(school.weight_files() == QStringList{"r1.weights"});
 }

@@ -138,6 +138,8 @@ TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the win
   }
   click.on_ok("behaviors_dialog");
 
+  const QString file = window.folder() + "/case_1.xml";
+  REQUIRE(window.saved_as(file).isEmpty());  // the weights are written next to it
   window.choose("robot[collector]");
   window.act("coordinator");
   auto* kinds = window.dialog("element_dialog")->findChild<QListWidget*>("kinds");
@@ -153,7 +155,6 @@ TEST_CASE("Case 1 of the experiments is built, trained, run and saved in the win
   add("add_goal", "form_collect", {});
   add("limits", "form_limits", {{"time", "60"}});
 
-  const QString file = window.folder() + "/case_1.xml";
   REQUIRE(window.saved_as(file).isEmpty());
   CHECK(window.hash_at_the_end() == headless_hash({file}));
 }

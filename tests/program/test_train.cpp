@@ -253,27 +253,6 @@ TEST_CASE("Weights and learning curve do not go to one file") {
   CHECK(here.read("both.png").empty());
 }
 
-TEST_CASE("A mistake in an option is reported for the option, not for a line of the world") {
-  const Workplace here;
-  here.write("short.txt", "1 1 0 1\n1 1 0\n");
-  const std::vector<std::pair<std::string, std::string>> wrong = {
-      {"--learning-rate 1",
-       "elsie: --learning-rate: the learning rate is 1, but must be a number above 0 and below "
-       "1\n"},
-      {"--threshold -1", "elsie: --threshold: threshold is -1, but must be a number at least 0\n"},
-      {"--hidden 4,4 --momentum 0.2", "elsie: --hidden: hidden is '4,4'"},
-      {"--hidden '3 3' --training short.txt", "elsie: --training: short.txt:2: 3 numbers"},
-      {"--presentations 0 --threshold -1",
-       "elsie: --threshold, --presentations: presentations is 0"}};
-  for (const auto& [options, message] : wrong) {
-    const auto run = here.elsie("train " + kLearners + " " + options);
-    CAPTURE(options);
-    CHECK(run.exit_code == 2);
-    CHECK_THAT(run.err, Catch::StartsWith(message));
-    CHECK_THAT(run.err, !Catch::Contains("plugin '") && !Catch::Contains("coordinator '"));
-  }
-}
-
 TEST_CASE("A mistake in the world is reported for its line, with any options") {
   const Workplace here;
   here.write("short.txt", "1 1 0 1\n1 1 0\n");

@@ -66,10 +66,10 @@ class Visitor {
         session.ask({{"do", "watch"}, {"what", {"decisions", "sensors", "fuzzy", "measures"}}});
         break;
       case 6:
-        if (!undos_.empty()) {
-          const Json edit = undos_.back();
-          undos_.pop_back();
-          take({{"do", "undo"}, {"edit", edit}});
+        if (!before_.empty()) {
+          const std::string text = before_.back();
+          before_.pop_back();
+          take({{"do", "become"}, {"text", text}});
         }
         break;
       case 7: {
@@ -118,15 +118,15 @@ class Visitor {
     const Json answer = session.ask(order);
     REQUIRE(answer.contains("answer"));
     if (!answer.contains("refused")) {
+      before_.push_back(text_);
       text_ = answer["text"];
-      undos_.push_back(answer["undo"]);
     }
     return answer;
   }
 
   RandomEdits random_;
   std::string file_, text_;
-  std::vector<Json> undos_;
+  std::vector<std::string> before_;  // earlier texts
   Json end_;
 };
 

@@ -42,7 +42,6 @@ TEST_CASE("Watching begins at once, and shows what robots decide and sense") {
   REQUIRE_FALSE(watch(session, {"decisions", "sensors", "measures"}).contains("refused"));
   const Json before = session.event("state");
   CHECK(before["time_s"] == 0.0);
-  CHECK(before["outcome"] == "");
   REQUIRE(before["robots"].size() > 0);
   CHECK(before["robots"][0]["members"][0]["asked"] == false);
 
@@ -52,8 +51,6 @@ TEST_CASE("Watching begins at once, and shows what robots decide and sense") {
   CHECK(robot["energy"].is_number());
   CHECK(robot["asked"].size() == 3);
   CHECK(robot["possible"].size() == 3);
-  REQUIRE(robot["joints"].size() == 2);
-  CHECK(robot["joints"][0]["name"] == "left_wheel");
   CHECK_FALSE(robot["coordinator"].get<std::string>().empty());
   const Json& member = robot["members"][0];
   for (const char* name :
@@ -66,7 +63,6 @@ TEST_CASE("Watching begins at once, and shows what robots decide and sense") {
   const Json& sensor = robot["sensors"][0];
   CHECK(sensor["names"][0] == "distance_m");
   CHECK(sensor["values"][0].get<double>() > 0.0);
-  CHECK(state["measures"]["time_s"].get<double>() == Approx(state["time_s"].get<double>()));
   CHECK_FALSE(robot.contains("cameras"));
   CHECK_FALSE(robot.contains("fuzzy"));
 }
@@ -80,7 +76,6 @@ TEST_CASE("Only what is watched comes, of the robots that are watched") {
   REQUIRE(state["robots"].size() == 1);
   CHECK(state["robots"][0]["id"] == "r2");
   CHECK_FALSE(state["robots"][0].contains("members"));
-  CHECK_FALSE(state.contains("measures"));
   CHECK(watch(session, {"thoughts"}).contains("refused"));
   watch(session, {});
   session.ask({{"do", "step"}});
@@ -147,7 +142,7 @@ TEST_CASE("Whatever is watched, the run is the same") {
   watch(session, kEverything);
   session.ask({{"do", "run"}});
   const Json end = session.end_of_run();
-  CHECK(session.latest("state")["outcome"] == end["outcome"]);
+  CHECK(session.latest("state")["time_s"] == end["time_s"]);
   CHECK(end["state_hash"] ==
         hash_of_run(test::Workplace(), test::source_path("worlds/" + world) + " --seed 1"));
   CHECK(end["measures"]["time_s"] == end["time_s"]);

@@ -1,7 +1,6 @@
 #include "engine/catalog.h"
 
 #include <QCoreApplication>
-#include <QHash>
 
 namespace elsie::desktop {
 namespace {
@@ -52,7 +51,9 @@ Field field_of(const Json& json) {
 
 void add_fields(Kind& kind, const Json& json, const char* list) {
   for (const Json& each : member(json, list)) {
-    if (text_of(each, "name") != "remove") {  // an inherited element is removed in the tree
+    if (text_of(each, "name") == "remove") {  // an inherited element is removed in the tree
+      kind.can_be_removed = true;
+    } else {
       kind.fields.push_back(field_of(each));
     }
   }
@@ -84,8 +85,11 @@ std::vector<Kind> Catalog::plugins(const QString& kind) const {
   std::vector<Kind> kinds;
   for (const Json& each : member(answer_, "plugins")) {
     if (text_of(each, "kind") == kind) {
-      std::vector<Field>& fields = kinds.emplace_back(plugin_of(each)).fields;
-      if (common) fields.insert(fields.begin(), common->fields.begin(), common->fields.end());
+      Kind& made = kinds.emplace_back(plugin_of(each));
+      if (common) {
+        made.fields.insert(made.fields.begin(), common->fields.begin(), common->fields.end());
+        made.can_be_removed = common->can_be_removed;
+      }
     }
   }
   return kinds;
@@ -107,15 +111,11 @@ std::optional<Kind> Catalog::element(const QString& name) const {
 }
 
 std::vector<Kind> Catalog::members(const QString& list) const {
-  static const QHash<QString, QString> plugin_lists{{"sensors", "sensor"},
-                                                    {"behaviors", "behavior"},
-                                                    {"coordinator", "coordinator"},
-                                                    {"drive", "drive"},
-                                                    {"measures", "measure"}};
-  std::vector<Kind> kinds;
-  if (const QString kind = plugin_lists.value(list); !kind.isEmpty()) {
+  const Json& declared = member(member(answer_, "elements"), list.toUtf8().constData());
+  if (const QString kind = text_of(declared, "holds"); !kind.isEmpty()) {
     return plugins(kind);
   }
+  std::vector<Kind> kinds;
   if (const auto holder = element(list)) {
     for (const QString& name : holder->elements) {
       if (auto member = element(name)) {
@@ -127,11 +127,12 @@ std::vector<Kind> Catalog::members(const QString& list) const {
 }
 
 std::optional<Kind> Catalog::kind_of(const ElementPlace& place) const {
-  if (!place.element) {
-    return std::nullopt;
-  }
-  const QString name = name_of(*place.element);
-  const QString holder = place.parent ? name_of(*place.parent) : QString();
+  return place.element
+             ? kind_of(name_of(*place.element), place.parent ? name_of(*place.parent) : QString())
+             : std::nullopt;
+}
+
+std::optional<Kind> Catalog::kind_of(const QString& name, const QString& holder) const {
   for (const Kind& each : members(holder)) {
     if (each.name == name) {
       return each;

@@ -30,6 +30,7 @@ struct Kind {
   QString description;
   std::vector<Field> fields;
   bool holds_behaviors = false;
+  bool can_be_removed = false;  // has the attribute `remove`, which is not among the fields
   QStringList elements;         // names of the elements that may stand in it
   QStringList needs, produces;  // kinds of readings, such as "range"
 };
@@ -47,6 +48,8 @@ class Catalog {
   std::vector<Kind> members(const QString& list) const;
   /// The kind of the element at a place, with all that it may be given; none if it is unknown.
   std::optional<Kind> kind_of(const ElementPlace& place) const;
+  /// The same for an element of that name in one named `holder`.
+  std::optional<Kind> kind_of(const QString& name, const QString& holder) const;
   /// An element of the vocabulary by name: "robot", "physics".
   std::optional<Kind> element(const QString& name) const;
 

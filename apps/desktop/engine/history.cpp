@@ -16,7 +16,6 @@ void History::push(Entry entry) {
         last.is_opened == entry.is_opened && entry.at_ms - last.at_ms < kMerging_ms) {
       last.after = entry.after;
       last.at_ms = entry.at_ms;
-      last.undo_number = 0;  // the text leads back
       if (last.after == last.before) {
         entries_.pop_back();
         --place_;
@@ -34,12 +33,6 @@ void History::stop_merging() {
   }
 }
 
-void History::drop_undo_numbers() {
-  for (Entry& each : entries_) {
-    each.undo_number = 0;
-  }
-}
-
 const History::Entry* History::next_undo() const {
   return place_ > 0 ? &entries_[place_ - 1] : nullptr;
 }
@@ -48,17 +41,8 @@ const History::Entry* History::next_redo() const {
   return place_ < entries_.size() ? &entries_[place_] : nullptr;
 }
 
-void History::undone(std::uint64_t undo_number, int engine) {
-  Entry& entry = entries_[--place_];
-  entry.undo_number = undo_number;
-  entry.engine = engine;
-  entry.merge.clear();
-}
+void History::undone() { entries_[--place_].merge.clear(); }
 
-void History::redone(std::uint64_t undo_number, int engine) {
-  Entry& entry = entries_[place_++];
-  entry.undo_number = undo_number;
-  entry.engine = engine;
-}
+void History::redone() { ++place_; }
 
 }  // namespace elsie::desktop

@@ -3,13 +3,12 @@
 
 #include <QElapsedTimer>
 #include <QString>
-#include <cstdint>
 #include <vector>
 
 namespace elsie::desktop {
 
 /// A list of edits that were made, each with a name for the menu, and a place in this list. The
-/// engine has what undoes the edits; the texts are for an engine that was started again.
+/// engine goes back and forth by the texts.
 class History {
  public:
   struct Entry {
@@ -17,9 +16,7 @@ class History {
     QString merge;   // consecutive entries with the same text become one; "": never
     QString before;  // the text of the world
     QString after;
-    QString file;                   // of the texts: their file names start from there
-    std::uint64_t undo_number = 0;  // the engine's number for undoing it; 0: none
-    int engine = 0;                 // the engine's generation()
+    QString file;            // of the texts: their file names start from there
     bool is_opened = false;  // one of the texts is not a world: they are opened, as a file is
     qint64 at_ms = 0;        // set by push()
   };
@@ -33,14 +30,12 @@ class History {
   /// and less than kMerging_ms lie between them; an entry that then leads back to where it began is
   /// dropped.
   void push(Entry entry);
-  /// Forgets these numbers, because the engine no longer has them.
-  void drop_undo_numbers();
 
   const Entry* next_undo() const;
   const Entry* next_redo() const;
-  /// Call these when the engine has undone or redone the entry, with its number for going back.
-  void undone(std::uint64_t undo_number, int engine);
-  void redone(std::uint64_t undo_number, int engine);
+  /// Call these when the engine has undone or redone the entry.
+  void undone();
+  void redone();
 
   /// Keeps the next entry from being merged with the last one, because the text was saved in
   /// between.

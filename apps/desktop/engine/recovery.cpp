@@ -46,18 +46,6 @@ bool is_open_in_a_window(const QString& kept_in) {
   return is_held;
 }
 
-std::vector<WaitingEdits> waiting_in(const Json& kept) {
-  std::vector<WaitingEdits> all;
-  for (const Json& change : member(kept, "waiting")) {
-    WaitingEdits edits{text_of(change, "name"), {}};
-    for (const Json& each : member(change, "edits")) {
-      edits.edits << written(each);
-    }
-    all.push_back(std::move(edits));
-  }
-  return all;
-}
-
 }  // namespace
 
 Recovery::Recovery()
@@ -72,20 +60,13 @@ Recovery::~Recovery() {
   }
 }
 
-bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed,
-                    const std::vector<WaitingEdits>& waiting) {
+bool Recovery::keep(const QString& file, const QString& text, bool is_borrowed) {
   folder().mkpath(".");
   if (lock_ < 0) {
     lock_ = locked(kept_in_, O_CREAT);
   }
-  Json changes = Json::array();
-  for (const WaitingEdits& each : waiting) {
-    changes.push_back({{"name", each.name.toStdString()}, {"edits", list_of(each.edits)}});
-  }
-  const Json json{{"file", file.toStdString()},
-                  {"text", text.toStdString()},
-                  {"borrowed", is_borrowed},
-                  {"waiting", std::move(changes)}};
+  const Json json{
+      {"file", file.toStdString()}, {"text", text.toStdString()}, {"borrowed", is_borrowed}};
   return files::write_whole(kept_in_.toStdString(), json.dump()) == 0;
 }
 
@@ -102,8 +83,7 @@ std::vector<Recovered> Recovery::left_behind() {
     }
     const Json json = Json::parse(file.readAll().toStdString(), nullptr, false);
     all.push_back({text_of(json, "file"), text_of(json, "text"), path,
-                   member(json, "borrowed") == true, !member(json, "text").is_string(),
-                   waiting_in(json)});
+                   member(json, "borrowed") == true, !member(json, "text").is_string()});
   }
   return all;
 }

@@ -2,16 +2,9 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
 #include <vector>
 
 namespace elsie::desktop {
-
-/// A change that the text does not have yet, because the engine has not made it.
-struct WaitingEdits {
-  QString name;  // for undo
-  QStringList edits;
-};
 
 /// The work of a window that was not closed properly.
 struct Recovered {
@@ -20,7 +13,6 @@ struct Recovered {
   QString kept_in;
   bool is_borrowed = false;  // the file belongs to a recording; the world is then saved elsewhere
   bool is_damaged = false;   // there is then neither file nor text
-  std::vector<WaitingEdits> waiting = {};
 };
 
 /// Keeps the unsaved text of one window in a file of its own, below the user's data folder. A lock
@@ -35,8 +27,7 @@ class Recovery {
   Recovery& operator=(const Recovery&) = delete;
 
   /// Stores the text. Returns false if the disk is full or the folder cannot be written.
-  bool keep(const QString& file, const QString& text, bool is_borrowed,
-            const std::vector<WaitingEdits>& waiting = {});
+  bool keep(const QString& file, const QString& text, bool is_borrowed);
   /// Deletes the file, because everything is saved or discarded.
   void forget();
 

@@ -3,12 +3,11 @@
 
 #include <QByteArray>
 #include <QString>
-#include <vector>
 
 namespace elsie::desktop {
 
-/// Whether a file begins with the mark of UTF-8, and how each of its lines ends. A changed text
-/// gets these back; its new lines end as most lines of the file do.
+/// Whether a file begins with the mark of UTF-8, and whether its lines end as on Windows: those of
+/// most lines, if they differ. A changed text gets these back.
 class TextForm {
  public:
   TextForm() = default;
@@ -18,13 +17,8 @@ class TextForm {
   QByteArray bytes_of(const QString& text) const;
 
  private:
-  std::vector<bool> ends_of(const QList<QByteArray>& lines) const;
-
   bool has_mark_ = false;
-  bool most_have_carriages_ = false;
-  // Only for a file whose lines do not all end alike.
-  QList<QByteArray> lines_;
-  std::vector<bool> carriages_;
+  bool has_carriages_ = false;
 };
 
 /// The first line that is not UTF-8, from 1; 0 if all lines are.

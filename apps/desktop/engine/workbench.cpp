@@ -85,7 +85,6 @@ Workbench::~Workbench() {
   engine_.disconnect(this);
   if (!is_modified()) {
     recovery_.forget();
-    remove_copied();
   }
 }
 
@@ -232,7 +231,6 @@ void Workbench::lost(int exit_code, const QString& report) {
   const auto give_up = [&] {
     changes_.swap(waiting);
     not_made += drop_changes(why);
-    keep();
   };
   set_run(Run::none);
   try {
@@ -272,7 +270,6 @@ void Workbench::lost(int exit_code, const QString& report) {
       in_turn([this] { send_typed(); });
     }
     std::move(waiting.begin(), waiting.end(), std::back_inserter(changes_));
-    keep();
   }
   Q_EMIT engine_lost(said, was_stopped, not_made);
 }

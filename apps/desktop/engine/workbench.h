@@ -8,7 +8,6 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QSet>
 #include <QTimer>
 #include <deque>
 #include <vector>
@@ -71,14 +70,8 @@ class Workbench : public QObject {
   bool read_again(QString& why);
   /// Asks the engine for the text with file names that are right in the folder of `file`, writes it
   /// whole or not at all, and calls back once with "" or a sentence. Without an engine, or with
-  /// mistakes, the text is written unchanged. Run and history stay. Files in kept_folder() are
-  /// copied next to the world, which names the copies; no copy overwrites a file.
+  /// mistakes, the text is written unchanged. Run and history stay.
   void save_as(const QString& file, std::function<void(const QString&)> done);
-  /// The folder for the files of worlds that have no folder of their own yet.
-  static QString kept_folder();
-  /// Notes that a file in kept_folder() was made for this world. Once it is copied and undo can no
-  /// longer lead to it, it is deleted.
-  void has_made(const QString& file) { made_ << file; }
   /// Whether another program has written the file since it was read or saved.
   bool is_changed_on_disk() const;
   /// Whether another program has removed the file; its text is then unsaved.
@@ -168,7 +161,7 @@ class Workbench : public QObject {
     bool has_receiver = false;
     Done done;
     bool is_edit = false;
-    WaitingEdits waiting = {};  // until the text has them
+    QString name = {};  // of edits that the text does not have yet
   };
 
   void start_engine();
@@ -183,7 +176,7 @@ class Workbench : public QObject {
   bool is_busy() const { return run_ == Run::running || is_stepping_; }
 
   void in_turn(std::function<void()> begin, bool is_edit = false, QObject* receiver = nullptr,
-               Done done = {}, WaitingEdits waiting = {});
+               Done done = {}, const QString& name = {});
   void next_change();
   void end_change(const Problems& problems = {});
   QStringList drop_changes(const QString& why);
@@ -192,19 +185,14 @@ class Workbench : public QObject {
 
   void describe(const Json& answer, const QString& sent);
   void take(const Json& answer, const QString& sent);
-  void remember(const QString& name, const QString& merge, const QString& before,
-                const Json& answer);
-  void lead(const History::Entry& entry, const QString& text,
-            std::function<void(std::uint64_t)> done);
+  void remember(const QString& name, const QString& merge, const QString& before);
+  void lead(const History::Entry& entry, const QString& text, void (History::*done)());
   void open_in_engine(const QString& text);
   void send_typed(const QString& name = tr("type"), const QString& merge = "type");
   void open_as_edit(const QString& text, const QString& name, const QString& merge = {});
 
   void save_in_turn(const QString& target);
   void save_elsewhere(const QString& target);
-  QString bring_beside(const QString& target, QString text, QString& why);
-  bool has_kept_files() const;
-  void remove_copied();
   void saved_as(const QString& target, const QString& text);
   QString write(const QString& file, const QString& text);
   bool has_unsaved_text() const { return is_gone_ || text_ != saved_text_; }
@@ -246,8 +234,6 @@ class Workbench : public QObject {
   int deaths_ = 0;            // of the engine since the user last did something
   bool is_stopping_ = false;  // by the user
   bool is_stepping_ = false;  // a step is ordered and not made
-  QSet<QString> made_;        // files in kept_folder() that only this world uses
-  QSet<QString> copied_;      // the files in made_ that were copied; undo may lead to them
   Recovery recovery_;
   bool is_kept_ = true;
   std::unique_ptr<QFileSystemWatcher> on_disk_watcher_;
@@ -260,10 +246,5 @@ Problems problems_of(const Json& answer);
 QString cause_in(const QString& report);
 /// Whether that line names a plugin.
 bool names_plugin(const QString& report);
-
-/// "r1.weights", or the first of "r1-2.weights", "r1-3.weights"... that no file in the folder has,
-/// except a file with that content.
-QString free_name(const QString& folder, const QString& name,
-                  const std::optional<QByteArray>& content = {});
 
 }  // namespace elsie::desktop

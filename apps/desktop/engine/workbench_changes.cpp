@@ -9,9 +9,9 @@
 namespace elsie::desktop {
 
 void Workbench::in_turn(std::function<void()> begin, bool is_edit, QObject* receiver, Done done,
-                        WaitingEdits waiting) {
-  changes_.push_back({std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit,
-                      std::move(waiting)});
+                        const QString& name) {
+  changes_.push_back(
+      {std::move(begin), receiver, receiver != nullptr, std::move(done), is_edit, name});
   next_change();
 }
 
@@ -30,9 +30,6 @@ void Workbench::end_change(const Problems& problems) {
   is_changing_ = false;
   under_way_.clear();
   ++turn_;
-  if (!ended.waiting.edits.isEmpty()) {
-    keep();  // without it: it was refused
-  }
   if (ended.is_edit) {
     Q_EMIT history_changed();  // it is no longer pending
   }
@@ -66,9 +63,7 @@ QStringList Workbench::drop_changes(const QString& why) {
   under_way_.clear();
   ++turn_;
   for (const Change& each : dropped) {
-    if (!each.waiting.edits.isEmpty()) {
-      names << each.waiting.name;
-    }
+    if (!each.name.isEmpty()) names << each.name;
     if (each.done && (!each.has_receiver || each.receiver)) {
       each.done({{{}, 0, why}});
     }
@@ -89,11 +84,9 @@ void Workbench::order(const Json& order, Engine::Answer answer) {
   });
 }
 
-void Workbench::remember(const QString& name, const QString& merge, const QString& before,
-                         const Json& answer) {
+void Workbench::remember(const QString& name, const QString& merge, const QString& before) {
   if (before != history_text_) {
-    history_.push({name, merge, before, history_text_, file_,
-                   answer.value("undo", std::uint64_t{0}), engine_.generation()});
+    history_.push({name, merge, before, history_text_, file_});
   }
   keep();
   Q_EMIT history_changed();
@@ -118,14 +111,13 @@ void Workbench::edit(const QStringList& edits, const QString& name, const QStrin
                   end_change(problems_of(answer));
                   return;
                 }
-                changes_.front().waiting = {};  // the text has them
+                changes_.front().name.clear();  // the text has them
                 take(answer, before);
-                remember(name, merge, before, answer);
+                remember(name, merge, before);
                 end_change();
               });
       },
-      true, receiver, std::move(done), {name, edits});
-  keep();
+      true, receiver, std::move(done), name);
   Q_EMIT history_changed();
 }
 
@@ -151,7 +143,7 @@ void Workbench::send_typed(const QString& name, const QString& merge) {
         [this, sent, name, merge, before = history_text_](const Json& answer) {
           if (!answer.contains("refused")) {
             take(answer, sent);
-            remember(name, merge, before, answer);
+            remember(name, merge, before);
           } else if (text_ == sent) {  // otherwise more was typed, which is sent next
             set_problems(problems_of(answer));
           }
@@ -162,7 +154,7 @@ void Workbench::send_typed(const QString& name, const QString& merge) {
 // There is no world that could become another one: the text is opened, and undo leads back by text.
 void Workbench::open_as_edit(const QString& text, const QString& name, const QString& merge) {
   if (text != history_text_) {
-    history_.push({name, merge, history_text_, text, file_, 0, engine_.generation(), true});
+    history_.push({name, merge, history_text_, text, file_, true});
     history_text_ = text;
     keep();
   }
@@ -182,34 +174,29 @@ QString Workbench::redo_name() const {
   return entry && text_ == history_text_ ? entry->name : QString();
 }
 
-void Workbench::lead(const History::Entry& entry, const QString& text,
-                     std::function<void(std::uint64_t)> done) {
+void Workbench::lead(const History::Entry& entry, const QString& text, void (History::*done)()) {
   if (entry.is_opened || tree_.is_null()) {
     text_ = history_text_ = text;
-    done(0);
+    (history_.*done)();
     keep();
     open_in_engine(text);
     return;
   }
-  Json way{{"do", "undo"}, {"edit", entry.undo_number}};
-  if (entry.undo_number == 0 || entry.engine != engine_.generation()) {
-    // Without a file, names of files start at the present folder.
-    const QString file = entry.file.isEmpty() && !file_.isEmpty()
-                             ? QDir::current().filePath("world.xml")
-                             : entry.file;
-    way = {{"do", "become"}, {"text", text.toStdString()}, {"file", file.toStdString()}};
-  }
-  order(way, [this, done = std::move(done), before = history_text_](const Json& answer) {
-    if (answer.contains("refused")) {
-      end_change(problems_of(answer));
-      return;
-    }
-    take(answer, before);
-    done(answer.value("undo", std::uint64_t{0}));
-    keep();
-    Q_EMIT history_changed();
-    end_change();
-  });
+  // Without a file, names of files start at the present folder.
+  const QString file =
+      entry.file.isEmpty() && !file_.isEmpty() ? QDir::current().filePath("world.xml") : entry.file;
+  order({{"do", "become"}, {"text", text.toStdString()}, {"file", file.toStdString()}},
+        [this, done, before = history_text_](const Json& answer) {
+          if (answer.contains("refused")) {
+            end_change(problems_of(answer));
+            return;
+          }
+          take(answer, before);
+          (history_.*done)();
+          keep();
+          Q_EMIT history_changed();
+          end_change();
+        });
 }
 
 void Workbench::undo() {
@@ -230,9 +217,7 @@ void Workbench::undo() {
           Q_EMIT described();
           end_change();
         } else if (entry) {
-          lead(*entry, entry->before, [this](std::uint64_t undo_number) {
-            history_.undone(undo_number, engine_.generation());
-          });
+          lead(*entry, entry->before, &History::undone);
         } else {
           end_change();
         }
@@ -247,9 +232,7 @@ void Workbench::redo() {
       [this] {
         const History::Entry* entry = history_.next_redo();
         if (entry && text_ == history_text_) {
-          lead(*entry, entry->after, [this](std::uint64_t undo_number) {
-            history_.redone(undo_number, engine_.generation());
-          });
+          lead(*entry, entry->after, &History::redone);
         } else {
           end_change();
         }

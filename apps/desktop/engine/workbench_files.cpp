@@ -1,8 +1,6 @@
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QFileSystemWatcher>
-#include <QStandardPaths>
 #include <algorithm>
 #include <cerrno>
 #include <utility>
@@ -31,44 +29,11 @@ std::optional<QByteArray> bytes_of(const QString& file) {
 
 QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); }
 
-/// The files in the folder that elements of the world name.
-QStringList named_files_in(const QString& folder, const Json& world) {
-  QStringList files;
-  visit(world, [&](const ElementPlace& place) {
-    for (const auto& [name, value] : attributes_of(*place.element).items()) {
-      if (const QString file = written(value); file.startsWith(folder + '/')) {
-        files << file;
-      }
-    }
-    return true;
-  });
-  files.removeDuplicates();
-  return files;
-}
-
 }  // namespace
-
-QString free_name(const QString& folder, const QString& name,
-                  const std::optional<QByteArray>& content) {
-  const QFileInfo info(name);
-  for (int i = 1;; ++i) {
-    const QString tried =
-        i == 1 ? name : QString("%1-%2.%3").arg(info.completeBaseName()).arg(i).arg(info.suffix());
-    const QString file = folder + '/' + tried;
-    if (!QFileInfo::exists(file) || (content && bytes_of(file) == content)) {
-      return tried;
-    }
-  }
-}
-
-QString Workbench::kept_folder() {
-  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/weights";
-}
 
 void Workbench::open_text(const QString& text, const QString& file, bool is_saved,
                           bool is_borrowed) {
   drop_changes(tr("Another world was opened before this was done."));
-  remove_copied();
   halt_s_.reset();
   deaths_ = 0;
   file_ = file;
@@ -238,7 +203,7 @@ void Workbench::when_settled(QObject* receiver, std::function<void()> done) {
 
 void Workbench::save_in_turn(const QString& target) {
   const bool is_in_engine = engine_.is_there() && tree_.is_object() && text_ == history_text_;
-  if (is_in_engine && (target != file_ || has_kept_files())) {
+  if (is_in_engine && target != file_) {
     save_elsewhere(target);
   } else if (const QString why = write(target, text_); !why.isEmpty()) {
     end_change({{target, 0, why}});
@@ -254,10 +219,7 @@ void Workbench::save_in_turn(const QString& target) {
       return;
     }
     order({{"do", "move"}, {"file", target.toStdString()}}, [this](const Json& answer) {
-      if (!answer.contains("refused")) {
-        history_.drop_undo_numbers();
-        describe(answer, history_text_);
-      }
+      if (!answer.contains("refused")) describe(answer, history_text_);
       in_turn([this] { send_typed(); });
       end_change();
     });
@@ -267,71 +229,26 @@ void Workbench::save_in_turn(const QString& target) {
 // From then on the engine has the world of that file, with the names of other files as seen from
 // there.
 void Workbench::save_elsewhere(const QString& target) {
-  const auto moved = [this, sent = text_, target](const QString& not_copied, const Json& answer) {
+  order({{"do", "text_for"}, {"file", target.toStdString()}}, [this, target,
+                                                               sent = text_](const Json& answer) {
     if (answer.contains("refused")) {
       end_change(problems_of(answer));
       return;
     }
-    history_.drop_undo_numbers();
-    describe(answer, sent);
-    saved_as(target, history_text_);
-    end_change();
-    if (!not_copied.isEmpty()) Q_EMIT noted(not_copied);
-  };
-  order({{"do", "text_for"}, {"file", target.toStdString()}},
-        [this, target, moved](const Json& answer) {
-          if (answer.contains("refused")) {
-            end_change(problems_of(answer));
-            return;
-          }
-          QString not_copied;
-          const QString text = bring_beside(target, text_of(answer, "text"), not_copied);
-          if (const QString why = write(target, text); !why.isEmpty()) {
-            end_change({{target, 0, why}});
-            return;
-          }
-          order({{"do", "move"}, {"file", target.toStdString()}, {"text", text.toStdString()}},
-                [moved, not_copied](const Json& said) { moved(not_copied, said); });
-        });
-}
-
-bool Workbench::has_kept_files() const { return !named_files_in(kept_folder(), tree_).isEmpty(); }
-
-/// The text with the names of copies in the folder of `target`. `why` becomes a sentence if files
-/// could not be copied; these keep their names.
-QString Workbench::bring_beside(const QString& target, QString text, QString& why) {
-  const QString folder = folder_of(target);
-  QStringList left;
-  for (const QString& file : named_files_in(kept_folder(), tree_)) {
-    const std::optional<QByteArray> content = bytes_of(file);
-    const QString name = free_name(folder, QFileInfo(file).fileName(), content);
-    const QString copy = folder + '/' + name;
-    QFile original(file);
-    if (!QFileInfo::exists(copy) && !original.copy(copy)) {
-      left << tr("'%1' (%2)").arg(file, original.errorString());
-      made_.remove(file);  // the saved world now uses it
-      continue;
+    if (const QString why = write(target, text_of(answer, "text")); !why.isEmpty()) {
+      end_change({{target, 0, why}});
+      return;
     }
-    if (made_.contains(file)) copied_ << file;
-    for (const QChar mark : {u'"', u'\''}) {
-      text.replace(mark + escaped(file) + mark, mark + escaped(name) + mark);
-    }
-  }
-  if (!left.isEmpty()) {
-    why = tr("The world is saved, but these files could not be copied next to it, so it uses "
-             "them where they are: %1.")
-              .arg(left.join(", "));
-  }
-  return text;
-}
-
-// Deletes the originals that this window has made and copied, once undo cannot lead to them.
-// Another world may use any other file.
-void Workbench::remove_copied() {
-  for (const QString& file : std::as_const(copied_)) {
-    QFile::remove(file);
-  }
-  copied_.clear();
+    order({{"do", "move"}, {"file", target.toStdString()}}, [this, target, sent](const Json& said) {
+      if (said.contains("refused")) {
+        end_change(problems_of(said));
+        return;
+      }
+      describe(said, sent);
+      saved_as(target, history_text_);
+      end_change();
+    });
+  });
 }
 
 void Workbench::saved_as(const QString& target, const QString& text) {
@@ -352,17 +269,13 @@ bool Workbench::is_modified() const {
 }
 
 void Workbench::keep() {
-  std::vector<WaitingEdits> waiting;
-  for (const Change& each : changes_) {
-    if (!each.waiting.edits.isEmpty()) waiting.push_back(each.waiting);
-  }
-  if (!has_unsaved_text() && waiting.empty()) {
+  if (!has_unsaved_text()) {
     recovery_.forget();
     is_kept_ = true;
     return;
   }
   const bool was_kept = is_kept_;
-  is_kept_ = recovery_.keep(file_, text_, is_borrowed_, waiting);
+  is_kept_ = recovery_.keep(file_, text_, is_borrowed_);
   if (was_kept && !is_kept_) {
     Q_EMIT noted(
         tr("Unsaved work cannot be kept for the case of a crash: your data folder is full or "
@@ -370,9 +283,6 @@ void Workbench::keep() {
   }
 }
 
-void Workbench::give_up_unsaved() {
-  recovery_.forget();
-  remove_copied();
-}
+void Workbench::give_up_unsaved() { recovery_.forget(); }
 
 }  // namespace elsie::desktop

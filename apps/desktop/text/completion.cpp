@@ -5,10 +5,6 @@
 namespace elsie::desktop {
 namespace {
 
-const Json& element(const Json& catalog, const QString& name) {
-  return member(member(catalog, "elements"), name.toUtf8().constData());
-}
-
 /// The elements that are open at the end of the text, outermost first.
 QStringList open_elements(const QString& text) {
   static const QRegularExpression tag(
@@ -57,91 +53,71 @@ qsizetype open_tag(const QString& text) {
   return start;
 }
 
-/// All attributes of an element inside `parent`: its own, and if it is a plugin, its parameters.
-std::vector<const Json*> attributes(const Json& catalog, const QString& name,
-                                    const QString& parent) {
-  std::vector<const Json*> all;
-  const auto take = [&](const Json& list) {
-    for (const Json& attribute : list) {
-      all.push_back(&attribute);
-    }
-  };
-  const QString kind = text_of(element(catalog, parent), "holds");
-  take(member(element(catalog, kind.isEmpty() ? name : kind), "attributes"));
-  for (const Json& plugin : member(catalog, "plugins")) {
-    if (!kind.isEmpty() && text_of(plugin, "name") == name && text_of(plugin, "kind") == kind) {
-      take(member(plugin, "parameters"));
+/// The names of the elements that may stand in an element, which stands in `holder`.
+QStringList elements_in(const Catalog& catalog, const QString& name, const QString& holder) {
+  if (name.isEmpty()) {
+    return {QStringLiteral("world")};
+  }
+  QStringList names;
+  for (const Kind& each : catalog.members(name)) names << each.name;
+  if (const auto kind = catalog.kind_of(name, holder)) names << kind->elements;
+  return names;
+}
+
+/// The words that fit into a tag after the element's name: attributes, or within quotation marks
+/// the values of the attribute. Sets the part that is typed already.
+QStringList words_in_tag(const Kind& kind, const QString& inside, QString& prefix) {
+  // Whole attributes are removed first; the rest is an unfinished value, or part of a name.
+  static const QRegularExpression whole(
+      QStringLiteral("([\\w:.-]+)\\s*=\\s*(?:\"[^\"]*\"|'[^']*')"));
+  static const QRegularExpression value(QStringLiteral("^([\\w:.-]+)\\s*=\\s*([\"'])"));
+  QStringList given;
+  qsizetype rest = 0;
+  for (auto all = whole.globalMatch(inside); all.hasNext();) {
+    const auto match = all.next();
+    given << match.captured(1);
+    rest = match.capturedEnd();
+  }
+  const QString last = inside.mid(rest).trimmed();
+  const auto in_value = value.match(last);
+  prefix = in_value.hasMatch() ? last.mid(in_value.capturedEnd()) : last;
+  QStringList words;
+  if (!in_value.hasMatch()) {
+    for (const Field& field : kind.fields) words << field.name;
+    if (kind.can_be_removed) words << QStringLiteral("remove");
+    words.removeIf([&](const QString& word) { return given.contains(word); });
+    return words;
+  }
+  for (const Field& field : kind.fields) {
+    if (field.name == in_value.captured(1)) {
+      words << field.choices;
+      if (field.type == u"boolean") words << QStringLiteral("true") << QStringLiteral("false");
     }
   }
-  return all;
+  return words;
 }
 
 }  // namespace
 
-Completion complete(const Json& catalog, const QString& before) {
-  static const QRegularExpression value(QStringLiteral("^([\\w:.-]+)\\s*=\\s*([\"'])"));
+Completion complete(const Catalog& catalog, const QString& before) {
   Completion result;
   const qsizetype start = open_tag(before);
   if (start < 0) {
     return result;
   }
   const QStringList open = open_elements(before.left(start));
-  const QString parent = open.value(open.size() - 1);
+  const QString parent = open.value(open.size() - 1), holder = open.value(open.size() - 2);
   const QString tag = before.mid(start + 1);
   static const QRegularExpression blank(QStringLiteral("\\s"));
   const qsizetype name_end = tag.indexOf(blank);
-
-  if (name_end < 0) {
-    if (tag.startsWith(u'/')) {
-      result.prefix = tag.mid(1);
-      result.words << parent;
-    } else {
-      result.prefix = tag;
-      const Json& declared = element(catalog, parent);
-      for (const Json& child : member(declared, "children")) {
-        result.words << QString::fromStdString(child.get<std::string>());
-      }
-      if (const QString kind = text_of(declared, "holds"); !kind.isEmpty()) {
-        for (const Json& plugin : member(catalog, "plugins")) {
-          if (text_of(plugin, "kind") == kind) {
-            result.words << text_of(plugin, "name");
-          }
-        }
-      }
-      if (open.isEmpty()) {
-        result.words << QStringLiteral("world");
-      }
-    }
-  } else {
-    // Whole attributes are removed first; the rest is an unfinished value, or part of a name.
-    static const QRegularExpression whole(
-        QStringLiteral("([\\w:.-]+)\\s*=\\s*(?:\"[^\"]*\"|'[^']*')"));
-    const QString inside = tag.mid(name_end);
-    QStringList given;
-    qsizetype rest = 0;
-    for (auto all = whole.globalMatch(inside); all.hasNext();) {
-      const auto match = all.next();
-      given << match.captured(1);
-      rest = match.capturedEnd();
-    }
-    const QString last = inside.mid(rest).trimmed();
-    const auto in_value = value.match(last);
-    for (const Json* attribute : attributes(catalog, tag.left(name_end), parent)) {
-      const QString name = text_of(*attribute, "name");
-      if (!in_value.hasMatch()) {
-        if (!given.contains(name)) {
-          result.words << name;
-        }
-      } else if (name == in_value.captured(1)) {
-        for (const Json& choice : member(*attribute, "choices")) {
-          result.words << QString::fromStdString(choice.get<std::string>());
-        }
-        if (text_of(*attribute, "type") == u"boolean") {
-          result.words << QStringLiteral("true") << QStringLiteral("false");
-        }
-      }
-    }
-    result.prefix = in_value.hasMatch() ? last.mid(in_value.capturedEnd()) : last;
+  if (tag.startsWith(u'/')) {
+    result.prefix = tag.mid(1);
+    result.words << parent;
+  } else if (name_end < 0) {
+    result.prefix = tag;
+    result.words = elements_in(catalog, parent, holder);
+  } else if (const auto kind = catalog.kind_of(tag.left(name_end), parent)) {
+    result.words = words_in_tag(*kind, tag.mid(name_end), result.prefix);
   }
   result.words.removeDuplicates();
   result.words.removeAll(QString());

@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "engine/json.h"
+#include "engine/catalog.h"
 
 namespace elsie::desktop {
 
@@ -16,7 +16,7 @@ struct Completion {
   QString prefix;
 };
 
-/// `catalog` is the answer to the order "catalog". The text need not be complete XML.
-Completion complete(const Json& catalog, const QString& before);
+/// The text need not be complete XML.
+Completion complete(const Catalog& catalog, const QString& before);
 
 }  // namespace elsie::desktop

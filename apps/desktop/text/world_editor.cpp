@@ -147,8 +147,6 @@ void WorldEditor::set_problems(const std::vector<Problem>& problems) {
   margin_->update();
 }
 
-void WorldEditor::set_catalog(const Json& catalog) { catalog_ = catalog; }
-
 void WorldEditor::go_to(int line) {
   const QTextBlock block = document()->findBlockByNumber(std::clamp(line, 1, blockCount()) - 1);
   setTextCursor(QTextCursor(block));

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "engine/json.h"
+#include "engine/catalog.h"
 #include "engine/problem.h"
 
 class QCompleter;
@@ -35,8 +35,7 @@ class WorldEditor : public QPlainTextEdit {
   /// Underlines these lines and makes their numbers red; the messages are tool tips. All problems
   /// must be of this text.
   void set_problems(const std::vector<Problem>& problems);
-  /// `catalog` is the answer to the order "catalog".
-  void set_catalog(const Json& catalog);
+  void set_catalog(const Catalog& catalog) { catalog_ = catalog; }
   /// Puts the cursor at the start of the line, counted from 1, in the middle of the view.
   void go_to(int line);
   void open_find();
@@ -75,7 +74,7 @@ class WorldEditor : public QPlainTextEdit {
   QTimer typing_;
   bool from_outside_ = false;
   std::map<int, QString> problems_;  // by line, from 1
-  Json catalog_;
+  Catalog catalog_;
 };
 
 }  // namespace elsie::desktop

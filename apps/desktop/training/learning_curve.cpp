@@ -2,19 +2,11 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 
 #include "paint/axes.h"
+#include "paint/chart.h"
 
 namespace elsie::desktop {
-namespace {
-
-constexpr double kLeastError = 1e-12;  // an error of 0 has no logarithm
-
-double exponent(double error) { return std::log10(std::max(error, kLeastError)); }
-
-}  // namespace
-
 LearningCurve::LearningCurve(QWidget* parent) : QWidget(parent) {
   setObjectName("learning_curve");
   setAccessibleName(tr("Learning curve"));
@@ -50,19 +42,15 @@ void LearningCurve::show_all(const QPolygonF& points, double most) {
 }
 
 void LearningCurve::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), palette().base());
-  Span errors{-1.0, 0.0};
-  QPolygonF curve;
+  picture::LineChart chart;
+  chart.x = {tr("samples presented").toStdString(), "", 0.0, std::max(1.0, most_)};
+  chart.y = {tr("mean error").toStdString(), "", {}, {}, true};
+  auto& points = chart.series.emplace_back().points;
   for (const QPointF& point : points_) {
-    curve << QPointF(point.x(), exponent(point.y()));
-    errors.low = std::min(errors.low, std::floor(curve.back().y()));
-    errors.high = std::max(errors.high, std::ceil(curve.back().y()));
+    points.push_back({point.x(), point.y()});
   }
-  const Axes axes(painter, rect(), {0.0, most_}, errors);
-  axes.draw(painter, palette(), tr("samples presented"), tr("mean error, as a power of ten"));
-  axes.draw_curve(painter, curve, QPen(curve_colour(0, palette()), 2.0));
+  QPainter painter(this);
+  draw_chart(painter, rect(), chart, palette());
 }
 
 }  // namespace elsie::desktop

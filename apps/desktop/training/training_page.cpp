@@ -55,9 +55,9 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
          "file next to the world. Otherwise each run trains its own network."));
   column->addRow(wished_);
   if (workbench.file().isEmpty() || workbench.is_borrowed()) {
-    auto* where =
-        new QLabel(tr("The world has no file of its own yet: its weights are written "
-                      "to your data folder, and copied next to the world when it is saved."));
+    auto* where = new QLabel(
+        tr("The weights are written next to the world, which has no file of its own yet: save it "
+           "first."));
     where->setObjectName("where_weights_go");
     where->setWordWrap(true);
     column->addRow(where);
@@ -221,24 +221,20 @@ bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
   return !trainer_.is_busy() && trained_ == lesson(edits, has_seed);
 }
 
-// The folder of the world, or the user's data folder while the world has no file of its own. No
-// existing file is changed, because undo may lead back to it.
-void TrainingPage::choose_weights() {
-  const bool has_file = !workbench_.file().isEmpty() && !workbench_.is_borrowed();
-  const QString folder =
-      has_file ? QFileInfo(workbench_.file()).absolutePath() : Workbench::kept_folder();
-  if (!has_file) {
-    QDir().mkpath(folder);
-  }
-  const QString name = free_name(folder, robot_id(coordinator_) + ".weights");
-  weights_file_ = folder + '/' + name;
-  weights_ = has_file ? name : weights_file_;
-  if (!has_file) workbench_.has_made(weights_file_);
-}
-
 void TrainingPage::train(const QStringList& edits, bool has_seed) {
+  if (workbench_.file().isEmpty() || workbench_.is_borrowed()) {
+    Q_EMIT failed(tr("The weights are written next to the world: save the world first."));
+    return;
+  }
   remove_weights();  // of a training whose result was not used
-  choose_weights();
+  // No existing file is changed, because undo may lead back to it.
+  const QDir folder = QFileInfo(workbench_.file()).absoluteDir();
+  const QString robot = robot_id(coordinator_);
+  weights_ = robot + ".weights";
+  for (int i = 2; folder.exists(weights_); ++i) {
+    weights_ = QString("%1-%2.weights").arg(robot).arg(i);
+  }
+  weights_file_ = folder.filePath(weights_);
   curve_->clear();
   progress_->setText(tr("Training..."));
   set_busy(true);

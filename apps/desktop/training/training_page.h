@@ -63,7 +63,6 @@ class TrainingPage : public QWidget {
   void show_layers(const QStringList& sizes);
   QStringList layers() const;
   Lesson lesson(const QStringList& edits, bool has_seed) const;
-  void choose_weights();
   void set_busy(bool is_busy);
 
   Workbench& workbench_;

@@ -5,10 +5,11 @@
 #include <QLabel>
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "paint/axes.h"
 #include "paint/boxes.h"
+#include "paint/chart.h"
 
 namespace elsie::desktop {
 namespace {
@@ -16,27 +17,15 @@ namespace {
 constexpr int kBetween_ms = 250;
 constexpr int kFewest_em = 16;  // the height, in lines of text
 
-/// From low to high: lighter is more, as in grey.
-QColor colour_at(double share) {
-  static constexpr std::array<std::array<double, 3>, 5> kStops{
-      {{0, 34, 78}, {65, 77, 107}, {124, 123, 120}, {188, 175, 111}, {253, 234, 69}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const double rest = at - static_cast<double>(below);
-  const auto mixed = [&](std::size_t i) {
-    return static_cast<int>(
-        std::lround((1.0 - rest) * kStops[below][i] + rest * kStops[below + 1][i]));
-  };
-  return {mixed(0), mixed(1), mixed(2)};
-}
-
-Span span_of(const fuzzy::Range& range) {
-  return {range.low, std::max(range.high, range.low + 1e-9)};
-}
-
 QString name_of(const fuzzy::Variable& variable) { return QString::fromStdString(variable.name); }
 
 }  // namespace
+
+picture::Axis axis_of(const fuzzy::Variable& variable) {
+  const fuzzy::Range& range = variable.range;
+  return {variable.name, "", range.low,
+          std::max(range.high, range.low + 1e-9 * std::max(1.0, std::abs(range.low)))};
+}
 
 ControlSurface::ControlSurface(QWidget* parent)
     : QWidget(parent),
@@ -105,10 +94,23 @@ void ControlSurface::set_model(const fuzzy::Model* model) {
 
 void ControlSurface::set_inputs(const std::vector<double>& inputs) {
   inputs_ = inputs;
-  if (model_ && held() != computed_for_ && !later_.isActive()) {
+  if (model_ && !later_.isActive()) {
     later_.start();
   }
-  update();
+}
+
+/// The output's range, with the values of formulas beyond it.
+picture::Axis ControlSurface::output_axis() const {
+  const fuzzy::Variable& output =
+      model_->outputs()[static_cast<std::size_t>(output_->currentIndex())];
+  picture::Axis axis = axis_of(output);
+  for (const double value : grid_.values) {
+    if (std::isfinite(value)) {
+      axis.low = std::min(*axis.low, value);
+      axis.high = std::max(*axis.high, value);
+    }
+  }
+  return axis;
 }
 
 // Keeps the two inputs different: the input that was not just chosen changes.
@@ -135,34 +137,12 @@ void ControlSurface::compute() {
   if (!model_) {
     return;
   }
-  computed_for_ = held();
   const bool has_two = model_->inputs().size() > 1;
   grid_ = fuzzy_grid(
       *model_, static_cast<std::size_t>(output_->currentIndex()),
       static_cast<std::size_t>(across_->currentIndex()),
       has_two ? std::optional(static_cast<std::size_t>(up_->currentIndex())) : std::nullopt,
-      computed_for_);
-  const fuzzy::Range& range =
-      model_->outputs()[static_cast<std::size_t>(output_->currentIndex())].range;
-  values_ = {range.high, range.low};
-  for (const double value : grid_.values) {
-    if (std::isfinite(value)) {
-      values_ = {std::min(values_.low, value), std::max(values_.high, value)};
-    }
-  }
-  if (!(values_.length() > 0.0)) {
-    values_ = span_of(range);
-  }
-  const int across = static_cast<int>(FuzzyGrid::kAcross);
-  field_ = QImage(across, static_cast<int>(grid_.rows), QImage::Format_ARGB32_Premultiplied);
-  field_.fill(Qt::transparent);
-  for (std::size_t i = 0; i < grid_.values.size(); ++i) {
-    const int place = static_cast<int>(i);
-    if (std::isfinite(grid_.values[i])) {
-      field_.setPixelColor(place % across, field_.height() - 1 - place / across,
-                           colour_at((grid_.values[i] - values_.low) / values_.length()));
-    }
-  }
+      held());
   update();
 }
 
@@ -172,22 +152,20 @@ Figures ControlSurface::figures() const {
     return figures;
   }
   constexpr std::size_t kEvery = 5;
-  const auto at = [](const Span& span, std::size_t place, std::size_t count) {
-    return number_text(span.low + span.length() * static_cast<double>(place) /
-                                      static_cast<double>(std::max<std::size_t>(1, count - 1)));
+  const auto at = [this](const QComboBox* input, std::size_t place, std::size_t count) {
+    const fuzzy::Range& range =
+        model_->inputs()[static_cast<std::size_t>(input->currentIndex())].range;
+    return number_text(range.low + (range.high - range.low) * static_cast<double>(place) /
+                                       static_cast<double>(std::max<std::size_t>(1, count - 1)));
   };
-  const Span x = span_of(model_->inputs()[static_cast<std::size_t>(across_->currentIndex())].range);
   const bool has_two = grid_.rows > 1;
   figures.columns << (has_two ? up_->currentText() + " \\ " + across_->currentText()
                               : output_->currentText());
   for (std::size_t i = 0; i < FuzzyGrid::kAcross; i += kEvery) {
-    figures.columns << at(x, i, FuzzyGrid::kAcross);
+    figures.columns << at(across_, i, FuzzyGrid::kAcross);
   }
   for (std::size_t row = 0; row < grid_.rows; row += kEvery) {
-    QStringList cells{
-        has_two ? at(span_of(model_->inputs()[static_cast<std::size_t>(up_->currentIndex())].range),
-                     row, grid_.rows)
-                : output_->currentText()};
+    QStringList cells{has_two ? at(up_, row, grid_.rows) : output_->currentText()};
     for (std::size_t i = 0; i < FuzzyGrid::kAcross; i += kEvery) {
       cells << number_text(grid_.values[row * FuzzyGrid::kAcross + i]);
     }
@@ -201,84 +179,44 @@ void ControlSurface::paintEvent(QPaintEvent*) {
     return;
   }
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
   const QRectF whole(0, choices_->geometry().bottom(), width(),
                      height() - choices_->geometry().bottom());
-  grid_.rows > 1 ? draw_field(painter, whole) : draw_curve(painter, whole);
+  draw_chart(painter, whole, grid_.rows > 1 ? picture::Panel(map()) : picture::Panel(curve()),
+             palette());
 }
 
-void ControlSurface::draw_field(QPainter& painter, const QRectF& whole) const {
-  const double line = painter.fontMetrics().height();
+picture::HeatMap ControlSurface::map() const {
   const auto across = static_cast<std::size_t>(across_->currentIndex());
   const auto up = static_cast<std::size_t>(up_->currentIndex());
-  const Axes axes(painter, whole.adjusted(0, 0, -scale_width(), 0),
-                  span_of(model_->inputs()[across].range), span_of(model_->inputs()[up].range));
-  painter.drawImage(axes.area(), field_);
-  axes.draw(painter, palette(), across_->currentText(),
-            fontMetrics().elidedText(up_->currentText(), Qt::ElideMiddle,
-                                     static_cast<int>(axes.area().width() / 2.0 - line)));
-  draw_scale(painter, axes.area());
-  if (inputs_.size() == model_->inputs().size()) {
-    painter.setPen(QPen(Qt::white, 3.0));
-    painter.setBrush(Qt::black);
-    const QRectF& area = axes.area();
-    QPointF at = axes.at(inputs_[across], inputs_[up]);
-    at = {std::clamp(at.x(), area.left(), area.right()),
-          std::clamp(at.y(), area.top(), area.bottom())};
-    painter.drawEllipse(at, 0.35 * line, 0.35 * line);
+  picture::HeatMap map;
+  map.field = {axis_of(model_->inputs()[across]),
+               axis_of(model_->inputs()[up]),
+               output_axis(),
+               FuzzyGrid::kAcross,
+               grid_.rows,
+               grid_.values};
+  if (inputs_.size() == model_->inputs().size() && std::isfinite(inputs_[across]) &&
+      std::isfinite(inputs_[up])) {
+    map.mark = {inputs_[across], inputs_[up]};
   }
+  return map;
 }
 
-/// Of the bar of colours with its numbers.
-double ControlSurface::scale_width() const {
-  const QFontMetricsF font = fontMetrics();
-  double widest = 0.0;
-  for (const double tick : ticks(values_, 5)) {
-    widest = std::max(widest, font.horizontalAdvance(number_text(tick)));
-  }
-  return 1.5 * font.height() + widest;
-}
-
-void ControlSurface::draw_scale(QPainter& painter, const QRectF& area) const {
-  const double line = painter.fontMetrics().height();
-  const QRectF bar(area.right() + line, area.top(), line, area.height());
-  QLinearGradient colours(bar.bottomLeft(), bar.topLeft());
-  for (int i = 0; i <= 8; ++i) {
-    colours.setColorAt(i / 8.0, colour_at(i / 8.0));
-  }
-  painter.setPen(palette().color(QPalette::Text));
-  painter.setBrush(colours);
-  painter.drawRect(bar);
-  for (const double tick : ticks(values_, 5)) {
-    const double y = bar.bottom() - (tick - values_.low) / values_.length() * bar.height();
-    painter.drawText(QRectF(bar.right() + 0.3 * line, y - line, scale_width(), 2.0 * line),
-                     Qt::AlignLeft | Qt::AlignVCenter, number_text(tick));
-  }
-  const double right = width() - 0.3 * line;  // its name ends there, over the bar
-  const QRectF title(area.center().x(), bar.top() - 1.4 * line, right - area.center().x(),
-                     1.2 * line);
-  painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter,
-                   fontMetrics().elidedText(output_->currentText(), Qt::ElideMiddle,
-                                            static_cast<int>(title.width())));
-}
-
-void ControlSurface::draw_curve(QPainter& painter, const QRectF& whole) const {
-  const Span x = span_of(model_->inputs().front().range);
-  const Axes axes(painter, whole, x, values_);
-  axes.draw(painter, palette(), across_->currentText(), output_->currentText());
-  QPolygonF curve;
+picture::LineChart ControlSurface::curve() const {
+  const fuzzy::Variable& input = model_->inputs().front();
+  picture::LineChart chart{"", axis_of(input), output_axis(), {}, picture::Naming::at_peak};
+  auto& points = chart.series.emplace_back().points;
   for (std::size_t i = 0; i < grid_.values.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(FuzzyGrid::kAcross - 1);
-    curve << QPointF(x.low + share * x.length(), grid_.values[i]);
+    points.push_back(
+        {input.range.low + share * (input.range.high - input.range.low), grid_.values[i]});
   }
-  axes.draw_curve(painter, curve, QPen(curve_colour(0, palette()), 2.0));
   if (!inputs_.empty()) {
-    const QPen ink(palette().color(QPalette::Text), 1.5, Qt::DashLine);
-    axes.draw_curve(
-        painter, {{QPointF(inputs_.front(), values_.low), QPointF(inputs_.front(), values_.high)}},
-        ink);
+    picture::Series& now = chart.series.emplace_back();
+    now.colour = picture::kNeutral;
+    now.points = {{inputs_.front(), *chart.y.low}, {inputs_.front(), *chart.y.high}};
   }
+  return chart;
 }
 
 }  // namespace elsie::desktop

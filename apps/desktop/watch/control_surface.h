@@ -1,14 +1,13 @@
 // The control surface of a fuzzy model, with a mark at the present inputs.
 #pragma once
 
-#include <QImage>
 #include <QTimer>
 #include <QWidget>
 #include <vector>
 
 #include "elsie/fuzzy/model.h"
+#include "elsie/picture/plot.h"
 
-#include "paint/axes.h"
 #include "paint/figures.h"
 #include "watch/fuzzy_instant.h"
 
@@ -16,6 +15,9 @@ class QComboBox;
 class QLabel;
 
 namespace elsie::desktop {
+
+/// The variable's range, which is not empty then.
+picture::Axis axis_of(const fuzzy::Variable& variable);
 
 /// Shows one output over two inputs that the user chooses, as colours with a scale; with only one
 /// input, as a curve. The other inputs have their present values, or the middle of their ranges.
@@ -40,10 +42,9 @@ class ControlSurface : public QWidget, public ShowsFigures {
   void choose();
   void compute();
   std::vector<double> held() const;
-  void draw_field(QPainter& painter, const QRectF& whole) const;
-  void draw_curve(QPainter& painter, const QRectF& whole) const;
-  double scale_width() const;
-  void draw_scale(QPainter& painter, const QRectF& area) const;
+  picture::Axis output_axis() const;
+  picture::HeatMap map() const;
+  picture::LineChart curve() const;
 
   const fuzzy::Model* model_ = nullptr;
   std::vector<double> inputs_;
@@ -53,10 +54,7 @@ class ControlSurface : public QWidget, public ShowsFigures {
   QLabel* and_;
   QWidget* choices_;
   QTimer later_;
-  std::vector<double> computed_for_;  // the values of the held inputs
   FuzzyGrid grid_;
-  Span values_;  // in the grid
-  QImage field_;
 };
 
 }  // namespace elsie::desktop

@@ -6,14 +6,16 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "elsie/fuzzy/fcl.h"
-#include "elsie/fuzzy/sets.h"
 
 #include "paint/axes.h"
 #include "paint/boxes.h"
+#include "paint/chart.h"
 #include "paint/figures.h"
 #include "watch/control_surface.h"
 #include "watch/fuzzy_instant.h"
@@ -24,10 +26,10 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-QPolygonF polygon(const FuzzySet& set) {
-  QPolygonF points;
+std::vector<Vector2> points_of(const FuzzySet& set) {
+  std::vector<Vector2> points;
   for (const auto& point : set.points) {
-    points << QPointF(point.x, point.degree);
+    points.push_back({point.x, point.degree});
   }
   return points;
 }
@@ -82,8 +84,7 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
   void fit() {
     int height = row_height();
     if (model) {
-      for (const fuzzy::Variable& each : model->inputs()) height += plot_height(each);
-      for (const fuzzy::Variable& each : model->outputs()) height += plot_height(each);
+      height += plot_height() * static_cast<int>(model->inputs().size() + model->outputs().size());
       for (std::size_t i = 0; i < model->rules().size(); ++i) height += rule_height(i);
     }
     setMinimumHeight(height);
@@ -98,7 +99,6 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
 
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     if (!model) {
       painter.setPen(palette().color(QPalette::PlaceholderText));
       painter.drawText(
@@ -112,10 +112,13 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
       painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, now.problem);
       return;
     }
+    const auto draw = [&](const picture::LineChart& chart) {
+      draw_chart(painter, QRectF(0, top, width(), plot_height()), chart, palette());
+      top += plot_height();
+    };
     for (std::size_t i = 0; i < model->inputs().size(); ++i) {
-      draw_variable(painter, model->inputs()[i], top, i < now.inputs.size() ? now.inputs[i] : kNone,
-                    nullptr, {});
-      top += plot_height(model->inputs()[i]);
+      draw(
+          chart_of(model->inputs()[i], i < now.inputs.size() ? now.inputs[i] : kNone, nullptr, {}));
     }
     const int line = row_height();
     for (std::size_t i = 0; i < model->rules().size(); ++i) {
@@ -136,14 +139,14 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
       const auto& output = model->outputs()[i];
       const auto given = outputs.find(output.name);
       const bool is_known = i < now.sets.size();
-      draw_variable(painter, output, top, given == outputs.end() ? kNone : given->second,
-                    is_known ? &now.sets[i] : &kNothing, is_known ? now.centres[i] : std::nullopt);
-      top += plot_height(output);
+      draw(chart_of(output, given == outputs.end() ? kNone : given->second,
+                    is_known ? &now.sets[i] : &kNothing, is_known ? now.centres[i] : std::nullopt));
     }
   }
 
  private:
   static constexpr int kFigure_em = 3;  // "0.25"
+  static constexpr int kPlot_lines = 12;
 
   int em() const { return fontMetrics().horizontalAdvance(u'm'); }
   int row_height() const { return fontMetrics().height() * 4 / 3; }
@@ -160,102 +163,46 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
     return needed.height() - fontMetrics().height() + row_height();
   }
 
-  /// The names of the terms: each above its peak, a line higher than those that it would cover.
-  struct Name {
-    QString text;
-    QRectF place;  // from the bottom of the lowest line
-  };
-  std::vector<Name> names_of(const fuzzy::Variable& variable, double left, double right) const {
-    std::vector<Name> names;
-    const double height = fontMetrics().height();
-    const double length = std::max(variable.range.high - variable.range.low, 1e-9);
-    for (const fuzzy::Term& term : variable.terms) {
-      Name& name = names.emplace_back(Name{QString::fromStdString(term.name), {}});
-      const double peak = fuzzy::mean_of_maxima(term.set).value_or(variable.range.low);
-      const double width = fontMetrics().horizontalAdvance(name.text);
-      const double middle = left + (peak - variable.range.low) / length * (right - left);
-      name.place = {std::clamp(middle - width / 2.0, left, std::max(left, right - width)), -height,
-                    width + em() / 2.0, height};
-      const auto is_covered = [&](const Name& other) {
-        return &other != &name && other.place.intersects(name.place);
-      };
-      while (std::any_of(names.begin(), names.end(), is_covered)) {
-        name.place.translate(0.0, -height);
-      }
-    }
-    return names;
-  }
-  double left_of_axes() const { return 2.7 * em(); }
-  double right_of_axes() const { return width() - 2.0 * em(); }
-  int names_height(const fuzzy::Variable& variable) const {
-    double top = 0.0;
-    for (const Name& each : names_of(variable, left_of_axes(), right_of_axes())) {
-      top = std::min(top, each.place.top());
-    }
-    return static_cast<int>(-top);
-  }
-  /// A title, the names of the terms, and the axes.
-  int plot_height(const fuzzy::Variable& variable) const {
-    return names_height(variable) + fontMetrics().height() * 10;
-  }
+  int plot_height() const { return fontMetrics().height() * kPlot_lines; }
 
-  void draw_variable(QPainter& painter, const fuzzy::Variable& variable, int top, double value,
-                     const FuzzySet* cut, std::optional<double> centre) const {
-    const double line = fontMetrics().height();
-    const Axes axes(painter, QRectF(0, top + names_height(variable), width(), 10.0 * line),
-                    {variable.range.low, std::max(variable.range.high, variable.range.low + 1e-9)},
-                    {0.0, 1.05});
-    QString title =
-        QStringLiteral("%1 = %2").arg(QString::fromStdString(variable.name), number_text(value));
+  /// A variable with its terms, its value, and for an output its accumulated set `cut`, which is
+  /// empty while it is unknown, with its centre of gravity.
+  picture::LineChart chart_of(const fuzzy::Variable& variable, double value, const FuzzySet* cut,
+                              std::optional<double> centre) const {
+    picture::LineChart chart;
+    chart.title = variable.name + " = " + number_text(value).toStdString();
+    chart.x = axis_of(variable);
+    chart.x.label.clear();
+    chart.y = {"", "", 0.0, 1.0};
+    chart.naming = picture::Naming::at_peak;
     for (const fuzzy::Term& term : variable.terms) {
       const double degree = std::round(100 * term.set.degree(value)) / 100;
       if (cut == nullptr && std::isfinite(value) && degree > 0.0) {
-        title +=
-            QStringLiteral("   %1 %2").arg(QString::fromStdString(term.name), number_text(degree));
+        chart.title += "   " + term.name + " " + number_text(degree).toStdString();
       }
+      chart.series.push_back({term.name, points_of(term.set)});
+    }
+    const auto add = [&](std::vector<Vector2> points) -> picture::Series& {
+      picture::Series& series = chart.series.emplace_back();
+      series.points = std::move(points);
+      series.colour = picture::kNeutral;
+      return series;
+    };
+    if (cut != nullptr) {
+      add(points_of(*cut)).filled = true;
     }
     if (centre) {
-      title += tr("   centre of gravity %1").arg(number_text(std::round(1000 * *centre) / 1000));
-    }
-    axes.draw(painter, palette(), {}, {});
-    painter.drawText(QRectF(left_of_axes(), top, width() - left_of_axes(), 1.3 * line),
-                     Qt::AlignVCenter,
-                     fontMetrics().elidedText(title, Qt::ElideRight,
-                                              static_cast<int>(width() - left_of_axes())));
-    int n = 0;
-    const std::vector<Name> names = names_of(variable, left_of_axes(), right_of_axes());
-    for (const fuzzy::Term& term : variable.terms) {
-      axes.draw_curve(painter, polygon(term.set),
-                      QPen(curve_colour(n, palette()), 1.5, pen_style(n)));
-      painter.setPen(curve_colour(n, palette()));
-      const Name& name = names[static_cast<std::size_t>(n)];
-      painter.drawText(name.place.translated(0.0, axes.area().top() - 2.0),
-                       Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, name.text);
-      ++n;
-    }
-    const QPen ink(palette().color(QPalette::Text), 2.0);
-    if (cut != nullptr && !cut->points.empty()) {
-      QPolygonF area;
-      area << axes.at(cut->points.front().x, 0.0);
-      for (const QPointF& point : polygon(*cut)) {
-        area << axes.at(point.x(), point.y());
-      }
-      area << axes.at(cut->points.back().x, 0.0);
-      painter.setPen(ink);
-      painter.setBrush(QBrush(palette().color(QPalette::Text), Qt::BDiagPattern));
-      painter.drawPolygon(area);
-    }
-    if (centre) {
-      const double half = 0.4 * fontMetrics().height();
-      const QPointF at = axes.at(*centre, 0.0);
-      painter.setPen(ink);
-      painter.setBrush(curve_colour(0, palette()));
-      painter.drawPolygon({{at, at + QPointF(-half, 1.7 * half), at + QPointF(half, 1.7 * half)}});
-      painter.setBrush(Qt::NoBrush);
+      chart.title += tr("   centre of gravity %1")
+                         .arg(number_text(std::round(1000 * *centre) / 1000))
+                         .toStdString();
+      picture::Series& mark = add({{*centre, 0.0}});
+      mark.joining = picture::Joining::nothing;
+      mark.marked = true;
     }
     if (std::isfinite(value)) {
-      axes.draw_curve(painter, {{QPointF(value, 0.0), QPointF(value, 1.05)}}, ink);
+      add({{value, 0.0}, {value, 1.0}});
     }
+    return chart;
   }
 };
 

@@ -20,12 +20,15 @@
 #include "elsie/files/write_whole.h"
 #include "elsie/picture/plot.h"
 
+#include "paint/chart.h"
+
 namespace elsie::desktop {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kName = Qt::UserRole;
-constexpr int kStrip_lines = 7;  // the least height of a strip
+constexpr double kSaved_px = 8000.0;  // finer than any picture
+constexpr int kStrip_lines = 11;      // the least height of a strip
 
 class Plot : public QWidget, public ShowsFigures {
  public:
@@ -42,7 +45,6 @@ class Plot : public QWidget, public ShowsFigures {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     panel_->draw(painter, rect());
   }
 
@@ -266,64 +268,15 @@ void PlotsPanel::draw(QPainter& painter, const QRectF& area) const {
     painter.drawText(area, Qt::AlignCenter, tr("Choose numbers to plot them"));
     return;
   }
-  Span x{kFar, -kFar};
-  const QFontMetricsF font = painter.fontMetrics();
-  const double line = font.height();
-  double legend = 0.0;
-  for (const QString& name : chosen()) {
-    legend = std::max(legend, font.horizontalAdvance(title_of(name)) + 4.0 * line);
-    visit(name, [&](double time_s, double) {
-      x = {std::min(x.low, time_s), std::max(x.high, time_s)};
-    });
-  }
-  if (!(x.length() > 0.0)) {
-    x = {std::isfinite(x.low) ? x.low : 0.0, (std::isfinite(x.low) ? x.low : 0.0) + 1.0};
-  }
-  legend = std::min(legend, area.width() / 3.0);
   const double height = area.height() / static_cast<double>(all.size());
-  int n = 0;  // of the curve
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const QRectF strip(area.left(), area.top() + height * static_cast<double>(i), area.width(),
-                       height);
-    draw_strip(painter, strip, legend, all[i], x, n);
+  QRectF strip(area.topLeft(), QSizeF(area.width(), height));
+  for (const picture::LineChart& chart : charts(area.width())) {
+    draw_chart(painter, strip, chart, palette());
+    strip.translate(0.0, height);
   }
   painter.setPen(palette().color(QPalette::PlaceholderText));
-  painter.drawText(area.adjusted(0, 0, -line / 2.0, 0), Qt::AlignBottom | Qt::AlignRight,
-                   sampling());
-}
-
-/// `legend`: the width of the names beside it; `n`: the number of its first curve.
-void PlotsPanel::draw_strip(QPainter& painter, const QRectF& area, double legend,
-                            const Strip& strip, const Span& x, int& n) const {
-  Span y{kFar, -kFar};
-  for (const QString& name : strip.names) {
-    visit(name, [&](double, double value) {
-      y = {std::min(y.low, value), std::max(y.high, value)};
-    });
-  }
-  if (!std::isfinite(y.length())) {
-    y = {};
-  }
-  const double room = y.length() > 0.0 ? 0.05 * y.length() : 0.5;
-  y = {y.low - room, y.high + room};
-  const double line = painter.fontMetrics().height();
-  const Axes axes(painter, area.adjusted(0, 0, -legend, 0), x, y);
-  axes.draw(painter, palette(), tr("time [s]"), strip.title);
-  double middle = axes.area().top() + line * 0.5;
-  for (const QString& name : strip.names) {
-    const QPen pen(curve_colour(n, palette()), line / 9.0, pen_style(n));
-    axes.draw_curve(painter, polygon(name, x, axes.area().width()), pen);
-    const double left = area.right() - legend + line / 2.0;
-    painter.setPen(pen);
-    painter.drawLine(QPointF(left, middle), QPointF(left + 2.5 * line, middle));
-    painter.setPen(palette().color(QPalette::Text));
-    const QRectF place(left + 3 * line, middle - line, area.right() - left - 3 * line, 2 * line);
-    painter.drawText(place, Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(title_of(name), Qt::ElideMiddle,
-                                                      static_cast<int>(place.width())));
-    middle += 1.2 * line;
-    ++n;
-  }
+  painter.drawText(area.adjusted(0, 0, -0.5 * painter.fontMetrics().height(), 0),
+                   Qt::AlignBottom | Qt::AlignRight, sampling());
 }
 
 QString PlotsPanel::sampling() const {
@@ -356,8 +309,8 @@ QString PlotsPanel::save(const QString& file) const {
   }
   try {
     picture::Page page;
-    for (const Strip& strip : strips()) {
-      page.rows.push_back({.panels = {chart(strip)}, .aspect = 0.5});
+    for (picture::LineChart& chart : charts(kSaved_px)) {
+      page.rows.push_back({.panels = {std::move(chart)}, .aspect = 0.5});
     }
     picture::save_page(page, file.toStdString());
   } catch (const std::exception& error) {
@@ -366,15 +319,34 @@ QString PlotsPanel::save(const QString& file) const {
   return {};
 }
 
-picture::LineChart PlotsPanel::chart(const Strip& strip) const {
-  picture::LineChart chart{.x = {.label = tr("time").toStdString(), .unit = "s"}};
-  chart.y.unit = unit_of(strip.names.front()).toStdString();
-  for (const QString& name : strip.names) {
-    picture::Series& series = chart.series.emplace_back();
-    series.name = title_of(name).toStdString();
-    visit(name, [&](double time_s, double value) { series.points.push_back({time_s, value}); });
+std::vector<picture::LineChart> PlotsPanel::charts(double width) const {
+  Span x{kFar, -kFar};
+  for (const QString& name : chosen()) {
+    visit(name, [&](double time_s, double) {
+      x = {std::min(x.low, time_s), std::max(x.high, time_s)};
+    });
   }
-  return chart;
+  std::vector<picture::LineChart> all;
+  std::size_t n = 0;  // of the curve
+  for (const Strip& strip : strips()) {
+    picture::LineChart& chart = all.emplace_back();
+    chart.x = {.label = tr("time").toStdString(), .unit = "s"};
+    if (x.length() > 0.0) {
+      chart.x.low = x.low;
+      chart.x.high = x.high;
+    }
+    chart.y.unit = unit_of(strip.names.front()).toStdString();
+    chart.y.label = chart.y.unit.empty() ? strip.title.toStdString() : std::string();
+    for (const QString& name : strip.names) {
+      picture::Series& series = chart.series.emplace_back();
+      series.name = title_of(name).toStdString();
+      series.colour = n++;
+      for (const QPointF& point : polygon(name, x, width)) {
+        series.points.push_back({point.x(), point.y()});
+      }
+    }
+  }
+  return all;
 }
 
 Figures PlotsPanel::figures() const {

@@ -48,8 +48,9 @@ class PlotsPanel : public QWidget {
   Figures figures() const;
   /// Draws axes, curves and legend, as on the screen: a strip for each unit.
   void draw(QPainter& painter, const QRectF& area) const;
-  /// The samples of a number as points; where several share a column of pixels, the first, the
-  /// last, the least and the greatest of them. `width` of the span `x` is in px.
+  /// The samples of a number as points, those without a value not finite; where several share a
+  /// column of pixels, the first, the last, the least and the greatest of them. `width` of the span
+  /// `x` is in px.
   QPolygonF polygon(const QString& name, const Span& x, double width) const;
   /// How far apart the samples are; a long run keeps fewer of them.
   QString sampling() const;
@@ -72,9 +73,8 @@ class PlotsPanel : public QWidget {
   };
   std::vector<Strip> strips() const;
   void fit();
-  void draw_strip(QPainter& painter, const QRectF& area, double legend, const Strip& strip,
-                  const Span& x, int& n) const;
-  picture::LineChart chart(const Strip& strip) const;
+  /// A chart for each strip, `width` px wide, all over the same time.
+  std::vector<picture::LineChart> charts(double width) const;
   std::string table() const;
 
   std::set<QString> chosen_;

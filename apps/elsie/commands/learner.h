@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "elsie/api/declaration.h"
 #include "elsie/neural/trainable.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/equipped_robot.h"
@@ -22,27 +22,26 @@ struct LearnerPlace {
   std::string behavior;
 };
 
-/// An option of the command line that replaces a parameter.
-struct LearnerOption {
-  std::string option;  // "--learning-rate"
-  std::string parameter;
-  elsie::ParameterValue value;
-};
-
 /// A coordinator that can be trained, on a robot that is equipped as in a run.
 struct Learner {
-  std::unique_ptr<const world::World> world;  // with the options
+  std::unique_ptr<const world::World> world;
   std::optional<simulation::EquippedRobot> equipped;
   const neural::Trainable* network = nullptr;  // the robot's
   std::string plugin;
   std::string robot;
-  std::string stream;  // path of its random stream in a run
+  std::string path;  // also of its random stream in a run
 };
 
-/// Makes the coordinator at this place, with `options` instead of the world's parameters and
-/// without the world's weights. Throws BadInput when there is none, it does not learn, or an option
-/// is refused; world::WorldError when the world does not fit the robot.
-Learner make_learner(const world::World& world, const plugin::Host& host, const LearnerPlace& place,
-                     const std::vector<LearnerOption>& options);
+/// The edits of the world that give the coordinator at this place these parameters, names with
+/// their values, and take its weights away. Throws BadInput when there is none, or it does not
+/// learn.
+std::vector<std::string> learner_edits(
+    const world::World& world, const plugin::Host& host, const LearnerPlace& place,
+    const std::vector<std::pair<std::string, std::string>>& parameters);
+
+/// Makes the coordinator at this place. Throws like learner_edits(), and world::WorldError when the
+/// world does not fit the robot.
+Learner make_learner(const world::World& world, const plugin::Host& host,
+                     const LearnerPlace& place);
 
 }  // namespace elsie::program

@@ -1,14 +1,10 @@
 // elsie test-plugin: tries plugins on random input and reports their faults.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <sstream>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,6 +18,8 @@
 #include "elsie/plugin/kind_name.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/testing/checker.h"
+#include "elsie/world/values.h"
+#include "elsie/world/vocabulary.h"
 
 #include "arguments.h"
 #include "command.h"
@@ -35,7 +33,6 @@ namespace {
 namespace fs = std::filesystem;
 using elsie::Declaration;
 using elsie::ParameterDeclaration;
-using elsie::ParameterType;
 using elsie::PluginKind;
 using plugin::kPluginKinds;
 using testing::CheckOptions;
@@ -72,44 +69,12 @@ bool is_file(const std::string& name) {
   return name.find('.') != std::string::npos || name.find('/') != std::string::npos;
 }
 
-template <class Number>
-Number number(const std::string& name, const std::string& text) {
-  Number value{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() ||
-      !std::isfinite(static_cast<double>(value))) {
-    throw BadInput("--set " + name + ": expected a " +
-                   (std::is_integral_v<Number> ? "whole number" : "number") + ", found '" + text +
-                   "'");
-  }
-  return value;
-}
-
 elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std::string& text) {
-  switch (parameter.type) {
-    case ParameterType::real:
-      return number<double>(parameter.name, text);
-    case ParameterType::integer:
-      return number<std::int64_t>(parameter.name, text);
-    case ParameterType::boolean:
-      if (text != "true" && text != "false") {
-        throw BadInput("--set " + parameter.name + ": expected true or false, found '" + text +
-                       "'");
-      }
-      return text == "true";
-    case ParameterType::reals: {
-      std::vector<double> values;
-      std::istringstream words(text);
-      for (std::string word; words >> word;) {
-        values.push_back(number<double>(parameter.name, word));
-      }
-      return values;
-    }
-    case ParameterType::text:
-    case ParameterType::file:
-      break;
+  const world::Parsed parsed = world::parse_value(world::field_of(parameter), text);
+  if (!parsed.value) {
+    throw BadInput("--set " + parameter.name + "=" + text + ": " + parsed.problem);
   }
-  return text;
+  return *parsed.value;
 }
 
 /// The settings that are parameters of this plugin; `used` counts them.

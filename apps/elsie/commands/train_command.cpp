@@ -1,7 +1,6 @@
 // elsie train: trains the network of a coordinator and writes its weights.
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -12,15 +11,16 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/base/number_text.h"
 #include "elsie/files/outputs.h"
+#include "elsie/process/text_table.h"
 #include "elsie/world/reader.h"
 
 #include "arguments.h"
 #include "command.h"
 #include "environment.h"
+#include "interrupts.h"
 #include "learner.h"
 #include "learning_curve.h"
 #include "output_files.h"
@@ -38,14 +38,7 @@ struct TrainOptions {
   LearnerPlace place;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> edits;
-  std::optional<std::string> hidden;
-  std::optional<double> learning_rate;
-  std::optional<double> momentum;
-  std::optional<std::string> rule;
-  std::optional<double> threshold;
-  std::optional<std::int64_t> presentations;
-  std::optional<std::int64_t> attempts;
-  std::optional<std::string> training;
+  std::map<std::string, std::string> parameters;  // that replace those of the coordinator
   std::optional<std::string> weights;
   std::optional<std::string> curve;
   bool json = false;
@@ -62,25 +55,6 @@ Examples:
 The network is the one that `elsie run` trains with the same seed. Exit code 1: it is untrained and
 gives the same output for every input; its weights are written nevertheless.
 )";
-
-/// The options that replace parameters of the world.
-std::vector<LearnerOption> learner_options(const TrainOptions& options) {
-  std::vector<LearnerOption> given;
-  const auto take = [&](const char* option, const char* parameter, const auto& value) {
-    if (value) {
-      given.push_back({option, parameter, *value});
-    }
-  };
-  take("--hidden", "hidden", options.hidden);
-  take("--learning-rate", "learning_rate", options.learning_rate);
-  take("--momentum", "momentum", options.momentum);
-  take("--rule", "rule", options.rule);
-  take("--threshold", "threshold", options.threshold);
-  take("--presentations", "presentations", options.presentations);
-  take("--attempts", "attempts", options.attempts);
-  take("--training", "training", options.training);
-  return given;
-}
 
 /// A weight file may be replaced, but no other file that was named by mistake.
 void require_weights(const std::string& file) {
@@ -100,14 +74,7 @@ class TrainingWatcher {
  public:
   enum class Shown { nothing, bar, lines };  // lines of JSON, for a program
 
-  explicit TrainingWatcher(Shown shown) : shown_(shown) {}
-  ~TrainingWatcher() {
-    if (drawn_) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-  TrainingWatcher(const TrainingWatcher&) = delete;
-  TrainingWatcher& operator=(const TrainingWatcher&) = delete;
+  explicit TrainingWatcher(Shown shown) : shown_(shown), bar_(shown == Shown::bar) {}
 
   bool operator()(const neural::TrainingProgress& progress) {
     constexpr auto kRedraw = std::chrono::milliseconds(100);
@@ -121,12 +88,9 @@ class TrainingWatcher {
 
  private:
   void draw(const neural::TrainingProgress& progress) {
-    drawn_ = true;
     const double part =
         static_cast<double>(progress.presentations) / static_cast<double>(progress.of);
-    std::fprintf(stderr, "\r%s  mean error %s\033[K", bar_text(part).c_str(),
-                 rough(progress.error).c_str());
-    std::fflush(stderr);
+    bar_.draw(bar_text(part) + "  mean error " + rough(progress.error));
   }
   static void print(const neural::TrainingProgress& progress) {
     data_out() << nlohmann::ordered_json{{"presentations", progress.presentations},
@@ -137,7 +101,7 @@ class TrainingWatcher {
   }
 
   Shown shown_;
-  bool drawn_ = false;
+  StatusLine bar_;
   std::chrono::steady_clock::time_point last_;
 };
 
@@ -175,18 +139,7 @@ std::string answers(const neural::Lesson& lesson) {
       row.push_back(base::fixed_text(lesson.assessment.answer(s)[k], 4));
     }
   }
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      std::size_t width = 0;
-      for (const auto& other : rows) {
-        width = std::max(width, other[i].size());
-      }
-      text += (i ? "  " : "") + std::string(width - row[i].size(), ' ') + row[i];
-    }
-    text += '\n';
-  }
-  return text;
+  return process::laid_out(rows, 0);
 }
 
 void print(const Report& report, const TrainOptions& options) {
@@ -243,7 +196,7 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   const std::int64_t fixed = learner.network->fixed_seed();
   if (fixed < 0) {
     seed = options.seed.value_or(1);
-    return elsie::Random(seed, learner.stream);
+    return elsie::Random(seed, learner.path);
   }
   if (options.seed) {
     throw BadInput("--seed: the coordinator '" + learner.plugin + "' of the robot '" +
@@ -254,16 +207,21 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
-/// `found` gets the files that the world names.
-world::World read_world(const TrainOptions& options, const plugin::Host& host,
-                        std::map<std::string, std::string>& found) {
+/// The coordinator with the options as its parameters. `found` gets the files that its world names.
+Learner read_learner(const TrainOptions& options, const plugin::Host& host,
+                     std::map<std::string, std::string>& found) {
+  const std::string text =
+      options.from_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : "";
   world::ReadOptions reading = read_options(options.edits, options.seed.value_or(1));
+  const auto read = [&] {
+    return options.from_input ? world::parse_world(text, options.world, host, reading)
+                              : world::read_world(options.world, host, reading);
+  };
+  const std::vector<std::string> edits = learner_edits(
+      read(), host, options.place, {options.parameters.begin(), options.parameters.end()});
+  reading.edits.insert(reading.edits.end(), edits.begin(), edits.end());
   reading.found = &found;
-  if (!options.from_input) {
-    return world::read_world(options.world, host, reading);
-  }
-  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-  return world::parse_world(text, options.world, host, reading);
+  return make_learner(read(), host, options.place);
 }
 
 int train(const TrainOptions& options) {
@@ -286,12 +244,11 @@ int train(const TrainOptions& options) {
   }
   const plugin::Host host = load_plugins(options.plugins);
   std::map<std::string, std::string> found;
-  const world::World world = read_world(options, host, found);
+  const Learner learner = read_learner(options, host, found);
   if (options.curve) {  // --weights may replace the world's, which a training does not use
     files::require_apart({{"--curve", *options.curve}},
                          read_files(options.world, found, options.plugins));
   }
-  const Learner learner = make_learner(world, host, options.place, learner_options(options));
 
   std::uint64_t seed = 0;
   elsie::Random random = stream_of(learner, options, seed);
@@ -299,7 +256,7 @@ int train(const TrainOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   neural::Lesson lesson = [&] {
     using Shown = TrainingWatcher::Shown;
-    const bool has_bar = !options.quiet && !options.json && isatty(STDERR_FILENO) != 0;
+    const bool has_bar = !options.quiet && !options.json;
     TrainingWatcher watcher(options.progress ? Shown::lines
                             : has_bar        ? Shown::bar
                                              : Shown::nothing);
@@ -360,23 +317,22 @@ void add_train_command(CLI::App& program, Job& job) {
       ->type_name("FILE.png|FILE.svg");
   command->add_option("--seed", options->seed, "Seed of the first weights, as of a run (1)")
       ->check(seed_number());
-  command->add_option("--hidden", options->hidden, "Neurons in each hidden layer, such as '4 4'");
-  command->add_option("--learning-rate", options->learning_rate, "Learning rate, in (0, 1)")
+  const auto parameter = [&](const char* option, const char* name, const char* about) {
+    return command->add_option_function<std::string>(
+        option, [options, name](const std::string& value) { options->parameters[name] = value; },
+        about);
+  };
+  parameter("--hidden", "hidden", "Neurons in each hidden layer, such as '4 4'");
+  parameter("--learning-rate", "learning_rate", "Learning rate, in (0, 1)")
       ->check(positive_number());
-  command->add_option("--momentum", options->momentum, "Momentum, in (0, 1)")
-      ->check(positive_number());
-  command->add_option("--rule", options->rule, "How it learns: 'standard' or 'original'")
-      ->type_name("RULE");
-  command->add_option("--threshold", options->threshold, "Mean error that is good enough");
-  command
-      ->add_option("--presentations", options->presentations,
-                   "Largest number of presentations of samples")
+  parameter("--momentum", "momentum", "Momentum, in (0, 1)")->check(positive_number());
+  parameter("--rule", "rule", "How it learns: 'standard' or 'original'")->type_name("RULE");
+  parameter("--threshold", "threshold", "Mean error that is good enough");
+  parameter("--presentations", "presentations", "Largest number of presentations of samples")
       ->check(whole_number());
-  command
-      ->add_option("--attempts", options->attempts,
-                   "How often training may restart after it missed a sample")
+  parameter("--attempts", "attempts", "How often training may restart after it missed a sample")
       ->check(whole_number());
-  command->add_option("--training", options->training, "File of samples")->type_name("FILE");
+  parameter("--training", "training", "File of samples")->type_name("FILE");
   command
       ->add_option("--set", options->edits,
                    "Change an attribute of the world first, as with elsie run; may be repeated")

@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/batch/batch.h"
 #include "elsie/cluster/shard_folder.h"
@@ -21,8 +20,8 @@
 #include "batch_options.h"
 #include "batch_report.h"
 #include "command.h"
+#include "interrupts.h"
 #include "output_files.h"
-#include "stop_signals.h"
 #include "streams.h"
 
 namespace elsie::program {
@@ -138,10 +137,10 @@ int run(BatchOptions options) {
                    "' already; continue it with --resume, or choose another --database");
   }
   Plan plan = plan_of(options, shard);
-  const StopSignals signals;  // before anything is created
+  const InterruptGuard interrupt;  // before anything is created
   const bool is_new = results::is_vacant(file);
   std::optional<ResultsDatabase> made(opened(options, file, std::move(plan)));
-  if (is_new && signals.is_waiting()) {
+  if (is_new && InterruptGuard::is_interrupted()) {
     made.reset();
     fs::remove(fs::weakly_canonical(file));
     err() << "elsie: interrupted; nothing was begun\n";
@@ -153,8 +152,7 @@ int run(BatchOptions options) {
   if (database.pending().empty() && options.resume) {
     report.all_done_already();
   } else {
-    const bool bar = !options.quiet && !options.json && isatty(STDERR_FILENO);
-    report.begin(bar);
+    report.begin(!options.quiet && !options.json);
     std::vector<std::string> worker_template;
     if (!options.fresh_processes) {
       worker_template = {"/proc/self/exe", kTemplateCommand};
@@ -166,7 +164,7 @@ int run(BatchOptions options) {
            .template_command = worker_template,
            .workers =
                options.workers.value_or(std::max<std::size_t>(processors() / options.threads, 1)),
-           .stop_descriptor = signals.descriptor(),
+           .stop_descriptor = interrupt.descriptor(),
            .note = [](const std::string& text) { spdlog::info(text); }},
           options.threads, [&](const batch::Progress& progress) {
             report.progress(progress);

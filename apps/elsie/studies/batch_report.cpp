@@ -16,7 +16,6 @@
 
 #include "command.h"
 #include "progress.h"
-#include "status_line.h"
 
 namespace elsie::program {
 
@@ -117,21 +116,18 @@ BatchReport::BatchReport(const batch::Plan& plan, batch::ResultsDatabase& databa
                          std::string resume)
     : plan_(plan), database_(database), resume_(std::move(resume)) {}
 
-void BatchReport::begin(bool bar) { bar_ = bar; }
+void BatchReport::begin(bool bar) { bar_.emplace(bar); }
 
 void BatchReport::progress(const batch::Progress& progress) {
   last_ = progress;
-  if (!bar_ || progress.runs == 0) {
-    return;
+  if (bar_ && progress.runs > 0) {
+    bar_->draw(progress_line(progress));
   }
-  draw_status(progress_line(progress));
 }
 
 void BatchReport::end(bool interrupted) {
   interrupted_ = interrupted;
-  if (bar_) {
-    wipe_status();
-  }
+  bar_.reset();
 }
 
 std::set<std::string> BatchReport::without_goals() const {

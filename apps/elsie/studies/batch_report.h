@@ -1,10 +1,13 @@
 // The output of `elsie batch` during its work and at the end.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
 #include "elsie/batch/batch.h"
+
+#include "status_line.h"
 
 namespace elsie::program {
 
@@ -41,7 +44,7 @@ class BatchReport {
   batch::ResultsDatabase& database_;
   std::string resume_;
   bool done_already_ = false;
-  bool bar_ = false;
+  std::optional<StatusLine> bar_;
   bool interrupted_ = false;
   batch::Progress last_;
 };

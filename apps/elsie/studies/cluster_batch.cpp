@@ -9,7 +9,6 @@
 
 #include <poll.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/base/words.h"
 #include "elsie/batch/results_database.h"
@@ -19,8 +18,8 @@
 #include "batch_options.h"
 #include "batch_report.h"
 #include "command.h"
+#include "interrupts.h"
 #include "status_line.h"
-#include "stop_signals.h"
 #include "streams.h"
 
 namespace elsie::program {
@@ -103,7 +102,11 @@ std::vector<std::size_t> numbers(const std::vector<Task>& tasks) {
 class ClusterBatch {
  public:
   ClusterBatch(const BatchOptions& options, fs::path file, const Plan& plan, ShardFolder folder)
-      : options_(options), file_(std::move(file)), plan_(plan), folder_(std::move(folder)) {}
+      : options_(options),
+        file_(std::move(file)),
+        plan_(plan),
+        folder_(std::move(folder)),
+        bar_(!options.quiet && !options.json) {}
 
   /// Submits the shards with pending runs that no task has.
   void submit() {
@@ -149,7 +152,7 @@ class ClusterBatch {
   /// Waits until no task is left. False if this command was stopped first; the tasks continue.
   bool follow() {
     using Clock = std::chrono::steady_clock;
-    const StopSignals signals;
+    const InterruptGuard interrupt;
     const auto begun = Clock::now();
     const std::int64_t ended_before = folder_.count().ended;
     auto answered = begun;
@@ -161,19 +164,19 @@ class ClusterBatch {
         answered = Clock::now();
       } catch (const cluster::ClusterSilent&) {
         if (std::chrono::duration<double>(Clock::now() - answered).count() > kSilenceLimit_s) {
-          wipe();
+          wipe_status();
           throw;
         }
       }
       elapsed_s_ = std::chrono::duration<double>(Clock::now() - begun).count();
       if (tasks && tasks->empty()) {
-        wipe();
+        wipe_status();
         return true;
       }
       show(tasks, ended_before);
-      pollfd stop{.fd = signals.descriptor(), .events = POLLIN, .revents = 0};
+      pollfd stop{.fd = interrupt.descriptor(), .events = POLLIN, .revents = 0};
       if (poll(&stop, 1, static_cast<int>(1000.0 * pause)) > 0) {
-        wipe();
+        wipe_status();
         return false;
       }
       pause = std::min(kLongestPause_s, pause * kPauseGrowth);
@@ -228,10 +231,8 @@ class ClusterBatch {
     }
   }
 
-  bool has_bar() const { return !options_.quiet && !options_.json && isatty(STDERR_FILENO) != 0; }
-
-  void show(const std::optional<std::vector<Task>>& tasks, std::int64_t ended_before) const {
-    if (!has_bar()) {
+  void show(const std::optional<std::vector<Task>>& tasks, std::int64_t ended_before) {
+    if (!bar_.is_shown()) {
       return;
     }
     std::string note = ", Slurm does not answer";
@@ -247,23 +248,18 @@ class ClusterBatch {
       }
     }
     const cluster::Count count = folder_.count();
-    draw_status(progress_line({.runs = count.runs - ended_before,
-                               .ended = count.ended - ended_before,
-                               .failed = count.failed,
-                               .elapsed_s = elapsed_s_}) +
-                note);
-  }
-
-  void wipe() const {
-    if (has_bar()) {
-      wipe_status();
-    }
+    bar_.draw(progress_line({.runs = count.runs - ended_before,
+                             .ended = count.ended - ended_before,
+                             .failed = count.failed,
+                             .elapsed_s = elapsed_s_}) +
+              note);
   }
 
   const BatchOptions& options_;
   const fs::path file_;
   const Plan& plan_;
   ShardFolder folder_;
+  StatusLine bar_;
   bool asked_ = false;  // Slurm was asked to take tasks
   double elapsed_s_ = 0.0;
 };

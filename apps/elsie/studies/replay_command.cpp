@@ -19,9 +19,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "make_views.h"
-#include "replay_recording.h"
-#include "replay_run.h"
-#include "replay_runs.h"
+#include "replay.h"
 
 namespace elsie::program {
 
@@ -50,19 +48,6 @@ failed in another way than before, or the run crashed or hung; 4 anything else. 
 // Help groups the options for one kind of file under these words.
 constexpr const char* kForRecordings = "For recordings";
 constexpr const char* kForRuns = "For runs of databases";
-
-struct ReplayOptions {
-  std::string file;
-  std::optional<std::int64_t> run;
-  std::optional<std::string> where;
-  bool table = false;
-  std::optional<std::size_t> workers;
-  std::optional<std::string> picture;
-  int width = 1000;
-  std::optional<std::string> world;
-  std::optional<double> at;
-  RunAgainOptions again;
-};
 
 /// https://www.sqlite.org/fileformat.html, "The Database Header"
 bool may_be_database(const std::filesystem::path& file) {
@@ -114,31 +99,21 @@ int replay_matching(const CLI::App& command, const ReplayOptions& options) {
     throw BadInput("--where chooses runs, and a number names one; expected one of the two");
   }
   refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
-  if (options.picture || options.world || options.again.json) {
-    throw BadInput(std::string(options.picture ? "--picture"
-                               : options.world ? "--world"
-                                               : "--json") +
+  if (options.views.picture || options.world || options.json) {
+    throw BadInput(std::string(options.views.picture ? "--picture"
+                               : options.world       ? "--world"
+                                                     : "--json") +
                    " is for one run; expected its number instead of --where");
   }
-  return replay_runs({.plugins = options.again.plugins,
-                      .database = options.file,
-                      .where = *options.where,
-                      .record = options.again.views.record,
-                      .table = options.table,
-                      .workers = options.workers,
-                      .wall_limit_s = options.again.wall_limit_s,
-                      .quiet = options.again.quiet});
+  return replay_runs(options);
 }
 
 int replay(const CLI::App& command, const ReplayOptions& options) {
   require_content(options.file);
-  const RecordingOptions recording{options.file,         options.picture, options.world,
-                                   options.at,           options.width,   options.again.json,
-                                   options.again.plugins};
   if (mcap::may_be_mcap(options.file)) {
     refuse(command, kForRuns,
            "'" + options.file + "' is a recording of one run, in which nothing is run again");
-    return replay_recording(recording);
+    return replay_recording(options);
   }
   const bool database = may_be_database(options.file);
   if (options.where) {
@@ -158,16 +133,10 @@ int replay(const CLI::App& command, const ReplayOptions& options) {
                      "' is neither a recording, as `elsie run --record FILE.mcap` writes it, nor a "
                      "database that `elsie batch` has written");
     }
-    return replay_recording(recording);
+    return replay_recording(options);
   }
   refuse(command, kForRecordings, "only a recording can be drawn as it was at another time");
-  RunAgainOptions again = options.again;
-  again.database = options.file;
-  again.run = *options.run;
-  again.world = options.world;
-  again.views.picture = options.picture;
-  again.views.picture_width = options.width;
-  return replay_run(again);
+  return replay_run(options);
 }
 
 }  // namespace
@@ -188,11 +157,11 @@ void add_replay_command(CLI::App& program, Job& job) {
       ->check(whole_number())
       ->group(kForRuns);
   CLI::Option* picture = command
-                             ->add_option("--picture", options->picture,
+                             ->add_option("--picture", options->views.picture,
                                           "Draw the world with the robots' trajectories at the end "
                                           "of the run; for a recording, from its contents only")
                              ->type_name("FILE.png|FILE.svg");
-  command->add_option("--width", options->width, "Width of the picture in pixels")
+  command->add_option("--width", options->views.picture_width, "Width of the picture in pixels")
       ->needs(picture)
       ->check(whole_number(200, 8000))
       ->capture_default_str();
@@ -208,10 +177,9 @@ void add_replay_command(CLI::App& program, Job& job) {
                    "received under <changes>: `elsie run` then repeats the run. With this option a "
                    "run of a database is not repeated")
       ->type_name("FILE.xml");
-  RunAgainOptions& again = options->again;
-  command->add_flag("--json", again.json,
+  command->add_flag("--json", options->json,
                     "Print what a recording has, or the seed and the command of --world, as JSON");
-  again.plugins.add_to(*command);
+  options->plugins.add_to(*command);
   const auto before = command->get_options().size();
   command
       ->add_option("--where", options->where,
@@ -226,16 +194,16 @@ void add_replay_command(CLI::App& program, Job& job) {
       ->add_option("--workers", options->workers,
                    "With --where: runs at the same time; default: one for each processor")
       ->check(whole_number(1, 1024));
-  again.views.record.add_to(*command);
+  options->views.record.add_to(*command);
   describe_formats(*command);
   command
       ->add_option(
-          "--wall-limit", again.wall_limit_s,
+          "--wall-limit", options->wall_limit_s,
           "Seconds on the clock, once plugins are loaded, after which the run is ended; 0: "
           "never. Default: the batch's limit for a run that met it, else never")
       ->check(non_negative_number())
       ->type_name("SECONDS");
-  command->add_flag("--quiet", again.quiet,
+  command->add_flag("--quiet", options->quiet,
                     "Print nothing but errors and whether the result is the same");
   const auto all = command->get_options();
   for (std::size_t i = before; i < all.size(); ++i) {

@@ -1,5 +1,3 @@
-#include "replay_recording.h"
-
 #include <iostream>
 #include <optional>
 #include <string>
@@ -17,6 +15,7 @@
 #include "command.h"
 #include "environment.h"
 #include "output_files.h"
+#include "replay.h"
 #include "run_report.h"
 #include "start_world.h"
 #include "streams.h"
@@ -28,10 +27,10 @@ namespace {
 using files::one_line;
 using recording::RecordedRun;
 
-RecordedRun read(const RecordingOptions& options) {
+RecordedRun read(const ReplayOptions& options) {
   try {
-    return options.at ? recording::read_recorded_run(options.recording, *options.at)
-                      : recording::read_recorded_run(options.recording);
+    return options.at ? recording::read_recorded_run(options.file, *options.at)
+                      : recording::read_recorded_run(options.file);
   } catch (const mcap::McapError& error) {
     throw BadInput(error.what());
   }
@@ -85,14 +84,14 @@ std::string report(const RecordedRun& run) {
   return out + '\n' + process::laid_out(rows, kTextColumns);
 }
 
-void draw(const RecordedRun& run, const RecordingOptions& options) {
+void draw(const RecordedRun& run, const ReplayOptions& options) {
   if (run.world_xml.empty() && run.messages == 0 && !run.missing_end.empty()) {
-    throw BadInput("--picture: '" + options.recording +
+    throw BadInput("--picture: '" + options.file +
                    "' breaks off before its first second was written, with the world and the "
                    "robots' places: there is nothing to draw");
   }
   if (!run.of_elsie || run.world_xml.empty()) {
-    throw BadInput("--picture: there is no world in '" + options.recording +
+    throw BadInput("--picture: there is no world in '" + options.file +
                    "'; expected a recording that `elsie run --record FILE.mcap` made");
   }
   constexpr double kHair = 1e-9;  // s
@@ -104,7 +103,8 @@ void draw(const RecordedRun& run, const RecordingOptions& options) {
       seed_of(run) + ")";
   const bool has_drives = run.world_xml.find("<drive>") != std::string::npos;
   const plugin::Host drives = has_drives ? load_plugins(options.plugins) : plugin::Host();
-  recording::save_picture(run, drives, {line}, *options.picture, {options.width, 0});
+  recording::save_picture(run, drives, {line}, *options.views.picture,
+                          {options.views.picture_width, 0});
 }
 
 /// The contents of the recording, and the command that repeats the run if its world was written.
@@ -139,7 +139,7 @@ std::string json(const RecordedRun& run, const std::optional<StartWorld>& writte
   return object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-StartWorld write_world(const RecordedRun& run, const RecordingOptions& options) {
+StartWorld write_world(const RecordedRun& run, const ReplayOptions& options) {
   if (run.start_xml.empty()) {
     throw BadInput("--world: there is no world in the recording");
   }
@@ -150,16 +150,16 @@ StartWorld write_world(const RecordedRun& run, const RecordingOptions& options) 
 
 }  // namespace
 
-int replay_recording(const RecordingOptions& options) {
-  if (options.picture) {
-    files::require_apart({{"--picture", *options.picture}}, {options.recording});
-    require_picture(*options.picture, "--picture");
+int replay_recording(const ReplayOptions& options) {
+  if (options.views.picture) {
+    files::require_apart({{"--picture", *options.views.picture}}, {options.file});
+    require_picture(*options.views.picture, "--picture");
   }
   if (options.world) {
     require_new_world(*options.world);
   }
   const RecordedRun run = read(options);
-  if (options.picture) {
+  if (options.views.picture) {
     draw(run, options);
   }
   std::optional<StartWorld> written;

@@ -1,5 +1,3 @@
-#include "replay_run.h"
-
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "elsie/batch/results_database.h"
 #include "elsie/render/world_cameras.h"
@@ -18,13 +15,14 @@
 
 #include "command.h"
 #include "make_views.h"
-#include "progress.h"
+#include "replay.h"
 #include "restored_run.h"
 #include "run_report.h"
 #include "same_run.h"
 #include "start_world.h"
 #include "streams.h"
 #include "wall_limit.h"
+#include "watchers.h"
 
 namespace elsie::program {
 
@@ -36,46 +34,20 @@ using simulation::Simulation;
 
 namespace {
 
-StoredRun stored_run(const RunAgainOptions& options) {
-  auto database = batch::ResultsDatabase::open(options.database);
-  auto run = database.run(options.run);
+StoredRun stored_run(const ReplayOptions& options) {
+  auto database = batch::ResultsDatabase::open(options.file);
+  auto run = database.run(*options.run);
   if (!run) {
-    throw BadInput(database.why_no_run(options.run));
+    throw BadInput(database.why_no_run(*options.run));
   }
   if (run->record.state == RunState::pending) {
-    throw BadInput("run " + std::to_string(options.run) + " of '" + options.database +
+    throw BadInput("run " + std::to_string(*options.run) + " of '" + options.file +
                    "' is still to be done; do it with `elsie batch --resume`");
   }
   return *std::move(run);
 }
 
-/// All observers of the run.
-class Watchers {
- public:
-  Watchers(const RunAgainOptions& options, std::unique_ptr<RunViews> views, WallLimit& limit)
-      : views_(std::move(views)), all_(views_->observers().begin(), views_->observers().end()) {
-    if (!options.quiet && isatty(STDERR_FILENO)) {
-      all_.push_back(&progress_.emplace());
-    }
-    all_.push_back(&interrupt_);
-    all_.push_back(&limit);
-  }
-  Watchers(const Watchers&) = delete;
-  Watchers& operator=(const Watchers&) = delete;
-
-  std::span<simulation::Observer* const> all() const { return all_; }
-  void draw(const Simulation& simulation, const std::string& line) const {
-    views_->draw(simulation, line);
-  }
-
- private:
-  std::unique_ptr<RunViews> views_;
-  std::vector<simulation::Observer*> all_;
-  std::optional<ProgressBar> progress_;
-  InterruptGuard interrupt_;
-};
-
-void tell_of(const StoredRun& run, const RunAgainOptions& options) {
+void tell_of(const StoredRun& run, const ReplayOptions& options) {
   if (options.quiet) {
     return;
   }
@@ -113,7 +85,7 @@ bool is_as_before(const StoredRun& run, const PluginFault& fault) {
 }
 
 /// The wall limit of the replay, s; 0: none. A run that hung has that of its batch.
-double wall_limit_of(const StoredRun& run, const RunAgainOptions& options) {
+double wall_limit_of(const StoredRun& run, const ReplayOptions& options) {
   return options.wall_limit_s.value_or(run.record.state == RunState::hang ? run.wall_limit_s : 0.0);
 }
 
@@ -127,7 +99,7 @@ void tell_of_limit(const StoredRun& run, const WallLimit& limit) {
 }
 
 /// Writes the world of the run. Data files that have changed since are written next to it.
-int write_world(const StoredRun& run, const RunAgainOptions& options) {
+int write_world(const StoredRun& run, const ReplayOptions& options) {
   require_new_world(*options.world);
   const std::filesystem::path beside = std::filesystem::path(*options.world).replace_extension() +=
       "-files";
@@ -152,7 +124,7 @@ int write_world(const StoredRun& run, const RunAgainOptions& options) {
 
 }  // namespace
 
-int replay_run(const RunAgainOptions& options) {
+int replay_run(const ReplayOptions& options) {
   if (options.json && !options.world) {
     throw BadInput(
         "--json: for a run of a database, it needs --world; `elsie report --json` "
@@ -179,8 +151,9 @@ int replay_run(const RunAgainOptions& options) {
                          .data_directories = data_directories(),
                          .files = restored.files(),
                          .cameras = render::world_cameras});
-  views->open(simulation, read_files(options.database, restored.files(), options.plugins));
-  const Watchers watchers(options, std::move(views), limit);
+  views->open(simulation, read_files(options.file, restored.files(), options.plugins));
+  simulation::Observer* const limits[] = {&limit};
+  const Watchers watchers(std::move(views), !options.quiet, limits);
   const auto draw_as = [&](const std::string& line) { watchers.draw(simulation, line); };
   try {
     const RunResult result = simulation.run(watchers.all());

@@ -1,5 +1,3 @@
-#include "replay_runs.h"
-
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -22,7 +20,8 @@
 
 #include "batch_options.h"
 #include "command.h"
-#include "stop_signals.h"
+#include "interrupts.h"
+#include "replay.h"
 #include "streams.h"
 
 namespace elsie::program {
@@ -120,10 +119,10 @@ void make_folder(const fs::path& folder) {
   }
 }
 
-std::vector<Repeated> repeated(const Results& results, const RunsAgainOptions& options) {
+std::vector<Repeated> repeated(const Results& results, const ReplayOptions& options) {
   std::vector<Repeated> all;
   std::set<std::string> names;
-  for (const Run* const run : Choice(results).matching(options.where)) {
+  for (const Run* const run : Choice(results).matching(*options.where)) {
     if (!run->ended()) {
       continue;
     }
@@ -138,7 +137,7 @@ std::vector<Repeated> repeated(const Results& results, const RunsAgainOptions& o
       file += "_run-" + std::to_string(run->id);
       names.insert(file);
     }
-    for (const std::string& folder : options.record.files) {
+    for (const std::string& folder : options.views.record.files) {
       one.recordings.push_back(fs::path(folder) / (file + ".mcap"));
       if (options.table) {
         one.recordings.push_back(fs::path(folder) / (file + ".csv"));
@@ -146,14 +145,14 @@ std::vector<Repeated> repeated(const Results& results, const RunsAgainOptions& o
     }
   }
   if (all.empty()) {
-    throw BadInput("--where: no run of '" + options.database + "' that has ended matches all of '" +
-                   options.where + "'");
+    throw BadInput("--where: no run of '" + options.file + "' that has ended matches all of '" +
+                   *options.where + "'");
   }
   return all;
 }
 
-std::vector<std::string> command_for(const Repeated& one, const RunsAgainOptions& options) {
-  std::vector<std::string> words{program_path(), "replay", options.database,
+std::vector<std::string> command_for(const Repeated& one, const ReplayOptions& options) {
+  std::vector<std::string> words{program_path(), "replay", options.file,
                                  std::to_string(one.run->id), "--quiet"};
   const std::vector<std::string> plugins = options.plugins.words();
   words.insert(words.end(), plugins.begin(), plugins.end());
@@ -161,14 +160,14 @@ std::vector<std::string> command_for(const Repeated& one, const RunsAgainOptions
     words.insert(words.end(), {"--record", recording.string()});
   }
   if (!one.recordings.empty()) {
-    words.insert(words.end(), {"--record-rate", base::number_text(options.record.rate_hz)});
-    if (options.record.times) {
+    words.insert(words.end(), {"--record-rate", base::number_text(options.views.record.rate_hz)});
+    if (options.views.record.times) {
       words.emplace_back("--record-times");
     }
-    if (options.record.images) {
+    if (options.views.record.images) {
       words.emplace_back("--record-images");
     }
-    for (const std::string& robot : options.record.robots) {
+    for (const std::string& robot : options.views.record.robots) {
       words.insert(words.end(), {"--record-robots", robot});
     }
   }
@@ -205,8 +204,8 @@ std::string verdict_in(const std::string& output) {
 bool ended_the_same(const Repeated& one) { return one.verdict.starts_with("the same: "); }
 
 /// Returns false when it was interrupted.
-bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
-  const StopSignals signals;
+bool repeat(std::vector<Repeated>& all, const ReplayOptions& options) {
+  const InterruptGuard interrupt;
   std::stop_source stop;
   std::atomic<std::size_t> next{0}, ended{0};
   std::mutex printing;
@@ -233,7 +232,7 @@ bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
       threads.emplace_back(work);
     }
     while (ended < all.size() && !stop.stop_requested()) {
-      pollfd signal{.fd = signals.descriptor(), .events = POLLIN, .revents = 0};
+      pollfd signal{.fd = interrupt.descriptor(), .events = POLLIN, .revents = 0};
       if (poll(&signal, 1, kPause_ms) > 0) {
         stop.request_stop();
       }
@@ -244,17 +243,17 @@ bool repeat(std::vector<Repeated>& all, const RunsAgainOptions& options) {
 
 }  // namespace
 
-int replay_runs(const RunsAgainOptions& options) {
-  if (options.record.files.size() > 1) {
+int replay_runs(const ReplayOptions& options) {
+  if (options.views.record.files.size() > 1) {
     throw BadInput("--record: expected one folder for the recordings of --where");
   }
-  if (options.table && options.record.files.empty()) {
+  if (options.table && options.views.record.files.empty()) {
     throw BadInput("--table writes tables next to recordings; expected --record FOLDER, too");
   }
-  const report::ResultsFile file(options.database);
+  const report::ResultsFile file(options.file);
   const Results results = file.results();
   std::vector<Repeated> all = repeated(results, options);
-  for (const std::string& folder : options.record.files) {
+  for (const std::string& folder : options.views.record.files) {
     make_folder(folder);
   }
   if (!repeat(all, options)) {
@@ -269,7 +268,9 @@ int replay_runs(const RunsAgainOptions& options) {
     }
   }
   out() << same << " of " << base::counted(all.size(), "run is", "runs are") << " the same"
-        << (options.record.files.empty() ? "" : "; recordings: " + options.record.files.front())
+        << (options.views.record.files.empty()
+                ? ""
+                : "; recordings: " + options.views.record.files.front())
         << '\n';
   return exit_code;
 }

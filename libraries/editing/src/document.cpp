@@ -66,21 +66,6 @@ bool says(const Element& found, const Element& wanted) {
                     wanted.children.end(), says);
 }
 
-// What leads from the one text back to the other: the single piece in which they differ.
-Undo difference(const std::string& from, const std::string& to) {
-  const std::size_t most = std::min(from.size(), to.size());
-  std::size_t begin = 0;
-  while (begin < most && from[begin] == to[begin]) {
-    ++begin;
-  }
-  std::size_t end = 0;
-  while (end < most - begin && from[from.size() - 1 - end] == to[to.size() - 1 - end]) {
-    ++end;
-  }
-  return {std::hash<std::string>()(to), begin, to.size() - end,
-          from.substr(begin, from.size() - begin - end)};
-}
-
 }  // namespace
 
 struct Document::State {
@@ -105,14 +90,8 @@ class Document::Impl {
     now_ = with_world(read(std::move(text)));
   }
 
-  Undo apply(const std::vector<std::string>& edits, Names names);
-  Undo become(std::string text) { return take(with_world(read(std::move(text)))); }
-  Undo undo(const Undo& change) {
-    if (change.hash != std::hash<std::string>()(now_.text)) {
-      throw WorldError({{file_, 0, "this edit can be undone only in the text that it has made"}});
-    }
-    return become(spliced(now_.text, {{change.begin, change.end, change.text}}));
-  }
+  void apply(const std::vector<std::string>& edits, Names names);
+  void become(std::string text) { now_ = with_world(read(std::move(text))); }
 
   std::string text_for(const std::string& folder) const;
 
@@ -154,11 +133,6 @@ class Document::Impl {
     state.world = world_of(state.trees.merged);
     return state;
   }
-  Undo take(State next) {
-    Undo undo = difference(now_.text, next.text);
-    now_ = std::move(next);
-    return undo;
-  }
 
   /// The field of the attribute at the end of a path; none if this world has no such attribute.
   std::optional<Field> field_at(const std::string& path) const {
@@ -184,14 +158,14 @@ class Document::Impl {
 };
 
 // The world is checked only after the last edit.
-Undo Document::Impl::apply(const std::vector<std::string>& edits, Names names) {
+void Document::Impl::apply(const std::vector<std::string>& edits, Names names) {
   State next = now_;
   Element wanted;  // the tree after the last edit
   for (const std::string& edit : edits) {
     next = edited(next, edit, names, wanted);
   }
   try {
-    return take(with_world(std::move(next)));
+    now_ = with_world(std::move(next));
   } catch (const WorldError&) {
     if (edits.size() == 1) {  // with the edit as the place of its mistakes
       Problems problems;
@@ -259,11 +233,10 @@ const std::string& Document::text() const { return impl_->text(); }
 const World& Document::world() const { return impl_->world(); }
 const Element& Document::tree() const { return impl_->tree(); }
 const Element* Document::written(const Element& element) const { return impl_->written(element); }
-Undo Document::apply(const std::vector<std::string>& edits, Names names) {
-  return impl_->apply(edits, names);
+void Document::apply(const std::vector<std::string>& edits, Names names) {
+  impl_->apply(edits, names);
 }
-Undo Document::become(std::string text) { return impl_->become(std::move(text)); }
-Undo Document::undo(const Undo& change) { return impl_->undo(change); }
+void Document::become(std::string text) { impl_->become(std::move(text)); }
 std::string Document::text_for(const std::string& folder) const { return impl_->text_for(folder); }
 
 // Replaces names of files, so that they lead to the same files from the other folder.

@@ -1,10 +1,6 @@
 #include "described.h"
 
-#include "elsie/base/thrown.h"
 #include "elsie/reference/json.h"
-#include "elsie/simulation/equipped_robot.h"
-#include "elsie/simulation/measures.h"
-#include "elsie/world/error.h"
 #include "elsie/world/warnings.h"
 
 namespace elsie::server {
@@ -68,31 +64,6 @@ Json catalog_json(const plugin::Host& host) {
   return {{"elements", reference::world_json()},
           {"plugins", reference::plugins_json(host)["plugins"]},
           {"events", reference::events_json(host)}};
-}
-
-Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const world::ReadOptions& options) {
-  std::vector<base::Problem> problems;
-  Json warnings = Json::array();
-  const auto attempt = [&](const auto& check) {
-    try {
-      check();
-    } catch (const base::FileError& error) {
-      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
-    } catch (...) {  // a plugin failed
-      problems.push_back({file, 0, base::what_was_thrown()});
-    }
-  };
-  attempt([&] {
-    const world::World world = world::parse_world(text, file, host, options);
-    // Checks that plugins fit, but does not prepare them for a run: networks are not trained.
-    for (std::size_t i = 0; i < world.robots.size(); ++i) {
-      attempt([&] { const simulation::EquippedRobot robot(world, i, host); });
-    }
-    attempt([&] { simulation::measure_names(world, host); });
-    warnings = warnings_json(world);
-  });
-  return {{"problems", problems_json(problems)}, {"warnings", std::move(warnings)}};
 }
 
 }  // namespace elsie::server

@@ -27,8 +27,4 @@ Json tree_json(const editing::Document& document);
 /// The vocabulary of worlds, all plugins and all events.
 Json catalog_json(const plugin::Host& host);
 
-/// The errors and warnings of `elsie check` for a text.
-Json check_json(const std::string& text, const std::string& file, const plugin::Host& host,
-                const world::ReadOptions& options);
-
 }  // namespace elsie::server

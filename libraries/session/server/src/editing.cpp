@@ -76,7 +76,6 @@ void Server::Impl::open(const Json& message, Json& answer) {
   }();
   auto simulation = simulation_of(document.world(), seed, host());
   document_ = std::move(document);
-  undos_.clear();
   seed_ = seed;
   begin(std::move(simulation));
   describe(answer);
@@ -86,21 +85,13 @@ void Server::Impl::edit(const Json& message, Json& answer) {
   const auto edits = message.at("edits").get<std::vector<std::string>>();
   // Objects of a run that is under way keep their names.
   const auto names = phase_ == Phase::under_way ? editing::Names::all : editing::Names::used;
-  change([&] { return document_->apply(edits, names); }, edits, answer);
+  change([&] { document_->apply(edits, names); }, edits, answer);
 }
 
 void Server::Impl::become(const Json& message, Json& answer) {
   const std::string text =
       from_elsewhere(message.at("text").get<std::string>(), message.value("file", std::string()));
-  change([&] { return document_->become(text); }, {}, answer);
-}
-
-void Server::Impl::undo(const Json& message, Json& answer) {
-  const auto kept = undos_.find(whole_number(message, "edit", 0));  // the first edit is 1
-  if (kept == undos_.end()) {
-    throw base::BadInput("there is no such edit");
-  }
-  change([&] { return document_->undo(kept->second); }, {}, answer);
+  change([&] { document_->become(text); }, {}, answer);
 }
 
 void Server::Impl::text_for(const Json& message, Json& answer) {
@@ -114,14 +105,11 @@ void Server::Impl::move(const Json& message, Json& answer) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const std::string before = document_->text(), begun = repetition_.text();
   const std::string old_file = document_->file();
-  const std::string text = message.contains("text") ? message.at("text").get<std::string>()
-                                                    : document_->text_for(folder);
-  editing::Document moved(text, file, host(), reading(seed_));
+  editing::Document moved(document_->text_for(folder), file, host(), reading(seed_));
   const std::string begun_there =
       begun == before ? moved.text() : adapted(begun, old_file, folder_of(file));
   document_ = std::move(moved);
   repetition_.move(file, begun_there);
-  undos_.clear();  // they contain names of files as in the old text
   describe(answer);
 }
 
@@ -136,23 +124,19 @@ std::string Server::Impl::adapted(const std::string& text, const std::string& fi
              : editing::Document(text, file, host(), reading(seed_)).text_for(folder.string());
 }
 
-void Server::Impl::check(const Json& message, Json& answer) {
-  const std::string file = message.value("file", document_ ? document_->file() : "");
-  answer.update(check_json(message.at("text").get<std::string>(), file, host(), reading(seed_)));
-}
-
 void Server::Impl::ping(const Json&, Json&) {}
 
 void Server::Impl::catalog(const Json&, Json& answer) { answer.update(catalog_json(host())); }
 
-void Server::Impl::change(const std::function<editing::Undo()>& make,
-                          const std::vector<std::string>& edits, Json& answer) {
+void Server::Impl::change(const std::function<void()>& make, const std::vector<std::string>& edits,
+                          Json& answer) {
+  const std::string text_before = document_->text();
   std::optional<world::World> before, before_there;
   if (phase_ == Phase::under_way) {
     before = document_->world();
     before_there = world_of_run();
   }
-  const editing::Undo undo = make();
+  make();
   try {
     if (phase_ != Phase::under_way) {
       restart(seed_);
@@ -163,11 +147,9 @@ void Server::Impl::change(const std::function<editing::Undo()>& make,
                  made);
     }
   } catch (...) {
-    document_->undo(undo);
+    document_->become(text_before);
     throw;
   }
-  answer["undo"] = ++last_undo_;
-  undos_.emplace(last_undo_, undo);
   describe(answer);
 }
 

@@ -30,9 +30,8 @@ void Server::Impl::serve() {
 const std::map<std::string, Server::Impl::KnownOrder>& Server::Impl::orders() {
   static const std::map<std::string, KnownOrder> known{
       {"open", {&Impl::open, false}},   {"catalog", {&Impl::catalog, false}},
-      {"check", {&Impl::check, false}}, {"watch", {&Impl::watch, false}},
-      {"pause", {&Impl::pause, false}}, {"edit", {&Impl::edit}},
-      {"become", {&Impl::become}},      {"undo", {&Impl::undo}},
+      {"watch", {&Impl::watch, false}}, {"pause", {&Impl::pause, false}},
+      {"edit", {&Impl::edit}},          {"become", {&Impl::become}},
       {"text_for", {&Impl::text_for}},  {"move", {&Impl::move}},
       {"ping", {&Impl::ping, false}},   {"run", {&Impl::start}},
       {"step", {&Impl::step}},          {"speed", {&Impl::set_speed}},

@@ -67,10 +67,8 @@ class Server::Impl {
   void open(const Json& message, Json& answer);
   void edit(const Json& message, Json& answer);
   void become(const Json& message, Json& answer);
-  void undo(const Json& message, Json& answer);
   void text_for(const Json& message, Json& answer);
   void move(const Json& message, Json& answer);
-  void check(const Json& message, Json& answer);
   void catalog(const Json& message, Json& answer);
   void ping(const Json& message, Json& answer);
   void start(const Json& message, Json& answer);
@@ -91,7 +89,7 @@ class Server::Impl {
   world::ReadOptions reading(std::uint64_t seed) const;
   /// Changes the document. A run that is under way is changed by the same `edits` or, if it cannot
   /// make them or there are none, by those that lead to the document's new world.
-  void change(const std::function<editing::Undo()>& make, const std::vector<std::string>& edits,
+  void change(const std::function<void()>& make, const std::vector<std::string>& edits,
               Json& answer);
   /// The document's world, with file names relative to the folder where the run began; none: the
   /// document has not moved to another folder since then.
@@ -155,8 +153,6 @@ class Server::Impl {
   Link link_;
 
   std::optional<editing::Document> document_;
-  std::map<std::uint64_t, editing::Undo> undos_;
-  std::uint64_t last_undo_ = 0;
 
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<Simulation>

@@ -11,7 +11,6 @@
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
 #include "elsie/traces/trace_rows.h"
-#include "elsie/world/parts.h"
 
 namespace elsie::server {
 namespace {
@@ -27,17 +26,6 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 Json motion_json(const Motion& motion) {
   return {number(motion.forward), number(motion.lateral), number(motion.turn)};
-}
-
-Json joints_json(const RobotView& robot) {
-  Json joints = Json::array();
-  std::size_t place = 0;
-  for (const Part& part : world::plan_of(*robot.description).parts) {
-    if (can_be_set(part.joint) && place < robot.joints.size()) {
-      joints.push_back({{"name", part.name}, {"rate", number(robot.joints[place++].rate_rad_s)}});
-    }
-  }
-  return joints;
 }
 
 Json members_json(const RobotView& robot) {
@@ -177,8 +165,7 @@ Json Watching::robot(const Simulation& simulation, std::size_t index) const {
                 {"speed", number(state.moving.forward)},
                 {"collisions", view.collisions},
                 {"asked", motion_json(view.asked)},
-                {"possible", motion_json(view.command)},
-                {"joints", joints_json(view)}};
+                {"possible", motion_json(view.command)}};
   if (watches("decisions")) {
     robot["coordinator"] = description.coordinator ? description.coordinator->plugin : "";
     robot["members"] = members_json(view);
@@ -202,17 +189,10 @@ Json Watching::state(const Simulation& simulation, std::uint64_t epoch) const {
       robots.push_back(robot(simulation, i));
     }
   }
-  Json event = {{"event", "state"},
-                {"epoch", epoch},
-                {"time_s", simulation.time_s()},
-                {"robots", std::move(robots)}};
-  if (watches("measures")) {  // measures exist from the first step
-    event["measures"] =
-        simulation.steps() > 0 ? measures_json(simulation.measures()) : Json::object();
-  }
-  const simulation::Outcome outcome = simulation.outcome();
-  event["outcome"] = outcome == simulation::Outcome::running ? "" : to_string(outcome);
-  return event;
+  return {{"event", "state"},
+          {"epoch", epoch},
+          {"time_s", simulation.time_s()},
+          {"robots", std::move(robots)}};
 }
 
 Json measures_json(std::span<const simulation::MeasuredValue> measures) {

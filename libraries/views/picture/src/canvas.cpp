@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -49,6 +51,7 @@ double near(double coordinate) { return std::clamp(coordinate, -1e5, 1e5); }
 
 struct Canvas::Impl {
   std::optional<SvgPainter> svg;  // none: a PNG or a PDF
+  Style colours;                  // by their roles
   bool is_pdf = false;
   std::string pdf;            // its bytes so far
   int width = 0, height = 0;  // pixels
@@ -61,7 +64,11 @@ struct Canvas::Impl {
   }
 
   void set(const Ink& ink) const {
-    cairo_set_source_rgba(cr, ink.red, ink.green, ink.blue, ink.alpha);
+    Ink used = ink;
+    if (const auto own = colours.find(ink.role ? ink.role : ""); own != colours.end()) {
+      used = picture::ink(own->second).with_alpha(ink.alpha);
+    }
+    cairo_set_source_rgba(cr, used.red, used.green, used.blue, used.alpha);
   }
 
   std::string path() const {
@@ -91,8 +98,9 @@ struct Canvas::Impl {
   }
 };
 
-Canvas::Canvas(FileType type, int width, int height, double zoom)
+Canvas::Canvas(FileType type, int width, int height, double zoom, Style colours)
     : impl_(std::make_unique<Impl>()), zoom_(zoom) {
+  impl_->colours = std::move(colours);
   if (type == FileType::svg || type == FileType::page) impl_->svg.emplace(type == FileType::page);
   impl_->is_pdf = type == FileType::pdf;
   impl_->width = width;
@@ -292,6 +300,16 @@ std::string Canvas::finish(const std::string& label) {
   std::string bytes;
   check(cairo_surface_write_to_png_stream(impl_->surface, append, &bytes));
   return bytes;
+}
+
+std::vector<std::uint32_t> Canvas::pixels() {
+  check(cairo_status(impl_->cr));
+  cairo_surface_flush(impl_->surface);
+  std::vector<std::uint32_t> pixels(static_cast<std::size_t>(impl_->width) *
+                                    static_cast<std::size_t>(impl_->height));
+  // A row of RGB24 has no bytes after its last pixel.
+  std::memcpy(pixels.data(), cairo_image_surface_get_data(impl_->surface), 4 * pixels.size());
+  return pixels;
 }
 
 double zoom_for_width(int width) { return std::max(0.7, width / 1000.0); }

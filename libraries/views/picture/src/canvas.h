@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/picture/plot.h"
 
 #include "colour.h"
 #include "file.h"
@@ -53,8 +54,8 @@ struct TextStyle {
 
 class Canvas {
  public:
-  /// A white sheet of width x height pixels.
-  Canvas(FileType type, int width, int height, double zoom);
+  /// A sheet of width x height pixels, white unless the colours have another one for it.
+  Canvas(FileType type, int width, int height, double zoom, Style colours = {});
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -98,6 +99,8 @@ class Canvas {
 
   /// Ends the drawing; returns the bytes of the file. `label`: for readers who do not see it.
   std::string finish(const std::string& label = {});
+  /// The pixels of a PNG: 0x??RRGGBB, row by row.
+  std::vector<std::uint32_t> pixels();
 
  private:
   struct Impl;

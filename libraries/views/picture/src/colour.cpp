@@ -60,7 +60,9 @@ Ink shifted(const Ink& base, double lightness, double hue_rad) {
 Ink readable(const Ink& base) {
   constexpr double kDarkEnough = 0.50;  // OKLab lightness: a contrast of about 5:1 on white
   const double lightness = to_oklab(base).l;
-  return lightness <= kDarkEnough ? base : shifted(base, kDarkEnough - lightness, 0.0);
+  Ink dark = lightness <= kDarkEnough ? base : shifted(base, kDarkEnough - lightness, 0.0);
+  dark.role = base.role;
+  return dark;
 }
 
 Ink series_ink(std::size_t index) {

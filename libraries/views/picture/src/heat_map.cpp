@@ -85,6 +85,13 @@ void draw(Canvas& canvas, const HeatMap& map, const Rect& area, double head) {
   draw_unknown(canvas, plot);
   draw_field(canvas, field, z_range, plot);
   draw_axes(canvas, plot, field.x, x_range, field.y, y_range, false);
+  if (map.mark) {
+    const Vector2 at = map_to(plot, x_range, y_range).pixel(*map.mark);
+    canvas.circle({std::clamp(at.x, plot.x, plot.right()), std::clamp(at.y, plot.y, plot.bottom())},
+                  5.0);
+    canvas.fill_keep(hex(0x000000));
+    canvas.stroke(hex(0xffffff), {.width = 2.5});
+  }
   draw_colour_bar(canvas, field.z, z_range, {plot.right() + kBarGap, plot.y, kBar, plot.height});
   const TextStyle title{.size = kPanelTitle, .bold = true, .down = Down::top};
   canvas.text(canvas.fitted(map.title, title, area.width - left), {plot.x, area.y}, title);

@@ -187,4 +187,15 @@ std::string page_chart(const Panel& panel, const std::string& label, const Size&
   return canvas.finish(label);
 }
 
+std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int height, double zoom,
+                                        const Style& style) {
+  check_panel(panel);
+  Canvas canvas(FileType::png, width, height, zoom, style);
+  const Rect area{0.0, 0.0, width / zoom, height / zoom};
+  std::visit(
+      [&](const auto& shown) { draw(canvas, shown, area, head_height(canvas, shown, area.width)); },
+      panel);
+  return canvas.pixels();
+}
+
 }  // namespace elsie::picture

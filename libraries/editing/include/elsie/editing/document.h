@@ -11,13 +11,6 @@
 
 namespace elsie::editing {
 
-/// Leads back from a text to the one before: the piece in which they differ.
-struct Undo {
-  std::size_t hash = 0;  // of the text that it applies to
-  std::size_t begin = 0, end = 0;
-  std::string text;  // what was there before
-};
-
 /// Which members of lists keep a name that they have by their position when an edit shifts it.
 enum class Names {
   used,  // those whose name is used elsewhere in the world
@@ -56,19 +49,14 @@ class Document {
   /// the content of the template. Null if the element is in a template only.
   const world::Element* written(const world::Element& element) const;
 
-  /// Makes the edits, checks the result like a file, and returns what undoes them. Each is one of
-  /// ReadOptions::edits: "robot[r1]/@max_speed=0.3". Throws WorldError and changes nothing if
-  /// they are impossible, or if a file cannot express their result.
-  Undo apply(const std::vector<std::string>& edits, Names names = Names::used);
+  /// Makes the edits, and checks the result like a file. Each is one of ReadOptions::edits:
+  /// "robot[r1]/@max_speed=0.3". Throws WorldError and changes nothing if they are impossible, or
+  /// if a file cannot express their result.
+  void apply(const std::vector<std::string>& edits, Names names = Names::used);
 
-  /// Replaces the whole text of the file, and returns what undoes this. Throws WorldError and
-  /// changes nothing if the text is not a valid world.
-  Undo become(std::string text);
-
-  /// Restores the text from before a change, byte for byte, and returns what makes the change
-  /// again. Throws WorldError and changes nothing if the text is not the one that the change made,
-  /// or if its templates or data files no longer fit.
-  Undo undo(const Undo& change);
+  /// Replaces the whole text of the file; with an earlier text, this undoes what came after it.
+  /// Throws WorldError and changes nothing if the text is not a valid world.
+  void become(std::string text);
 
   /// The text for a file in another folder. It replaces the names of files that would not lead to
   /// the same files from there, including those of ReadOptions::files. Throws WorldError if the

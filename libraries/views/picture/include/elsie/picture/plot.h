@@ -6,7 +6,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +17,7 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
 #include "elsie/picture/axis.h"
 #include "elsie/picture/size.h"
 
@@ -96,6 +100,7 @@ struct Field {
 struct HeatMap {
   std::string title{};
   Field field{};
+  std::optional<Vector2> mark{};  // a dot; at the border if it is outside
 };
 
 /// A field as a surface in space, seen at an angle from above.
@@ -187,5 +192,14 @@ void save_page(const Page& page, const std::filesystem::path& file, const Size& 
 /// for readers who do not see it. A height of 0: as high as the content needs. Throws like
 /// save_page() for an axis.
 std::string page_chart(const Panel& panel, const std::string& label, const Size& size);
+
+/// The colours of a screen, which may be dark, by the names that page_chart() has for them: "ink",
+/// "c0". Those that are not named stay as in a file.
+using Style = std::map<std::string, Colour, std::less<>>;
+
+/// The panel as pixels, 0x??RRGGBB, row by row: of this width and height, with so many of them for
+/// a unit, of which a text has 12 to 15. Throws like save_page() for an axis.
+std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int height, double zoom,
+                                        const Style& style);
 
 }  // namespace elsie::picture
