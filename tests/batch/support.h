@@ -7,6 +7,7 @@
 #include "elsie/batch/plan.h"
 #include "elsie/batch/results_database.h"
 #include "elsie/experiment/experiment.h"
+#include "elsie/results/hash.h"
 
 #include "folder.h"
 #include "shipped.h"
@@ -61,8 +62,22 @@ inline batch::PlanOptions plan_options(batch::Shard shard = {}) {
           .shard = shard};
 }
 
+inline batch::Plan plan_of(const experiment::Experiment& experiment, batch::Shard shard = {}) {
+  return batch::make_plan(experiment, shipped(), plan_options(shard));
+}
 inline batch::Plan small_plan(const Folder& folder, batch::Shard shard = {}) {
-  return batch::make_plan(small_experiment(folder), shipped(), plan_options(shard));
+  return plan_of(small_experiment(folder), shard);
+}
+
+/// The data files of that experiment in the folder, which is then their data directory.
+inline batch::PlanOptions with_models_in(const Folder& folder) {
+  for (const char* side : {"left", "right"}) {
+    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
+    folder.write(name, results::file_content(source_path(name)));
+  }
+  batch::PlanOptions options = plan_options();
+  options.data_directories = {folder.file("")};
+  return options;
 }
 
 /// A folder for the plan of a small experiment and its database.

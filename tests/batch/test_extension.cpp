@@ -13,15 +13,12 @@
 using namespace elsie;
 using batch::ResultsDatabase;
 using Catch::Contains;
+using test::plan_of;
 namespace fs = std::filesystem;
 
 namespace {
 
 using Experiment = experiment::Experiment;
-
-batch::Plan plan_of(const Experiment& experiment, batch::Shard shard = {}) {
-  return batch::make_plan(experiment, test::shipped(), test::plan_options(shard));
-}
 
 void add_level(Experiment& experiment, const std::string& label, const std::string& speed,
                std::ptrdiff_t place) {

@@ -37,15 +37,11 @@ experiment::Experiment scattered(const test::Folder& folder,
   return experiment;
 }
 
-batch::Plan layout_plan(const experiment::Experiment& experiment, batch::Shard shard = {}) {
-  return batch::make_plan(experiment, test::shipped(), test::plan_options(shard));
-}
-
 }  // namespace
 
 TEST_CASE("Each seed has a world of its own, and each run gets that of its seed") {
   const test::Folder folder;
-  const batch::Plan plan = layout_plan(scattered(folder));
+  const batch::Plan plan = test::plan_of(scattered(folder));
   REQUIRE(plan.cells.size() == 2);
   for (const batch::PlannedCell& cell : plan.cells) {
     CHECK_FALSE(cell.layout_seed);
@@ -67,8 +63,8 @@ TEST_CASE("Each seed has a world of its own, and each run gets that of its seed"
 TEST_CASE("A layout with a seed of its own is the same for all runs of a cell") {
   const test::Folder folder;
   const batch::Plan plan =
-      layout_plan(scattered(folder, {{"7", {test::setting("layouts/@seed", "7")}, {}},
-                                     {"8", {test::setting("layouts/@seed", "8")}, {}}}));
+      test::plan_of(scattered(folder, {{"7", {test::setting("layouts/@seed", "7")}, {}},
+                                       {"8", {test::setting("layouts/@seed", "8")}, {}}}));
   CHECK(plan.cells[0].layouts.empty());
   CHECK(plan.cells[0].layout_seed == 7U);
   CHECK(plan.cells[1].layout_seed == 8U);
@@ -77,14 +73,14 @@ TEST_CASE("A layout with a seed of its own is the same for all runs of a cell") 
 
 TEST_CASE("The fingerprint covers what every seed draws") {
   const test::Folder folder;
-  const std::string before = layout_plan(scattered(folder)).fingerprint;
-  CHECK(layout_plan(scattered(folder)).fingerprint == before);
+  const std::string before = test::plan_of(scattered(folder)).fingerprint;
+  CHECK(test::plan_of(scattered(folder)).fingerprint == before);
   folder.write("small.xml", kScattered);
   experiment::Experiment other = scattered(folder);
   other.settings.push_back(test::setting("scatter[c]/@gap", "0.051"));
-  CHECK(layout_plan(other).fingerprint == before);  // it draws the same worlds
+  CHECK(test::plan_of(other).fingerprint == before);  // it draws the same worlds
   other.settings.push_back(test::setting("scatter[c]/@gap", "1.5"));
-  CHECK(layout_plan(other).fingerprint != before);
+  CHECK(test::plan_of(other).fingerprint != before);
 }
 
 TEST_CASE("A database that is extended by seeds gets their layouts, and keeps those it has") {
@@ -92,18 +88,18 @@ TEST_CASE("A database that is extended by seeds gets their layouts, and keeps th
   const std::string file = folder.file("runs.sqlite");
   experiment::Experiment experiment = scattered(folder);
   experiment.seeds = {1, 2};
-  batch::ResultsDatabase::create(file, layout_plan(experiment));
+  batch::ResultsDatabase::create(file, test::plan_of(experiment));
   const std::string query = "SELECT seed, sha256 FROM layouts WHERE seed < 3 ORDER BY cell_id, 1";
   const std::string before = test::rows(file, query);
   experiment.seeds = {0, 1, 2, 3};
-  batch::ResultsDatabase::extend(file, layout_plan(experiment));
+  batch::ResultsDatabase::extend(file, test::plan_of(experiment));
   CHECK(test::rows(file, "SELECT count(*) FROM layouts") == "8\n");
   CHECK(test::rows(file,
                    "SELECT seed, sha256 FROM layouts WHERE seed IN (1, 2) "
                    "ORDER BY cell_id, 1") == before);
   CHECK(test::rows(file, "SELECT count(*) FROM run_worlds WHERE layout_seed IS NULL") == "0\n");
   experiment.settings.push_back(test::setting("scatter[c]/@gap", "1.5"));
-  CHECK_THROWS_AS(batch::ResultsDatabase::resume(file, layout_plan(experiment)),
+  CHECK_THROWS_AS(batch::ResultsDatabase::resume(file, test::plan_of(experiment)),
                   results::DatabaseRefused);
 }
 
@@ -111,7 +107,7 @@ TEST_CASE("The database has the layout of every run, also when it is merged from
   const test::Folder folder;
   const auto write = [&](const std::string& name, batch::Shard shard) {
     const std::string file = folder.file(name);
-    const batch::Plan plan = layout_plan(scattered(folder), shard);
+    const batch::Plan plan = test::plan_of(scattered(folder), shard);
     auto database = batch::ResultsDatabase::create(file, plan);
     for (const batch::PlannedRun& run : plan.runs) {
       database.write(run.id, batch::perform(batch::job_of(plan, run)));
@@ -137,7 +133,7 @@ TEST_CASE("The database has the layout of every run, also when it is merged from
 TEST_CASE("A layout that was changed in the database is noticed") {
   const test::Folder folder;
   const std::string file = folder.file("runs.sqlite");
-  batch::ResultsDatabase::create(file, layout_plan(scattered(folder)));
+  batch::ResultsDatabase::create(file, test::plan_of(scattered(folder)));
   test::rows(file, "UPDATE layouts SET world_text = world_text || ' ' WHERE seed = 2");
   CHECK_THROWS_WITH(batch::ResultsDatabase::open(file),
                     Contains("the world of cell 'few, seed 2' does not match its hash"));

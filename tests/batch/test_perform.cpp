@@ -134,7 +134,7 @@ TEST_CASE("A record has the measures of its world, after those of every run") {
   std::string text = folder.read("small.xml");
   text.insert(text.find("<robots>"), "<measures><path_length id=\"way\" robot=\"r1\"/></measures>");
   folder.write("small.xml", text);
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   CHECK(std::count_if(plan.plugins.begin(), plan.plugins.end(), [](const auto& plugin) {
           return plugin.kind == "measure" && plugin.name == "path_length";
         }) == 1);
@@ -156,7 +156,7 @@ TEST_CASE("A record has the learning curves of a run, thinned") {
       {"learned", test::source_path("worlds/learned_priorities.xml"), "learned.xml", {}, {}});
   experiment.seeds = {1};
   experiment.time_limit = 1.0;
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   const batch::Job job = batch::job_of(plan, plan.runs[0]);
   const batch::RunRecord record = batch::perform(job);
   CAPTURE(record.message);
@@ -177,7 +177,7 @@ TEST_CASE("A long way is thinned") {
   experiment.settings = {test::setting("limits/@time", "30"),
                          test::setting("goal[1]/@distance", "100")};
   experiment.trajectory_period = 0.01;
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   const batch::RunRecord record = batch::perform(batch::job_of(plan, plan.runs[0]));
   REQUIRE(record.steps == 3000U);
   const auto poses = nlohmann::json::parse(record.trajectories[0].poses);
@@ -208,30 +208,44 @@ TEST_CASE("What goes wrong is in the record, not thrown") {
 }
 
 TEST_CASE("A plugin that fails is named with robot and step, and partial results are kept") {
-  const test::Folder folder;
-  const std::string faulty = test::build_path("tests/program/plugins/faulty.so");
-  for (const std::string plugin : {"throwing", "not_a_number"}) {
+  const auto performed = [](const std::string& behavior, const std::string& measures) {
     batch::Job job;
-    job.world_text = R"(<world format="1"><robots><robot id="r1" team="red"><behaviors><)" +
-                     plugin + R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
-                     </robot></robots></world>)";
+    job.world_text = "<world format=\"1\"><limits time=\"1\"/>" + measures +
+                     "<robots><robot id=\"r1\" team=\"red\"><behaviors><" + behavior +
+                     "/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>"
+                     "</robots></world>";
     job.world_file = "w.xml";
-    job.libraries = {test::plugin_directory() + "/arbiter_suppression.so", faulty};
+    job.libraries = {test::plugin_directory() + "/arbiter_suppression.so",
+                     test::build_path("tests/program/plugins/faulty.so")};
     job.trajectory_period_s = 0.1;
-    const batch::RunRecord record = batch::perform(job);
-    CHECK(record.state == batch::RunState::fault);
-    CHECK(record.plugin == plugin);
-    CHECK(record.robot == "r1");
-    CHECK(record.step == 50U);
-    CHECK_THAT(record.message,
-               Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50 (at 0.5 s)"));
-    CHECK(record.steps == 50U);
-    CHECK_FALSE(record.outcome);
-    CHECK(record.measures.empty());
-    REQUIRE(record.trajectories.size() == 1);
-    CHECK(nlohmann::json::parse(record.trajectories[0].poses).size() == 6);
-    CHECK(record.timelines.size() == 1);
+    return batch::perform(job);
+  };
+  // A measure that cannot report does not hide which plugin failed before.
+  const std::string lost = "<measures><unable_to_report id=\"lost\"/></measures>";
+  for (const std::string& measures : {std::string(), lost}) {
+    for (const std::string plugin : {"throwing", "not_a_number"}) {
+      CAPTURE(plugin, measures);
+      const batch::RunRecord record = performed(plugin, measures);
+      CHECK(record.state == batch::RunState::fault);
+      CHECK(record.plugin == plugin);
+      CHECK(record.robot == "r1");
+      CHECK(record.step == 50U);
+      CHECK_THAT(record.message,
+                 Contains("plugin '" + plugin + "' of robot 'r1' failed in step 50 (at 0.5 s)"));
+      CHECK(record.steps == 50U);
+      CHECK_FALSE(record.outcome);
+      CHECK(record.measures.empty());
+      REQUIRE(record.trajectories.size() == 1);
+      CHECK(nlohmann::json::parse(record.trajectories[0].poses).size() == 6);
+      CHECK(record.timelines.size() == 1);
+    }
   }
+  const batch::RunRecord ended = performed("thrifty", lost);
+  CHECK(ended.state == batch::RunState::fault);
+  CHECK(ended.plugin == "unable_to_report");
+  CHECK_THAT(ended.message, Contains("lost count"));
+  CHECK_FALSE(ended.outcome);
+  CHECK(ended.trajectories.size() == 1);
 }
 
 TEST_CASE_METHOD(test::SmallBatch,
@@ -267,40 +281,6 @@ TEST_CASE_METHOD(test::SmallBatch,
   CHECK(stored->record.solver_gave_up == 1U);
 }
 
-TEST_CASE("A measure that cannot report does not hide which plugin failed before") {
-  const auto performed = [](const std::string& behavior) {
-    batch::Job job;
-    job.world_text = R"(<world format="1"><limits time="1"/>
-        <measures><unable_to_report id="lost"/></measures><robots><robot id="r1" team="red">
-        <behaviors><)" +
-                     behavior +
-                     R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
-        </robot></robots></world>)";
-    job.world_file = "w.xml";
-    job.libraries = {test::plugin_directory() + "/arbiter_suppression.so",
-                     test::build_path("tests/program/plugins/faulty.so")};
-    job.trajectory_period_s = 0.1;
-    return batch::perform(job);
-  };
-  const batch::RunRecord failed = performed("throwing");
-  CHECK(failed.state == batch::RunState::fault);
-  CHECK(failed.plugin == "throwing");
-  CHECK(failed.robot == "r1");
-  CHECK(failed.step == 50U);
-  CHECK_THAT(failed.message,
-             Contains("plugin 'throwing' of robot 'r1' failed in step 50 (at 0.5 s)"));
-  CHECK(failed.steps == 50U);
-  REQUIRE(failed.trajectories.size() == 1);
-  CHECK(nlohmann::json::parse(failed.trajectories[0].poses).size() == 6);
-
-  const batch::RunRecord ended = performed("thrifty");
-  CHECK(ended.state == batch::RunState::fault);
-  CHECK(ended.plugin == "unable_to_report");
-  CHECK_THAT(ended.message, Contains("lost count"));
-  CHECK_FALSE(ended.outcome);
-  CHECK(ended.trajectories.size() == 1);
-}
-
 TEST_CASE("A job makes the edits of its cell, also with plugins and files that the world has not") {
   const test::Folder folder;
   const auto at = [](double time_s, const std::string& path, const std::string& value) {
@@ -310,7 +290,7 @@ TEST_CASE("A job makes the edits of its cell, also with plugins and files that t
   experiment.settings = {at(0.5, "obstacle[+]", "<static_box id=\"late\" x=\"1\" y=\"1\"/>"),
                          at(0.7, "robot[r2]/behavior[+]", "<turn_left/>"),
                          at(0.9, "robot[r2]/coordinator", "<fusion_vector_summation/>")};
-  const batch::Plan plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const batch::Plan plan = test::plan_of(experiment);
   CHECK(std::any_of(plan.plugins.begin(), plan.plugins.end(),
                     [](const auto& plugin) { return plugin.name == "turn_left"; }));
   const batch::RunRecord record = batch::perform(batch::job_of(plan, plan.runs[4]));

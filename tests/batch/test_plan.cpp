@@ -34,7 +34,7 @@ TEST_CASE("Repetitions of a seed are adjacent") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   experiment.repeats = 2;
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   REQUIRE(plan.runs.size() == 12);
   CHECK(plan.runs[1].repetition == 2);
   CHECK(plan.runs[1].seed == plan.runs[0].seed);
@@ -60,13 +60,13 @@ TEST_CASE("Runs are done seed by seed, with repetitions last, whatever is done a
     }
     return ids;
   };
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   CHECK(in_words(plan, all_of(plan)) ==
         "slow 1.1, fast 1.1, slow 2.1, fast 2.1, slow 18.1, fast 18.1, "
         "slow 1.2, fast 1.2, slow 2.2, fast 2.2, slow 18.2, fast 18.2, ");
   CHECK(in_words(plan, {3, 4, 5, 7}) == "fast 1.1, slow 2.1, slow 18.1, slow 2.2, ");
   // Each shard by itself.
-  const auto part = batch::make_plan(experiment, test::shipped(), test::plan_options({1, 3}));
+  const auto part = test::plan_of(experiment, {1, 3});
   CHECK(in_words(part, all_of(part)) == "slow 1.1, fast 1.1, slow 2.2, fast 2.2, ");
   CHECK_THROWS_AS(batch::in_order(plan, {13}), std::out_of_range);
 }
@@ -107,7 +107,7 @@ TEST_CASE("The libraries that decide a cell are those that its worlds need") {
     }
     auto experiment = test::small_experiment(folder);
     folder.write("small.xml", text);
-    const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+    const auto plan = test::plan_of(experiment);
     CHECK(plan.program() == plan.cells[0].program);
     Names names;
     for (const std::size_t file : plan.cells[0].program) {
@@ -147,7 +147,7 @@ TEST_CASE("A world's measures are among its plugins, and in its text") {
   text.insert(text.rfind("</world>"), "<measures><coverage cell=\"0.25\"/></measures>");
   experiment::Experiment experiment = test::small_experiment(folder);
   folder.write("small.xml", text);
-  const batch::Plan plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const batch::Plan plan = test::plan_of(experiment);
   const batch::PlannedCell& cell = plan.cells[0];
   CHECK_THAT(cell.world_text, Contains("<coverage id=\"coverage\" cell=\"0.25\"/>"));
   CHECK(std::any_of(cell.plugins.begin(), cell.plugins.end(), [&](std::size_t plugin) {
@@ -187,7 +187,7 @@ TEST_CASE("Two files of one name have different names in a cell's text") {
                "<avoid_obstacle right_model=\"fuzzy_models/avoid_obstacle_left.fcl\"/>");
   folder.write("small.xml", text);
   experiment.settings.clear();
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   REQUIRE(plan.cells[0].data.size() == 2);
   CHECK(plan.cells[0].data[0].file != plan.cells[0].data[1].file);
 
@@ -197,7 +197,7 @@ TEST_CASE("Two files of one name have different names in a cell's text") {
     copy.write("fuzzy_models/avoid_obstacle_left.fcl", content);
     auto same = test::small_experiment(copy);
     copy.write("small.xml", text);
-    return batch::make_plan(same, test::shipped(), test::plan_options()).fingerprint;
+    return test::plan_of(same).fingerprint;
   };
   CHECK(fingerprint_of_copy(model + "// another one\n") == plan.fingerprint);
   CHECK(fingerprint_of_copy(model + "// yet another\n") != plan.fingerprint);
@@ -211,8 +211,7 @@ TEST_CASE("The fingerprint follows from what decides the runs, and from nothing 
   const auto changed = [&](auto change) {
     auto experiment = test::small_experiment(folder);
     change(experiment);
-    return batch::make_plan(experiment, test::shipped(), test::plan_options()).fingerprint !=
-           before;
+    return test::plan_of(experiment).fingerprint != before;
   };
   using experiment::Experiment;
   CHECK(changed([](Experiment& e) { e.seeds.back() = 3; }));
@@ -228,12 +227,7 @@ TEST_CASE("The fingerprint follows from what decides the runs, and from nothing 
   CHECK(test::small_plan(folder, {2, 3}).fingerprint == before);
   // A copy of everything in another folder, with its data files, is the same experiment.
   const test::Folder copy;
-  for (const char* side : {"left", "right"}) {
-    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
-    copy.write(name, results::file_content(test::source_path(name)));
-  }
-  options = test::plan_options();
-  options.data_directories = {copy.file("")};
+  options = test::with_models_in(copy);
   const auto elsewhere = test::small_experiment(copy);
   CHECK(batch::make_plan(elsewhere, test::shipped(), options).fingerprint == before);
   copy.write("fuzzy_models/avoid_obstacle_left.fcl",
@@ -265,26 +259,20 @@ TEST_CASE("A plan is not made of a world that is wrong") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   experiment.settings = {test::setting("robot[r9]/@max_speed", "1")};
-  CHECK_THROWS_AS(batch::make_plan(experiment, test::shipped(), test::plan_options()),
-                  world::WorldError);
+  CHECK_THROWS_AS(test::plan_of(experiment), world::WorldError);
 }
 
 TEST_CASE("A world's own limit of time on the clock does not count") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   experiment.settings = {test::setting("limits/@wall_time", "0.001")};
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   CHECK(plan.cells[0].world_text.find("wall_time") == std::string::npos);
 }
 
 TEST_CASE("A file that changes during a batch is noticed") {
   const test::Folder folder;
-  for (const char* side : {"left", "right"}) {
-    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
-    folder.write(name, results::file_content(test::source_path(name)));
-  }
-  auto options = test::plan_options();
-  options.data_directories = {folder.file("")};
+  const auto options = test::with_models_in(folder);
   const auto plan = batch::make_plan(test::small_experiment(folder), test::shipped(), options);
   batch::FileCheck check(plan);
   CHECK_FALSE(check.changed(0));

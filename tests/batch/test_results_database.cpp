@@ -19,6 +19,20 @@ using batch::ResultsDatabase;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Does something in a process of its own; returns how that ended, as waitpid() says it.
+template <class Action>
+int ending_of(const Action& action) {
+  const pid_t child = fork();
+  if (child == 0) _exit(action());
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace
+
 TEST_CASE_METHOD(test::SmallBatch,
                  "A new database has all pending runs, and everything that they need") {
   {
@@ -87,7 +101,7 @@ TEST_CASE("Cells, failures and seeds that disagree are counted") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   experiment.repeats = 2;
-  const auto plan = batch::make_plan(experiment, test::shipped(), test::plan_options());
+  const auto plan = test::plan_of(experiment);
   auto database = ResultsDatabase::create(folder.file("r.sqlite"), plan);
   database.write(1, test::some_record());
   database.write(2, test::some_record());
@@ -173,7 +187,7 @@ TEST_CASE_METHOD(test::SmallBatch, "A batch continues only with its own database
   auto other = test::small_experiment(folder);
   other.seeds.push_back(77);
   CHECK_THROWS_WITH(
-      ResultsDatabase::resume(file, batch::make_plan(other, test::shipped(), test::plan_options())),
+      ResultsDatabase::resume(file, test::plan_of(other)),
       Contains("has 1 seed more than the database '" + file + "'; add them with --extend"));
   auto newer = test::plan_options();
   newer.elsie_version = "9.9.9";
@@ -185,13 +199,7 @@ TEST_CASE_METHOD(test::SmallBatch, "A batch continues only with its own database
 }
 
 TEST_CASE_METHOD(test::SmallBatch, "A model that has changed is named when a batch is resumed") {
-  for (const char* side : {"left", "right"}) {
-    const std::string name = std::string("fuzzy_models/avoid_obstacle_") + side + ".fcl";
-    fs::create_directories(folder.file("fuzzy_models"));
-    fs::copy(test::source_path(name), folder.file(name));
-  }
-  auto options = test::plan_options();
-  options.data_directories = {folder.file("")};
+  const auto options = test::with_models_in(folder);
   const auto experiment = test::small_experiment(folder);
   ResultsDatabase::create(file, batch::make_plan(experiment, test::shipped(), options));
   const std::string model = "fuzzy_models/avoid_obstacle_left.fcl";
@@ -360,14 +368,11 @@ TEST_CASE_METHOD(test::SmallBatch,
 
 TEST_CASE_METHOD(test::SmallBatch,
                  "The lock ends with the process, however that ends; written results stay") {
-  const pid_t child = fork();
-  if (child == 0) {
+  const int status = ending_of([&] {
     auto database = ResultsDatabase::create(file, plan);
     database.write(1, test::some_record());
-    kill(getpid(), SIGKILL);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
+    return kill(getpid(), SIGKILL);
+  });
   REQUIRE(WIFSIGNALED(status));
   CHECK(fs::exists(file + "-lock"));
   {
@@ -380,8 +385,7 @@ TEST_CASE_METHOD(test::SmallBatch,
 
 TEST_CASE_METHOD(test::SmallBatch,
                  "On a full disk the batch ends with a sentence, and what was written is valid") {
-  const pid_t child = fork();
-  if (child == 0) {
+  const int status = ending_of([&] {
     const test::FullDisk disk(400'000);
     int code = 1;
     try {
@@ -395,10 +399,8 @@ TEST_CASE_METHOD(test::SmallBatch,
       const std::string what = error.what();
       code = what.find("could not be written: ") != std::string::npos ? 42 : 2;
     }
-    _exit(code);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
+    return code;
+  });
   CHECK(WEXITSTATUS(status) == 42);
   auto database = ResultsDatabase::resume(file, plan);
   const auto pending = database.pending();
@@ -411,18 +413,15 @@ TEST_CASE_METHOD(test::SmallBatch,
 }
 
 TEST_CASE_METHOD(test::SmallBatch, "No database is left behind when it cannot be made") {
-  const pid_t child = fork();
-  if (child == 0) {
+  const int status = ending_of([&] {
     const test::FullDisk disk(10'000);
     try {
       ResultsDatabase::create(file, plan);
     } catch (const batch::DatabaseError&) {
-      _exit(42);
+      return 42;
     }
-    _exit(1);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
+    return 1;
+  });
   CHECK(WEXITSTATUS(status) == 42);
   CHECK_FALSE(fs::exists(file));
   CHECK_FALSE(fs::exists(file + "-journal"));

@@ -34,13 +34,7 @@ TEST_CASE("A robot's dialog has the defaults, a drive, and the leader flag; a ru
   REQUIRE(wait_for([&] { return window.bench().time_s() > 0.1; }));
   window.bench().set_speed(0.1);  // it must not end before the change
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]", Qt::RightButton);
-  dialog = nullptr;
-  REQUIRE(wait_for([&] {
-    for (auto* each : window->findChildren<QDialog*>("element_dialog")) {
-      if (each->isVisible()) dialog = each;
-    }
-    return dialog != nullptr;
-  }));
+  dialog = window.dialog("element_dialog");
   QTest::mouseClick(dialog->findChild<QAbstractButton*>("apply_immediately"), Qt::LeftButton, {},
                     QPoint(8, 8));
   window.after([&] { dialog->findChild<Form*>("form_robot")->set_value("leader", "true"); });

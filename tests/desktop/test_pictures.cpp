@@ -51,13 +51,7 @@ void play_until(Window& window, double time_s) {
 
 void keep_dialog(Window& window, const char* action, const QString& name) {
   window.act(action);
-  QDialog* dialog = nullptr;
-  REQUIRE(wait_for([&] {
-    for (QDialog* each : window->findChildren<QDialog*>()) {
-      if (each->isVisible()) dialog = each;
-    }
-    return dialog != nullptr;
-  }));
+  QDialog* dialog = window.any_dialog();
   keep(*dialog, name);
   if (auto* tabs = dialog->findChild<QTabWidget*>("pages"); tabs && tabs->count() > 1) {
     tabs->setCurrentIndex(tabs->count() - 1);

@@ -64,13 +64,7 @@ TEST_CASE("Readable: the window fits on a small screen, and no word of a dialog 
        {"add_robot", "add_sensor", "coordinator", "behaviors", "physics", "shortcuts"}) {
     INFO(action);
     window.act(action);
-    QDialog* dialog = nullptr;
-    REQUIRE(wait_for([&] {
-      for (QDialog* each : window->findChildren<QDialog*>()) {
-        if (each->isVisible()) dialog = each;
-      }
-      return dialog != nullptr;
-    }));
+    QDialog* dialog = window.any_dialog();
     CHECK(dialog->width() <= kScreen.width());
     CHECK(dialog->height() <= kScreen.height());
     CHECK(cut_off(*dialog).join(" | ").toStdString().empty());

@@ -40,7 +40,7 @@ bool write_film(Window& window, const QString& file, const std::function<void()>
 
 }  // namespace
 
-TEST_CASE("A recording opens as the world that makes the same run, at its seed") {
+TEST_CASE("A recording opens as the world that makes the same run, in a folder that goes with it") {
   Window window;
   const QString room = window.file(kRoom);
   const QString recording = window.folder() + "/run.mcap";
@@ -52,6 +52,11 @@ TEST_CASE("A recording opens as the world that makes the same run, at its seed")
   CHECK(window.get<QLineEdit>("seed")->text() == "7");
   CHECK(window.hash_at_the_end() ==
         headless_hash({room, "--seed", "7", "--at", "1:robot[r1]/@max_speed=0.1"}));
+  const QString borrowed = window.bench().file();
+  REQUIRE(QFile::exists(borrowed));
+  window.after([&] { window.open(room); });
+  CHECK_FALSE(QFileInfo(borrowed).dir().exists());
+  CHECK_FALSE(window.bench().is_borrowed());
 }
 
 TEST_CASE("A run of a results database opens at its seed") {
@@ -88,18 +93,6 @@ TEST_CASE("A file that only looks like a recording is said, while the window sta
   auto* box = window.dialog<QMessageBox>("warning");
   CHECK_FALSE(box->text().isEmpty());
   CHECK(window.bench().text() == kRoom);
-}
-
-TEST_CASE("The world of a recording is in a folder that goes with it, and is saved elsewhere") {
-  Window window;
-  const QString recording = window.folder() + "/run.mcap";
-  run_elsie({"run", window.file(kRoom), "--record", recording, "--duration", "1"});
-  window.open(recording);
-  const QString borrowed = window.bench().file();
-  REQUIRE(QFile::exists(borrowed));
-  window.after([&] { window.open(window.file(kRoom)); });
-  CHECK_FALSE(QFileInfo(borrowed).dir().exists());
-  CHECK_FALSE(window.bench().is_borrowed());
 }
 
 TEST_CASE("The events of a recording are on the time line, and the run goes on to one of them") {
@@ -214,21 +207,6 @@ TEST_CASE("A recording of which another run was made here says so at its end") {
   CHECK(window.dialog<QMessageBox>("warning")->text().contains("other files of the world"));
 }
 
-TEST_CASE("The events of a run are in a menu, and lead to their times") {
-  Room window;
-  run_until(window, 2.0);
-  auto* line = window->findChild<TimeLine*>();
-  line->mark(1.5, "second");
-  line->mark(0.7, "first");
-  auto* menu = window.get<QMenu>("events_menu");
-  Q_EMIT menu->aboutToShow();
-  REQUIRE(menu->actions().size() == 2);
-  CHECK(menu->actions().front()->text() == "0.70 s: first");
-  menu->actions().front()->trigger();
-  CHECK(wait_for([&] { return std::abs(window->scene().stage().time_s() - 0.7) < 0.06; }));
-  CHECK(line->is_in_the_past());
-}
-
 TEST_CASE("The table of a run is not taken for a world") {
   Window window;
   const QString table = window.folder() + "/run.csv";
@@ -323,7 +301,7 @@ TEST_CASE("The next run is recorded, and its command line repeats it") {
   CHECK(QApplication::clipboard()->text().contains(room));
 }
 
-TEST_CASE("The keys of the time line step through the past and to its events") {
+TEST_CASE("Keys and a menu of the time line lead through the past and to its events") {
   Room window;
   run_until(window, 2.0);
   auto* line = window->findChild<TimeLine*>();
@@ -354,4 +332,11 @@ TEST_CASE("The keys of the time line step through the past and to its events") {
   CHECK_FALSE(line->is_in_the_past());
   CHECK(line->tip_at(0.71).contains("first"));
   CHECK(line->tip_at(1.1).isEmpty());
+  auto* menu = window.get<QMenu>("events_menu");
+  Q_EMIT menu->aboutToShow();
+  REQUIRE(menu->actions().size() == 2);
+  CHECK(menu->actions().front()->text() == "0.70 s: first");
+  menu->actions().front()->trigger();
+  CHECK(shows(0.7));
+  CHECK(line->is_in_the_past());
 }

@@ -112,7 +112,7 @@ TEST_CASE("A network is trained with a curve before the robot has it, and loaded
   CHECK(window.bench().text() == QString(kPupil));
 }
 
-TEST_CASE("After a training the curve, the error and the presentations stay until Close") {
+TEST_CASE("After a training its curve and figures stay until Close, and the saved file runs so") {
   School school;
   auto* dialog = school.new_network();
   School::enter(dialog, "training", "samples.txt");
@@ -137,6 +137,9 @@ TEST_CASE("After a training the curve, the error and the presentations stay unti
   REQUIRE(wait_for([&] { return !school.window->findChild<ElementDialog*>(); }));
   CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
   CHECK(school.weight_files() == QStringList{"r1.weights"});
+  const QString file = school.window.bench().file();
+  REQUIRE(school.window.saved_as(file).isEmpty());
+  CHECK(school.window.hash_at_the_end() == headless_hash({file}));
 }
 
 TEST_CASE("A training that stops short of its goal says so") {
@@ -150,16 +153,6 @@ TEST_CASE("A training that stops short of its goal says so") {
   CHECK(said.contains("after 20000 samples."));
   CHECK(said.contains("without reaching its goal, a mean error below 0.000001"));
   CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
-}
-
-TEST_CASE("A run with a network trained in the window is the one of the saved file") {
-  School school;
-  Window& window = school.window;
-  auto* dialog = school.new_network();
-  School::enter(dialog, "training", "samples.txt");
-  school.ok(dialog);
-  REQUIRE(window.saved_as(window.bench().file()).isEmpty());
-  CHECK(window.hash_at_the_end() == headless_hash({window.bench().file()}));
 }
 
 TEST_CASE("A network is trained again while its robot drives; the old weights stay for undo") {
@@ -215,7 +208,7 @@ TEST_CASE("A training that cannot be is refused in the dialog") {
   CHECK(school.window.bench().text() == QString(kPupil));
 }
 
-TEST_CASE("A network on the plateau is said, and used only when OK is pressed again") {
+TEST_CASE("A network on the plateau is said") {
   School school;
   auto* dialog = school.new_network();
   school.window.file("1 1 0 1\n1 1 1 0\n", "same.txt");  // nobody can tell these apart
@@ -225,8 +218,17 @@ TEST_CASE("A network on the plateau is said, and used only when OK is pressed ag
   REQUIRE(wait_for([&] { return !refusal(dialog).isEmpty(); }));
   CHECK(refusal(dialog).contains("untrained"));
   CHECK(school.window.bench().text() == QString(kPupil));
-  school.ok(dialog);
-  CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
+  REQUIRE(school.weight_files() == QStringList{"r1.weights"});
+  SECTION("and is used when OK is pressed again") {
+    school.ok(dialog);
+    CHECK(school.window.bench().text().contains("weights=\"r1.weights\""));
+  }
+  SECTION("and its weights go with the dialog") {
+    Window::press(dialog, QDialogButtonBox::Cancel);
+    REQUIRE(wait_for([&] { return !school.window->findChild<ElementDialog*>(); }));
+    CHECK(school.weight_files().isEmpty());
+    CHECK(school.window.bench().text() == QString(kPupil));
+  }
 }
 
 TEST_CASE("A right click on a trained network clears it") {
@@ -240,21 +242,6 @@ TEST_CASE("A right click on a trained network clears it") {
   CHECK(*is_picked);
   CHECK(school.window.bench().undo_name() == "clear the network");
   CHECK(!school.window.bench().text().contains("weights="));
-}
-
-TEST_CASE("Weights that nobody uses go with the dialog, also those of a network on the plateau") {
-  School school;
-  auto* dialog = school.new_network();
-  school.window.file("1 1 0 1\n1 1 1 0\n", "same.txt");
-  School::enter(dialog, "training", "same.txt");
-  School::enter(dialog, "presentations", "1000");
-  school.window.press(dialog, QDialogButtonBox::Ok);
-  REQUIRE(wait_for([&] { return !refusal(dialog).isEmpty(); }));
-  REQUIRE(school.weight_files() == QStringList{"r1.weights"});
-  Window::press(dialog, QDialogButtonBox::Cancel);
-  REQUIRE(wait_for([&] { return !school.window->findChild<ElementDialog*>(); }));
-  CHECK(school.weight_files().isEmpty());
-  CHECK(school.window.bench().text() == QString(kPupil));
 }
 
 TEST_CASE("A training file is browsed for, and named as the world would name it") {

@@ -224,11 +224,6 @@ TEST_CASE("coordination: a behaviour has the weight of the run, not the world's 
   CHECK(panel.row_text(1).contains(QStringLiteral("weight 0.002")));
   CHECK_FALSE(panel.row_text(0).contains(QStringLiteral("priority")));
   CHECK(panel.figures().rows[0][2] == QStringLiteral("0.999"));
-}
-
-TEST_CASE("coordination: tiny weights and shares are shown as such") {
-  CoordinationPanel panel;
-  panel.set_robot(QStringLiteral("r1"));
   panel.add(decision({{3e-7, 1e-6}, {0.3, 0.999999}}));
   CHECK(panel.row_text(0).contains(QStringLiteral("weight 3e-07, share 0 %")));
   CHECK(panel.row_text(1).contains(QStringLiteral("weight 0.3, share 100 %")));

@@ -213,6 +213,17 @@ class Window {
     }));
     return found;
   }
+  /// The one dialog that is shown, once it is.
+  QDialog* any_dialog() {
+    QDialog* found = nullptr;
+    REQUIRE(wait_for([&] {
+      for (QDialog* each : window_.findChildren<QDialog*>()) {
+        if (each->isVisible()) found = each;
+      }
+      return found != nullptr;
+    }));
+    return found;
+  }
   /// The dialog of an element that a command opens.
   QDialog* dialog_of(const char* command) {
     act(command);

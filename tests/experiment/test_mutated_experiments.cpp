@@ -11,43 +11,10 @@ using namespace elsie::test;
 
 namespace {
 
-const std::vector<std::string> kPieces = {"<",
-                                          ">",
-                                          "/",
-                                          "\"",
-                                          "=",
-                                          "&",
-                                          "&amp;",
-                                          "<!--",
-                                          "-->",
-                                          "nan",
-                                          "-1",
-                                          "1e999",
-                                          "\xC3",
-                                          "\n",
-                                          "0",
-                                          " ",
-                                          "-",
-                                          ";",
-                                          "|",
-                                          "*",
-                                          "9",
-                                          "e9",
-                                          "<pick/>",
-                                          "<level>",
-                                          "</level>",
-                                          "<set path=\"",
-                                          "value=\"",
-                                          "<vary name=\"x\">",
-                                          "</vary>",
-                                          "from=\"1\"",
-                                          "to=\"1e18\"",
-                                          "step=\"1e-9\"",
-                                          "list=\"1\"",
-                                          "where=\"a=b\"",
-                                          "ratio_to=\"coordinator=layers\"",
-                                          "robot[*]",
-                                          "<experiment format=\"1\">"};
+const std::vector<std::string> kPieces = xml_pieces(
+    R"(; | * e9 <pick/> <level> </level> value=" </vary> from="1" to="1e18" step="1e-9" list="1")"
+    R"( where="a=b" ratio_to="coordinator=layers" robot[*])",
+    {"<set path=\"", "<vary name=\"x\">", "<experiment format=\"1\">"});
 const std::vector<std::string> kNames = {"<vary",   "<level",   "<set",   "<seeds",
                                          "<world",  "<expect",  "<pick",  "<sum",
                                          "<layers", "<measure", "<limits"};

@@ -2,6 +2,7 @@
 // output set. The results must agree to half a percent of the output's range.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -138,45 +139,26 @@ fl::Term* oracle_term(const TermText& text) {
 }
 
 fl::TNorm* oracle_and(const std::string& name) {
-  if (name == "MIN") {
-    return new fl::Minimum;
-  }
-  if (name == "PROD") {
-    return new fl::AlgebraicProduct;
-  }
-  return new fl::BoundedDifference;
+  static const std::map<std::string, const char*> kNames{
+      {"MIN", "Minimum"}, {"PROD", "AlgebraicProduct"}, {"BDIF", "BoundedDifference"}};
+  return fl::FactoryManager::instance()->tnorm()->constructObject(kNames.at(name));
 }
 
 fl::SNorm* oracle_or(const std::string& name) {
-  if (name == "MAX") {
-    return new fl::Maximum;
-  }
-  if (name == "ASUM") {
-    return new fl::AlgebraicSum;
-  }
-  if (name == "NSUM") {
-    return new fl::UnboundedSum;  // the same up to a factor that no method depends on
-  }
-  return new fl::BoundedSum;
+  static const std::map<std::string, const char*> kNames{
+      {"MAX", "Maximum"},
+      {"ASUM", "AlgebraicSum"},
+      {"NSUM", "UnboundedSum"},  // the same up to a factor that no method depends on
+      {"BSUM", "BoundedSum"}};
+  return fl::FactoryManager::instance()->snorm()->constructObject(kNames.at(name));
 }
 
 fl::Defuzzifier* oracle_method(const std::string& name) {
-  if (name == "COG") {
-    return new fl::Centroid(kResolution);
-  }
-  if (name == "COA") {
-    return new fl::Bisector(kResolution);
-  }
-  if (name == "LM") {
-    return new fl::SmallestOfMaximum(kResolution);
-  }
-  if (name == "RM") {
-    return new fl::LargestOfMaximum(kResolution);
-  }
-  if (name == "MM") {
-    return new fl::MeanOfMaximum(kResolution);
-  }
-  return new fl::WeightedAverage;
+  static const std::map<std::string, const char*> kNames{
+      {"COG", "Centroid"},        {"COA", "Bisector"},     {"LM", "SmallestOfMaximum"},
+      {"RM", "LargestOfMaximum"}, {"MM", "MeanOfMaximum"}, {"COGS", "WeightedAverage"}};
+  return fl::FactoryManager::instance()->defuzzifier()->constructDefuzzifier(
+      kNames.at(name), kResolution, fl::WeightedDefuzzifier::Automatic);
 }
 
 std::string random_condition(Random& random, const std::vector<std::vector<TermText>>& inputs) {

@@ -285,11 +285,6 @@ TEST_CASE("Extensions of other tools are named as such") {
     CHECK_THAT(refusal(parts), Contains("heating.fcl:19: The input 'cold' has no term 'any'") &&
                                    Contains("The hedge 'any' is a fuzzylite extension"));
   }
-  SECTION("conditions on outputs") {
-    parts.rules.replace(parts.rules.find("cold IS yes"), 11, "power IS low");
-    CHECK_THAT(refusal(parts), Contains("heating.fcl:19: 'power' is an output.") &&
-                                   Contains("an extension of fuzzylite and jFuzzyLogic"));
-  }
   SECTION("a shape that moves") {
     parts.cold = "  TERM no := gauss wind 2;\n  TERM yes := (0, 0) (10, 1);\n";
     CHECK_THAT(refusal(parts), Contains("heating.fcl:9: Found 'wind' among the numbers of gauss") &&
@@ -308,11 +303,6 @@ TEST_CASE("Extensions of other tools are named as such") {
     parts.cold = "  TERM no := (0, 1) (wind, 0);\n  TERM yes := (0, 0) (10, 1);\n";
     CHECK_THAT(refusal(parts), Contains("heating.fcl:9: Found 'wind' for the x of a point") &&
                                    Contains("a jFuzzyLogic extension"));
-  }
-  SECTION("a method") {
-    parts.power = "  TERM low := (0, 1) (50, 0);\n  TERM high := (50, 0) (100, 1);\n";
-    CHECK_THAT(refusal(parts), Contains("heating.fcl:15: COGS works on singletons") &&
-                                   Contains("Tsukamoto's method, is a fuzzylite extension"));
   }
   SECTION("an operator") {
     parts.rules = "  AND : EPROD;\n" + parts.rules;

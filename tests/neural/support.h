@@ -47,6 +47,26 @@ inline std::vector<double> random_numbers(std::size_t count, double low, double 
   return numbers;
 }
 
+/// Visits every weight and bias as (layer, neuron, row); the bias is the last row.
+template <class Visit>
+void each_weight(const neural::Network& network, Visit visit) {
+  for (std::size_t l = 0; l < network.layers(); ++l) {
+    for (std::size_t n = 0; n < network.neurons(l); ++n) {
+      for (std::size_t i = 0; i <= network.inputs(l); ++i) {
+        visit(l, n, i);
+      }
+    }
+  }
+}
+
+inline double get(const neural::Network& network, std::size_t l, std::size_t n, std::size_t i) {
+  return i < network.inputs(l) ? network.weight(l, n, i) : network.bias(l, n);
+}
+inline void set(neural::Network& network, std::size_t l, std::size_t n, std::size_t i,
+                double value) {
+  i < network.inputs(l) ? network.set_weight(l, n, i, value) : network.set_bias(l, n, value);
+}
+
 /// The reference set of two sensors and two behaviours.
 inline neural::TrainingSet reference_set() {
   return neural::read_training_set(source_path("training_sets/two_sensors_two_behaviors.txt"),

@@ -11,8 +11,7 @@
 
 using namespace elsie;
 using namespace elsie::neural;
-using elsie::test::answers;
-using elsie::test::random_network;
+using namespace elsie::test;
 
 namespace {
 
@@ -24,25 +23,6 @@ double error(const Network& network, const std::vector<double>& inputs,
     sum += 0.5 * (targets[k] - outputs[k]) * (targets[k] - outputs[k]);
   }
   return sum;
-}
-
-/// Visits every weight and bias as (layer, neuron, row); the bias is the last row.
-template <class Visit>
-void each_weight(const Network& network, Visit visit) {
-  for (std::size_t l = 0; l < network.layers(); ++l) {
-    for (std::size_t n = 0; n < network.neurons(l); ++n) {
-      for (std::size_t i = 0; i <= network.inputs(l); ++i) {
-        visit(l, n, i);
-      }
-    }
-  }
-}
-
-double get(const Network& network, std::size_t l, std::size_t n, std::size_t i) {
-  return i < network.inputs(l) ? network.weight(l, n, i) : network.bias(l, n);
-}
-void set(Network& network, std::size_t l, std::size_t n, std::size_t i, double value) {
-  i < network.inputs(l) ? network.set_weight(l, n, i, value) : network.set_bias(l, n, value);
 }
 
 }  // namespace

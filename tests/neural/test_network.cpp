@@ -9,8 +9,7 @@
 
 using namespace elsie;
 using namespace elsie::neural;
-using elsie::test::answers;
-using elsie::test::random_network;
+using namespace elsie::test;
 
 namespace {
 
@@ -109,14 +108,7 @@ TEST_CASE("First weights are uniform in [-1, 1), from the stream alone") {
     most = std::max(most, weight);
     ++count;
   };
-  for (std::size_t l = 0; l < network.layers(); ++l) {
-    for (std::size_t n = 0; n < network.neurons(l); ++n) {
-      look(network.bias(l, n));
-      for (std::size_t i = 0; i < network.inputs(l); ++i) {
-        look(network.weight(l, n, i));
-      }
-    }
-  }
+  each_weight(network, [&](auto l, auto n, auto i) { look(get(network, l, n, i)); });
   CHECK(count == 11 * 30 + 31 * 20 + 21 * 10);
   CHECK(sum / count == Approx(0.0).margin(0.05));
   CHECK(squares / count == Approx(1.0 / 3.0).margin(0.03));
@@ -129,14 +121,9 @@ TEST_CASE("First weights are uniform in [-1, 1), from the stream alone") {
 TEST_CASE("First weights are drawn neuron by neuron: its weights, then its bias") {
   Random random(3);
   const Network network = random_network({2, 3, 1}, 3);
-  for (std::size_t l = 0; l < 2; ++l) {
-    for (std::size_t n = 0; n < network.neurons(l); ++n) {
-      for (std::size_t i = 0; i < network.inputs(l); ++i) {
-        CHECK(network.weight(l, n, i) == random.uniform(-1.0, 1.0));
-      }
-      CHECK(network.bias(l, n) == random.uniform(-1.0, 1.0));
-    }
-  }
+  each_weight(network, [&](auto l, auto n, auto i) {
+    CHECK(get(network, l, n, i) == random.uniform(-1.0, 1.0));
+  });
 }
 
 TEST_CASE("Networks that cannot be are refused") {
@@ -174,16 +161,13 @@ TEST_CASE("First weights of the original's method are -1 and 0, equally often, a
   Random random(1);
   network.randomize(random, Method::original);
   int minus = 0, zero = 0, one = 0;
-  for (std::size_t l = 0; l < network.layers(); ++l) {
-    for (std::size_t n = 0; n < network.neurons(l); ++n) {
-      for (std::size_t i = 0; i < network.inputs(l); ++i) {
-        const double weight = network.weight(l, n, i);
-        minus += weight == -1.0;
-        zero += weight == 0.0;
-        one += weight == 1.0;
-      }
-    }
-  }
+  each_weight(network, [&](auto l, auto n, auto i) {
+    if (i == network.inputs(l)) return;  // a bias
+    const double weight = network.weight(l, n, i);
+    minus += weight == -1.0;
+    zero += weight == 0.0;
+    one += weight == 1.0;
+  });
   CHECK(minus + zero + one == 80'000);
   CHECK(minus == Approx(40'000).margin(600));
   CHECK(one < 12);  // 80,000 / 32,768 are to be expected

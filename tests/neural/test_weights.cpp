@@ -15,21 +15,15 @@
 #include "support.h"
 
 using namespace elsie::neural;
-using elsie::test::Folder;
-using elsie::test::random_network;
+using namespace elsie::test;
 
 namespace {
 
 std::vector<std::uint64_t> bits(const Network& network) {
   std::vector<std::uint64_t> all;
-  for (std::size_t l = 0; l < network.layers(); ++l) {
-    for (std::size_t n = 0; n < network.neurons(l); ++n) {
-      all.push_back(std::bit_cast<std::uint64_t>(network.bias(l, n)));
-      for (std::size_t i = 0; i < network.inputs(l); ++i) {
-        all.push_back(std::bit_cast<std::uint64_t>(network.weight(l, n, i)));
-      }
-    }
-  }
+  each_weight(network, [&](auto l, auto n, auto i) {
+    all.push_back(std::bit_cast<std::uint64_t>(get(network, l, n, i)));
+  });
   return all;
 }
 

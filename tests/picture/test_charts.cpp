@@ -11,8 +11,7 @@
 
 using namespace elsie;
 using namespace elsie::picture;
-using picture::test::bytes_of;
-using picture::test::Folder;
+using namespace elsie::picture::test;
 
 namespace {
 

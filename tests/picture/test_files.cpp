@@ -10,10 +10,7 @@
 
 using namespace elsie;
 using namespace elsie::picture;
-using picture::test::Bitmap;
-using picture::test::bytes_of;
-using picture::test::Folder;
-using picture::test::top_view_map;
+using namespace elsie::picture::test;
 
 namespace {
 

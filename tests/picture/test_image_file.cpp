@@ -6,9 +6,7 @@
 
 using namespace elsie;
 using namespace elsie::picture;
-using picture::test::Bitmap;
-using picture::test::bytes_of;
-using picture::test::Folder;
+using namespace elsie::picture::test;
 
 namespace {
 

@@ -1,7 +1,5 @@
 // A bad file in the path never stops a run, and is reported with what is wrong and what to do.
-#include <cstddef>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -102,29 +100,6 @@ TEST_CASE("Junk in the path does no harm") {
   check("loop.so", FileStatus::refused, "symbolic links");
   check("pipe.so", FileStatus::ignored, "is not a file");
   CHECK(host.report().warnings.size() == 3);
-}
-
-TEST_CASE("A truncated library is refused, wherever it was cut") {
-  Folder folder;
-  folder.with("good", "z_good.so");
-  const std::vector<std::byte> bytes = bytes_of(fixture("good"));
-  const std::span<const std::byte> all(bytes);
-  for (const std::size_t size :
-       {std::size_t{1}, std::size_t{3}, std::size_t{4}, std::size_t{16}, std::size_t{63},
-        std::size_t{64}, std::size_t{200}, bytes.size() / 4, bytes.size() / 2, bytes.size() - 4096,
-        bytes.size() - 1}) {
-    write(folder / ("cut_" + std::to_string(size) + ".so"), all.first(size));
-  }
-  const Host host = host_of(folder);
-  CHECK(host.find(PluginKind::behavior, "good"));
-  CHECK(host.report().warnings.size() == 11);
-  for (const FileReport& file : host.report().directories.at(0).files) {
-    if (file.path.filename() != "z_good.so") {
-      INFO(file.path);
-      CHECK(file.status == FileStatus::refused);
-      CHECK_THAT(file.sentence, Contains("cut short"));
-    }
-  }
 }
 
 TEST_CASE("A plugin whose constructor throws is found, but cannot be made") {

@@ -84,6 +84,7 @@ TEST_CASE("A library cut short at any byte is found out") {
       REQUIRE(kind == FileKind::damaged);
     }
   }
+  CHECK_THAT(inspect_bytes(all.first(bytes.size() / 2)).sentence, Contains("cut short"));
   CHECK(inspect_bytes(all).kind == FileKind::plugin_library);
 }
 

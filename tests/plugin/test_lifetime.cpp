@@ -12,16 +12,6 @@ using namespace elsie;
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
 
-TEST_CASE("A library goes with its host when there are no objects") {
-  Folder folder;
-  folder.with("good");
-  {
-    const Host host = host_of(folder);
-    CHECK(is_loaded(folder / "good.so"));
-  }
-  CHECK_FALSE(is_loaded(folder / "good.so"));
-}
-
 TEST_CASE("Objects outlive their host, and the library goes with the last of them") {
   Folder folder;
   folder.with("good");
@@ -76,13 +66,4 @@ TEST_CASE("Two hosts share a library and do not know of each other") {
   first.reset();
   CHECK(answer(*second.create<Behavior>(PluginKind::behavior, "good")).left == 3.0);
   CHECK(second.report().warnings.empty());
-}
-
-TEST_CASE("A host can be moved") {
-  Folder folder;
-  folder.with("good");
-  Host first = host_of(folder);
-  const Declaration* const declaration = first.find(PluginKind::behavior, "good");
-  const Host second = std::move(first);
-  CHECK(second.find(PluginKind::behavior, "good") == declaration);
 }

@@ -36,15 +36,26 @@ Host renewed(const Host& host, const Folder& folder) {
   return host.renewed({{folder.path(), "given"}});
 }
 
-/// What the watch has found, once it has; none after two minutes.
-std::optional<Renewal> found(Watch& watch) {
-  for (int i = 0; i < 12000; ++i) {
-    if (auto renewal = watch.take()) {
-      return renewal;
-    }
+/// Waits until it is so, for two minutes at most.
+template <class Condition>
+void wait_until(const Condition& is_so) {
+  for (int i = 0; i < 12000 && !is_so(); ++i) {
     std::this_thread::sleep_for(milliseconds(10));
   }
-  return std::nullopt;
+  REQUIRE(is_so());
+}
+
+/// What the watch has found, once it has.
+std::optional<Renewal> found(Watch& watch) {
+  std::optional<Renewal> renewal;
+  wait_until([&] { return renewal || (renewal = watch.take()); });
+  return renewal;
+}
+/// The same, where it has a host to go on with.
+std::optional<Renewal> found_host(Watch& watch) {
+  auto renewal = found(watch);
+  REQUIRE(renewal->host);
+  return renewal;
 }
 
 /// What the first or second twin says of itself.
@@ -141,10 +152,8 @@ TEST_CASE("A watch finds libraries that are new, replaced or overwritten") {
   CHECK_FALSE(watch.take());
   CHECK(twin(watch.host()) == "The first twin");
   write(folder / "twin.so", bytes_of(fixture("twin_b")));  // in place
-  auto renewal = found(watch);
-  REQUIRE(renewal);
+  auto renewal = found_host(watch);
   CHECK(renewal->problems.empty());
-  REQUIRE(renewal->host);
   CHECK(renewal->files == std::vector<fs::path>{folder / "twin.so"});
   CHECK(twin(*renewal->host) == "The second twin");
   CHECK(twin(watch.host()) == "The first twin");
@@ -152,15 +161,12 @@ TEST_CASE("A watch finds libraries that are new, replaced or overwritten") {
   CHECK(twin(watch.host()) == "The second twin");
 
   folder.with("inline_static");
-  renewal = found(watch);
-  REQUIRE(renewal);
-  REQUIRE(renewal->host);
+  renewal = found_host(watch);
   CHECK(renewal->host->find(PluginKind::behavior, "inline_static"));
   watch.accept(*std::move(renewal));
 
   write_text(folder / "twin.so", "half a libr");
   renewal = found(watch);
-  REQUIRE(renewal);
   CHECK_FALSE(renewal->host);
   REQUIRE(renewal->problems.size() == 1);
   CHECK_THAT(renewal->problems[0], Contains("twin.so") && Contains("is still in use"));
@@ -175,9 +181,7 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   Watch watch({{here / "straight.cpp", "--plugin"}}, milliseconds(20));
   CHECK(speed(watch.host(), "straight") == 3.0);
   write_text(here / "speed.h", "constexpr double kSpeed = 4.5;\n");
-  auto renewal = found(watch);
-  REQUIRE(renewal);
-  REQUIRE(renewal->host);
+  auto renewal = found_host(watch);
   CHECK(renewal->files == std::vector<fs::path>{here / "straight.cpp"});
   CHECK(speed(*renewal->host, "straight") == 4.5);
   watch.accept(*std::move(renewal));
@@ -185,16 +189,13 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
   // What the compiler says comes as it is; the old one stays.
   write_text(here / "straight.cpp", source("return nothing_known;"));
   renewal = found(watch);
-  REQUIRE(renewal);
   CHECK_FALSE(renewal->host);
   REQUIRE(renewal->problems.size() == 1);
   CHECK_THAT(renewal->problems[0], Contains("straight.cpp:5:") && Contains("nothing_known"));
   CHECK(speed(watch.host(), "straight") == 4.5);
 
   write_text(here / "straight.cpp", source("return elsie::WheelPair().motion({kSpeed, 0});"));
-  renewal = found(watch);
-  REQUIRE(renewal);
-  REQUIRE(renewal->host);
+  renewal = found_host(watch);
   CHECK(renewal->problems.empty());
   watch.accept(*std::move(renewal));
 
@@ -203,14 +204,11 @@ TEST_CASE("A watch compiles a source when it or a header of its own changes") {
       here / "straight.cpp",
       "#include \"turn.h\"\n" + source("return elsie::WheelPair().motion({kSpeed, kTurn});"));
   renewal = found(watch);
-  REQUIRE(renewal);
   CHECK_FALSE(renewal->host);
   REQUIRE(renewal->problems.size() == 1);
   CHECK_THAT(renewal->problems[0], Contains("turn.h: No such file"));
   write_text(here / "turn.h", "constexpr double kTurn = 9.0;\n");
-  renewal = found(watch);
-  REQUIRE(renewal);
-  REQUIRE(renewal->host);
+  renewal = found_host(watch);
   CHECK(answer(*renewal->host->create<Behavior>(PluginKind::behavior, "straight")).right == 9.0);
   unsetenv("ELSIE_CACHE");
 }
@@ -236,9 +234,7 @@ TEST_CASE("A watch builds again what is saved while it compiles, also at its sta
   write_text(here / "speed.h", "constexpr double kSpeed = 5.0;\n");
   double last = 0.0;
   for (int i = 0; i < 3 && last != 6.0; ++i) {
-    auto renewal = found(watch);
-    REQUIRE(renewal);
-    REQUIRE(renewal->host);
+    auto renewal = found_host(watch);
     last = speed(*renewal->host, "straight");
     watch.accept(*std::move(renewal));
   }
@@ -260,7 +256,6 @@ TEST_CASE("Of a source whose library is refused the old one goes on, not another
 
   write_text(here / "mine.cpp", own_good("40.0"));
   auto renewal = found(watch);
-  REQUIRE(renewal);
   CHECK_FALSE(renewal->host);
   REQUIRE(renewal->problems.size() == 1);
   CHECK_THAT(renewal->problems[0], Catch::StartsWith((here / "mine.cpp").string() + ": ") &&
@@ -271,18 +266,14 @@ TEST_CASE("Of a source whose library is refused the old one goes on, not another
   // Nor does a change elsewhere bring the other one in; not even one after the other.
   for (const std::string twin : {"twin_b", "twin_a"}) {
     write(others / "twin.so", bytes_of(fixture(twin)));
-    renewal = found(watch);
-    REQUIRE(renewal);
-    REQUIRE(renewal->host);
+    renewal = found_host(watch);
     CHECK(renewal->files == std::vector<fs::path>{others / "twin.so"});
     CHECK(speed(*renewal->host, "good") == 4.0);
     watch.accept(*std::move(renewal));
   }
 
   write_text(here / "mine.cpp", own_good("5.0"));
-  renewal = found(watch);
-  REQUIRE(renewal);
-  REQUIRE(renewal->host);
+  renewal = found_host(watch);
   CHECK(renewal->files == std::vector<fs::path>{here / "mine.cpp"});
   CHECK(speed(*renewal->host, "good") == 5.0);
 }
@@ -303,9 +294,7 @@ TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at wo
   const Variable compiler("CXX", here / "compiler");
   const Variable there("ELSIE_CACHE", cache.path());
   const auto wait_for_compilers = [&](std::size_t count) {
-    for (int i = 0; i < 12000 && bytes_of(here / "done").size() < count; ++i) {
-      std::this_thread::sleep_for(milliseconds(10));
-    }
+    wait_until([&] { return bytes_of(here / "done").size() >= count; });
     REQUIRE(bytes_of(here / "done").size() == count);
   };
   // A source that is saved before the build looks at it again is compiled again at once, and what
@@ -322,10 +311,7 @@ TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at wo
       }
       return false;
     };
-    for (int i = 0; i < 12000 && is_at_work(); ++i) {
-      std::this_thread::sleep_for(milliseconds(10));
-    }
-    REQUIRE_FALSE(is_at_work());
+    wait_until([&] { return !is_at_work(); });
     REQUIRE(bytes_of(here / "done").size() == count);
   };
   write_text(here / "mine.cpp", own_good("4.0"));
@@ -344,7 +330,6 @@ TEST_CASE("What was not taken is not lost; a watch ends a compiler that is at wo
   write_text(here / "mine.cpp", own_good("6.0"));
   wait_for_compilers(4);
   const auto renewal = found(*watch);
-  REQUIRE(renewal);
   REQUIRE(renewal->problems.size() == 2);
   CHECK_THAT(renewal->problems[0], Contains("nothing_known"));
   CHECK_THAT(renewal->problems[1], Contains("nothing_either"));
@@ -366,15 +351,10 @@ TEST_CASE("A hundred libraries in a row leave nothing open and no copies") {
     for (int i = 0; i < 100; ++i) {
       write(folder / "next", bytes_of(fixture(i % 2 == 0 ? "twin_b" : "twin_a")));
       fs::rename(folder / "next", folder / "twin.so");
-      auto renewal = found(watch);
-      REQUIRE(renewal);
-      REQUIRE(renewal->host);
+      auto renewal = found_host(watch);
       watch.accept(*std::move(renewal));
       // The old one goes once the thread, which has left the new one, is done with it too.
-      for (int tries = 0; tries < 12000 && entries(temporary.path()) > 1; ++tries) {
-        std::this_thread::sleep_for(milliseconds(10));
-      }
-      REQUIRE(entries(temporary.path()) == 1);
+      wait_until([&] { return entries(temporary.path()) == 1; });
     }
   }
   CHECK(entries("/proc/self/fd") == open_files);

@@ -9,8 +9,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::rates;
-using elsie::test::Situation;
+using namespace elsie::test;
 
 namespace {
 

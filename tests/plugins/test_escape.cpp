@@ -7,8 +7,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::rates;
-using elsie::test::Situation;
+using namespace elsie::test;
 
 namespace {
 

@@ -7,9 +7,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::rates;
-using elsie::test::Situation;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 namespace {
 

@@ -5,8 +5,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::rates;
-using elsie::test::Situation;
+using namespace elsie::test;
 
 namespace {
 plugin::Object<Behavior> to(double x, double y) {

@@ -7,7 +7,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::Situation;
+using namespace elsie::test;
 
 namespace {
 
@@ -39,7 +39,6 @@ std::vector<std::string> events(const Response& response) {
   return names;
 }
 using Names = std::vector<std::string>;
-using elsie::test::rates;
 
 void check_rates(const Motion& command, double left, double right) {
   CHECK(rates(command).left == Approx(left).margin(1e-12));

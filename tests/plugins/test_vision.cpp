@@ -7,8 +7,7 @@
 #include "camera_work.h"
 
 using namespace elsie;
-using elsie::test::photograph;
-using elsie::test::Watcher;
+using namespace elsie::test;
 
 namespace {
 

@@ -5,8 +5,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::rates;
-using elsie::test::Situation;
+using namespace elsie::test;
 
 TEST_CASE("Wander keeps its mean speed and changes its direction now and then") {
   const auto wander = test::make<Behavior>(PluginKind::behavior, "wander",

@@ -17,27 +17,23 @@ TEST_CASE("A damaged database is refused by all commands that read it, with what
   constexpr std::size_t kPage = 4096;
   const std::size_t middle = whole.size() / kPage / 2 * kPage;
   REQUIRE(middle > kPage);
-  std::string overwritten = whole, swapped = whole;
-  overwritten.replace(middle, kPage, std::string(kPage, 'x'));
-  swapped.replace(middle - kPage, 2 * kPage,
-                  whole.substr(middle, kPage) + whole.substr(middle - kPage, kPage));
-  for (const std::string& content : {overwritten, swapped, whole.substr(0, middle)}) {
-    here.write("r.sqlite", content);
-    for (const std::string command :
-         {"batch small_experiment.xml --database r.sqlite --resume", "report r.sqlite",
-          "replay r.sqlite 1", "merge out.sqlite r.sqlite",
-          "merge out.sqlite whole.sqlite r.sqlite"}) {
-      CAPTURE(command);
-      const auto run =
-          here.elsie(command + (command[0] == 'b' ? " --plugin-path " + here.plugins() : ""));
-      CHECK(run.exit_code == 2);
-      CHECK(run.out.empty());
-      CHECK_THAT(run.err, Contains("elsie: the database 'r.sqlite' is damaged (") &&
-                              Contains("use a copy of it, or do its runs again with another "
-                                       "--database"));
-      CHECK(here.read("r.sqlite") == content);
-      CHECK_FALSE(fs::exists(here.file("out.sqlite")));
-    }
+  std::string damaged = whole;
+  damaged.replace(middle, kPage, std::string(kPage, 'x'));
+  here.write("r.sqlite", damaged);
+  for (const std::string command :
+       {"batch small_experiment.xml --database r.sqlite --resume", "report r.sqlite",
+        "replay r.sqlite 1", "merge out.sqlite r.sqlite",
+        "merge out.sqlite whole.sqlite r.sqlite"}) {
+    CAPTURE(command);
+    const auto run =
+        here.elsie(command + (command[0] == 'b' ? " --plugin-path " + here.plugins() : ""));
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK_THAT(run.err, Contains("elsie: the database 'r.sqlite' is damaged (") &&
+                            Contains("use a copy of it, or do its runs again with another "
+                                     "--database"));
+    CHECK(here.read("r.sqlite") == damaged);
+    CHECK_FALSE(fs::exists(here.file("out.sqlite")));
   }
 }
 

@@ -16,13 +16,11 @@ using elsie::test::world_with;
 namespace fs = std::filesystem;
 
 TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported in full") {
-  const std::string way = GENERATE(as<std::string>(), "", " --fresh-processes");
-  CAPTURE(way);
   const Laboratory here;
   here.write_faulty({"segfaulting", "aborting", "overflowing", "looping", "not_a_number",
                      "throwing", "exiting", "thrifty"},
                     "<limits time=\"2\" wall_time=\"10\"/>");
-  const auto run = here.batch("faulty.xml --workers 2" + way);
+  const auto run = here.batch("faulty.xml --workers 2");
   CAPTURE(run.out, run.err);
   CHECK(run.exit_code == 3);
   CHECK_THAT(run.out, Contains("elsie replay faulty.sqlite 1"));
@@ -106,14 +104,12 @@ TEST_CASE("A run that fails in a copy of a process leaves the same results as in
   CHECK(logs("copies.sqlite") == logs("programs.sqlite"));
 }
 
-TEST_CASE("A run whose end is a matter of chance does not affect others, in a copy either") {
-  const std::string way = GENERATE(as<std::string>(), "", " --fresh-processes");
-  CAPTURE(way);
+TEST_CASE("A run whose end is a matter of chance does not affect others") {
   const Laboratory here;
   // What is overwritten depends on where it is; and a thread may crash before the run ends or not.
   here.write_faulty({"smashing_heap", "crashing_beside", "thrifty"},
                     "<limits time=\"2\" wall_time=\"60\"/>", 3);
-  CHECK(here.batch("faulty.xml --workers 2" + way).exit_code == 3);
+  CHECK(here.batch("faulty.xml --workers 2").exit_code == 3);
   CHECK(here.query("faulty.sqlite",
                    "SELECT world, count(*) FROM runs JOIN cells ON cells.id = cell_id WHERE state "
                    "= CASE world WHEN 'smashing_heap' THEN 'crash' WHEN 'thrifty' THEN 'done' ELSE "

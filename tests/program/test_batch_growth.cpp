@@ -119,20 +119,6 @@ TEST_CASE("A batch that is killed while it extends its database loses nothing") 
   here.check_sound("small_experiment.sqlite");
 }
 
-TEST_CASE("Shards that are extended are merged to the larger experiment") {
-  const Laboratory here;
-  for (const std::string shard : {"1/2", "2/2"}) {
-    REQUIRE(here.batch("small_experiment.xml --quiet --shard " + shard).exit_code == 0);
-  }
-  write_grown(here);
-  for (const std::string shard : {"1/2", "2/2"}) {
-    CHECK(here.batch("small_experiment.xml --quiet --extend --shard " + shard).exit_code == 0);
-  }
-  CHECK(here.elsie("merge all.sqlite small_experiment-1of2.sqlite small_experiment-2of2.sqlite")
-            .out == "all.sqlite: 40 of 40 runs are done\n");
-  CHECK(here.elsie("report all.sqlite --quiet").exit_code == 0);
-}
-
 TEST_CASE("What cannot be extended is refused before anything is done") {
   const Laboratory here;
   REQUIRE(here.batch("small_experiment.xml --quiet").exit_code == 0);

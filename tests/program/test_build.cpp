@@ -158,17 +158,6 @@ TEST_CASE("A crash in a function that was put inline, or an exception of it, nam
                              Contains("/straight.cpp:7\n"));
 }
 
-TEST_CASE("The compiler's warnings are passed on, once") {
-  Bench here;
-  here.write("straight.cpp", source("1.0, 1.0") + "static int forgotten;\n");
-  const auto first = here.cached("build straight.cpp");
-  CHECK(first.exit_code == 0);
-  CHECK_THAT(first.err, Contains("straight.cpp:8:") && Contains("forgotten"));
-  CHECK(here.cached("build straight.cpp").err.empty());
-  here.write("other.cpp", source("1.0, 1.0") + "static int forgotten;\n");
-  CHECK(here.cached("check world.xml --plugin other.cpp --quiet").err.empty());
-}
-
 TEST_CASE("The manual page and the shells' completion know every subcommand and option") {
   Workplace here;
   const auto manual = here.elsie("manual");

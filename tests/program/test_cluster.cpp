@@ -186,16 +186,6 @@ TEST_CASE("A task that returns to the queue continues where it was") {
   CHECK(here.table("all.sqlite") == here.alone("faulty.xml"));
 }
 
-TEST_CASE("A run that fails on a cluster is reported as on one machine") {
-  const Cluster here;
-  here.write_faulty({"crashing_elsewhere", "thrifty"}, "", 2);
-  const auto run = here.with_slurm(
-      "batch faulty.xml --cluster slurm --workers 2 --shards 2 --database all.sqlite\n");
-  CHECK(run.exit_code == 3);
-  CHECK_THAT(run.out, Contains("run 1 (crashing_elsewhere, seed 1), crash") &&
-                          Contains("elsie replay all.sqlite 1"));
-}
-
 TEST_CASE("A job that a cluster refuses leaves nothing behind") {
   const Cluster here;
   const auto run = here.with_slurm(

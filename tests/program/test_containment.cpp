@@ -101,14 +101,6 @@ TEST_CASE("A process that is killed is no success") {
   CHECK(killed.out.empty());
 }
 
-TEST_CASE("The check of a plugin that ends the process ends with exit code 3") {
-  TrespassersWorld world;
-  const auto run =
-      world.here.elsie("test-plugin leaving --plugin-path " + world.plugins + " --variants 1");
-  CHECK(run.exit_code == 3);
-  CHECK_THAT(run.err, Contains("plugin 'leaving' ended the program by calling _exit()"));
-}
-
 TEST_CASE("A thread of a plugin that ends the process or crashes is found in its library") {
   TrespassersWorld world;
   auto run = world.run("leaving_elsewhere");
@@ -142,16 +134,6 @@ TEST_CASE("A thread that a plugin leaves behind is found in the library that was
   CHECK(was_seen);
 }
 
-TEST_CASE("A copy of the process that crashes does not speak for the program") {
-  TrespassersWorld world;
-  const auto run = world.run("forking_and_crashing", "--record run.csv --record-rate 100");
-  CHECK(run.exit_code == 3);
-  CHECK(run.err ==
-        "elsie: plugin 'forking_and_crashing' of robot 'r1' failed in step 50 (at 0.5 s): it made "
-        "a copy of "
-        "the program with fork(); start other programs with posix_spawn()\n");
-}
-
 TEST_CASE("A crash outside of plugins, after one has damaged the heap, says where to look") {
   TrespassersWorld world;
   const auto run = world.run("smashing_heap");
@@ -164,15 +146,17 @@ TEST_CASE("A crash outside of plugins, after one has damaged the heap, says wher
                                          : "' of robot 'r1' ended the program"));
 }
 
-TEST_CASE("A copy of the process ends, and the plugin that made it has failed") {
+TEST_CASE(
+    "A copy of the process ends or crashes by itself, and the plugin that made it has failed") {
   TrespassersWorld world;
-  const auto run = world.run("forking", "--record run.csv --record-rate 100");
-  CHECK(run.exit_code == 3);
-  CHECK(run.out.empty());
-  CHECK(run.err ==
-        "elsie: plugin 'forking' of robot 'r1' failed in step 50 (at 0.5 s): it made a copy of the "
-        "program "
-        "with fork(); start other programs with posix_spawn()\n");
+  for (const std::string plugin : {"forking", "forking_and_crashing"}) {
+    const auto run = world.run(plugin, "--record run.csv --record-rate 100");
+    CHECK(run.exit_code == 3);
+    CHECK(run.out.empty());
+    CHECK(run.err == "elsie: plugin '" + plugin +
+                         "' of robot 'r1' failed in step 50 (at 0.5 s): it made a copy of the "
+                         "program with fork(); start other programs with posix_spawn()\n");
+  }
   CHECK(world.run("starting").exit_code == 0);
 }
 

@@ -25,7 +25,7 @@ json result_of(const std::string& world, int seed, const std::string& coordinato
 
 TEST_CASE(
     "Between two equal pulls vector summation gets stuck, and a fusion on desirability does not") {
-  for (int seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);
     const json one_after_the_other = result_of("equal_pulls", seed);
     CHECK(one_after_the_other["outcome"] == "success");
@@ -44,7 +44,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Voting, too, takes one of two equal pulls, given a margin") {
-  for (int seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);
     CHECK(result_of("equal_pulls", seed, "<arbiter_voting margin=\"0.05\"/>")["outcome"] ==
           "success");
@@ -52,7 +52,7 @@ TEST_CASE("Voting, too, takes one of two equal pulls, given a margin") {
 }
 
 TEST_CASE("Layers of competence: the robot lives, and every layer is needed") {
-  for (int seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);
     CHECK(result_of("layers", seed)["outcome"] == "success");
   }
@@ -76,7 +76,7 @@ TEST_CASE("Layers of competence: the robot lives, and every layer is needed") {
 }
 
 TEST_CASE("Context rules take a robot past obstacles and to the charger on its way") {
-  for (int seed = 1; seed <= 5; ++seed) {
+  for (int seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);
     const json result = result_of("contexts", seed);
     CHECK(result["outcome"] == "success");
@@ -99,7 +99,7 @@ std::ptrdiff_t count(const json& result, const std::string& event) {
 
 TEST_CASE("A network that blends search and avoidance collects all four resources") {
   Workplace here;
-  constexpr int seeds = 5;
+  constexpr int seeds = 3;
   for (const std::string hidden : {"2 2", "4 4"}) {
     double distance_m = 0.0, time_s = 0.0;
     for (int seed = 1; seed <= seeds; ++seed) {

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 TEST_CASE("The scattered sisters of the shipped worlds have room for every layout") {
   Workplace here;
-  for (int seed = 1; seed <= 20; ++seed) {
+  for (int seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
     const auto run =
         here.elsie("check worlds/scattered/*.xml --quiet --seed " + std::to_string(seed));
@@ -36,26 +36,11 @@ TEST_CASE("Every shipped world has a scattered sister") {
   CHECK(without.empty());
 }
 
-TEST_CASE("Each of them runs") {
-  Workplace here;
-  const std::filesystem::path folder = elsie::test::source_path("worlds/scattered");
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    CAPTURE(entry.path());
-    const auto run = here.elsie("run worlds/scattered/" + entry.path().filename().string() +
-                                " --quiet --duration 2");
-    CAPTURE(run.err);
-    CHECK(run.exit_code <= 1);
-    ++count;
-  }
-  CHECK(count >= 20);
-}
-
 TEST_CASE("Robots live in any clutter, and gather and keep formation from any start") {
   Workplace here;
   for (const char* world : {"clutter", "open_arena", "gathering", "formation", "pushing", "shapes",
                             "group_to_resource", "drives", "equal_pulls", "wall_follow"}) {
-    for (int seed = 1; seed <= 3; ++seed) {
+    for (int seed = 1; seed <= 2; ++seed) {
       CAPTURE(world, seed);
       CHECK(here.elsie("run worlds/scattered/" + std::string(world) + ".xml --quiet --seed " +
                        std::to_string(seed))
@@ -106,23 +91,4 @@ TEST_CASE("A world that has no room for its layout is refused before it runs") {
     CHECK(run.exit_code == 2);
     CHECK_THAT(run.err, Contains("scattered/clutter.xml:11: the layout 'clutter' has no room"));
   }
-}
-
-TEST_CASE("Equal experiments have equal layouts, whatever the number of workers") {
-  Workplace here;
-  here.write("e.xml",
-             "<experiment format='1'><worlds><world file='worlds/scattered/maze.xml'/></worlds>"
-             "<seeds from='1' to='4'/><layouts rule='nested'/><limits time='1'/></experiment>");
-  for (const std::string workers : {"1", "2"}) {
-    const auto run = here.elsie("batch e.xml --quiet --workers " + workers + " --database " +
-                                workers + ".sqlite");
-    CAPTURE(run.err);
-    CHECK(run.exit_code == 0);
-    here.elsie("report " + workers + ".sqlite --csv " + workers + ".csv");
-  }
-  const auto hashes = [&](const std::string& name) {
-    return here.sh("sqlite3 " + name + ".sqlite 'SELECT state_hash FROM runs'").out;
-  };
-  CHECK(hashes("1") == hashes("2"));
-  CHECK(hashes("1").size() == 4 * 17);
 }

@@ -102,17 +102,3 @@ TEST_CASE("A replay can be limited whatever the result of the run was; most are 
   CHECK(unlimited.exit_code == 1);
   CHECK_THAT(unlimited.out, Contains("not the same: it ended normally"));
 }
-
-TEST_CASE("A run that crashes again is reported with its plugin") {
-  const Laboratory here;
-  here.write_faulty({"segfaulting", "exiting"}, "");
-  REQUIRE(here.batch("faulty.xml --quiet").exit_code == 3);
-  const auto crash = here.elsie("replay faulty.sqlite 1");
-  CHECK(crash.exit_code == 3);
-  CHECK_THAT(crash.out, Contains("before: crash, plugin 'segfaulting' of robot 'r1' crashed with "
-                                 "SIGSEGV in step 50 (at 0.5 s)\n"));
-  CHECK_THAT(crash.err, Contains("(SIGSEGV) in step 50 (at 0.5 s)") && Contains("the stack"));
-  const auto left = here.elsie("replay faulty.sqlite 2 --quiet");
-  CHECK(left.exit_code == 3);
-  CHECK_THAT(left.err, Contains("'exiting' of robot 'r1' ended the program by calling exit()"));
-}

@@ -161,23 +161,3 @@ TEST_CASE("Shipped worlds and experiments open by their short names from any fol
   CHECK(wrong.exit_code == 2);
   CHECK_THAT(wrong.err, Catch::Contains("did you mean 'worlds/maze.xml'?"));
 }
-
-TEST_CASE("Recordings of other programs are not overwritten") {
-  Workplace here;
-  const std::string magic = "\x89MCAP0\r\n";
-  for (const auto& [file, content] :
-       {std::pair<std::string, std::string>{"own.csv",
-                                            "time_s,robot,x_m,y_m,my_note\n1,a,2,3,keep\n"},
-        {"other.mcap", magic + "recorded by somebody else"}}) {
-    here.write(file, content);
-    const auto run = here.elsie("run worlds/clutter.xml --duration 1 --record " + file);
-    CHECK(run.exit_code == 2);
-    CHECK_THAT(run.err, Catch::Contains("'" + file + "' already exists and is not a recording"));
-    CHECK(here.read(file) == content);
-  }
-  here.elsie("run worlds/clutter.xml --duration 1 --record mine.mcap --record mine.csv");
-  CHECK(here.elsie("run worlds/clutter.xml --duration 1 --record mine.mcap --record mine.csv")
-            .exit_code == 1);
-  CHECK(here.elsie("run worlds/clutter.xml --duration 1 --record mine.mcap --record ./mine.mcap")
-            .exit_code == 2);
-}

@@ -1,19 +1,11 @@
 // elsie test-plugin: its messages and exit codes.
 #include <catch2/catch.hpp>
 
-#include "places.h"
 #include "program.h"
 
 using Catch::Contains;
 using Catch::Equals;
 using elsie::test::Workplace;
-namespace test = elsie::test;
-
-namespace {
-
-std::string faulty() { return "--plugin-path " + test::build_path("tests/program/plugins") + " "; }
-
-}  // namespace
 
 TEST_CASE("A sound plugin is reported as such") {
   Workplace here;
@@ -38,19 +30,6 @@ TEST_CASE("Faults of a source file are reported in sentences") {
   const auto run = here.sh("ELSIE_CACHE=$PWD/cache elsie test-plugin counts.cpp");
   CHECK(run.exit_code == 1);
   CHECK_THAT(run.out, Contains("behavior 'counts': two objects answer the same input differently"));
-}
-
-TEST_CASE("A plugin that ends the checker is named") {
-  Workplace here;
-  const auto late = here.elsie("test-plugin segfaulting " + faulty());
-  CAPTURE(late.err);
-  CHECK(late.exit_code == 3);
-  CHECK_THAT(late.err, Contains("plugin 'segfaulting' ended the program with a segmentation fault "
-                                "(SIGSEGV) in step 50 (at 0.5 s)"));
-  const auto early = here.elsie("test-plugin crashes_when_made " + faulty());
-  CAPTURE(early.err);
-  CHECK(early.exit_code == 3);
-  CHECK_THAT(early.err, Contains("plugin 'crashes_when_made' ended the program"));
 }
 
 TEST_CASE("Wrong arguments are refused in a sentence") {

@@ -7,6 +7,7 @@
 #include "elsie/recording/csv_recorder.h"
 #include "elsie/traces/tracks.h"
 
+#include "folder.h"
 #include "world_builder.h"
 
 using namespace elsie;
@@ -41,6 +42,13 @@ std::size_t column(const Table& table, const std::string& name) {
   return static_cast<std::size_t>(at - table[0].begin());
 }
 
+simulation::RunResult record_table(Simulation& simulation, const std::filesystem::path& file,
+                                   double rate_hz) {
+  const auto recorder = csv_recorder(file, {.rate_hz = rate_hz});
+  simulation::Observer* const observers[] = {recorder.get()};
+  return simulation.run(observers);
+}
+
 world::World two_robots() {
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("go_to_point", 2, {{"x", 3.0}})));
@@ -56,10 +64,8 @@ world::World two_robots() {
 TEST_CASE(
     "A recording has a row per robot and sample, with poses, commands, readings and the trace") {
   TemporaryFile file;
-  const auto recorder = csv_recorder(file.path, {.rate_hz = 20});
-  simulation::Observer* const observers[] = {recorder.get()};
   Simulation simulation(two_robots(), shipped());
-  const auto result = simulation.run(observers);
+  const auto result = record_table(simulation, file.path, 20);
   const Table table = read(file.path);
   REQUIRE(table.size() == 1 + 2 * 21);
   for (const auto& row : table) {
@@ -93,9 +99,8 @@ TEST_CASE(
 
 TEST_CASE("The first row is before any decision: no readings, no trace") {
   TemporaryFile file;
-  const auto recorder = csv_recorder(file.path, {.rate_hz = 20});
-  simulation::Observer* const observers[] = {recorder.get()};
-  Simulation(two_robots(), shipped()).run(observers);
+  Simulation simulation(two_robots(), shipped());
+  record_table(simulation, file.path, 20);
   const Table table = read(file.path);
   CHECK(table[1][column(table, "time_s")] == "0");
   CHECK(table[1][column(table, "x_m")] == "0");
@@ -103,43 +108,27 @@ TEST_CASE("The first row is before any decision: no readings, no trace") {
   CHECK(table[1][column(table, "behavior[wander].asked")].empty());
 }
 
-TEST_CASE("Recording after a reset gives the same bytes as recording a new simulation") {
+TEST_CASE("A run has the same bytes each time that it is recorded, also after a reset") {
   const auto bytes = [](Simulation& simulation) {
-    TemporaryFile file;
-    const auto recorder = csv_recorder(file.path, {.rate_hz = 100});
-    simulation::Observer* const observers[] = {recorder.get()};
-    simulation.run(observers);
-    std::ifstream in(file.path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
+    const Folder folder;
+    record_table(simulation, folder.file("run.csv"), 100);
+    return folder.read("run.csv");
   };
-  Simulation simulation(two_robots(), shipped());
+  Simulation simulation(two_robots(), shipped()), other(two_robots(), shipped());
   const std::string first = bytes(simulation);
+  CHECK(first.size() > 10000);
   simulation.reset();
   CHECK(bytes(simulation) == first);
+  CHECK(bytes(other) == first);
 }
 
 TEST_CASE("A rate of next to nothing samples the start only, a very high one every step") {
   for (const auto& [rate, rows] : {std::pair{1e-300, 1u}, std::pair{1e300, 101u}}) {
     TemporaryFile file;
-    const auto recorder = csv_recorder(file.path, {.rate_hz = rate});
-    simulation::Observer* const observers[] = {recorder.get()};
-    Simulation(two_robots(), shipped()).run(observers);
+    Simulation simulation(two_robots(), shipped());
+    record_table(simulation, file.path, rate);
     CHECK(read(file.path).size() == 1 + 2 * rows);
   }
-}
-
-TEST_CASE("Recording the same run twice gives the same bytes") {
-  const auto record = [] {
-    TemporaryFile file;
-    const auto recorder = csv_recorder(file.path, {.rate_hz = 100});
-    simulation::Observer* const observers[] = {recorder.get()};
-    Simulation(two_robots(), shipped()).run(observers);
-    std::ifstream in(file.path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
-  const std::string first = record();
-  CHECK(first.size() > 10000);
-  CHECK(record() == first);
 }
 
 TEST_CASE("What was recorded until a plugin failed is kept") {
@@ -150,12 +139,9 @@ TEST_CASE("What was recorded until a plugin failed is kept") {
     }
     return Motion{};
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  const auto recorder = csv_recorder(file.path, {.rate_hz = 100});
-  simulation::Observer* const observers[] = {recorder.get()};
+  world::World world = one_robot();
   Simulation simulation(world, scripted.host);
-  CHECK_THROWS_AS(simulation.run(observers), simulation::PluginFault);
+  CHECK_THROWS_AS(record_table(simulation, file.path, 100), simulation::PluginFault);
   CHECK(read(file.path).size() == 1 + 52);
 }
 
@@ -168,9 +154,7 @@ TEST_CASE("A table that cannot be made says so") {
 }
 
 TEST_CASE("Tracks keep a pose a period, and where a robot collided") {
-  world::World world;
-  world.robots.push_back(
-      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world::World world = one_robot(behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}}));
   world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0.5, 0));
   world.limits.time = 2;
   traces::TrackRecorder tracks(0.25);

@@ -110,13 +110,6 @@ TEST_CASE("Readings, commands and traces are those of the last decision, and hav
   CHECK(all["/robots/r2/readings"].front().content.at("sensors").empty());
 }
 
-TEST_CASE("How long behaviours take is recorded on request only") {
-  const RecordedFile file(two_named_robots(), shipped(), {.measure_time = true},
-                          {.with_times = true});
-  auto all = recorded(file.path);
-  CHECK(all["/robots/r1/trace"].back().content.at("behaviors")[0].at("time_s").get<double>() > 0.0);
-}
-
 TEST_CASE("The file says what ran: world, seed, program, periods; and how it ended") {
   McapFile file;
   Simulation simulation(two_named_robots(), shipped(), {.seed = 18446744073709551615ULL});
@@ -209,9 +202,7 @@ TEST_CASE("A robot whose battery is empty sees nothing") {
 
 TEST_CASE("Events are written when they happen, with the robot's place") {
   McapFile file;
-  world::World world;
-  world.robots.push_back(
-      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world::World world = one_robot(behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}}));
   world.obstacles.push_back(box("b", world::ObstacleKind::fixed, 0.5, 0));
   world.limits.time = 2;
   Simulation simulation(world, shipped());
@@ -237,9 +228,7 @@ TEST_CASE("Events are written when they happen, with the robot's place") {
 }
 
 TEST_CASE("The scene is written at the start, and again when a box has left it") {
-  world::World world;
-  world.robots.push_back(
-      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world::World world = one_robot(behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}}));
   world.obstacles.push_back(box("prey", world::ObstacleKind::resource, 0.5, 0));
   world.obstacles.push_back(box("pushed", world::ObstacleKind::dynamic, 0, 2));
   world.limits.time = 3;
@@ -296,14 +285,16 @@ TEST_CASE("A plugin that fails ends the run, and what was recorded is kept, with
     if (now.time_s() > 0.5) {
       throw std::runtime_error("enough");
     }
-    return Motion{};
+    return Motion{now.time_s(), 0, 0};
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   Simulation simulation(world, scripted.host);
   CHECK_THROWS_AS(record(simulation, file.path, {.rate_hz = 100}), simulation::PluginFault);
   CHECK(recorded(file.path)["/robots/r1/state"].size() == 52);
   CHECK(metadata_of(file.path, "elsie.result").at("outcome") == "stopped");
+  const traces::Trace trace = recording::read_trace(file.path);
+  CHECK(trace.outcome == "stopped");
+  CHECK(trace.robots[0].members[0].notes.size() == 51);
 }
 
 TEST_CASE("A measure that fails in the end fails the run, and the recording is whole") {
@@ -315,8 +306,7 @@ TEST_CASE("A measure that fails in the end fails the run, and the recording is w
   declaration.create = [] { return std::make_unique<SilentMeasure>(); };
   ScriptedHost scripted([](const Perception&) -> Response { return wheels(5, 5); });
   scripted.host.add(std::move(declaration));
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.limits.time = 1;
   world.measures.emplace_back();
   world.measures[0].plugin = world.measures[0].id = "silent";
@@ -347,9 +337,7 @@ TEST_CASE("A recording that cannot be made says so") {
 }
 
 TEST_CASE("A round robot is a cylinder that stands, on two that lie") {
-  world::World world;
-  world.robots.push_back(
-      robot("r1", 0, 0, 0, behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}})));
+  world::World world = one_robot(behavior("wander", 1, {{"speed", 20.0}, {"restlessness", 0.0}}));
   world.robots[0].body.round = true;
   world.limits.time = 0.1;
   const RecordedFile file(world, shipped());

@@ -106,8 +106,7 @@ TEST_CASE("What has not changed since the last decision is not written") {
   ScriptedHost scripted([](const Perception& now) {
     return Motion{now.time_s() < 0.5 ? 0.1 : 0.2, 0.0, 0.5};
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.limits.time = 1;
   const RecordedFile file(std::move(world), scripted.host);
   const auto decisions = recorded(file.path)["/robots/r1/trace"];
@@ -161,8 +160,7 @@ TEST_CASE(
 
 TEST_CASE("With a control period of several steps there is a decision in each period") {
   ScriptedHost scripted([](const Perception& now) { return Motion{now.time_s(), 0, 0}; });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.physics.control_steps = 5;
   world.limits.time = 0.52;
   const RecordedFile file(std::move(world), scripted.host);
@@ -203,8 +201,7 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
     }
     return response;
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots.push_back(robot("r2", 2, 0, 0, behavior("wander", 1, {{"speed", 20.0}})));
   world.robots[1].behaviors[0].parameters["restlessness"] = 0.0;
   world.obstacles.push_back(box("apple", world::ObstacleKind::resource, 2.5, 0));
@@ -220,16 +217,6 @@ TEST_CASE("Events are in the trace, at the end of the step in which they happene
   CHECK(trace.robots[1].events[0].time_s == Approx(file.result.events.back().time_s));
 }
 
-TEST_CASE("A run is the same, bit for bit, whether it is traced or not; two traces are, too") {
-  const McapFile a, b;
-  const auto hash = Simulation(two_deciding_robots(), shipped()).run().state_hash;
-  Simulation simulation(two_deciding_robots(), shipped());
-  CHECK(record(simulation, a.path).state_hash == hash);
-  simulation.reset();
-  CHECK(record(simulation, b.path).state_hash == hash);
-  CHECK(a.bytes() == b.bytes());
-}
-
 TEST_CASE("A robot without behaviours or coordinator has a trace, too") {
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("wander")));
@@ -243,49 +230,10 @@ TEST_CASE("A robot without behaviours or coordinator has a trace, too") {
   CHECK(recorded(file.path)["/robots/r1/trace"].size() == 1);
 }
 
-TEST_CASE("A run that a plugin ended has a whole trace with the outcome 'stopped'") {
-  const McapFile file;
-  ScriptedHost scripted([](const Perception& now) -> Response {
-    if (now.time_s() > 0.495) {
-      throw std::runtime_error("enough");
-    }
-    return Motion{now.time_s(), 0, 0};
-  });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  Simulation simulation(std::move(world), scripted.host);
-  CHECK_THROWS_AS(record(simulation, file.path), simulation::PluginFault);
-  const Trace trace = read_trace(file.path);
-  CHECK(trace.outcome == "stopped");
-  CHECK(trace.end_s == 0.5);
-  CHECK(trace.robots[0].members[0].notes.size() == 50);
-}
-
-TEST_CASE("The file grows during the run, a second at a time") {
-  const McapFile file;
-  ScriptedHost scripted([](const Perception& now) { return Motion{now.time_s(), 0, 0}; });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  Simulation simulation(std::move(world), scripted.host);
-  const auto recorder = mcap_recorder(file.path);
-  recorder->started(simulation);
-  for (int i = 0; i < 1500; ++i) {
-    simulation.step();
-    recorder->stepped(simulation);
-  }
-  // The recorder gets no ended(): the program might have been killed here.
-  const Trace trace = read_trace(file.path);
-  CHECK(trace.outcome.empty());
-  CHECK(!trace.cut_off.empty());
-  CHECK(trace.end_s > 13.9);
-  CHECK(trace.robots[0].members[0].notes.size() >= 1400);
-}
-
 TEST_CASE("A recording in which nothing changes still shows that the run goes on") {
   const McapFile file;
   ScriptedHost scripted([](const Perception&) { return wheels(0, 0); });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   Simulation simulation(std::move(world), scripted.host);
   const auto recorder = mcap_recorder(file.path);
   recorder->started(simulation);

@@ -1,5 +1,3 @@
-#include <fstream>
-
 #include <catch2/catch.hpp>
 
 #include "elsie/recording/beams.h"
@@ -13,11 +11,6 @@ using namespace elsie::test;
 using simulation::Simulation;
 
 namespace {
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The picture of a simulation itself, as the program draws it.
 void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
@@ -53,9 +46,7 @@ TEST_CASE("The picture from a recording alone is that of the run itself, byte fo
         "ten_robots.xml", "nested.xml", "drives.xml", "khepera.xml"}) {
     INFO(name);
     McapFile file;
-    TemporaryFile own, replayed;
-    const std::string own_png = own.path.string() + ".png";
-    const std::string replayed_png = replayed.path.string() + ".png";
+    const Folder folder;
     Simulation simulation(shipped_world(name, 12.34), shipped(),
                           {.cameras = render::world_cameras});
     traces::TrackRecorder tracks;
@@ -64,14 +55,12 @@ TEST_CASE("The picture from a recording alone is that of the run itself, byte fo
       simulation::Observer* const observers[] = {&tracks, recorder.get()};
       simulation.run(observers);
     }
-    draw(simulation, tracks, own_png);
+    draw(simulation, tracks, folder.file("own.png"));
     recording::save_picture(recording::read_recorded_run(file.path), shipped(), {"end"},
-                            replayed_png, {600, 0});
-    CHECK(bytes_of(own_png).size() > 5000);
-    const bool same = bytes_of(own_png) == bytes_of(replayed_png);
+                            folder.file("replayed.png"), {600, 0});
+    CHECK(folder.read("own.png").size() > 5000);
+    const bool same = folder.read("own.png") == folder.read("replayed.png");
     CHECK(same);
-    std::filesystem::remove(own_png);
-    std::filesystem::remove(replayed_png);
   }
 }
 
@@ -93,9 +82,7 @@ TEST_CASE("A robot that was put elsewhere is drawn without a line to there, from
 
 TEST_CASE("Robots that an edit removed or added are drawn as they are, from a recording too") {
   McapFile file;
-  TemporaryFile own, replayed;
-  const std::string own_png = own.path.string() + ".png";
-  const std::string replayed_png = replayed.path.string() + ".png";
+  const Folder folder;
   world::World world = shipped_world("ten_robots.xml", 300.0);
   const std::string first = world.robots[0].id, second = world.robots[1].id;
   Simulation simulation(std::move(world), shipped(),
@@ -110,10 +97,10 @@ TEST_CASE("Robots that an edit removed or added are drawn as they are, from a re
                                 {1.5, {"physics/@step", "0.003"}},
                                 {2.03, {"robot[+]", "<robot id=\"late\" x=\"0.1\" y=\"0.1\"/>"}},
                                 {2.5, {"robot[" + second + "]/body/@mass", "1.5"}}});
-  draw(simulation, tracks, own_png);
+  draw(simulation, tracks, folder.file("own.png"));
   const recording::RecordedRun run = recording::read_recorded_run(file.path);
-  recording::save_picture(run, shipped(), {"end"}, replayed_png, {600, 0});
-  CHECK(bytes_of(own_png) == bytes_of(replayed_png));
+  recording::save_picture(run, shipped(), {"end"}, folder.file("replayed.png"), {600, 0});
+  CHECK(folder.read("own.png") == folder.read("replayed.png"));
   REQUIRE(run.robots.size() == 10);
   for (const picture::RobotTrack& robot : run.robots) {
     CHECK(robot.id != first);
@@ -125,6 +112,4 @@ TEST_CASE("Robots that an edit removed or added are drawn as they are, from a re
   CHECK(before.robots.size() == 10);
   CHECK(std::none_of(before.robots.begin(), before.robots.end(),
                      [](const picture::RobotTrack& robot) { return robot.id == "late"; }));
-  std::filesystem::remove(own_png);
-  std::filesystem::remove(replayed_png);
 }

@@ -8,27 +8,15 @@ namespace elsie::test {
 
 namespace {
 
-MadeExperiment all_crashed() {
+MadeExperiment all_end_as(const std::string& how) {
   MadeExperiment experiment = made_from({{1, 2, 3}, {2, 3, 4}});
   for (MadeCell& cell : experiment.cells) {
     for (MadeRun& run : cell.runs) {
-      run.state = "crash";
+      run.end_as(how);
+      run.robots.clear();
+      if (how == "pending") continue;
       run.signal = "SIGSEGV";
       run.message = "plugin 'wander' of robot 'r1' crashed with SIGSEGV in step 50";
-      run.measures.clear();
-      run.robots.clear();
-    }
-  }
-  return experiment;
-}
-
-MadeExperiment all_pending() {
-  MadeExperiment experiment = made_from({{1, 2, 3}, {2, 3, 4}});
-  for (MadeCell& cell : experiment.cells) {
-    for (MadeRun& run : cell.runs) {
-      run.state = "pending";
-      run.measures.clear();
-      run.robots.clear();
     }
   }
   return experiment;
@@ -127,17 +115,19 @@ MadeExperiment odd_values() {
 std::vector<EdgeCase> edge_cases() {
   MadeExperiment one_run = made_from({{1}});
   one_run.cells[0].label = "w";
-  return {{"all crashed", all_crashed()}, {"all pending", all_pending()},
-          {"one run", one_run},           {"one cell", made_from({{1, 2, 3, 4, 5, 60}})},
-          {"100 cells", hundred_cells()}, {"bad names", hostile()},
-          {"long names", long_names()},   {"alike names", alike_names()},
+  return {{"all crashed", all_end_as("crash")},
+          {"all pending", all_end_as("pending")},
+          {"one run", one_run},
+          {"one cell", made_from({{1, 2, 3, 4, 5, 60}})},
+          {"100 cells", hundred_cells()},
+          {"bad names", hostile()},
+          {"long names", long_names()},
+          {"alike names", alike_names()},
           {"odd values", odd_values()}};
 }
 
 report::Questions edge_questions() {
-  experiment::Expectation path;
-  path.name = "short enough";
-  path.measure = "path_length_m";
+  experiment::Expectation path = expectation_of("short enough", "path_length_m");
   path.at_most = 3.0;
   path.confidence = 0.9;
   experiment::Expectation success;

@@ -60,6 +60,17 @@ class Made {
   report::Questions questions;
 };
 
+/// An expectation that asks for nothing yet.
+inline experiment::Expectation expectation_of(
+    const std::string& name, const std::string& measure,
+    experiment::Statistic statistic = experiment::Statistic::mean) {
+  experiment::Expectation expectation;
+  expectation.name = name;
+  expectation.measure = measure;
+  expectation.statistic = statistic;
+  return expectation;
+}
+
 /// Questions with one expectation.
 inline report::Questions expecting(const experiment::Expectation& expectation) {
   report::Questions questions;

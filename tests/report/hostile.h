@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fixture.h"
 
@@ -36,12 +37,13 @@ inline MadeExperiment hostile() {
 }
 
 inline experiment::Expectation hostile_expectation() {
-  experiment::Expectation expectation;
-  expectation.name = kHostile;
-  expectation.measure = kHostile;
+  experiment::Expectation expectation = expectation_of(kHostile, kHostile);
   expectation.at_least = 2.0;
   return expectation;
 }
+
+/// The rows of a table, read strictly by RFC 4180.
+std::vector<std::vector<std::string>> parsed_csv(const std::string& text);
 
 /// The messages of `xmllint OPTIONS` about a text; "" if there are none.
 std::string xmllint(const std::string& text, const std::string& options);

@@ -40,6 +40,13 @@ struct MadeRun {
   std::string signal, plugin, robot, log;
   std::optional<std::int64_t> step;
   std::vector<MadeRobot> robots;
+
+  /// Makes it one without a result.
+  void end_as(const std::string& how) {
+    state = how;
+    measures.clear();
+    if (how == "pending") robots.clear();
+  }
 };
 
 struct MadeCell {

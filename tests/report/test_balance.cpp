@@ -7,11 +7,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::by_factor;
-using elsie::test::Made;
-using elsie::test::MadeCell;
-using elsie::test::MadeExperiment;
-using elsie::test::margin_of;
+using namespace elsie::test;
 
 namespace {
 
@@ -32,8 +28,7 @@ MadeExperiment stopped_batch() {
     auto& run = study.cells[i].runs[1];
     *run.measures["path_length_m"] += 100.0;
     if (i == 2 || i == 3 || i == 5) {
-      run.state = "pending";
-      run.measures.clear();
+      run.end_as("pending");
     }
   }
   return study;
@@ -112,8 +107,7 @@ TEST_CASE("A comparison and a model need two seeds that have a value in every ce
 
 TEST_CASE("Without a seed that has a value in every cell there are no numbers, and a note") {
   MadeExperiment study = stopped_batch();
-  study.cells[0].runs[0].state = "pending";
-  study.cells[0].runs[0].measures.clear();
+  study.cells[0].runs[0].end_as("pending");
   const Made made(study);
   const Answers answers = answer(made.findings(), {{"speed"}, {}, {}});
   CHECK_FALSE(answers.levels[0].margins[1].centre);

@@ -8,12 +8,7 @@
 using namespace elsie::report;
 using Catch::Contains;
 using elsie::experiment::Expectation;
-using elsie::test::expecting;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::made_world;
-using elsie::test::MadeExperiment;
-using elsie::test::margin_of;
+using namespace elsie::test;
 
 namespace {
 
@@ -30,12 +25,7 @@ MadeExperiment with_stopped(std::size_t stopped) {
   return made_up;
 }
 
-Expectation about_time() {
-  Expectation expectation;
-  expectation.name = "in time";
-  expectation.measure = "time_s";
-  return expectation;
-}
+Expectation about_time() { return expectation_of("in time", "time_s"); }
 
 Claim claimed(const MadeExperiment& made_up, const Expectation& expectation) {
   return Made(made_up, expecting(expectation)).findings().verdicts.at(0).claims.at(0);
@@ -256,9 +246,7 @@ TEST_CASE("Cells with and without goals in one table") {
 
 TEST_CASE("A difference below 0 is given as less") {
   const MadeExperiment made_up = made_from({{4, 5, 6}, {3.5, 4.5, 5.5}});
-  Expectation expectation;
-  expectation.name = "shorter";
-  expectation.measure = "path_length_m";
+  Expectation expectation = expectation_of("shorter", "path_length_m");
   expectation.relation = Relation::difference;
   expectation.reference = {{"scheme", "a"}};
   expectation.at_most = -0.2;

@@ -9,15 +9,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::by_factor;
-using elsie::test::expecting;
-using elsie::test::Made;
-using elsie::test::MadeCell;
-using elsie::test::MadeExperiment;
-using elsie::test::MadeRun;
-using elsie::test::margin_of;
-using elsie::test::refusal;
-using elsie::test::response_of;
+using namespace elsie::test;
 
 namespace {
 
@@ -184,12 +176,10 @@ TEST_CASE("If only a measure is varied, its values of the same run are no copies
 }
 
 TEST_CASE("An expectation that compares the same runs knows their difference, and says why") {
-  elsie::experiment::Expectation expectation;
-  expectation.name = "no worse with noise";
-  expectation.measure = "success";
-  expectation.statistic = Statistic::rate;
-  expectation.relation = Relation::difference;
+  elsie::experiment::Expectation expectation =
+      expectation_of("no worse with noise", "success", Statistic::rate);
   expectation.where = {{"speed", {"0.4"}}, {"coordinator", {"arbitration"}}, {"noise", {"0.3"}}};
+  expectation.relation = Relation::difference;
   expectation.reference = {{"noise", "0"}};
   expectation.at_least = 0.0;
   expectation.confidence = 0.95;

@@ -29,31 +29,6 @@ Findings findings_of(const std::string& name) {
   throw std::invalid_argument("there is no edge case '" + name + "'");
 }
 
-// The rows of a table by RFC 4180.
-std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
-  std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
-  bool quoted = false;
-  for (std::size_t i = 0; i < csv.size(); ++i) {
-    const char c = csv[i];
-    if (c == '"') {
-      if (quoted && i + 1 < csv.size() && csv[i + 1] == '"') {
-        rows.back().back() += c;
-        ++i;
-      } else {
-        quoted = !quoted;
-      }
-    } else if (c == ',' && !quoted) {
-      rows.back().emplace_back();
-    } else if (c == '\n' && !quoted) {
-      rows.emplace_back(1);
-    } else {
-      rows.back().back() += c;
-    }
-  }
-  rows.pop_back();  // after the last line feed
-  return rows;
-}
-
 }  // namespace
 
 TEST_CASE("Every form is well-formed in every case") {
@@ -73,7 +48,7 @@ TEST_CASE("Every form is well-formed in every case") {
               .empty());
     const auto json = nlohmann::json::parse(json_report(findings));
     CHECK(json["cells"].size() == findings.cells.size());
-    const auto rows = rows_of(csv_report(findings));
+    const auto rows = parsed_csv(csv_report(findings));
     REQUIRE(rows.size() == findings.runs() + 1);
     CHECK(std::all_of(rows.begin(), rows.end(),
                       [&](const auto& row) { return row.size() == rows[0].size(); }));

@@ -6,10 +6,7 @@
 using namespace elsie::report;
 using Catch::Contains;
 using elsie::experiment::Expectation;
-using elsie::test::expecting;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::MadeExperiment;
+using namespace elsie::test;
 
 namespace {
 
@@ -19,20 +16,12 @@ Verdict judged(const MadeExperiment& experiment, const Expectation& expectation)
 }
 
 Expectation success_at_least(double rate) {
-  Expectation expectation;
-  expectation.name = "it succeeds";
-  expectation.measure = "success";
-  expectation.statistic = Statistic::rate;
+  Expectation expectation = expectation_of("it succeeds", "success", Statistic::rate);
   expectation.at_least = rate;
   return expectation;
 }
 
-Expectation mean_path() {
-  Expectation expectation;
-  expectation.name = "it is short";
-  expectation.measure = "path_length_m";
-  return expectation;
-}
+Expectation mean_path() { return expectation_of("it is short", "path_length_m"); }
 
 // 20 runs, the last of them without success.
 MadeExperiment nineteen_of_twenty() {
@@ -56,8 +45,7 @@ TEST_CASE("A rate of success is given with its counts") {
 
 TEST_CASE("A run that crashed counts as not successful, and is mentioned") {
   MadeExperiment made_up = nineteen_of_twenty();
-  made_up.cells[0].runs[0].state = "crash";
-  made_up.cells[0].runs[0].measures.clear();
+  made_up.cells[0].runs[0].end_as("crash");
   const Verdict verdict = judged(made_up, success_at_least(0.95));
   CHECK_FALSE(verdict.met());
   CHECK(verdict.claims[0].sentence ==
@@ -77,12 +65,8 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
   expectation.statistic = Statistic::rate;
   expectation.at_most = 0.0;
   CHECK(judged(made_up, expectation).met());
-  const auto crash = [](elsie::test::MadeRun& run) {
-    run.state = "crash";
-    run.measures.clear();
-  };
   SECTION("some of them crashed: the value of the others, and their number") {
-    crash(runs[1]);
+    runs[1].end_as("crash");
     runs[2].measures["collisions"] = 2.0;
     const Verdict verdict = judged(made_up, expectation);
     CHECK_FALSE(verdict.met());
@@ -91,12 +75,12 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
           "most 0");
   }
   SECTION("all but one crashed") {
-    for (std::size_t i = 1; i < 4; ++i) crash(runs[i]);
+    for (std::size_t i = 1; i < 4; ++i) runs[i].end_as("crash");
     CHECK(judged(made_up, expectation).claims[0].found ==
           "rate of collisions of a is 0 (0 of 1; 3 runs ended abnormally)");
   }
   SECTION("all of them crashed") {
-    for (auto& run : runs) crash(run);
+    for (auto& run : runs) run.end_as("crash");
     const Verdict verdict = judged(made_up, expectation);
     CHECK_FALSE(verdict.met());
     REQUIRE(verdict.claims.size() == 1);
@@ -111,7 +95,7 @@ TEST_CASE("A run that crashed has no other value: nothing is met by crashes") {
     CHECK(judged(made_up, expectation).claims[0].value == 0.0);  // none succeeded, which is known
   }
   SECTION("the mean of success is its rate") {
-    crash(runs[0]);
+    runs[0].end_as("crash");
     expectation.measure = "success";
     for (const Statistic statistic : {Statistic::rate, Statistic::mean}) {
       expectation.statistic = statistic;
@@ -302,8 +286,7 @@ TEST_CASE("Cells relative to each other") {
   }
   SECTION("while the other cell is not done") {
     MadeExperiment incomplete = made_up;
-    incomplete.cells[0].runs[0].state = "pending";
-    incomplete.cells[0].runs[0].measures.clear();
+    incomplete.cells[0].runs[0].end_as("pending");
     const Claim claim = judged(incomplete, expectation).claims[0];
     CHECK_FALSE(claim.holds);
     CHECK(claim.sentence ==
@@ -316,9 +299,8 @@ TEST_CASE("Cells relative to each other") {
 TEST_CASE("What cannot be judged is not met") {
   MadeExperiment made_up = made_from({{1, 2, 3}});
   SECTION("not all runs are done") {
-    made_up.cells[0].runs[1].state = made_up.cells[0].runs[2].state = "pending";
-    made_up.cells[0].runs[1].measures.clear();
-    made_up.cells[0].runs[2].measures.clear();
+    made_up.cells[0].runs[1].end_as("pending");
+    made_up.cells[0].runs[2].end_as("pending");
     const Verdict verdict = judged(made_up, success_at_least(0.0));
     CHECK_FALSE(verdict.met());
     CHECK(verdict.open());
@@ -365,8 +347,7 @@ TEST_CASE("What cannot be judged is not met") {
 
 TEST_CASE("Missing runs leave an expectation open, unless another cell misses it") {
   MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
-  made_up.cells[1].runs[2].state = "pending";
-  made_up.cells[1].runs[2].measures.clear();
+  made_up.cells[1].runs[2].end_as("pending");
   Questions questions = expecting(mean_path());
   Expectation& short_path = questions.expectations[0];
   short_path.name = "short";

@@ -9,13 +9,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::by_factor;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::MadeExperiment;
-using elsie::test::margin_of;
-using elsie::test::refusal;
-using elsie::test::response_of;
+using namespace elsie::test;
 
 namespace {
 
@@ -110,8 +104,7 @@ TEST_CASE("A run that fails before the limit never reaches its goals") {
   MadeExperiment study = by_factor();
   study.cells[1].runs[0].outcome = "failure";
   study.cells[1].runs[0].measures["time_s"] = 1.0;
-  study.cells[1].runs[1].state = "crash";
-  study.cells[1].runs[1].measures.clear();
+  study.cells[1].runs[1].end_as("crash");
   const Made made(study);
   const auto times = times_to_goals(made.findings(), 1);
   REQUIRE(times.size() == 5);  // the crashed one has no time
@@ -422,9 +415,7 @@ TEST_CASE("A page without factors, or without a run, has no section by factor") 
   MadeExperiment pending = by_factor(2);
   for (auto& cell : pending.cells) {
     for (auto& run : cell.runs) {
-      run.state = "pending";
-      run.measures.clear();
-      run.robots.clear();
+      run.end_as("pending");
     }
   }
   CHECK_THAT(Made(pending).html(), !Contains("By factor"));

@@ -15,11 +15,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::by_factor;
-using elsie::test::Folder;
-using elsie::test::Made;
-using elsie::test::made_study;
-using elsie::test::MadeExperiment;
+using namespace elsie::test;
 
 namespace fs = std::filesystem;
 
@@ -212,8 +208,7 @@ TEST_CASE("A row for LaTeX may begin with a bracket or a star") {
 
 TEST_CASE("A figure says what it leaves out, and its title is not cut off") {
   MadeExperiment study = by_factor();
-  study.cells[2].runs[0].state = "pending";
-  study.cells[2].runs[0].measures.clear();
+  study.cells[2].runs[0].end_as("pending");
   const Made made(study);
   const Folder folder;
   draw(made, folder.path(), {"svg"});

@@ -6,9 +6,7 @@
 #include "fixture.h"
 
 using namespace elsie::report;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::MadeExperiment;
+using namespace elsie::test;
 
 TEST_CASE("A cell's measures are summed up over its runs") {
   const Made made(made_from({{1, 2, 3, 4, 5}, {10, 10, 10, 10, 10}}));
@@ -46,8 +44,7 @@ TEST_CASE("Runs that ended abnormally are no success and have no values") {
 
 TEST_CASE("A run that is still to be done makes its cell incomplete") {
   MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
-  made_up.cells[1].runs[0].state = "pending";
-  made_up.cells[1].runs[0].measures.clear();
+  made_up.cells[1].runs[0].end_as("pending");
   const Made made(made_up);
   const Findings findings = made.findings();
   CHECK(findings.pending() == 1);

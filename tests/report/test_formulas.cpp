@@ -7,9 +7,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::MadeExperiment;
+using namespace elsie::test;
 
 namespace {
 

@@ -15,13 +15,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::expecting;
-using elsie::test::hostile;
-using elsie::test::hostile_expectation;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::MadeExperiment;
-using elsie::test::source_path;
+using namespace elsie::test;
 
 namespace {
 
@@ -123,10 +117,8 @@ std::string map_in(const std::string& html) {
 }  // namespace
 
 TEST_CASE("The page of a study has all its parts") {
-  elsie::experiment::Expectation expectation;
-  expectation.name = "fusion completes every case";
-  expectation.measure = "success";
-  expectation.statistic = Statistic::rate;
+  elsie::experiment::Expectation expectation =
+      expectation_of("fusion completes every case", "success", Statistic::rate);
   expectation.where = {{"coordinator", {"arbitration"}}};
   expectation.at_least = 1.0;
   const Made made(elsie::test::made_study(), expecting(expectation));
@@ -287,25 +279,8 @@ TEST_CASE("Several robots: a row for each in a typical run") {
   }
 }
 
-TEST_CASE("Nothing but a plan: a page of a batch that has just begun") {
-  MadeExperiment made_up = made_from({{1, 2}, {3, 4}});
-  for (auto& cell : made_up.cells) {
-    for (auto& run : cell.runs) {
-      run.state = "pending";
-      run.measures.clear();
-      run.robots.clear();
-    }
-  }
-  std::map<std::string, int> elements;
-  const std::string html = Made(made_up).html();
-  CHECK(badly_nested(html, elements) == "");
-  CHECK_THAT(html, Contains("No run is done yet"));
-}
-
 TEST_CASE("The page is green when all is well, not only what was expected") {
-  elsie::experiment::Expectation expectation;
-  expectation.name = "short enough";
-  expectation.measure = "path_length_m";
+  elsie::experiment::Expectation expectation = expectation_of("short enough", "path_length_m");
   expectation.at_most = 10.0;
   MadeExperiment made_up = made_from({{1, 2, 3}, {4, 5, 6}});
   auto& runs = made_up.cells[0].runs;
@@ -322,22 +297,17 @@ TEST_CASE("The page is green when all is well, not only what was expected") {
     const std::size_t words = head.find("<span>") + 6;
     return color + ": " + head.substr(words, head.find("</span>") - words);
   };
-  const auto crash = [](elsie::test::MadeRun& run) {
-    run.state = "crash";
-    run.measures.clear();
-  };
   CHECK(answer(true) == "good: The expectation is met");
   CHECK(answer(false) == "good: Every run ended normally");
   SECTION("a run crashed") {
-    crash(runs[0]);
+    runs[0].end_as("crash");
     CHECK(answer(true) == "bad: The expectation is met, but 1 run ended abnormally");
     CHECK(answer(false) == "bad: Not all runs ended normally");
   }
   SECTION("runs crashed, and one is still to be done in a cell that nothing is expected of") {
-    crash(runs[0]);
-    crash(runs[1]);
-    made_up.cells[1].runs[2].state = "pending";
-    made_up.cells[1].runs[2].measures.clear();
+    runs[0].end_as("crash");
+    runs[1].end_as("crash");
+    made_up.cells[1].runs[2].end_as("pending");
     expectation.where = {{"scheme", {"a"}}};
     CHECK(answer(true) ==
           "bad: The expectation is met, but 2 runs ended abnormally and 1 is still "

@@ -10,8 +10,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::Made;
-using elsie::test::made_from;
+using namespace elsie::test;
 
 namespace {
 

@@ -10,11 +10,7 @@
 
 using namespace elsie::report;
 using Catch::Contains;
-using elsie::test::Made;
-using elsie::test::made_from;
-using elsie::test::MadeExperiment;
-using elsie::test::refusal;
-using elsie::test::response_of;
+using namespace elsie::test;
 
 TEST_CASE("Differences from rounding are no effect") {
   const std::vector<double> ones{1.0, 1.0 + 1e-14, 1.0, 1.0 - 2e-14, 1.0, 1.0};

@@ -90,6 +90,9 @@ class Session {
   Json open(const std::string& text, const std::string& file = "") {
     return ask({{"do", "open"}, {"text", text}, {"file", file}});
   }
+  void step(int count = 1) {
+    for (int i = 0; i < count; ++i) ask({{"do", "step"}});
+  }
   Json edit(const std::vector<std::string>& edits) {
     return ask({{"do", "edit"}, {"edits", edits}});
   }

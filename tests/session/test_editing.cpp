@@ -81,9 +81,7 @@ TEST_CASE("A run that is under way becomes the typed world, as with --at") {
                std::tuple("<!-- a room -->", "<!-- the room -->", std::string()));
   Session session;
   session.open(kRoom);
-  for (int i = 0; i < 50; ++i) {
-    session.ask({{"do", "step"}});
-  }
+  session.step(50);
   const std::string typed = room(from, to);
   const Json answer = become(session, typed);
   INFO(answer.dump());
@@ -101,7 +99,7 @@ TEST_CASE("A run that is under way becomes the typed world, as with --at") {
 TEST_CASE("A run for which the typed world has no room stays, and so does its text") {
   Session session;
   session.open(kRoom);
-  session.ask({{"do", "step"}});
+  session.step();
   const Json refused =
       become(session, room("</robots>",
                            "<robot id=\"r2\" x=\"-1\"><behaviors><turn_right/></behaviors>"
@@ -117,7 +115,7 @@ TEST_CASE("A run for which the typed world has no room stays, and so does its te
 TEST_CASE("A run that is under way goes back to its earlier texts") {
   Session session;
   session.open(kRoom);
-  session.ask({{"do", "step"}});
+  session.step();
   const Json typed = become(session, room("<turn_left/>", "<turn_left/><turn_right/>"));
   REQUIRE_FALSE(typed.contains("refused"));
   const Json edited = session.edit({"robot[r1]/@max_speed=0.3"});
@@ -131,7 +129,7 @@ TEST_CASE("Several edits of a run mean what they mean in the text") {
   session.open(room("<robots>",
                     "<obstacles><static_box x=\"0\" y=\"1\"/><static_box x=\"1\" y=\"1\"/>"
                     "</obstacles><robots>"));
-  session.ask({{"do", "step"}});
+  session.step();
   // The second edit is of the box that is the first one by then.
   const Json edited = session.edit({"obstacle[1]/@remove=true", "obstacle[1]/@x=-1"});
   INFO(edited.dump());
@@ -147,7 +145,7 @@ TEST_CASE("What has no id keeps its name in a run, and so in the text") {
   session.open(room("<robots>",
                     "<obstacles><static_box x=\"0\" y=\"1\"/><static_box x=\"1\" y=\"1\"/>"
                     "<static_box x=\"1\" y=\"-1\"/></obstacles><robots>"));
-  session.ask({{"do", "step"}});
+  session.step();
   REQUIRE_FALSE(session.edit({"obstacle[1]/@remove=true"}).contains("refused"));
   const Json moved = session.edit({"obstacle[static_box_2]/@x=-1"});
   INFO(moved.dump());
@@ -189,7 +187,7 @@ TEST_CASE("A world that is saved elsewhere is the world of that file from then o
   const std::string text = room("id=\"r1\"", "id=\"r1\" template=\"part.xml\"");
   Session session;
   REQUIRE_FALSE(session.open(text, place.file("old/room.xml").string()).contains("refused"));
-  session.ask({{"do", "step"}});
+  session.step();
   REQUIRE_FALSE(session.edit({"robot[r1]/@x=0.5"}).contains("refused"));
   const std::string target = place.file("new/room.xml").string();
   const Json moved = session.ask({{"do", "move"}, {"file", target}});
@@ -236,7 +234,7 @@ TEST_CASE("The run of a world that is moved is edited as before") {
   const Json opened = session.open(world("samples.txt"), place.file("old/room.xml").string());
   INFO(opened.dump());
   REQUIRE_FALSE(opened.contains("refused"));
-  session.ask({{"do", "step"}});
+  session.step();
   const Json moved = session.ask({{"do", "move"}, {"file", place.file("new/room.xml").string()}});
   INFO(moved.dump());
   CHECK_THAT(moved["text"].get<std::string>(), Catch::Contains("old/samples.txt"));

@@ -51,7 +51,7 @@ TEST_CASE("An edit of a layout shows at once; one of what it has drawn is refuse
 TEST_CASE("A run that is under way becomes what an edited layout draws") {
   Session session;
   session.open(kScattered);
-  session.ask({{"do", "step"}});
+  session.step();
   const Json more = session.edit({"scatter[c]/@count=6"});
   CHECK_FALSE(more.contains("refused"));
   CHECK(more["scene"].dump().find("c6") != std::string::npos);
@@ -60,7 +60,7 @@ TEST_CASE("A run that is under way becomes what an edited layout draws") {
 TEST_CASE("What is added beside layouts while a run is under way is edited and undone there") {
   Session session;
   session.open(kScattered);
-  session.ask({{"do", "step"}});
+  session.step();
   const Json added = session.edit({"obstacle[+]=<static_box x=\"4.9\" y=\"4.9\" length=\"0.1\"/>"});
   INFO(added.dump());
   REQUIRE_FALSE(added.contains("refused"));
@@ -81,7 +81,7 @@ TEST_CASE("A layout that is added later follows the seed of the run, not that of
                  {"file", ""},
                  {"seed", opened}});
     session.ask({{"do", "reset"}, {"seed", reset}});
-    session.ask({{"do", "step"}});  // the run is under way: it is not read again
+    session.step();  // the run is under way: it is not read again
     session.edit({"scatter[+]=" + scatter});
     const auto snapshot = session.connection().snapshots().take();
     REQUIRE(snapshot);

@@ -57,12 +57,10 @@ TEST_CASE("A paused or ended run can be looked at as it was") {
 TEST_CASE("Looking back changes nothing, and a run that goes on cannot be looked back at") {
   Session session;
   session.open(kDriver);
-  for (int i = 0; i < 30; ++i) {
-    session.ask({{"do", "step"}});
-  }
+  session.step(30);
   at(session, 0.0);
   CHECK(x_of_first(session) == -1.0F);
-  session.ask({{"do", "step"}});
+  session.step();
   CHECK(session.connection().snapshots().take()->facts.steps > 30);
   session.ask({{"do", "speed"}, {"factor", 0.001}});
   session.ask({{"do", "run"}});
@@ -76,11 +74,9 @@ TEST_CASE("Looking back changes nothing, and a run that goes on cannot be looked
 TEST_CASE("What an edit has added was not there before") {
   Session session;
   session.open(kRoom);
-  for (int i = 0; i < 20; ++i) {
-    session.ask({{"do", "step"}});
-  }
+  session.step(20);
   session.edit({kSecond});
-  session.ask({{"do", "step"}});
+  session.step();
   at(session, 0.1);
   const auto snapshot = session.connection().snapshots().take();
   REQUIRE(snapshot);
@@ -95,9 +91,7 @@ TEST_CASE("The command line repeats a run with its edits") {
   Session session;
   session.ask(
       {{"do", "open"}, {"text", kRoom}, {"file", place.file("my room.xml").string()}, {"seed", 5}});
-  for (int i = 0; i < 50; ++i) {
-    session.ask({{"do", "step"}});
-  }
+  session.step(50);
   // Two edits before one step: the robot is taken out and comes back, from where it starts.
   std::string without = kRoom;
   const std::size_t begin = without.find("    <robot ");
@@ -105,7 +99,7 @@ TEST_CASE("The command line repeats a run with its edits") {
   REQUIRE_FALSE(session.edit({kSecond}).contains("refused"));
   REQUIRE_FALSE(session.edit({"robot[r1]/@remove=true"}).contains("refused"));
   REQUIRE_FALSE(session.ask({{"do", "become"}, {"text", kRoom}}).contains("refused"));
-  session.ask({{"do", "step"}});
+  session.step();
   REQUIRE_FALSE(session.edit({"robot[r1]/@max_speed=0.2"}).contains("refused"));
   session.ask({{"do", "run"}});
   const Json end = session.end_of_run();
@@ -134,7 +128,7 @@ TEST_CASE("The run that starts next is recorded, whole, and that alone") {
   CHECK(record({"/nowhere/a.csv"}).contains("refused"));
   CHECK_FALSE(record({csv, mcap}).contains("refused"));
   CHECK_FALSE(std::filesystem::exists(csv));
-  session.ask({{"do", "step"}});
+  session.step();
   const Json late = record({csv});
   REQUIRE(late.contains("refused"));
   CHECK_THAT(late["refused"][0]["message"].get<std::string>(), Catch::Contains("reset"));
@@ -240,7 +234,7 @@ TEST_CASE("A plugin that changes on disk is taken, before, in and after a run") 
   write("mine", "0.05");
   CHECK(session.event("plugins")["problems"].empty());
   CHECK(default_speed() == 0.05);
-  session.ask({{"do", "step"}});
+  session.step();
   session.ask({{"do", "watch"}, {"what", {"decisions"}}});
   CHECK(session.event("state")["robots"][0]["asked"][0] == 0.05);
 
@@ -248,7 +242,7 @@ TEST_CASE("A plugin that changes on disk is taken, before, in and after a run") 
   const Json kept = session.event("plugins");
   INFO(kept.dump());
   CHECK_FALSE(kept["problems"].empty());
-  session.ask({{"do", "step"}});
+  session.step();
   CHECK(session.ask({{"do", "reset"}})["text"] == text);
 }
 
@@ -309,9 +303,4 @@ TEST_CASE(
   const test::Workplace place;
   place.write("room.xml", std::regex_replace(kRoom, std::regex("time=\"2\""), "time=\"1\""));
   CHECK(paused["state_hash"] == hash_of_run(place, "room.xml"));
-}
-
-TEST_CASE("A ping is answered, also without a world") {
-  Session session;
-  CHECK_FALSE(session.ask({{"do", "ping"}}).contains("refused"));
 }

@@ -39,7 +39,7 @@ TEST_CASE("A world with mistakes is refused with each file, line and sentence") 
 }
 
 TEST_CASE("A run in a session is that of the program, bit for bit") {
-  const std::string world = GENERATE("clutter.xml", "find_resource.xml", "train.xml");
+  const std::string world = GENERATE("clutter.xml", "train.xml");
   const std::string file = test::source_path("worlds/" + world);
   Session session;
   REQUIRE_FALSE(
@@ -71,25 +71,6 @@ TEST_CASE("An edit changes the text where it must") {
   CHECK(session.ask({{"do", "reset"}})["text"] == expected);
 }
 
-TEST_CASE("A run that is under way becomes the edited world, as with --at") {
-  Session session;
-  session.open(kRoom);
-  // The first decision is at time 0; after 50 more, 0.5 s have passed.
-  for (int i = 0; i < 50; ++i) {
-    session.ask({{"do", "step"}});
-  }
-  const Json edited = session.edit({kSecond});
-  REQUIRE_FALSE(edited.contains("refused"));
-  CHECK(edited["scene"]["bodies"].size() == 2);
-  session.ask({{"do", "run"}});
-  const Json end = session.end_of_run();
-
-  const test::Workplace place;
-  place.write("room.xml", kRoom);
-  CHECK(end["state_hash"] ==
-        hash_of_run(place, "room.xml --at '0.5:" + std::string(kSecond) + "'"));
-}
-
 TEST_CASE("A run can be paused, paced and left") {
   Session session;
   session.open(kRoom);
@@ -108,7 +89,7 @@ TEST_CASE("A run can be paused, paced and left") {
   const std::uint64_t steps = paused->facts.steps;
   CHECK(paused->facts.time_s > 0.025);
   CHECK(paused->facts.time_s < kSpeed * taken.count() + 0.02);  // a control period ahead
-  session.ask({{"do", "step"}});
+  session.step();
   CHECK(session.ask({{"do", "pause"}}).contains("answer"));
   CHECK(session.connection().snapshots().take()->facts.steps == steps + 1);
   session.ask({{"do", "reset"}});

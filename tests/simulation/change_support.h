@@ -16,12 +16,6 @@ namespace elsie::test {
 using simulation::EditRefused;
 using simulation::Simulation;
 
-inline void advance(Simulation& simulation, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    simulation.step();
-  }
-}
-
 /// A simulation of these robots, each with a beam to look at.
 inline Simulation run_of(const ScriptedHost& scripted, std::vector<world::Robot> robots) {
   world::World world;

@@ -39,12 +39,12 @@ inline const std::string kLively = R"(<world format="1">
 inline world::World lively() { return world::parse_world(kLively, "lively.xml", shipped()); }
 
 /// A world with this in it, and a robot "r1" that stands.
-inline Simulation of(const std::string& content, const std::string& robot = "") {
-  return Simulation(
-      world::parse_world("<world format=\"1\">" + content + "<robots><robot id=\"r1\">" + robot +
-                             "</robot></robots></world>",
-                         "small.xml", shipped()),
-      shipped());
+inline Simulation of(const std::string& content, const std::string& robot = "",
+                     const simulation::Options& options = {}) {
+  return Simulation(world::parse_world("<world format=\"1\"><robots><robot id=\"r1\">" + robot +
+                                           "</robot></robots>" + content + "</world>",
+                                       "small.xml", shipped()),
+                    shipped(), options);
 }
 
 inline std::string refusal(Simulation& simulation, const std::string& path,

@@ -46,14 +46,10 @@ class ScriptedMeasure final : public Measure {
 };
 
 inline Declaration measure_declaration(const Script& script) {
-  Declaration declaration;
-  declaration.kind = PluginKind::measure;
-  declaration.name = "scripted_measure";
-  declaration.description = "Does what the test says";
-  declaration.create = [shared = std::make_shared<Script>(script)] {
-    return std::make_unique<ScriptedMeasure>(shared);
-  };
-  return declaration;
+  return declaration_of(PluginKind::measure, "scripted_measure",
+                        [shared = std::make_shared<Script>(script)] {
+                          return std::make_unique<ScriptedMeasure>(shared);
+                        });
 }
 
 inline world::PluginUse measure(const std::string& plugin, Parameters parameters = {}) {

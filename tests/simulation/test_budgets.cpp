@@ -16,13 +16,6 @@ using simulation::Simulation;
 
 namespace {
 
-world::World one_robot() {
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  world.limits.time = 1.0;
-  return world;
-}
-
 simulation::Options with(const simulation::Budget& budget) {
   simulation::Options options;
   options.budget = budget;

@@ -91,9 +91,7 @@ TEST_CASE("What a camera sees is the world as it is at that instant, without its
   world.robots[0].sensors.push_back(camera("wide", 20.0, {{"fov_deg", 80.0}}));
   world.robots[1].sensors = {camera("eye")};
   Simulation simulation(world, host.host, {.cameras = render::world_cameras});
-  for (int i = 0; i < 150; ++i) {
-    simulation.step();
-  }
+  advance(simulation, 150);
   // The same picture, put together by hand from what can be asked of the simulation.
   render::WorldScene scene(world);
   const Frame eye = simulation.sensor_frame(0, 1);
@@ -134,9 +132,7 @@ TEST_CASE("A camera sees what other robots pull where it is") {
   const auto width_of_dark = [&world, &host](std::size_t segments) {
     world.robots[1].segments.resize(segments);
     Simulation simulation(world, host.host, {.cameras = render::world_cameras});
-    for (int i = 0; i < 30; ++i) {
-      simulation.step();
-    }
+    advance(simulation, 30);
     // Tyres are the darkest thing in the picture.
     const Image& picture = reading(simulation).raw;
     int left = picture.width, right = 0;
@@ -208,12 +204,9 @@ TEST_CASE("A robot looks for the resources that it may collect, by their colours
     std::vector<Colour>& list_;
   };
   ScriptedHost asking = driving(0.0);
-  Declaration declaration;
-  declaration.kind = PluginKind::sensor;
-  declaration.name = "asking";
-  declaration.description = "Asks for the colours";
+  Declaration declaration = declaration_of(PluginKind::sensor, "asking",
+                                           [&seen] { return std::make_unique<Asking>(seen); });
   declaration.produces = {{ProximityReading::kind, sizeof(ProximityReading)}};
-  declaration.create = [&seen] { return std::make_unique<Asking>(seen); };
   asking.host.add(std::move(declaration));
   world::SensorUse use;
   use.plugin = use.id = "asking";
@@ -298,9 +291,7 @@ TEST_CASE("The same seed gives the same pictures, from whatever thread each step
   CHECK(one.state_hash() == other.state_hash());
   const auto last = reading(one).raw.bytes;
   one.reset(4);
-  for (int i = 0; i < 20; ++i) {
-    one.step();
-  }
+  advance(one, 20);
   CHECK(reading(one).raw.bytes == last);
 }
 
@@ -321,12 +312,9 @@ TEST_CASE("A camera that can take no picture is a fault at the sensor's place in
   };
   const auto refuse = [](const Camera& bad, const char* sentence) {
     ScriptedHost host = driving(0.0);
-    Declaration declaration;
-    declaration.kind = PluginKind::sensor;
-    declaration.name = "odd";
-    declaration.description = "Has an odd camera";
+    Declaration declaration =
+        declaration_of(PluginKind::sensor, "odd", [bad] { return std::make_unique<Odd>(bad); });
     declaration.produces = {{ProximityReading::kind, sizeof(ProximityReading)}};
-    declaration.create = [bad] { return std::make_unique<Odd>(bad); };
     host.host.add(std::move(declaration));
     auto world = world_with({});
     world::SensorUse use;

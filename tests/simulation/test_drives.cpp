@@ -149,9 +149,9 @@ TEST_CASE("A behaviour that thinks in wheel rates drives every body along its ar
     world::World world;
     world.robots.push_back(driven(drive));
     Simulation simulation(world, scripted.host);
-    for (int i = 0; i < 200; ++i) simulation.step();  // until the steering is where it is to be
+    advance(simulation, 200);  // until the steering is where it is to be
     const Pose before = simulation.robot(0).state->pose;
-    for (int i = 0; i < 250; ++i) simulation.step();
+    advance(simulation, 250);
     const auto view = simulation.robot(0);
     CHECK(wrap_angle(view.state->pose.heading_rad - before.heading_rad) ==
           Approx(2.0).epsilon(0.02));
@@ -164,54 +164,19 @@ TEST_CASE("A behaviour that thinks in wheel rates drives every body along its ar
   }
 }
 
-TEST_CASE("The command of a robot is what its drive can make") {
-  ScriptedHost scripted([](const Perception&) { return Motion{0.0, 0.0, 3.0}; });
-  world::World world;
-  world.robots.push_back(driven("car"));
-  Simulation simulation(world, scripted.host);
-  for (int i = 0; i < 100; ++i) simulation.step();
-  const Motion& command = simulation.robot(0).command;
-  CHECK(command.forward > 0.01);
-  CHECK(command.turn > 0.1);
-  CHECK(command.turn < 3.0);
-  CHECK(simulation.robot(0).asked == Motion{0.0, 0.0, 3.0});
-}
-
 TEST_CASE("A drive that can move sideways is asked for it, another one leaves it out") {
   const auto sideways = [](const std::string& drive) {
     ScriptedHost scripted([](const Perception&) { return Motion{0.1, 0.1, 0.0}; });
     world::World world;
     world.robots.push_back(driven(drive));
     Simulation simulation(world, scripted.host);
-    for (int i = 0; i < 500; ++i) simulation.step();
+    advance(simulation, 500);
     CHECK(simulation.robot(0).state->channels.lateral == (simulation.robot(0).command.lateral > 0));
     return simulation.robot(0).state->pose.y;
   };
   CHECK(sideways("mecanum") == Approx(0.5).epsilon(0.05));
   CHECK(sideways("omnidirectional") == Approx(0.5).epsilon(0.05));
   CHECK(sideways("differential") == Approx(0.0).margin(0.005));
-}
-
-TEST_CASE("Every drive runs the same way twice") {
-  for (const std::string& drive : kAll) {
-    CAPTURE(drive);
-    ScriptedHost scripted([](const Perception& now) {
-      return Motion{0.2, 0.0, 2.0 * std::sin(3.0 * now.time_s())};
-    });
-    world::World world;
-    world.robots.push_back(driven(drive));
-    Simulation one(world, scripted.host), two(world, scripted.host);
-    for (int i = 0; i < 300; ++i) {
-      one.step();
-      two.step();
-    }
-    const auto hash = one.state_hash();
-    CHECK(hash == two.state_hash());
-    one.reset(1);
-    two.reset(1);
-    for (int i = 0; i < 300; ++i) one.step();
-    CHECK(hash == one.state_hash());
-  }
 }
 
 TEST_CASE("Segments hang behind the last vehicle of a drive") {
@@ -227,7 +192,7 @@ TEST_CASE("Segments hang behind the last vehicle of a drive") {
   const Pose rear = simulation.segment(0, 0).pose, wagon = simulation.segment(0, 1).pose;
   CHECK(rear.x == Approx(-0.12));  // two halves of 0.08 m, and the gap of 0.04 m
   CHECK(wagon.x < rear.x - 0.1);
-  for (int i = 0; i < 500; ++i) simulation.step();
+  advance(simulation, 500);
   CHECK(simulation.robot(0).distance_m > 0.45);
 }
 
@@ -242,7 +207,7 @@ TEST_CASE("The drive that fails is named, and what is wrong with its answer") {
     world.robots.push_back(driven(drive));
     world.robots[0].max_speed = max_speed;
     Simulation simulation(world, scripted.host);
-    for (int i = 0; i < 20; ++i) simulation.step();
+    advance(simulation, 20);
   };
   for (const auto& [drive, max_speed, problem] :
        {std::tuple("failing", 1.0, "command() gives numbers that are not finite"),
@@ -272,14 +237,14 @@ TEST_CASE("A drive is replaced while it runs, unless it would build another body
   world::World world;
   world.robots.push_back(driven("pair"));
   Simulation simulation(world, first.host);
-  for (int i = 0; i < 100; ++i) simulation.step();
+  advance(simulation, 100);
   CHECK_THROWS_WITH(simulation.replace_plugins(other.host),
                     Catch::Contains("robot 'r1', drive: it would build another body now"));
-  for (int i = 0; i < 100; ++i) simulation.step();
+  advance(simulation, 100);
   const auto replaced = simulation.replace_plugins(same.host);
   CHECK(std::any_of(replaced.objects.begin(), replaced.objects.end(),
                     [](const auto& object) { return object.path == "drive"; }));
-  for (int i = 0; i < 100; ++i) simulation.step();
+  advance(simulation, 100);
   CHECK(simulation.robot(0).state->pose.x == Approx(0.6).epsilon(0.03));
 }
 
@@ -290,7 +255,7 @@ TEST_CASE("A drive that takes the place of another begins with its own joints, a
   world::World world;
   world.robots.push_back(driven("pair"));
   Simulation simulation(world, scripted.host);
-  for (int i = 0; i < 50; ++i) simulation.step();
+  advance(simulation, 50);
   Noting::rates.clear();
   simulation.edit("robot[r1]/drive", "<noting/>");
   REQUIRE_FALSE(Noting::rates.empty());

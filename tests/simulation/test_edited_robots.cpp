@@ -16,7 +16,7 @@ using namespace elsie::test;
 
 namespace {
 
-Simulation of(const std::string& content) {
+Simulation simulation_of(const std::string& content) {
   world::ReadOptions options;
   options.data_directories = {source_path("")};
   return Simulation(world::parse_world("<world format=\"1\">" + content + "</world>", "small.xml",
@@ -68,12 +68,13 @@ TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses th
       const auto run = [&](const std::vector<simulation::Edit>& edits) {
         Simulation simulation =
             is_nested
-                ? of("<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
-                     "yaw_deg=\"-30\"/></sensors><behaviors><blend id=\"nest\"><behaviors>" +
-                     kBoth + "</behaviors><coordinator><" + coordinator + needs_of(coordinator) +
-                     "/></coordinator></blend></behaviors><coordinator><fusion_fuzzy/>"
-                     "</coordinator></robot></robots>")
-                : of(robot_of(coordinator, kBoth));
+                ? simulation_of(
+                      "<robots><robot id=\"r1\"><sensors><beam_range yaw_deg=\"30\"/><beam_range "
+                      "yaw_deg=\"-30\"/></sensors><behaviors><blend id=\"nest\"><behaviors>" +
+                      kBoth + "</behaviors><coordinator><" + coordinator + needs_of(coordinator) +
+                      "/></coordinator></blend></behaviors><coordinator><fusion_fuzzy/>"
+                      "</coordinator></robot></robots>")
+                : simulation_of(robot_of(coordinator, kBoth));
         advance(simulation, 5);
         std::vector<simulation::Edit> all = edits;
         for (simulation::Edit& edit : all) {
@@ -98,7 +99,7 @@ TEST_CASE("Every coordinator takes other behaviours while it runs, or refuses th
 
 TEST_CASE("A network for the first behaviours of a robot has to be trained") {
   for (const char* const coordinator : {"arbiter_neural_network", "fusion_neural_network"}) {
-    Simulation simulation = of(robot_of(coordinator, ""));
+    Simulation simulation = simulation_of(robot_of(coordinator, ""));
     advance(simulation, 3);
     std::vector<simulation::Edit> edits{{"robot[r1]/behavior[+]", "<wander id=\"avoid\"/>"},
                                         {"robot[r1]/behavior[+]", "<wander id=\"go\"/>"}};
@@ -116,9 +117,9 @@ TEST_CASE("A network for the first behaviours of a robot has to be trained") {
 
 TEST_CASE("A winner that holds on stays the same behaviour at another place") {
   // The first to win holds for good, though the others are as active.
-  Simulation simulation =
-      of("<robots><robot id=\"r1\"><behaviors><wander id=\"a\"/><wander id=\"b\"/></behaviors>"
-         "<coordinator><arbiter_action_selection hold=\"100\"/></coordinator></robot></robots>");
+  Simulation simulation = simulation_of(
+      "<robots><robot id=\"r1\"><behaviors><wander id=\"a\"/><wander id=\"b\"/></behaviors>"
+      "<coordinator><arbiter_action_selection hold=\"100\"/></coordinator></robot></robots>");
   advance(simulation, 3);
   simulation.edit("robot[r1]/behavior[+1]", "<wander id=\"c\"/>");
   simulation.step();
@@ -132,7 +133,7 @@ TEST_CASE("A robot on a synchro drive keeps its heading over edits of its body")
                                        simulation::Edit{"robot[r1]/segment[+]", "<segment/>"},
                                        simulation::Edit{"robot[r1]/drive/@remove", "true"}}) {
     CAPTURE(edit.text());
-    Simulation simulation = of(
+    Simulation simulation = simulation_of(
         "<robots><robot id=\"r1\"><drive><synchro/></drive><behaviors><go_to_point x=\"-2\" "
         "y=\"2\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>");
     advance(simulation, 200);
@@ -149,11 +150,11 @@ TEST_CASE("A robot on a synchro drive keeps its heading over edits of its body")
 
 TEST_CASE("There is room beside the chassis of a robot, wherever its turret points") {
   // Long and narrow, on wheels that have turned by a right angle.
-  Simulation simulation =
-      of("<robots><robot id=\"r1\"><body length=\"0.6\" width=\"0.2\"/><drive><synchro "
-         "radius=\"0.05\"/></drive><behaviors><go_to_point x=\"0\" y=\"2\" "
-         "speed=\"0.05\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>"
-         "</robots>");
+  Simulation simulation = simulation_of(
+      "<robots><robot id=\"r1\"><body length=\"0.6\" width=\"0.2\"/><drive><synchro "
+      "radius=\"0.05\"/></drive><behaviors><go_to_point x=\"0\" y=\"2\" "
+      "speed=\"0.05\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>"
+      "</robots>");
   advance(simulation, 200);
   const Pose pose = simulation.robot(0).state->pose;
   REQUIRE(pose.heading_rad > 1.4);
@@ -180,7 +181,7 @@ TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused
                                             {"robot[r1]/drive[+]", "<skid_steer/>"},
                                             {"robot[r1]/behavior[+1]", "<wander id=\"lowest\"/>"}};
   for (const bool are_refused : {false, true}) {
-    Simulation simulation = of(holding);
+    Simulation simulation = simulation_of(holding);
     const auto reason = [&] {
       for (const simulation::TracedMember& member : simulation.robot(0).trace) {
         if (member.path == "high") return std::string(member.member->trace.reason);
@@ -205,10 +206,10 @@ TEST_CASE("What a coordinator holds outlives edits of the robot, made or refused
 
 TEST_CASE("A robot that leans on a charger has met it once, whatever is edited") {
   const auto collisions = [](bool edited) {
-    Simulation simulation =
-        of("<chargers><charger x=\"0.4\" seen_by_range_sensors=\"true\"/></chargers><robots>"
-           "<robot id=\"r1\"><behaviors><wander restlessness=\"0\" turn=\"0\"/></behaviors>"
-           "<coordinator><arbiter_suppression/></coordinator></robot></robots>");
+    Simulation simulation = simulation_of(
+        "<chargers><charger x=\"0.4\" seen_by_range_sensors=\"true\"/></chargers><robots>"
+        "<robot id=\"r1\"><behaviors><wander restlessness=\"0\" turn=\"0\"/></behaviors>"
+        "<coordinator><arbiter_suppression/></coordinator></robot></robots>");
     for (int i = 0; i < 40; ++i) {
       advance(simulation, 10);
       if (edited) simulation.edit("arena/@wall_height", std::to_string(0.5 + 0.001 * i));

@@ -75,13 +75,6 @@ TEST_CASE("A reset forgets edits") {
   CHECK(simulation.run({}, good).state_hash == edited.state_hash);
 }
 
-TEST_CASE("Edits that stand in the world are made by its runs") {
-  world::World world = lively();
-  world.edits.push_back({2.0, "robot[r3]/@remove", "true", {}, {}});
-  Simulation simulation(world, shipped(), {7});
-  CHECK(simulation.run().robots.size() == 2);
-}
-
 TEST_CASE("Without gravity a falling box goes on at its speed") {
   Simulation simulation =
       of("<obstacles><dynamic_box id=\"crate\" x=\"2\" z=\"3\"/></obstacles>", "");

@@ -10,8 +10,7 @@ using simulation::Simulation;
 
 namespace {
 world::World with_charger(double start_energy) {
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].energy = start_energy;
   world.robots[0].sensors.push_back(beam("a", 0));
   world.chargers.emplace_back();
@@ -24,8 +23,7 @@ world::World with_charger(double start_energy) {
 
 TEST_CASE("Every sensor costs its energy per second") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].sensors.push_back(beam("a", 0));
   world.robots[0].sensors.push_back(beam("b", 10));
   world.robots[0].sensors[1].energy_cost = 2.5;
@@ -42,8 +40,7 @@ TEST_CASE("An empty robot stops, is not asked any more, and an event says so onc
     last_asked = now.time_s();
     return wheels(10, 10);
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].energy = 2.0;
   world.robots[0].sensors.push_back(beam("a", 0));
   world.limits.time = 6;
@@ -91,8 +88,7 @@ TEST_CASE("Nobody is charged away from a charger, at another team's, or without 
 
 TEST_CASE("A robot that starts empty never moves, with or without sensors") {
   ScriptedHost scripted([](const Perception&) { return wheels(10, 10); });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].energy = 0.0;
   world.limits.time = 1;
   const auto result = Simulation(world, scripted.host).run();

@@ -52,12 +52,8 @@ class Witness final : public Coordinator {
 
 struct WitnessHost : ScriptedHost {
   WitnessHost() : ScriptedHost([](const Perception&) { return Response(); }) {
-    Declaration declaration;
-    declaration.kind = PluginKind::coordinator;
-    declaration.name = "witness";
-    declaration.description = "for a test";
-    declaration.create = [seen = seen] { return std::make_unique<Witness>(seen); };
-    host.add(std::move(declaration));
+    host.add(declaration_of(PluginKind::coordinator, "witness",
+                            [seen = seen] { return std::make_unique<Witness>(seen); }));
   }
   std::shared_ptr<Seen> seen = std::make_shared<Seen>();
 };

@@ -19,86 +19,75 @@ void run(std::function<Response()> misbehave) {
   ScriptedHost scripted([&](const Perception& now) {
     return now.time_s() > 0.025 ? misbehave() : Response(wheels(1, 1));
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   Simulation(world, scripted.host).run();
 }
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
-TEST_CASE("A behaviour that throws is named, with its robot and the step") {
-  CHECK_THROWS_WITH(run([]() -> Response { throw std::runtime_error("out of ideas"); }),
-                    "plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): out of ideas");
-  CHECK_THROWS_AS(run([]() -> Response { throw 42; }), PluginFault);
-}
-
 namespace {
 struct Wordless final : std::exception {
   const char* what() const noexcept override { return nullptr; }
 };
+
+/// A response with one member that is set.
+std::function<Response()> with(double Response::*member, double value) {
+  return [=] {
+    Response response;
+    response.*member = value;
+    return response;
+  };
+}
 }  // namespace
 
-TEST_CASE(
-    "An exception without a text is named by its type, and is that of the plugin that threw") {
-  CHECK_THROWS_WITH(run([]() -> Response { throw Wordless(); }),
-                    Catch::StartsWith("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 "
-                                      "s): an exception of type ") &&
-                        Catch::EndsWith("Wordless"));
-  CHECK_THROWS_WITH(run([]() -> Response { throw std::runtime_error(""); }),
-                    Catch::EndsWith("an exception of type std::runtime_error"));
-  CHECK_THROWS_WITH(run([]() -> Response { throw 42; }),
-                    Catch::EndsWith("an exception of type int"));
-}
-
-TEST_CASE("So is one that answers with something that is not a finite number") {
-  CHECK_THROWS_WITH(run([] { return Response(wheels(kNan, 0)); }),
-                    Catch::Contains("its command is not a finite number"));
-  CHECK_THROWS_AS(run([] { return Response(wheels(0, std::numeric_limits<double>::infinity())); }),
-                  PluginFault);
-  CHECK_THROWS_WITH(run([] {
-                      Response response;
-                      response.activation = 1.5;
-                      return response;
-                    }),
-                    Catch::Contains("its activation is 1.5"));
-  CHECK_THROWS_AS(run([] {
-                    Response response;
-                    response.strength = kNan;
-                    return response;
-                  }),
-                  PluginFault);
+TEST_CASE("A behaviour that throws or answers nonsense is named, with its robot and the step") {
+  const std::string range = "which is not in [0, 1]";
+  const std::pair<std::function<Response()>, std::string> wrong[] = {
+      {[]() -> Response { throw std::runtime_error("out of ideas"); }, "out of ideas"},
+      {[]() -> Response { throw Wordless(); }, "Wordless"},
+      {[]() -> Response { throw std::runtime_error(""); },
+       "an exception of type std::runtime_error"},
+      {[]() -> Response { throw 42; }, "an exception of type int"},
+      {[] { return Response(wheels(kNan, 0)); }, "its command is not a finite number"},
+      {[] { return Response(wheels(0, std::numeric_limits<double>::infinity())); },
+       "its command is not a finite number"},
+      {with(&Response::activation, 1.5), "its activation is 1.5, " + range},
+      {with(&Response::strength, kNan), "its strength is "},
+      {[] {
+         Response response;
+         response.events.push_back({"surprise"});
+         return response;
+       },
+       "raised the event 'surprise', which its declaration does not name"},
+      {[]() -> Response {
+         const Readings<RangeReading> none;
+         return wheels(none[0]->distance_m, 0.0);
+       },
+       "it asks for reading number 0 of kind 'range'"}};
+  for (const auto& [misbehave, sentence] : wrong) {
+    CHECK_THROWS_WITH(
+        run(misbehave),
+        Catch::StartsWith("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): ") &&
+            Catch::Contains(sentence));
+  }
+  CHECK_THROWS_AS(run([]() -> Response { throw 42; }), PluginFault);
 }
 
 TEST_CASE("The strengths of speed and turn are looked at like the strength as a whole") {
   for (const double wrong : {kNan, 7.0, -0.1}) {
     CAPTURE(wrong);
-    CHECK_THROWS_WITH(
-        run([wrong] {
-          Response response;
-          response.speed_strength = wrong;
-          return response;
-        }),
-        Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): its "
-                        "speed_strength is ") &&
-            Catch::Contains("which is not in [0, 1]"));
-    CHECK_THROWS_WITH(
-        run([wrong] {
-          Response response;
-          response.turn_strength = wrong;
-          return response;
-        }),
-        Catch::Contains("its turn_strength is ") && Catch::Contains("which is not in [0, 1]"));
-  }
-}
-
-TEST_CASE("An event that the declaration does not name is a fault") {
-  CHECK_THROWS_WITH(
-      run([] {
+    for (const auto& [part, name] : {std::pair(&Response::speed_strength, "speed"),
+                                     std::pair(&Response::turn_strength, "turn")}) {
+      const auto misbehave = [wrong, part = part] {
         Response response;
-        response.events.push_back({"surprise"});
+        response.*part = wrong;
         return response;
-      }),
-      Catch::Contains("raised the event 'surprise', which its declaration does not name"));
+      };
+      CHECK_THROWS_WITH(run(misbehave),
+                        Catch::Contains("its " + std::string(name) + "_strength is ") &&
+                            Catch::Contains("which is not in [0, 1]"));
+    }
+  }
 }
 
 TEST_CASE("The message names the id of a plugin that has one") {
@@ -172,8 +161,7 @@ void add(plugin::Host& host, PluginKind kind, const char* name) {
 TEST_CASE("A coordinator cannot swallow the fault of a member") {
   ScriptedHost scripted([](const Perception&) -> Response { throw std::runtime_error("ouch"); });
   add<Careless>(scripted.host, PluginKind::coordinator, "careless");
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].coordinator->plugin = "careless";
   Simulation simulation(world, scripted.host);
   CHECK_THROWS_WITH(simulation.step(),
@@ -183,8 +171,7 @@ TEST_CASE("A coordinator cannot swallow the fault of a member") {
 TEST_CASE("A coordinator whose trace has shares outside [0, 1] or weights below 0 is named") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
   add<Boaster>(scripted.host, PluginKind::coordinator, "boaster");
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].coordinator->plugin = "boaster";
   const auto step = [&](double weight, double share, double priority = 1.0) {
     Boaster::weight = weight;
@@ -238,8 +225,7 @@ world::World with_light_meter(ScriptedHost& scripted) {
   Declaration declaration = declare<LightMeter>(PluginKind::sensor, "light_meter", "Measures light",
                                                 produces<LightReading>());
   scripted.host.add(std::move(declaration));
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world::SensorUse sensor;
   sensor.plugin = sensor.id = "light_meter";
   world.robots[0].sensors.push_back(sensor);
@@ -290,8 +276,7 @@ TEST_CASE("A reason in the trace may be a text of the moment") {
     return response;
   });
   add<Explainer>(scripted.host, PluginKind::coordinator, "explainer");
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].coordinator->plugin = "explainer";
   Simulation simulation(world, scripted.host);
   simulation.reset();
@@ -299,16 +284,6 @@ TEST_CASE("A reason in the trace may be a text of the moment") {
   CHECK(simulation.robot(0).members[0].trace.reason == "activation 0.000000 at beta 5");
   simulation.step();
   CHECK(simulation.robot(0).members[0].trace.reason == "activation 0.010000 at beta 5");
-}
-
-TEST_CASE("A behaviour that asks for a reading that no sensor makes is named, with the kind") {
-  CHECK_THROWS_WITH(
-      run([]() -> Response {
-        const Readings<RangeReading> none;
-        return wheels(none[0]->distance_m, 0.0);
-      }),
-      Catch::Contains("plugin 'scripted' of robot 'r1' failed in step 3 (at 0.03 s): it asks "
-                      "for reading number 0 of kind 'range'"));
 }
 
 TEST_CASE("A behaviour that rates out of range, or throws in reset(), is named") {
@@ -326,38 +301,10 @@ TEST_CASE("A behaviour that rates out of range, or throws in reset(), is named")
   CHECK_THROWS_WITH(Simulation(world, scripted.host), Catch::Contains("cannot forget"));
 }
 
-TEST_CASE("All plugins that refuse their parameters are reported at once") {
-  world::World world;
-  auto first = behavior("avoid_obstacle", 1, models("avoid_obstacle"));
-  first.parameters["left_model"] = source_path("tests/plugins/one_input.fcl");
-  world.robots.push_back(robot("r1", 0, 0, 0, first));
-  world.robots.push_back(robot("r2", 1, 0, 0, behavior("braitenberg")));
-  try {
-    Simulation simulation(world, shipped());
-    FAIL("was accepted");
-  } catch (const world::WorldError& error) {
-    CHECK(error.problems().size() == 2);
-  }
-}
-
-TEST_CASE("Every observer that heard of the start hears of the end, and the first failure counts") {
+TEST_CASE("Every observer hears the end of a run, whoever failed, and the first failure counts") {
   struct Failing : simulation::Observer {
     void ended(const Simulation&) override { throw std::runtime_error("disk full"); }
   } failing;
-  struct Listener : simulation::Observer {
-    int ended_count = 0;
-    void ended(const Simulation&) override { ++ended_count; }
-  } listener;
-  ScriptedHost scripted([](const Perception&) -> Response { throw std::runtime_error("first"); });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  Simulation simulation(world, scripted.host);
-  simulation::Observer* const observers[] = {&failing, &listener};
-  CHECK_THROWS_AS(simulation.run(observers), PluginFault);
-  CHECK(listener.ended_count == 1);
-}
-
-TEST_CASE("Observers hear the end of a run that a plugin ended") {
   struct Listener : simulation::Observer {
     int started_count = 0, steps = 0, ended_count = 0;
     void started(const Simulation&) override { ++started_count; }
@@ -370,27 +317,25 @@ TEST_CASE("Observers hear the end of a run that a plugin ended") {
     }
     return Motion{};
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
-  Simulation simulation(world, scripted.host);
-  simulation::Observer* const observers[] = {&listener};
+  Simulation simulation(one_robot(), scripted.host);
+  simulation::Observer* const observers[] = {&failing, &listener};
   CHECK_THROWS_AS(simulation.run(observers), PluginFault);
   CHECK(listener.started_count == 1);
   CHECK(listener.steps == 5);
   CHECK(listener.ended_count == 1);
 }
 
-TEST_CASE("A plugin that refuses its parameters is a fault of the world file, with its line") {
-  world::World world;
+TEST_CASE("Plugins that refuse their parameters are faults of the world file, with their lines") {
   auto use = behavior("avoid_obstacle", 1, models("avoid_obstacle"));
   use.parameters["left_model"] = source_path("tests/plugins/one_input.fcl");
   use.location = {"my.xml", 17};
-  world.robots.push_back(robot("r1", 0, 0, 0, use));
+  world::World world = one_robot(use);
+  world.robots.push_back(robot("r2", 1, 0, 0, behavior("braitenberg")));
   try {
     Simulation simulation(world, shipped());
     FAIL("was accepted");
   } catch (const world::WorldError& error) {
-    REQUIRE(error.problems().size() == 1);
+    REQUIRE(error.problems().size() == 2);
     CHECK(error.problems()[0].file == "my.xml");
     CHECK(error.problems()[0].line == 17);
     CHECK_THAT(error.problems()[0].message, Catch::Contains("must have the two inputs"));

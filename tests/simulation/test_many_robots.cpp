@@ -26,16 +26,11 @@ std::vector<const world::Robot*> descriptions(const Simulation& simulation) {
 class CountingHost {
  public:
   CountingHost() : host(shipped_directory()) {
-    Declaration declaration;
-    declaration.kind = PluginKind::behavior;
-    declaration.name = "counted";
-    declaration.description = "Does nothing";
-    declaration.create = [this] {
+    host.add(declaration_of(PluginKind::behavior, "counted", [this] {
       ++made;
       return std::make_unique<Scripted>(
           std::make_shared<Scripted::Answer>([](const Perception&) { return Response(); }));
-    };
-    host.add(std::move(declaration));
+    }));
   }
 
   int made = 0;

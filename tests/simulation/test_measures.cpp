@@ -116,12 +116,8 @@ TEST_CASE("A share that rounding took below zero is no share in the robot's comm
     seen.push_back(now.robot("r1").behaviors[0].robot_share);
   };
   Run run(script);
-  Declaration declaration;
-  declaration.kind = PluginKind::coordinator;
-  declaration.name = "below_zero";
-  declaration.description = "Gives a share a little below zero";
-  declaration.create = [] { return std::make_unique<SharesBelowZero>(); };
-  run.scripted.host.add(std::move(declaration));
+  run.scripted.host.add(
+      declare<SharesBelowZero>(PluginKind::coordinator, "below_zero", "For a test"));
   run.world.robots[0].coordinator->plugin = "below_zero";
   run.run();
   REQUIRE(seen.size() == 101);
@@ -190,9 +186,7 @@ TEST_CASE("A measure that is edited while the world runs begins then; the others
     }
     return -2.0;
   };
-  for (int i = 0; i < 100; ++i) {
-    simulation.step();
-  }
+  advance(simulation, 100);
   const double before = value("whole");
   REQUIRE(before > 0.0);
   CHECK_THROWS_WITH(simulation.edit("measure[path_length]/@robot", "r2"),
@@ -200,9 +194,7 @@ TEST_CASE("A measure that is edited while the world runs begins then; the others
   CHECK(value("path_length") == before);
   simulation.edit("measure[path_length]", "<path_length/>");
   CHECK(value("whole") == before);
-  for (int i = 0; i < 100; ++i) {
-    simulation.step();
-  }
+  advance(simulation, 100);
   CHECK(value("path_length") > before);
   CHECK(value("whole") > before);
   CHECK(simulation.notes().back().plugin == "path_length");

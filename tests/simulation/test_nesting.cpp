@@ -44,16 +44,6 @@ class AsksForSets final : public Coordinator {
   }
 };
 
-Declaration declaration_of(PluginKind kind, const char* name,
-                           std::function<std::unique_ptr<Component>()> create) {
-  Declaration declaration;
-  declaration.kind = kind;
-  declaration.name = name;
-  declaration.description = "for a test";
-  declaration.create = std::move(create);
-  return declaration;
-}
-
 struct NestingHost : ScriptedHost {
   explicit NestingHost(Scripted::Answer answer) : ScriptedHost(std::move(answer)) {
     host.add(declare<Holder>(PluginKind::behavior, "holder", "holds others",
@@ -78,8 +68,7 @@ world::BehaviorUse holder(const std::string& id, std::vector<world::BehaviorUse>
 }
 
 world::World world_of(const world::BehaviorUse& only) {
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, only));
+  world::World world = one_robot(only);
   world.limits.time = 0.05;
   return world;
 }

@@ -19,11 +19,6 @@ using simulation::PhysicsFault;
 
 namespace {
 
-const plugin::Host& host() {
-  static const plugin::Host host(test::shipped_directory());
-  return host;
-}
-
 std::string robot(const std::string& body, const std::string& behavior,
                   const std::string& attributes = "") {
   return "<robots>\n<robot id='r1' " + attributes + "><body " + body + "/><behaviors><" + behavior +
@@ -37,10 +32,12 @@ std::string world_of(const std::string& physics, const std::string& rest,
          "<limits time='10'/></world>";
 }
 
-world::World read(const std::string& text) { return world::parse_world(text, "a.xml", host()); }
+world::World read(const std::string& text) {
+  return world::parse_world(text, "a.xml", test::shipped());
+}
 
 std::string fault(const std::string& text) {
-  simulation::Simulation run(read(text), host());
+  simulation::Simulation run(read(text), test::shipped());
   try {
     run.run();
   } catch (const PhysicsFault& caught) {
@@ -92,7 +89,8 @@ TEST_CASE("Steps in which the solver gave up are counted and reported") {
       "<arbiter_suppression/></coordinator></robot><robot id='r2' x='0.3'><behaviors><go_to_point "
       "x='-1' y='0' speed='1'/></behaviors><coordinator><arbiter_suppression/></coordinator>"
       "</robot></robots>";
-  simulation::Simulation run(read(world_of("cfm='0' friction='1000'", obstacles + two)), host());
+  simulation::Simulation run(read(world_of("cfm='0' friction='1000'", obstacles + two)),
+                             test::shipped());
   const simulation::RunResult result = run.run();
   CHECK(result.solver.gave_up > 100);
   CHECK(result.solver.gave_up <= result.steps);
@@ -107,7 +105,8 @@ TEST_CASE("Steps in which the solver gave up are counted and reported") {
 }
 
 TEST_CASE("A run in which the solver found everything says nothing of it") {
-  simulation::Simulation run(read(world_of("", robot("", kWander))), host(), {.time_limit_s = 2.0});
+  simulation::Simulation run(read(world_of("", robot("", kWander))), test::shipped(),
+                             {.time_limit_s = 2.0});
   const simulation::RunResult result = run.run();
   CHECK(result.solver.gave_up == 0);
   CHECK(result.solver.since_s == 0.0);
@@ -136,7 +135,7 @@ TEST_CASE("No shipped world has a warning") {
     if (file.path().extension() != ".xml") continue;
     world::ReadOptions options;
     options.data_directories = {test::source_path("")};
-    const world::World world = world::read_world(file.path().string(), host(), options);
+    const world::World world = world::read_world(file.path().string(), test::shipped(), options);
     INFO(file.path());
     for (const world::Warning& warning : world::warnings(world)) FAIL_CHECK(warning.text());
   }

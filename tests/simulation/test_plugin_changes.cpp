@@ -91,10 +91,19 @@ struct PluginHost {
   plugin::Host host;
 };
 
-world::World one_robot(const world::BehaviorUse& only) {
-  world::World world;
-  world.robots = {robot("r1", 0, 0, 0, only)};
+/// A camera, and a resource ahead of its robot.
+world::World with_camera() {
+  world::World world = one_robot();
+  world.obstacles = {box("food", world::ObstacleKind::resource, 1, 0)};
+  world::SensorUse eye;
+  eye.plugin = "vision";
+  eye.id = "eye";
+  world.robots[0].sensors = {eye};
   return world;
+}
+
+const VisionReading& picture_of(const Simulation& simulation) {
+  return *static_cast<const VisionReading*>(simulation.sensor(0, 0).sensor->reading());
 }
 
 world::BehaviorUse named(world::BehaviorUse use, const std::string& id) {
@@ -106,7 +115,7 @@ world::BehaviorUse named(world::BehaviorUse use, const std::string& id) {
 
 TEST_CASE("The error of a sensor decides how far its readings spread") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
-  world::World world = one_robot(behavior("scripted"));
+  world::World world = one_robot();
   world.robots[0].sensors = {beam("ahead", 0, {{"max_range", 20.0}})};
   Simulation simulation(world, scripted.host);
   const double distance = 5.0 - 0.04;
@@ -127,7 +136,7 @@ TEST_CASE("The error of a sensor decides how far its readings spread") {
 
 TEST_CASE("What a sensor costs may change") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
-  world::World world = one_robot(behavior("scripted"));
+  world::World world = one_robot();
   world.robots[0].sensors = {beam("a", 0), beam("b", 90)};
   Simulation simulation(world, scripted.host);
   advance(simulation, 100);
@@ -158,7 +167,7 @@ TEST_CASE("A behaviour of higher priority wins from the next decision on") {
 }
 
 TEST_CASE("Parameters of coordinators, of the elements in them, and of what is nested may change") {
-  world::World world = one_robot(behavior("scripted"));
+  world::World world = one_robot();
   world::Robot& r1 = world.robots[0];
   r1.behaviors.push_back(behavior("scripted", 3));
   r1.behaviors[1].id = "other";
@@ -327,14 +336,9 @@ TEST_CASE("A network that is to be trained otherwise is trained again, and says 
 
 TEST_CASE("A camera is not made to look for what no camera can find while a run goes on, either") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
-  world::World world = one_robot(behavior("scripted"));
-  world.obstacles = {box("food", world::ObstacleKind::resource, 1, 0)};
+  world::World world = with_camera();
   world.obstacles[0].colour = Colour{128, 128, 128};
-  world::SensorUse eye;
-  eye.plugin = "vision";
-  eye.id = "eye";
-  eye.elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
-  world.robots[0].sensors = {eye};
+  world.robots[0].sensors[0].elements = {{{"match_colour", {{"colours", "#ffd000"}}}, {}, {}}};
   Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
   simulation.step();
   const std::string path = "robot[r1]/sensor[eye]/match_colour/@colours";
@@ -344,43 +348,23 @@ TEST_CASE("A camera is not made to look for what no camera can find while a run 
   simulation.step();
 }
 
-TEST_CASE("A camera that is changed goes on looking for the resources' colours") {
+TEST_CASE("A camera may take other pictures from now on, in which it looks for the same colours") {
   ScriptedHost scripted([](const Perception&) { return Motion{}; });
-  world::World world = one_robot(behavior("scripted"));
-  world.obstacles = {box("food", world::ObstacleKind::resource, 1, 0)};
-  world::SensorUse eye;
-  eye.plugin = eye.id = "vision";
-  world.robots[0].sensors = {eye};
-  Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
-  for (const char* width : {"60", "80"}) {
-    simulation.edit("robot[r1]/sensor[vision]/@width", width);
+  Simulation simulation(with_camera(), scripted.host, {.cameras = render::world_cameras});
+  simulation.step();
+  CHECK(picture_of(simulation).width == 100);
+  for (const int width : {60, 80}) {
+    simulation.edit("robot[r1]/sensor[eye]/@width", std::to_string(width));
     simulation.step();
-    CHECK(static_cast<const VisionReading*>(simulation.sensor(0, 0).sensor->reading())->found);
+    CHECK(picture_of(simulation).width == width);
+    CHECK(simulation.sensor(0, 0).camera->width == width);
+    CHECK(picture_of(simulation).found);
   }
-}
-
-TEST_CASE("A camera may take other pictures from now on") {
-  ScriptedHost scripted([](const Perception&) { return Motion{}; });
-  world::World world = one_robot(behavior("scripted"));
-  world::SensorUse eye;
-  eye.plugin = "vision";
-  eye.id = "eye";
-  world.robots[0].sensors = {eye};
-  Simulation simulation(world, scripted.host, {.cameras = render::world_cameras});
-  const auto reading = [&] {
-    return static_cast<const VisionReading*>(simulation.sensor(0, 0).sensor->reading());
-  };
-  simulation.step();
-  CHECK(reading()->width == 100);
-  simulation.edit("robot[r1]/sensor[eye]/@width", "60");
-  simulation.step();
-  CHECK(reading()->width == 60);
-  CHECK(simulation.sensor(0, 0).camera->width == 60);
   simulation.edit("robot[r1]/sensor[eye]/@fov_deg", "90");
   simulation.step();
-  CHECK(reading()->horizontal_fov_rad == Approx(radians(90)));
+  CHECK(picture_of(simulation).horizontal_fov_rad == Approx(radians(90)));
   CHECK(simulation.sensor(0, 0).camera->horizontal_fov_rad == Approx(radians(90)));
   simulation.reset();
   simulation.step();
-  CHECK(reading()->width == 100);
+  CHECK(picture_of(simulation).width == 100);
 }

@@ -53,6 +53,13 @@ TEST_CASE("An edit that cannot be made is refused in one sentence, and changes n
   };
   says("robot[r7]/@remove", "true", "there is no robot[r7]");
   says("robot[r1]/@remove", "true", "r1");
+  says("robot[r1]/@max_sped", "1", "no attribute 'max_sped'; did you mean 'max_speed'?");
+  says("robot[r1]", "1", "expected an attribute at its end, as in robot[r1]/@max_speed");
+  says("robot[r1]/@max_speed", "0,5", "decimals are written with a point, as in 1.5");
+  says("robot[r1]/@max_speed", "-1", "expected a number at least 0 and at most 100 m/s");
+  says("robot[r1]/@leader", "yes", "expected true or false");
+  says("robot[r1]/behavior[wander]/@speed", "501", "a number at least 0 and at most 500 rad/s");
+  says("robot[r1]/behavior[wander]/@sped", "5", "no attribute 'sped'; did you mean 'speed'?");
   says("robot[+]", r9 + "3\"/>", "wall");
   says("robot[+]",
        "<robot id=\"r9\" x=\"" + std::to_string(r1.x) + "\" y=\"" + std::to_string(r1.y) + "\"/>",

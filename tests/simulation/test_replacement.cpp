@@ -65,6 +65,13 @@ class Stage {
     }
     return "it was taken";
   }
+  /// A sensor of the library on each robot.
+  void add_levels() {
+    for (world::Robot& robot : world.robots) {
+      world::SensorUse& level = robot.sensors.emplace_back();
+      level.plugin = level.id = "level";
+    }
+  }
   WheelRates step() {
     simulation->step();
     return rates(simulation->robot(0).command);
@@ -140,11 +147,7 @@ TEST_CASE("Objects are replaced on all robots, at any depth, sensors too") {
   inside.coordinator->plugin = inside.coordinator->id = "numbered_first";
   Stage stage(holder);
   stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("numbered")));
-  for (world::Robot& robot : stage.world.robots) {
-    world::SensorUse level;
-    level.plugin = level.id = "level";
-    robot.sensors.push_back(level);
-  }
+  stage.add_levels();
   stage.start();
   CHECK(stage.step().left == Approx(0.01));
   const Replacement replacement = stage.replace(3);
@@ -226,11 +229,7 @@ TEST_CASE("Random streams go on: the same code in a new library changes nothing 
 TEST_CASE("A version that cannot be used leaves the old one in place, on all robots") {
   Stage stage(behavior("numbered", 1.0, {{"gain", 2.0}}));
   stage.world.robots.push_back(numbered_robot("r2", 2.0, behavior("numbered")));
-  for (world::Robot& robot : stage.world.robots) {
-    world::SensorUse level;
-    level.plugin = level.id = "level";
-    robot.sensors.push_back(level);
-  }
+  stage.add_levels();
   stage.start();
   const std::uint64_t undisturbed = run(stage, 40);
   stage.start();
@@ -315,9 +314,7 @@ TEST_CASE("Traces and events do not point into a library that is gone") {
 
 TEST_CASE("A recording keeps its columns when a sensor lists other numbers") {
   Stage stage;
-  world::SensorUse level;
-  level.plugin = level.id = "level";
-  stage.world.robots[0].sensors.push_back(level);
+  stage.add_levels();
   stage.world.limits.time = 0.1;
   Simulation& simulation = stage.start();
   const TemporaryFile table;

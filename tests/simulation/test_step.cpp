@@ -21,9 +21,7 @@ TEST_CASE("A behaviour perceives the robot's own state, and its command moves th
   world::World world;
   world.robots.push_back(robot("r1", 1, 2, 90, behavior("scripted")));
   Simulation simulation(world, scripted.host);
-  for (int i = 0; i < 500; ++i) {
-    simulation.step();
-  }
+  advance(simulation, 500);
   REQUIRE(seen.size() == 500);
   CHECK(seen[0].x == Approx(1).margin(1e-6));
   CHECK(seen[0].y == Approx(2).margin(1e-6));
@@ -38,8 +36,7 @@ TEST_CASE("A behaviour perceives the robot's own state, and its command moves th
 
 TEST_CASE("A command is scaled, both wheels alike, to the maximum speed") {
   ScriptedHost scripted([](const Perception&) { return wheels(100, 50); });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].max_speed = 0.3;
   Simulation simulation(world, scripted.host);
   simulation.step();
@@ -54,8 +51,7 @@ TEST_CASE("Of a motion that the drive cannot make, it makes the nearest; both ca
     commanded.push_back(now.self().commanded);
     return Motion{0.2, 0.3, 1.0};
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   Simulation simulation(world, scripted.host);
   simulation.step();
   simulation.step();
@@ -67,6 +63,8 @@ TEST_CASE("Of a motion that the drive cannot make, it makes the nearest; both ca
   CHECK(commanded == std::vector<Motion>{{}, made});
   simulation.reset();
   CHECK(simulation.robot(0).asked == Motion{});
+  simulation.step();
+  CHECK(commanded.back() == Motion{});
 }
 
 TEST_CASE(
@@ -110,25 +108,6 @@ TEST_CASE("All robots decide on the same instant, before any of them moves") {
     CHECK(seen[0].first == "a");
     CHECK(seen[0].second == seen[1].second);
   }
-}
-
-TEST_CASE("A robot knows what it was commanded last, as far as it obeys") {
-  std::vector<Motion> commanded;
-  ScriptedHost scripted([&](const Perception& now) {
-    commanded.push_back(now.self().commanded);
-    return wheels(100, 50);
-  });
-  world::World world;
-  world.robots.push_back(robot("r", 0, 0, 0, behavior("scripted")));
-  Simulation simulation(world, scripted.host);
-  simulation.step();
-  simulation.step();
-  simulation.reset();
-  simulation.step();
-  REQUIRE(commanded.size() == 3);
-  CHECK(commanded[0] == Motion{});
-  CHECK(rates(commanded[1]) == WheelRates{25, 12.5});
-  CHECK(commanded[2] == Motion{});
 }
 
 TEST_CASE("Robots of a team are numbered in file order") {
@@ -262,12 +241,9 @@ TEST_CASE("What a behaviour raises is logged, and perceived at the next step") {
     }
     return response;
   });
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   Simulation simulation(world, scripted.host);
-  for (int i = 0; i < 5; ++i) {
-    simulation.step();
-  }
+  advance(simulation, 5);
   CHECK(seen == 1);
   REQUIRE(simulation.events().size() == 1);
   CHECK(simulation.events()[0].robot == "r1");
@@ -279,9 +255,7 @@ TEST_CASE("A moving obstacle goes its way") {
   world.obstacles[0].waypoints = {{1, 1}};
   world.obstacles[0].speed = 0.5;
   Simulation simulation(world, shipped());
-  for (int i = 0; i < 600; ++i) {
-    simulation.step();
-  }
+  advance(simulation, 600);
   const auto pose = simulation.obstacle(0);
   REQUIRE(pose);
   CHECK(pose->x == Approx(0).margin(1e-6));  // 3 m of a way of 2 m there and 2 m back
@@ -341,8 +315,7 @@ TEST_CASE("A sensor of a new kind hears the nearest robot, and its reading reach
   });
   scripted.host.add(
       declare<Beacon>(PluginKind::sensor, "beacon", "For a test", produces<BeaconReading>()));
-  world::World world;
-  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scripted")));
+  world::World world = one_robot();
   world.robots[0].sensors.push_back(beam("b", 0));
   world.robots[0].sensors[0].plugin = "beacon";
   world.robots.push_back(robot("far", 0.45, 0, 0, behavior("scripted")));

@@ -95,7 +95,7 @@ TEST_CASE("Robots are asked in several threads, each in one at a time") {
     return test::wheels(5, 4);
   });
   Simulation simulation(many(), scripted.host, threads(3));
-  for (int i = 0; i < 20; ++i) simulation.step();
+  advance(simulation, 20);
   CHECK(seen.size() > 1);
   CHECK_FALSE(crossed);
 }
@@ -109,12 +109,9 @@ TEST_CASE("A plugin that wants one thread is asked in one, in the order of the r
     return test::wheels(5, 4);
   });
   plugin::Host host(shipped_directory());
-  Declaration declaration;
-  declaration.kind = PluginKind::behavior;
-  declaration.name = "scripted";
-  declaration.description = "Answers what the test says";
+  Declaration declaration = declaration_of(PluginKind::behavior, "scripted",
+                                           [answer] { return std::make_unique<Scripted>(answer); });
   declaration.may_share_threads = false;
-  declaration.create = [answer] { return std::make_unique<Scripted>(answer); };
   host.add(std::move(declaration));
   Simulation simulation(many(), host, threads(4));
   simulation.step();

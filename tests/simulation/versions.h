@@ -5,12 +5,12 @@
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <stdexcept>
 #include <string>
 
 #include "elsie/build/private_copy.h"
 #include "elsie/plugin/host.h"
 
+#include "folder.h"
 #include "places.h"
 
 namespace elsie::test {
@@ -18,20 +18,6 @@ namespace elsie::test {
 /// A folder with the library of plugins/versioned.cpp, one version after the other in one file.
 class Versions {
  public:
-  Versions() {
-    std::string name = (std::filesystem::temp_directory_path() / "elsie-versions-XXXXXX").string();
-    if (!mkdtemp(name.data())) {
-      throw std::runtime_error("no folder can be made for the test");
-    }
-    folder = name;
-  }
-  ~Versions() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-  }
-  Versions(const Versions&) = delete;
-  Versions& operator=(const Versions&) = delete;
-
   /// The file is this version from now on. `mode`: see versioned.cpp. `in_place`: the file is
   /// overwritten; otherwise another one takes its name.
   void write(int number, char mode = '-', bool in_place = false) const {
@@ -71,7 +57,8 @@ class Versions {
     return files.size();
   }
 
-  std::filesystem::path folder;
+  const Folder own;
+  const std::filesystem::path folder = own.path();
 };
 
 }  // namespace elsie::test

@@ -29,17 +29,25 @@ class Scripted final : public Behavior {
   std::shared_ptr<Answer> answer_;
 };
 
+/// A plugin of a test, whose objects `create` makes.
+inline Declaration declaration_of(PluginKind kind, const std::string& name,
+                                  std::function<std::unique_ptr<Component>()> create) {
+  Declaration declaration;
+  declaration.kind = kind;
+  declaration.name = name;
+  declaration.description = "For a test";
+  declaration.create = std::move(create);
+  return declaration;
+}
+
 /// A host with the shipped plugins and a behaviour "scripted" with the given answer.
 class ScriptedHost {
  public:
   explicit ScriptedHost(Scripted::Answer answer) : host(shipped_directory()) {
     auto shared = std::make_shared<Scripted::Answer>(std::move(answer));
-    Declaration declaration;
-    declaration.kind = PluginKind::behavior;
-    declaration.name = "scripted";
-    declaration.description = "Answers what the test says";
+    Declaration declaration = declaration_of(
+        PluginKind::behavior, "scripted", [shared] { return std::make_unique<Scripted>(shared); });
     declaration.events = {{"hello", "a test raises it"}};
-    declaration.create = [shared] { return std::make_unique<Scripted>(shared); };
     host.add(std::move(declaration));
   }
   plugin::Host host;
@@ -90,6 +98,19 @@ inline world::Robot robot(const std::string& id, double x, double y, double head
   robot.coordinator.emplace();
   robot.coordinator->plugin = robot.coordinator->id = "arbiter_suppression";
   return robot;
+}
+
+/// A world with one robot "r1", which stands at the origin.
+inline world::World one_robot(const world::BehaviorUse& only = behavior("scripted")) {
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, only));
+  return world;
+}
+
+inline void advance(simulation::Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    simulation.step();
+  }
 }
 
 inline world::Obstacle box(const std::string& id, world::ObstacleKind kind, double x, double y) {

@@ -2,11 +2,24 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace elsie::test {
+
+/// Texts that matter to any file of XML, the words, which have blanks between them, and `more`.
+inline std::vector<std::string> xml_pieces(const std::string& words,
+                                           const std::vector<std::string>& more) {
+  std::istringstream all(
+      "< > / \" ' = & &amp; <!-- --> <![CDATA[ ]]> <? nan -1 1e999 \xC3 \x01 0 - 9 " + words);
+  std::vector<std::string> pieces{std::istream_iterator<std::string>(all), {}};
+  pieces.insert(pieces.end(), {" ", "\n"});
+  pieces.insert(pieces.end(), more.begin(), more.end());
+  return pieces;
+}
 
 class Damage {
  public:

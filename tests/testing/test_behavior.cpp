@@ -3,12 +3,6 @@
 using namespace elsie::testing;
 using elsie::Motion;
 
-TEST_CASE("A behaviour answers what it perceives") {
-  Behavior avoid("avoid_obstacle");
-  CHECK_THAT(avoid.respond(Situation().beam(15, 1.0).beam(-15, 0.2)), turns_left());
-  CHECK_THAT(avoid.respond(Situation().beam(15, 0.2).beam(-15, 1.0)), turns_right());
-}
-
 TEST_CASE("It keeps its state from one answer to the next, until it is reset") {
   Behavior finder("find_resource");
   finder.respond(Situation().camera());

@@ -24,13 +24,6 @@ const char* const kTowardsTheWall = R"(
 
 }  // namespace
 
-TEST_CASE("A small world runs in three lines") {
-  World world = World::from_text(kTowardsTheWall);
-  world.run_for(2.0);
-  CHECK(world.pose("r1").x > 0.3);
-  CHECK(world.time_s() == Approx(2.0));
-}
-
 TEST_CASE("It runs until a condition holds") {
   World world = World::from_text(kTowardsTheWall);
   CHECK(world.run_until([](const World& now) { return now.count("collision", "r1") > 0; }, 5));
@@ -54,11 +47,6 @@ TEST_CASE("It runs to its end, from the start") {
 TEST_CASE("Attributes are changed as on the command line") {
   World world = World::from_text(kTowardsTheWall, {.set = {"robot[r1]/@x=-0.5"}});
   CHECK(world.pose("r1").x == -0.5);
-}
-
-TEST_CASE("A world of a file finds what it names") {
-  World world = World::from_file(test::source_path("worlds/clutter.xml"));
-  CHECK_NOTHROW(world.step(5));
 }
 
 TEST_CASE("Wrong worlds, and wrong ids, are reported") {

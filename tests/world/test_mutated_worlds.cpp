@@ -15,41 +15,10 @@ using namespace elsie::test;
 
 namespace {
 
-const std::vector<std::string> kPieces = {"<",
-                                          ">",
-                                          "/",
-                                          "\"",
-                                          "'",
-                                          "=",
-                                          "&",
-                                          "&amp;",
-                                          "<!--",
-                                          "-->",
-                                          "<![CDATA[",
-                                          "]]>",
-                                          "<?",
-                                          "nan",
-                                          "-1",
-                                          "1e999",
-                                          "\xC3",
-                                          "\n",
-                                          "</robot>",
-                                          "<robot id='r1'>",
-                                          "id=\"r1\"",
-                                          "remove=\"true\"",
-                                          "template=\"wrong/parts/good.xml\"",
-                                          "0",
-                                          " ",
-                                          "-",
-                                          "\x01",
-                                          "<!DOCTYPE a>",
-                                          "<beam/>",
-                                          "<behaviors>",
-                                          "</behaviors>",
-                                          "<coordinator><sum/></coordinator>",
-                                          "<rule of=\"roam\"/>",
-                                          "<blend/>",
-                                          "9"};
+const std::vector<std::string> kPieces = xml_pieces(
+    R"(</robot> id="r1" remove="true" template="wrong/parts/good.xml" <beam/> <behaviors>)"
+    " </behaviors> <coordinator><sum/></coordinator> <blend/>",
+    {"<robot id='r1'>", "<!DOCTYPE a>", "<rule of=\"roam\"/>"});
 const std::vector<std::string> kPlugins = {"<beam", "<bumper",    "<avoid",  "<roam",     "<sum",
                                            "<eye",  "<threshold", "<layers", "<suppress", "<blend"};
 

@@ -26,6 +26,15 @@ const char* const kOverridden = R"(
 world::World with(std::vector<std::string> edits) { return read(kOverridden, std::move(edits)); }
 std::string wrong(const std::string& override) { return problems(kOverridden, {override}); }
 
+/// What is said of an override of a world with this content, without the override itself.
+std::string said_of(const std::string& override, const std::string& content = kOverridden) {
+  const std::string text = problems(content, {override});
+  const std::string before = "--set " + override + ": ";
+  CAPTURE(text);
+  REQUIRE(text.starts_with(before));
+  return text.substr(before.size());
+}
+
 }  // namespace
 
 TEST_CASE("A path leads to any attribute") {
@@ -118,12 +127,7 @@ TEST_CASE("Overrides are applied in order, and checked like the file") {
 }
 
 TEST_CASE("A path that leads nowhere says what is there instead") {
-  const std::string set = "--set ";
-  const auto message = [&](const std::string& override) {
-    const std::string text = wrong(override);
-    REQUIRE(text.starts_with(set + override + ": "));
-    return text.substr(set.size() + override.size() + 2);
-  };
+  const auto message = [](const std::string& override) { return said_of(override); };
   CHECK(message("robot[r3]/@x=1") == "there is no robot[r3]; there are: r1, r2");
   CHECK(message("robot[r1]/sensor[lfet]/@x=1") ==
         "there is no sensor[lfet]; there are: left, right, bumper");
@@ -244,10 +248,7 @@ TEST_CASE("A path leads to what a behaviour holds, at any depth") {
 
 TEST_CASE("A path that leads nowhere inside of a plugin says what is there instead") {
   const auto message = [](const std::string& override) {
-    const std::string found = problems(kNestedPlugins, {override});
-    const std::string before = "--set " + override + ": ";
-    REQUIRE(found.starts_with(before));
-    return found.substr(before.size());
+    return said_of(override, kNestedPlugins);
   };
   CHECK(message("robot[r1]/coordinator/suppress/@by=x") ==
         "'suppress' could be any of 2; say which, as in suppress[1], or suppress[*] for all of "
@@ -363,12 +364,7 @@ TEST_CASE("What is left after a removal is checked like a file") {
 }
 
 TEST_CASE("What cannot be taken away is refused in words") {
-  const auto message = [](const std::string& override) {
-    const std::string text = problems(kCrowd, {override});
-    const std::string before = "--set " + override + ": ";
-    REQUIRE(text.starts_with(before));
-    return text.substr(before.size());
-  };
+  const auto message = [](const std::string& override) { return said_of(override, kCrowd); };
   CHECK(message("@remove=true") ==
         "the world itself cannot be removed; expected the path of something in it, as in "
         "robot[r1]/@remove");

@@ -17,9 +17,10 @@ using Catch::Contains;
 
 TEST_CASE("An empty world has the default of everything") {
   const world::World world = read("");
-  CHECK(same(world.arena, world::Arena{}));
-  CHECK(same(world.physics, world::Physics{}));
-  CHECK(same(world.limits, world::Limits{}));
+  const world::World none;
+  for (const char* part : {"arena", "physics", "limits"}) {
+    CHECK(world::same_part(world::vocabulary(), part, &world, &none));
+  }
   CHECK(world.robots.empty());
   CHECK(world.obstacles.empty());
   REQUIRE(world.teams.size() == 2);

@@ -2,11 +2,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::active;
-using elsie::test::Coordinated;
-using elsie::test::rates;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 namespace {
 const Motion kA{1, 1}, kB{2, 2}, kC{3, 3};

@@ -7,11 +7,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::active;
-using elsie::test::Coordinated;
-using elsie::test::rates;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 namespace {
 
@@ -22,16 +18,6 @@ const char* const kAll[] = {
 const char* const kByActivation[] = {
     "arbiter_action_selection", "arbiter_subsumption", "arbiter_voting",
     "arbiter_strength",         "fusion_fuzzy",        "fusion_interval"};
-
-double shares(Team& team) {
-  double sum = 0.0;
-  for (const Member& member : team.members()) {
-    CHECK(member.trace.share >= 0.0);
-    CHECK(std::isfinite(member.trace.weight));
-    sum += member.trace.share;
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -76,34 +62,6 @@ TEST_CASE("When nobody is active the robot stands still, and the trace says why"
     if (std::string(name) != "arbiter_strength") {
       for (const double degree : robot.rate({wheels(0, 0), wheels(5, 5)})) {
         CHECK(degree == 0.0);
-      }
-    }
-  }
-}
-
-TEST_CASE("Shares add up to one, and everyone has a reason, whatever the priorities") {
-  for (const char* name : kAll) {
-    for (const double priority : {2.0, 0.0, -3.0, 1e-300, 1e300}) {
-      CAPTURE(name, priority);
-      Team team;
-      team.member("a", priority, active(0.7, wheels(10, 20)))
-          .member("b", 1, active(0.4, wheels(20, 10)))
-          .member("c", 1, active(0.0, wheels(0, 0)));
-      Coordinated robot(name, team);
-      const Motion command = robot.decide();
-      CHECK(command.is_finite());
-      CHECK(shares(team) == Approx(1.0));
-      for (const Member& member : team.members()) {
-        CHECK(std::string(member.trace.reason) != "");
-        CHECK(member.trace.inhibited_by < 3);
-      }
-      for (const double degree : robot.rate({wheels(0, 0), wheels(10, 20), wheels(1e6, -1e6)})) {
-        CHECK((degree >= 0.0 && degree <= 1.0));
-      }
-      for (const FuzzySet& set : {robot.sets().left, robot.sets().right}) {
-        for (const FuzzySet::Point& point : set.points) {
-          CHECK((point.degree >= 0.0 && point.degree <= 1.0));
-        }
       }
     }
   }

@@ -5,10 +5,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::active;
-using elsie::test::Coordinated;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 TEST_CASE("A decision that needs no fuzzy sets allocates nothing after the first few") {
   for (const char* name :

@@ -18,17 +18,12 @@ namespace {
 struct NamedHost {
   NamedHost() : host(shipped_directory()) {}
   NamedHost& add(const std::string& name, Response response, std::optional<CommandSets> sets = {}) {
-    Declaration declaration;
-    declaration.kind = PluginKind::behavior;
-    declaration.name = name;
-    declaration.description = "for a test";
-    declaration.create = [=] {
+    host.add(declaration_of(PluginKind::behavior, name, [=] {
       auto made = std::make_unique<testing::MadeUp>();
       made->answer = response;
       made->sets = sets;
       return made;
-    };
-    host.add(std::move(declaration));
+    }));
     return *this;
   }
   plugin::Host host;

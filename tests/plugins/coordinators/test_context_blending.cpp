@@ -9,13 +9,7 @@
 
 using namespace elsie;
 using Catch::Contains;
-using elsie::test::active;
-using elsie::test::check_near;
-using elsie::test::Coordinated;
-using elsie::test::rates;
-using elsie::test::Situation;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 namespace {
 

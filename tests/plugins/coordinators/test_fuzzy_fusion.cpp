@@ -2,12 +2,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::active;
-using elsie::test::check_near;
-using elsie::test::Coordinated;
-using elsie::test::rates;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 namespace {
 

@@ -4,9 +4,7 @@
 #include "support.h"
 
 using namespace elsie;
-using elsie::test::Coordinated;
-using elsie::test::Situation;
-using elsie::test::Team;
+using namespace elsie::test;
 
 namespace {
 

@@ -2,11 +2,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::active;
-using elsie::test::Coordinated;
-using elsie::test::rates;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 TEST_CASE("Suppression runs only the behaviour of highest priority and passes its command on") {
   Team team;

@@ -4,11 +4,7 @@
 #include "wheels.h"
 
 using namespace elsie;
-using elsie::test::active;
-using elsie::test::Coordinated;
-using elsie::test::rates;
-using elsie::test::Team;
-using elsie::test::wheels;
+using namespace elsie::test;
 
 TEST_CASE("Vector summation divides the sum of the commands by the number of behaviours") {
   Team team;

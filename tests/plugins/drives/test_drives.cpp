@@ -7,9 +7,7 @@
 #include "drives/support.h"
 
 using namespace elsie;
-using elsie::test::DrivenRobot;
-using elsie::test::each_engine;
-using elsie::test::within;
+using namespace elsie::test;
 
 namespace {
 

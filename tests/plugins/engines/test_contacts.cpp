@@ -1,6 +1,5 @@
 // Bodies that meet.
 #include <algorithm>
-#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -12,68 +11,6 @@ using namespace elsie;
 using namespace elsie::physics;
 using world::ObstacleKind;
 
-TEST_CASE("A dynamic box is pushed, and comes to rest when the robot stops") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
-  CAPTURE(step);
-  PhysicsContext context(with_step(step));
-  const std::size_t robot = context.robot(0, 0);
-  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.3, 0.0, {0.2, 0.2, 0.2});
-  context.drive(robot, {10, 10});
-  context.run(5.0);
-  const Vector3 pushed = context.engine->obstacle(box).origin;
-  CHECK(pushed.x > 0.8);
-  CHECK(std::abs(pushed.z) < 1e-3);
-  CHECK(context.touching(robot_body(robot), box_body(box)));
-  context.drive(robot, {0, 0});
-  context.run(1.0);
-  const Vector3 stopped = context.engine->obstacle(box).origin;
-  context.run(5.0);
-  const Vector3 end = context.engine->obstacle(box).origin;
-  CHECK(std::hypot(end.x - stopped.x, end.y - stopped.y) < 1e-4);
-}
-
-TEST_CASE("A robot at 2 m/s does not go through a box of 5 cm, nor over it") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
-  const double height = GENERATE(0.05, 0.2);
-  CAPTURE(step, height);
-  PhysicsContext context(with_step(step));
-  const std::size_t robot = context.robot(-2.0, 0);
-  const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {0.05, 0.05, height});
-  context.drive(robot, {100, 100});
-  bool touched = false;
-  context.run(1.6, [&] {
-    touched = touched || context.touching(robot_body(robot), box_body(box));
-    CHECK(context.pose(robot).x < -0.06);
-    CHECK(std::abs(context.engine->robot(robot).frame.origin.z) < 0.005);
-  });
-  CHECK(touched);
-}
-
-TEST_CASE("Walls of the arena hold robots and boxes") {
-  const double step = GENERATE(0.001, 0.01, 0.02);
-  CAPTURE(step);
-  world::Arena arena;
-  arena.length = arena.width = 2.0;
-  arena.wall_thickness = 0.005;
-  PhysicsContext context(with_step(step), arena);
-  std::vector<std::size_t> robots;
-  for (int i = 0; i < 8; ++i) {
-    robots.push_back(context.robot(0.5 * std::cos(i), 0.5 * std::sin(i), degrees(i)));
-    context.drive(robots.back(), {25, 23.0 + 0.5 * i});
-  }
-  const std::size_t box = context.obstacle(ObstacleKind::dynamic, 0.8, 0.0, {0.1, 0.1, 0.1});
-  context.run(10.0, [&] {
-    for (const std::size_t robot : robots) {
-      const Pose pose = context.pose(robot);
-      CHECK(std::max(std::abs(pose.x), std::abs(pose.y)) < 1.0);
-    }
-  });
-  CHECK(std::abs(context.engine->obstacle(box).origin.x) < 0.96);
-  for (const std::size_t robot : robots) {
-    CHECK(context.engine->robot(robot).frame.up.z > 0.9);
-  }
-}
-
 TEST_CASE("A wheel that grazes a wall touches it") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0);
@@ -81,23 +18,6 @@ TEST_CASE("A wheel that grazes a wall touches it") {
   const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.0, 0.15, {1.0, 0.2, 0.2});
   context.run(0.1);
   CHECK(context.touching(robot_body(robot), box_body(box)));
-}
-
-TEST_CASE("Two robots that drive into each other stop") {
-  const double step = GENERATE(0.001, 0.01, 0.02);
-  const double aside = GENERATE(0.0, 0.03, 0.07);
-  CAPTURE(step, aside);
-  PhysicsContext context(with_step(step));
-  const std::size_t a = context.robot(-0.5, 0.0, 0);
-  const std::size_t b = context.robot(0.5, aside, 180);
-  context.drive(a, {25, 25});
-  context.drive(b, {25, 25});
-  bool touched = false;
-  context.run(2.0, [&] {
-    touched = touched || context.touching(robot_body(a), robot_body(b));
-    CHECK(distance(context.pose(a), context.pose(b)) > 0.07);
-  });
-  CHECK(touched);
 }
 
 TEST_CASE("A box that is taken away is gone") {

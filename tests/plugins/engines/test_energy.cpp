@@ -212,20 +212,6 @@ TEST_CASE("A crowd has no more energy than its motors give, whatever the step an
   }
 }
 
-TEST_CASE("The same of fifty robots", "[.]") {
-  const std::string engine = each_engine();
-  const double step = GENERATE(0.01, 0.02, 0.05, 0.1);
-  const double friction = GENERATE(0.0, 0.3, 2.0, 10.0), speed = GENERATE(0.2, 0.4, 2.0, 20.0);
-  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-    world::Physics physics = with(engine, step);
-    physics.friction = friction;
-    CAPTURE(engine, step, friction, speed, seed);
-    const Reached reached = crowd_of(engine == "ode" ? 12 : 50, physics, speed, 5.0, seed);
-    CHECK(reached.energy < (engine == "ode" ? 2.0 : 1.05));
-    if (engine == "planar") CHECK(reached.depth < kDeepest);
-  }
-}
-
 TEST_CASE("Gaps of a millimetre: a robot that turns between walls gains nothing") {
   const std::string engine = each_engine();
   const double step = GENERATE(0.01, 0.02, 0.05, 0.1);

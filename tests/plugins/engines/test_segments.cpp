@@ -70,7 +70,7 @@ TEST_CASE("A train at rest stays where it is, level and in line") {
 }
 
 TEST_CASE("Straight on the segments follow in line, at their distance") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double step = GENERATE(0.005, 0.02);
   const double rate = GENERATE(10.0, 25.0);
   CAPTURE(step, rate);
   PhysicsContext context(with_step(step), open_field());
@@ -96,7 +96,7 @@ TEST_CASE("Straight on the segments follow in line, at their distance") {
 }
 
 TEST_CASE("In a steady circle each axle runs at the radius of the closed form") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double step = GENERATE(0.005, 0.02);
   const bool hitched_to_axles = GENERATE(false, true);
   const WheelRates rates = GENERATE(WheelRates{18, 24}, WheelRates{24, 20});
   CAPTURE(step, hitched_to_axles, rates.left);
@@ -125,7 +125,7 @@ TEST_CASE("In a steady circle each axle runs at the radius of the closed form") 
 }
 
 TEST_CASE("Behind a joint that goes straight on, the angle decays along the tractrix") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double step = GENERATE(0.005, 0.02);
   CAPTURE(step);
   PhysicsContext context(with_step(step), open_field());
   Train pulled = train(context, {long_segment(80.0)});
@@ -147,7 +147,7 @@ TEST_CASE("Behind a joint that goes straight on, the angle decays along the trac
 }
 
 TEST_CASE("Reversing jack-knifes along the same curve, up to the limit of the joint") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double step = GENERATE(0.005, 0.02);
   CAPTURE(step);
   PhysicsContext context(with_step(step), open_field());
   Train pushed = train(context, {long_segment(70.0)});
@@ -175,7 +175,7 @@ TEST_CASE("Reversing jack-knifes along the same curve, up to the limit of the jo
 }
 
 TEST_CASE("A train that is thrown about keeps to its joints and gains no energy but its motors'") {
-  const double step = GENERATE(0.001, 0.005, 0.01, 0.02);
+  const double step = GENERATE(0.005, 0.02);
   const double mass = GENERATE(0.02, 0.1, 1.0);
   CAPTURE(step, mass);
   PhysicsContext context(with_step(step), open_field(100.0));

@@ -16,8 +16,7 @@
 #include "hostile.h"
 
 namespace fs = std::filesystem;
-using elsie::test::Made;
-using elsie::test::source_path;
+using namespace elsie::test;
 using nlohmann::json;
 
 namespace {
