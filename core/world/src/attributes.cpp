@@ -61,9 +61,13 @@ AttributeTarget Attributes::target(const Element& element, const std::string& na
   if (meaning.spec) {
     fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
   }
-  AttributeTarget target{
-      meaning, element.name, {}, meaning.spec ? meaning.spec->attribute(name) : nullptr, {}};
-  target.path += (target.path.empty() ? "@" : "/@") + name;
+  const std::string path = tree_->path(element);
+  AttributeTarget target{meaning,
+                         (path.empty() ? "@" : path + "/@") + name,
+                         element.name,
+                         {},
+                         meaning.spec ? meaning.spec->attribute(name) : nullptr,
+                         {}};
   for (const Field& field : fields) {
     if (field.is_live()) {
       target.live.push_back(field.name);

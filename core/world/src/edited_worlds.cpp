@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elsie/base/number_text.h"
+#include "elsie/world/world_tree.h"
 
 namespace elsie::world {
 
@@ -32,7 +33,7 @@ void visit_edited_worlds(const World& world, const plugin::Host& host, const Rea
       reading.edits.push_back(edit.text());
     }
     try {
-      World next = edited(was, host, reading);
+      World next = edited(WorldTree(was), host, reading);
       if (next.physics.engine != was.physics.engine) {
         const auto culprit = std::find_if(
             first, last, [](const TimedEdit& edit) { return edit.path.starts_with("physics"); });
