@@ -1,7 +1,6 @@
 #include "elsie/world/edited_worlds.h"
 
 #include <algorithm>
-#include <cctype>
 #include <span>
 #include <utility>
 #include <vector>
@@ -47,33 +46,11 @@ void visit_edited_worlds(const World& world, const plugin::Host& host, const Rea
         const auto own = std::find_if(first, last, [&](const TimedEdit& edit) {
           return problem.file == "--set " + edit.text();
         });
-        refuse(own == last ? *first : *own, without_lines(problem.message, world.file),
-               problem.plugin_failed);
+        refuse(own == last ? *first : *own, problem.message, problem.plugin_failed);
       }
     }
   }
   problems.raise<WorldError>(world.file);
-}
-
-std::string without_lines(std::string message, const std::string& file) {
-  const std::string before_line = file + ":";
-  for (std::size_t at = 0; (at = message.find(before_line, at)) != std::string::npos;) {
-    std::size_t end = at + before_line.size();
-    const std::size_t digits = end;
-    while (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end]))) {
-      ++end;
-    }
-    if (end == digits) {
-      at = end;
-    } else if (at >= 2 && message.compare(at - 2, 2, " (") == 0 && message[end] == ')') {
-      message.erase(at - 2, end + 1 - (at - 2));
-      at -= 2;
-    } else {
-      message.erase(digits - 1, end + 1 - digits);
-      at = digits - 1;
-    }
-  }
-  return message;
 }
 
 }  // namespace elsie::world

@@ -30,7 +30,7 @@ void add_parameters(Element& element, const Use& use, const Location& where) {
 }
 }  // namespace
 
-WorldTree::WorldTree(const World& world) : world_(world), file_{world.file, 1} {
+WorldTree::WorldTree(const World& world) : world_(world), file_{world.file, 0} {
   Meaning whole;
   whole.described.object = &world;
   root_ = begin(vocabulary(), whole, "");
