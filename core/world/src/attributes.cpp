@@ -86,7 +86,7 @@ AttributeTarget Attributes::target(const Element& element, const std::string& na
 ParameterValue Attributes::read(const AttributeTarget& target, std::string_view text) const {
   Parsed parsed = parse_value(target.field, text);
   if (!parsed.value) {
-    throw std::invalid_argument(parsed.problem);
+    throw std::invalid_argument("expected " + parsed.expected);
   }
   if (target.field.type != ParameterType::file || (text.empty() && target.field.may_be_no_file())) {
     return std::move(*parsed.value);

@@ -237,7 +237,7 @@ class ObjectReader {
                       const Attribute& attribute, void* object) {
     const Parsed parsed = parse_value(known, attribute.value);
     if (!parsed.value) {
-      refuse_value(element, attribute, parsed.problem);
+      refuse_value(element, attribute, "expected " + parsed.expected);
       return;
     }
     if (known.refers_to != Reference::none) {
@@ -323,9 +323,9 @@ class ObjectReader {
 
   void read_parameter(const ParameterDeclaration& parameter, const Element& element,
                       const Attribute& attribute, const Declared& declared) {
-    Parsed parsed = parse_value(field_of(parameter), attribute.value);
+    Parsed parsed = plugin::parse_value(parameter, attribute.value);
     if (!parsed.value) {
-      refuse_value(element, attribute, parsed.problem);
+      refuse_value(element, attribute, "expected " + parsed.expected);
     } else if (parameter.type != ParameterType::file ||
                (attribute.value.empty() && field_of(parameter).may_be_no_file())) {
       declared.values[parameter.name] = std::move(*parsed.value);
