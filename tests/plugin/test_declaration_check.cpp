@@ -191,7 +191,7 @@ TEST_CASE("Each fault of a declaration is found and named") {
       {"parameter 'mode' has a range", [](Declaration& d) { d.parameters[1].facts.max = 1; }},
       {"the default of speed is 3, but must be a number at least 0 and at most 2 m/s",
        [](Declaration& d) { d.parameters[0].default_value = 3.0; }},
-      {"the default of speed is nan, which is not finite",
+      {"the default of speed is nan, but must be a number",
        [](Declaration& d) { d.parameters[0].default_value = kNan; }},
       {"the default of speed is 'fast', but must be a number",
        [](Declaration& d) { d.parameters[0].default_value = std::string("fast"); }},

@@ -86,19 +86,19 @@ TEST_CASE("A value at the edge of its range is allowed, one beyond is not") {
 
 TEST_CASE("Numbers must be finite, also where there is no range") {
   CHECK(value_refusal("speed", kNotANumber) ==
-        "speed is nan, which is not finite, but must be a number at least 0 and at most 50 rad/s");
-  CHECK(value_refusal("gain", kInfinity) ==
-        "gain is inf, which is not finite, but must be a number above 0");
+        "speed is nan, but must be a number at least 0 and at most 50 rad/s");
+  CHECK(value_refusal("gain", kInfinity) == "gain is inf, but must be a number above 0");
   CHECK(value_refusal("weights", std::vector{1.0, kNotANumber}) ==
-        "weights is '1 nan', of which not every number is finite, but must be a list of numbers, "
-        "each at least -1");
+        "weights is '1 nan', but must be a list of numbers, each at least -1, separated by blanks; "
+        "'nan' is none of those");
 }
 
 TEST_CASE("Each number of a list must be in range") {
   CHECK(value_refusal("weights", std::vector{0.0, -1.0, 5.0}).empty());
   CHECK(value_refusal("weights", std::vector<double>{}).empty());
   CHECK(value_refusal("weights", std::vector{0.0, -2.0}) ==
-        "weights is '0 -2', but must be a list of numbers, each at least -1");
+        "weights is '0 -2', but must be a list of numbers, each at least -1, separated by blanks; "
+        "'-2' is none of those");
 }
 
 TEST_CASE("A text must be one of the choices, with a hint at the nearest") {
@@ -119,13 +119,13 @@ TEST_CASE("A value of another type is refused") {
 TEST_CASE("A number that the plugin's member cannot hold is refused") {
   CHECK(value_refusal("level", std::int64_t{std::numeric_limits<int>::min()}).empty());
   CHECK_THAT(value_refusal("level", std::int64_t{std::numeric_limits<int>::min()} - 1),
-             Contains("does not fit its type in the plugin"));
+             Contains("beyond what can be stored"));
   CHECK(value_refusal("count", std::int64_t{4294967295}).empty());
   CHECK_THAT(value_refusal("count", std::int64_t{4294967296}),
-             Contains("does not fit its type in the plugin"));
+             Contains("beyond what can be stored"));
   CHECK_THAT(value_refusal("count", std::int64_t{-1}), Contains("a whole number at least 0"));
   CHECK_THAT(value_refusal("byte", std::int64_t{256}), Contains("(0 to 255)"));
-  CHECK_THAT(value_refusal("factor", 1e39), Contains("does not fit its type in the plugin"));
+  CHECK_THAT(value_refusal("factor", 1e39), Contains("beyond what can be stored"));
   CHECK(value_refusal("factor", 1e38).empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/world/world_tree.h"
 #include "elsie/world/writer.h"
 
 #include "equal.h"
@@ -32,7 +33,7 @@ const world::World& crowd() {
 }
 
 world::World edited(std::vector<std::string> edits) {
-  return world::edited(crowd(), host(), options(std::move(edits)));
+  return world::edited(world::WorldTree(crowd()), host(), options(std::move(edits)));
 }
 
 /// What is wrong with the edits; "" if they can be made.
@@ -68,7 +69,7 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
            {{"physics/@step=0.02", "@name=other", "goal[2]/@time=7"}, {true, true, true}},
            {{"goal[1]/@remove=true", "robot[r3]/@id=r4"}, {true, true, false}},
            {{"change[1]/@time=3"}, {true, true, true}},
-           {{"team[green]/@colour=#102030"}, {true, true, true}}}) {
+           {{"team[green]/@colour=#102030"}, {false, false, false}}}) {
     CAPTURE(edits);
     const world::World now = edited(edits);
     CHECK(world::write_world(now) == world::write_world(read_again(edits)));

@@ -89,15 +89,11 @@ struct Host::State {
     return source == sources.end() ? file : source->second;
   }
   void search(std::vector<SearchDirectory> all);
-  fs::path former_of(std::size_t index) const;
   std::string list(const SearchDirectory& directory, std::vector<fs::path>& files);
-  FileReport examine(const fs::path& file, const fs::path& former);
-  void load(FileReport& file, const fs::path& former);
+  FileReport examine(const fs::path& file);
+  void load(FileReport& file);
   std::optional<LoadedFile> load_anew(FileReport& file);
-  const LoadedFiles::value_type* known(const fs::path& file) const;
-  void keep_old(FileReport& file, const LoadedFiles::value_type& old);
-  void keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
-                 const fs::path& former);
+  void keep_old(DirectoryReport& found);
   void enter(LoadedFile found, FileReport& file);
 };
 
@@ -127,38 +123,32 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
   return error ? "cannot be read: " + error.message() : "";
 }
 
-/// The old library at this place of the search path, if the place is one library; else "".
-fs::path Host::State::former_of(std::size_t index) const {
-  if (!before || index >= before->report.directories.size()) {
-    return {};
-  }
-  const DirectoryReport& old = before->report.directories[index];
-  const bool is_library = old.directory.path.extension() == ".so" && old.files.size() == 1 &&
-                          (old.files[0].path == old.directory.path || old.files[0].is_former);
-  return is_library ? old.files[0].path : fs::path();
-}
-
-/// Keeps libraries in use that are no longer in the directory.
-void Host::State::keep_gone(DirectoryReport& found, const std::vector<fs::path>& files,
-                            const fs::path& former) {
-  if (!before) return;
-  for (const auto& old : before->loaded) {
-    const fs::path& path = old.first;
-    const bool here = path == found.directory.path || path.parent_path() == found.directory.path ||
-                      (path == former && files.empty());
-    if (here && std::find(files.begin(), files.end(), path) == files.end()) {
-      FileReport file;
-      file.path = path;
-      file.sentence = "is gone";
-      keep_old(file, old);
-      found.files.push_back(std::move(file));
-    }
+/// Keeps libraries in use that the previous host had loaded from this place and that no library
+/// there replaces.
+void Host::State::keep_old(DirectoryReport& found) {
+  const std::size_t place = report.directories.size();
+  if (!before || place >= before->report.directories.size()) return;
+  const bool is_library = found.directory.path.extension() == ".so";  // a new path for each build
+  for (const FileReport& old : before->report.directories[place].files) {
+    const auto known = before->loaded.find(old.path);
+    const auto now =
+        std::find_if(found.files.begin(), found.files.end(),
+                     [&](const FileReport& file) { return is_library || file.path == old.path; });
+    const bool is_gone = now == found.files.end();
+    if (known == before->loaded.end() || (!is_gone && !now->plugins.empty())) continue;
+    report.warnings.push_back(known_as(old.path).string() + ": " +
+                              (is_gone ? "is gone" : now->sentence) +
+                              "; the library that was there before is still in use");
+    FileReport& kept = is_gone ? found.files.emplace_back() : * now = {};
+    kept.path = old.path;
+    kept.abi_word = known->second.abi_word;
+    kept.is_former = true;
+    enter(known->second, kept);
   }
 }
 
 void Host::State::search(std::vector<SearchDirectory> all) {
   for (SearchDirectory& directory : all) {
-    const fs::path former = former_of(report.directories.size());
     if (!directory.source.empty()) {
       sources.insert_or_assign(directory.path, directory.source);
     }
@@ -166,17 +156,19 @@ void Host::State::search(std::vector<SearchDirectory> all) {
     std::vector<fs::path> files;
     found.problem = list(found.directory, files);
     for (const fs::path& file : files) {
-      FileReport& result = found.files.emplace_back(examine(file, former));
-      if (result.status == FileStatus::refused) {
-        report.warnings.push_back(known_as(file).string() + ": " + result.sentence);
+      found.files.push_back(examine(file));
+    }
+    keep_old(found);
+    for (const FileReport& file : found.files) {
+      if (file.status == FileStatus::refused) {
+        report.warnings.push_back(known_as(file.path).string() + ": " + file.sentence);
       }
     }
-    keep_gone(found, files, former);
     report.directories.push_back(std::move(found));
   }
 }
 
-FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
+FileReport Host::State::examine(const fs::path& path) {
   FileReport file;
   file.path = path;
   if (path.extension() != ".so") {
@@ -197,37 +189,19 @@ FileReport Host::State::examine(const fs::path& path, const fs::path& former) {
       return file;
     }
   }
-  load(file, former);
+  load(file);
   return file;
 }
 
-/// The file if the previous host had loaded it, or null.
-const LoadedFiles::value_type* Host::State::known(const fs::path& file) const {
-  if (!before) return nullptr;
-  const auto at = before->loaded.find(file);
-  return at == before->loaded.end() ? nullptr : &*at;
-}
-
-void Host::State::load(FileReport& file, const fs::path& former) {
-  const auto* old = known(file.path);
-  if (old && fingerprint_of(file.path) == old->second.fingerprint) {
-    file.abi_word = old->second.abi_word;
-    enter(old->second, file);
+void Host::State::load(FileReport& file) {
+  const auto known = before ? before->loaded.find(file.path) : LoadedFiles::const_iterator();
+  if (before && known != before->loaded.end() &&
+      fingerprint_of(file.path) == known->second.fingerprint) {
+    file.abi_word = known->second.abi_word;
+    enter(known->second, file);
   } else if (auto found = load_anew(file)) {
     enter(*std::move(found), file);
-  } else if (old || (old = known(former))) {
-    keep_old(file, *old);
   }
-}
-
-/// Keeps the old library in use, because the new file cannot be used.
-void Host::State::keep_old(FileReport& file, const LoadedFiles::value_type& old) {
-  report.warnings.push_back(known_as(file.path).string() + ": " + file.sentence +
-                            "; the library that was there before is still in use");
-  file.path = old.first;
-  file.abi_word = old.second.abi_word;
-  file.is_former = true;
-  enter(old.second, file);
 }
 
 /// Loads a file. Returns none when it cannot be used, with the reason in `file`.

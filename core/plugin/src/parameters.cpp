@@ -1,11 +1,15 @@
 #include "elsie/plugin/parameters.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +25,7 @@ namespace elsie::plugin {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr const char* kBlanks = " \t\n\r";
 
 /// A type in words, and the alternative of ParameterValue that holds it.
 struct Type {
@@ -54,44 +59,11 @@ std::string value_text(const ParameterValue& value) {
   return has_blanks ? name_in_quotes(format_value(value)) : format_value(value);
 }
 
-bool in_range(const ParameterFacts& facts, double value) {
-  return value >= facts.min && value > facts.above && value <= facts.max;
-}
-
-/// Returns whether the member can hold the number.
-bool is_holdable(const ParameterDeclaration& parameter, double value) {
-  return value >= parameter.lowest && value <= parameter.highest;
-}
-
-/// The numbers of a value, if it has any.
-std::vector<double> numbers_of(const ParameterValue& value) {
-  if (const auto* const real = std::get_if<double>(&value)) {
-    return {*real};
-  }
-  if (const auto* const whole = std::get_if<std::int64_t>(&value)) {
-    return {static_cast<double>(*whole)};
-  }
-  const auto* const list = std::get_if<std::vector<double>>(&value);
-  return list ? *list : std::vector<double>();
-}
-
-bool is_allowed(const ParameterDeclaration& parameter, const ParameterValue& value) {
-  const auto& choices = parameter.facts.choices;
-  if (parameter.type == ParameterType::text && !choices.empty()) {
-    return std::find(choices.begin(), choices.end(), std::get<std::string>(value)) != choices.end();
-  }
-  const std::vector<double> numbers = numbers_of(value);
-  return std::all_of(numbers.begin(), numbers.end(), [&](double number) {
-    return std::isfinite(number) && in_range(parameter.facts, number) &&
-           is_holdable(parameter, number);
-  });
-}
-
 /// "above 0", "at most 50".
-std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
-  const ParameterFacts& facts = parameter.facts;
+std::vector<std::string> limit_texts(const Allowed& allowed) {
+  const ParameterFacts& facts = allowed.facts;
   // Limits of the member's type are not mentioned, except that it has no sign.
-  const double min = parameter.lowest == 0.0 ? std::max(facts.min, 0.0) : facts.min;
+  const double min = allowed.lowest == 0.0 ? std::max(facts.min, 0.0) : facts.min;
   std::vector<std::string> limits;
   if (facts.above > -kInfinity && facts.above >= min) {
     limits.push_back("above " + number_text(facts.above));
@@ -102,19 +74,65 @@ std::vector<std::string> limit_texts(const ParameterDeclaration& parameter) {
   return limits;
 }
 
-/// Why numbers are refused, if allowed_values() does not explain it.
-std::string refusal_of(const ParameterDeclaration& parameter, const ParameterValue& value) {
-  const std::vector<double> numbers = numbers_of(value);
-  const bool is_list = parameter.type == ParameterType::reals;
-  if (!std::all_of(numbers.begin(), numbers.end(), [](double one) { return std::isfinite(one); })) {
-    return is_list ? ", of which not every number is finite" : ", which is not finite";
+/// Whether the number is in the range that the declaration gives.
+bool in_range(const ParameterFacts& facts, double value) {
+  return std::isfinite(value) && value >= facts.min && value > facts.above && value <= facts.max;
+}
+
+Parsed refused(const Allowed& allowed, const std::string& hint = "") {
+  return {std::nullopt, allowed_values(allowed) + hint};
+}
+
+template <class Number>
+Parsed parse_number(const Allowed& allowed, std::string_view text) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc::result_out_of_range) {
+    return refused(allowed, "; this number is too large or too small to be represented");
   }
-  if (!is_list && !numbers.empty() && in_range(parameter.facts, numbers.front()) &&
-      !is_holdable(parameter, numbers.front())) {
-    return ", which does not fit its type in the plugin (" + number_text(parameter.lowest) +
-           " to " + number_text(parameter.highest) + ")";
+  if (error != std::errc() || rest != end) {
+    const std::string& unit = allowed.facts.unit;
+    const bool has_unit =
+        error == std::errc() && std::isalpha(static_cast<unsigned char>(text.back()));
+    const bool has_blanks = text.find_first_of(kBlanks) != std::string_view::npos;
+    return refused(allowed, text.find(',') != std::string_view::npos
+                                ? "; decimals are written with a point, as in 1.5"
+                            : has_unit ? "; write the number only" +
+                                             (unit.empty() ? "" : "; the unit is " + unit)
+                            : has_blanks ? "; without blanks"
+                                         : "");
   }
-  return "";
+  const auto value = static_cast<double>(number);
+  if (!in_range(allowed.facts, value)) return refused(allowed);
+  if (value < allowed.lowest || value > allowed.highest) {
+    return refused(allowed, "; this number is beyond what can be stored (" +
+                                number_text(allowed.lowest) + " to " +
+                                number_text(allowed.highest) + ")");
+  }
+  return {number, ""};
+}
+
+Parsed parse_list(const Allowed& allowed, std::string_view text) {
+  std::vector<double> numbers;
+  std::size_t at = 0;
+  while ((at = text.find_first_not_of(kBlanks, at)) != std::string_view::npos) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const Parsed number = parse_number<double>(allowed, word);
+    if (!number.value) return refused(allowed, "; '" + std::string(word) + "' is none of those");
+    numbers.push_back(std::get<double>(*number.value));
+    at = end;
+  }
+  return {std::move(numbers), ""};
+}
+
+Parsed parse_text(const Allowed& allowed, std::string_view text) {
+  const auto& choices = allowed.facts.choices;
+  if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end()) {
+    return {std::string(text), ""};
+  }
+  return refused(allowed, choices.size() > 1 ? base::did_you_mean(text, choices) : "");
 }
 
 template <class Declared>
@@ -180,39 +198,52 @@ std::string format_value(const ParameterValue& value) {
   return std::visit(Format{}, value);
 }
 
-std::string allowed_values(const ParameterDeclaration& parameter) {
-  const std::vector<std::string>& choices = parameter.facts.choices;
-  if (parameter.type == ParameterType::text && !choices.empty()) {
+std::string allowed_values(const Allowed& allowed) {
+  const std::vector<std::string>& choices = allowed.facts.choices;
+  if (allowed.type == ParameterType::text && !choices.empty()) {
     std::vector<std::string> names;
     std::transform(choices.begin(), choices.end(), std::back_inserter(names), name_in_quotes);
     return (names.size() == 1 ? "" : "one of ") + joined(names, ", ");
   }
-  const Type type = facts_of(parameter.type);
+  const Type type = facts_of(allowed.type);
   std::string text = type.words;
   if (!type.is_number) return text;
-  const std::vector<std::string> limits = limit_texts(parameter);
-  const std::string& unit = parameter.facts.unit;
+  const bool is_list = allowed.type == ParameterType::reals;
+  const std::vector<std::string> limits = limit_texts(allowed);
+  const std::string& unit = allowed.facts.unit;
   if (!limits.empty()) {
-    text += (parameter.type == ParameterType::reals ? ", each " : " ") + base::enumerated(limits);
+    text += (is_list ? ", each " : " ") + base::enumerated(limits);
     text += unit.empty() ? "" : " " + unit;
   } else if (!unit.empty()) {
     text += " in " + unit;
   }
-  return text;
+  return is_list ? text + ", separated by blanks" : text;
+}
+
+Parsed parse_value(const Allowed& allowed, std::string_view text) {
+  switch (allowed.type) {
+    case ParameterType::real:
+      return parse_number<double>(allowed, text);
+    case ParameterType::integer:
+      return parse_number<std::int64_t>(allowed, text);
+    case ParameterType::boolean:
+      return text == "true" || text == "false" ? Parsed{text == "true", ""} : refused(allowed);
+    case ParameterType::reals:
+      return parse_list(allowed, text);
+    case ParameterType::file:
+    case ParameterType::text:
+      break;
+  }
+  return parse_text(allowed, text);
 }
 
 std::optional<std::string> check_value(const ParameterDeclaration& parameter,
                                        const ParameterValue& value) {
   const bool right_type = value.index() == facts_of(parameter.type).alternative;
-  if (right_type && is_allowed(parameter, value)) return std::nullopt;
-  std::string sentence = parameter.name + " is " + value_text(value);
-  if (right_type) sentence += refusal_of(parameter, value);
-  sentence += ", but must be " + allowed_values(parameter);
-  if (const auto* const text = std::get_if<std::string>(&value);
-      right_type && text && parameter.facts.choices.size() > 1) {
-    sentence += base::did_you_mean(*text, parameter.facts.choices);
-  }
-  return sentence;
+  const Parsed parsed =
+      right_type ? parse_value(parameter, format_value(value)) : refused(parameter);
+  if (parsed.value) return std::nullopt;
+  return parameter.name + " is " + value_text(value) + ", but must be " + parsed.expected;
 }
 
 void hold_nothing(const Declaration& declaration, Component& object) {

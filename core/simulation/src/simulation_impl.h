@@ -109,7 +109,7 @@ class Simulation::Impl {
   std::vector<std::size_t> become_bodies(const Pairs& pairs, EditTransaction& transaction);
   void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
   world::World tried(const world::World& from, std::span<const Edit> edits);
-  world::World edited(const world::World& from, std::span<const Edit> edits, bool check_plugins);
+  world::World edited(world::WorldTree&& from, std::span<const Edit> edits, bool check_plugins);
   void become_goals(const world::World& was);
   void settle(EditTransaction& transaction);
 

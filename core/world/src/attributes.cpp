@@ -61,9 +61,13 @@ AttributeTarget Attributes::target(const Element& element, const std::string& na
   if (meaning.spec) {
     fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
   }
-  AttributeTarget target{
-      meaning, element.name, {}, meaning.spec ? meaning.spec->attribute(name) : nullptr, {}};
-  target.path += (target.path.empty() ? "@" : "/@") + name;
+  const std::string path = tree_->path(element);
+  AttributeTarget target{meaning,
+                         (path.empty() ? "@" : path + "/@") + name,
+                         element.name,
+                         {},
+                         meaning.spec ? meaning.spec->attribute(name) : nullptr,
+                         {}};
   for (const Field& field : fields) {
     if (field.is_live()) {
       target.live.push_back(field.name);
@@ -82,7 +86,7 @@ AttributeTarget Attributes::target(const Element& element, const std::string& na
 ParameterValue Attributes::read(const AttributeTarget& target, std::string_view text) const {
   Parsed parsed = parse_value(target.field, text);
   if (!parsed.value) {
-    throw std::invalid_argument(parsed.problem);
+    throw std::invalid_argument("expected " + parsed.expected);
   }
   if (target.field.type != ParameterType::file || (text.empty() && target.field.may_be_no_file())) {
     return std::move(*parsed.value);

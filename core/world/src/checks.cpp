@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -72,16 +73,6 @@ class MentionCheck {
                       (!all.empty() ? base::near_or_all(mention.id, all, "there are")
                        : is_any     ? "; the world has none with a valid id"
                                     : "; the world has none"));
-  }
-  void check(const ElementSpec& spec, const void* object) {
-    for (const AttributeSpec& attribute : spec.attributes) {
-      if (attribute.refers_to == Reference::none) continue;
-      const std::string id = std::get<std::string>(*attribute.get(object));
-      if (!id.empty() && !exists(attribute.refers_to, id)) {
-        check({attribute.refers_to, id, spec.location(object),
-               attribute.name + "=\"" + id + "\" of <" + spec.name + ">"});
-      }
-    }
   }
 
  private:
@@ -344,21 +335,28 @@ void check_engine(const World& world, Problems& problems) {
 }  // namespace
 
 void check_ids(const Element& holder, const ElementSpec& spec, Problems& problems) {
-  std::map<std::string_view, std::vector<const Attribute*>> ids;  // by what they are of
+  struct Ids {
+    std::vector<const Attribute*> all;
+    std::unordered_set<std::string_view> of_read;  // the others were taken over, and differ
+  };
+  std::map<std::string_view, Ids> ids;  // by what they are of
   for (const ElementSpec& group : spec.below()) {
     const Element* list = group.group ? holder.child(group.name) : nullptr;
     const ElementSpec* member = list ? &group.children.front() : nullptr;
     if (!member || member->at_most == 1 || !member->attribute("id")) continue;
     const bool of_boxes = group.name == "obstacles" || group.name == "resources";
-    auto& all = ids[of_boxes ? std::string_view("box") : group.members];
+    auto& [all, of_read] = ids[of_boxes ? std::string_view("box") : group.members];
     for (const Element& child : list->children) {
       check_ids(child, *member, problems);
-      if (const Attribute* id = child.find("id")) all.push_back(id);
+      const Attribute* const id = child.find("id");
+      if (id) all.push_back(id);
+      if (id && !child.unread) of_read.insert(id->value);
     }
   }
-  for (const auto& [what, all] : ids) {
+  for (const auto& [what, known] : ids) {
     std::unordered_map<std::string_view, const Attribute*> firsts;
-    for (const Attribute* id : all) {
+    for (const Attribute* id : known.all) {
+      if (!known.of_read.contains(id->value)) continue;
       const auto& [first, is_new] = firsts.try_emplace(id->value, id);
       if (is_new) continue;
       problems.add(id->where, "a second " + std::string(what) +
@@ -378,7 +376,6 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
   };
   MentionCheck mentions(reading.world, problems);
   for (const Mention& mention : reading.mentions) mentions.check(mention);
-  for (const auto& [spec, object] : reading.untouched) mentions.check(*spec, object);
   check_physics(reading.world.physics, problems);
   check_edits(reading.world, problems);
   if (is_sound("physics")) check_engine(reading.world, problems);

@@ -1,12 +1,12 @@
 #include "elsie/world/edited_worlds.h"
 
 #include <algorithm>
-#include <cctype>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "elsie/base/number_text.h"
+#include "elsie/world/world_tree.h"
 
 namespace elsie::world {
 
@@ -32,7 +32,7 @@ void visit_edited_worlds(const World& world, const plugin::Host& host, const Rea
       reading.edits.push_back(edit.text());
     }
     try {
-      World next = edited(was, host, reading);
+      World next = edited(WorldTree(was), host, reading);
       if (next.physics.engine != was.physics.engine) {
         const auto culprit = std::find_if(
             first, last, [](const TimedEdit& edit) { return edit.path.starts_with("physics"); });
@@ -46,33 +46,11 @@ void visit_edited_worlds(const World& world, const plugin::Host& host, const Rea
         const auto own = std::find_if(first, last, [&](const TimedEdit& edit) {
           return problem.file == "--set " + edit.text();
         });
-        refuse(own == last ? *first : *own, without_lines(problem.message, world.file),
-               problem.plugin_failed);
+        refuse(own == last ? *first : *own, problem.message, problem.plugin_failed);
       }
     }
   }
   problems.raise<WorldError>(world.file);
-}
-
-std::string without_lines(std::string message, const std::string& file) {
-  const std::string before_line = file + ":";
-  for (std::size_t at = 0; (at = message.find(before_line, at)) != std::string::npos;) {
-    std::size_t end = at + before_line.size();
-    const std::size_t digits = end;
-    while (end < message.size() && std::isdigit(static_cast<unsigned char>(message[end]))) {
-      ++end;
-    }
-    if (end == digits) {
-      at = end;
-    } else if (at >= 2 && message.compare(at - 2, 2, " (") == 0 && message[end] == ')') {
-      message.erase(at - 2, end + 1 - (at - 2));
-      at -= 2;
-    } else {
-      message.erase(digits - 1, end + 1 - digits);
-      at = digits - 1;
-    }
-  }
-  return message;
 }
 
 }  // namespace elsie::world

@@ -46,9 +46,10 @@ void yield_ids(Element& world, const ElementSpec& spec) {
     const Attribute* id = element.find("id");
     if (id && id->completed) count.try_emplace(id->value);
   });
+  if (count.empty()) return complete_ids(world, spec);
   for_each_element(world, [&](const Element& element) {
     for (const Attribute& attribute : element.attributes) {
-      const auto known = count.empty() ? count.end() : count.find(attribute.value);
+      const auto known = count.find(attribute.value);
       if (known != count.end() && !attribute.completed) ++known->second;
     }
   });

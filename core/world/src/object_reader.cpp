@@ -47,6 +47,17 @@ class ObjectReader {
     read_children(spec, element, object);
   }
 
+  // Notes which lists of a world are not taken over as a whole.
+  void note_edited(const Element& world) {
+    for (const auto& [list, kind] :
+         {std::pair("teams", Reference::team), std::pair("robots", Reference::robot),
+          std::pair("obstacles", Reference::obstacle),
+          std::pair("resources", Reference::obstacle)}) {
+      const Element* found = world.child(list);
+      if (found && !found->unread) edited_.insert(kind);
+    }
+  }
+
   // Whether the element that is being read has no mistakes so far.
   bool sound() const { return sound_; }
 
@@ -98,9 +109,8 @@ class ObjectReader {
         problems_.add(child.where,
                       "<" + element.name + "> holds more than one " +
                           (child_spec->plugins ? child_spec->name : "<" + child_spec->name + ">"));
-      } else if (child.unread) {
-        take_over(*child_spec, child, object);
-      } else if (!read_child(*child_spec, child, object) && !child_spec->group && !spec.group) {
+      } else if (!take_over(*child_spec, child, object) &&
+                 !read_child(*child_spec, child, object) && !child_spec->group && !spec.group) {
         sound_ = false;
       }
       if constexpr (!std::is_const_v<AnyElement>) {
@@ -115,30 +125,34 @@ class ObjectReader {
   }
 
   // Takes over what no edit leads to from a world in memory, which has been checked: a list of the
-  // world, or a member of one.
-  void take_over(const ElementSpec& spec, const Element& element, void* parent) {
+  // world, or a member of one. False: the element must be read, because it may refer to something
+  // that an edit has removed.
+  bool take_over(const ElementSpec& spec, Element& element, void* parent) {
+    if (!element.unread) return false;
+    if (may_miss(spec)) {
+      completed(element);
+      return false;
+    }
     const World& from = element.unread->world();
-    const auto note = [&](const ElementSpec& member, const DescribedObject& described) {
-      if (refers(member)) reading_.untouched.emplace_back(&member, described.object);
-    };
     if (!spec.group) {
-      const DescribedObject& described = element.unread->meaning(element).described;
-      spec.copy(parent, &from, described.order);
-      note(spec, described);
-      return;
+      spec.copy(parent, &from, element.unread->meaning(element).described.order);
+    } else if (const ElementSpec& first = spec.children.front(); first.share) {
+      first.share(parent, &from);
+    } else {
+      for (const auto& [part, member] : spec.parts_of(&from)) {
+        member->copy(parent, &from, part.order);
+      }
     }
-    const ElementSpec& first = spec.children.front();
-    if (first.share) first.share(parent, &from);
-    if (first.share && !refers(first)) return;
-    for (const auto& [part, member] : spec.parts_of(&from)) {
-      if (!first.share) member->copy(parent, &from, part.order);
-      note(*member, part);
-    }
+    return true;
   }
-  static bool refers(const ElementSpec& spec) {
-    return std::any_of(spec.attributes.begin(), spec.attributes.end(), [](const auto& attribute) {
-      return attribute.refers_to != Reference::none;
-    });
+  bool take_over(const ElementSpec&, const Element&, void*) { return false; }  // of a file
+  bool may_miss(const ElementSpec& spec) const {
+    const auto is_edited = [&](const auto& attribute) {
+      return edited_.contains(attribute.refers_to);
+    };
+    return std::any_of(spec.attributes.begin(), spec.attributes.end(), is_edited) ||
+           (spec.group && std::any_of(spec.children.begin(), spec.children.end(),
+                                      [&](const ElementSpec& child) { return may_miss(child); }));
   }
 
   // Reads a child element; returns whether it has no mistakes.
@@ -223,7 +237,7 @@ class ObjectReader {
                       const Attribute& attribute, void* object) {
     const Parsed parsed = parse_value(known, attribute.value);
     if (!parsed.value) {
-      refuse_value(element, attribute, parsed.problem);
+      refuse_value(element, attribute, "expected " + parsed.expected);
       return;
     }
     if (known.refers_to != Reference::none) {
@@ -309,9 +323,9 @@ class ObjectReader {
 
   void read_parameter(const ParameterDeclaration& parameter, const Element& element,
                       const Attribute& attribute, const Declared& declared) {
-    Parsed parsed = parse_value(field_of(parameter), attribute.value);
+    Parsed parsed = plugin::parse_value(parameter, attribute.value);
     if (!parsed.value) {
-      refuse_value(element, attribute, parsed.problem);
+      refuse_value(element, attribute, "expected " + parsed.expected);
     } else if (parameter.type != ParameterType::file ||
                (attribute.value.empty() && field_of(parameter).may_be_no_file())) {
       declared.values[parameter.name] = std::move(*parsed.value);
@@ -378,7 +392,8 @@ class ObjectReader {
   const bool check_plugins_;
   Reading& reading_;
   Problems& problems_;
-  bool sound_ = true;  // whether the element that is being read has no mistakes so far
+  std::set<Reference> edited_;  // the lists that an edit leads into
+  bool sound_ = true;           // whether the element that is being read has no mistakes so far
 };
 }  // namespace
 
@@ -396,8 +411,9 @@ std::vector<Flawed> read_object(const ElementSpec& spec, const Element& root, vo
 Reading read_tree(Element& root, const plugin::Host& host, const Files& files, bool check_plugins,
                   Problems& problems) {
   Reading reading;
-  ObjectReader(&host, &files, check_plugins, reading, problems)
-      .read_object(vocabulary(), root, &reading.world);
+  ObjectReader reader(&host, &files, check_plugins, reading, problems);
+  reader.note_edited(root);
+  reader.read_object(vocabulary(), root, &reading.world);
   return reading;
 }
 

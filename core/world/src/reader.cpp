@@ -131,10 +131,9 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
   return read_edited(root, file, host, options);
 }
 
-World edited(const World& world, const plugin::Host& host, ReadOptions options) {
+World edited(WorldTree&& world, const plugin::Host& host, ReadOptions options) {
   options.is_running = true;
-  WorldTree tree(world);
-  return read_edited(tree.begun(), world.file, host, options);
+  return read_edited(world.begun(), world.world().file, host, options);
 }
 
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,

@@ -27,8 +27,6 @@ struct Mention {
 struct Reading {
   World world;
   std::vector<Mention> mentions;
-  /// Objects with attributes that refer to others, which were taken over from a world in memory.
-  std::vector<std::pair<const ElementSpec*, const void*>> untouched;
   /// Later checks must ignore the objects of these elements.
   std::vector<Flawed> flawed;
   /// The indices in World::robots of robots whose template or plugin could not be found.

@@ -2,11 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <system_error>
-#include <utility>
-
-#include "elsie/base/near_name.h"
 
 namespace elsie::world {
 
@@ -27,66 +22,6 @@ bool is_colour(std::string_view text) {
          text.substr(1).find_first_not_of(kHex) == std::string_view::npos;
 }
 
-bool in_range(const ParameterFacts& facts, double value) {
-  return std::isfinite(value) && value >= facts.min && value > facts.above && value <= facts.max;
-}
-
-Parsed accepted(ParameterValue value) { return {std::move(value), ""}; }
-Parsed refused(std::string problem) { return {std::nullopt, std::move(problem)}; }
-
-template <class Number>
-Parsed parse_number(const Field& field, std::string_view text) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  std::string hint;
-  if (result.ec == std::errc::result_out_of_range) {
-    hint = "; this number is too large or too small to be represented";
-  } else if (result.ec != std::errc() || result.ptr != end) {
-    const std::string& unit = field.facts.unit;
-    const bool has_unit = result.ec == std::errc() && is_letter(text.back());
-    hint = text.find(',') != std::string_view::npos
-               ? "; decimals are written with a point, as in 1.5"
-           : has_unit ? "; write the number only" + (unit.empty() ? "" : "; the unit is " + unit)
-           : text.find_first_of(" \t\n\r") != std::string_view::npos ? "; without blanks"
-                                                                     : "";
-  } else if (const auto value = static_cast<double>(number); in_range(field.facts, value)) {
-    if (value >= field.lowest && value <= field.highest) return accepted(number);
-    hint = "; this number is beyond what can be stored";
-  }
-  return refused("expected " + expectation(field) + hint);
-}
-
-Parsed parse_list(const Field& field, std::string_view text) {
-  std::vector<double> numbers;
-  std::size_t at = 0;
-  while (true) {
-    at = text.find_first_not_of(" \t\n\r", at);
-    if (at == std::string_view::npos) return accepted(std::move(numbers));
-    const std::size_t end = std::min(text.find_first_of(" \t\n\r", at), text.size());
-    const std::string_view word = text.substr(at, end - at);
-    const Parsed number = parse_number<double>(field, word);
-    if (!number.value) {
-      return refused("expected " + expectation(field) + "; '" + std::string(word) +
-                     "' is none of those");
-    }
-    numbers.push_back(std::get<double>(*number.value));
-    at = end;
-  }
-}
-
-Parsed parse_text(const Field& field, std::string_view text) {
-  const auto& choices = field.facts.choices;
-  const bool good = !choices.empty()
-                        ? std::find(choices.begin(), choices.end(), text) != choices.end()
-                    : field.form == TextForm::id     ? is_id(text)
-                    : field.form == TextForm::colour ? is_colour(text)
-                                                     : true;
-  if (good) return accepted(std::string(text));
-  return refused("expected " + expectation(field) +
-                 (choices.size() > 1 ? base::did_you_mean(std::string(text), choices) : ""));
-}
-
 }  // namespace
 
 Field field_of(const ParameterDeclaration& parameter) {
@@ -105,21 +40,10 @@ Field field_of(const ParameterDeclaration& parameter) {
 }
 
 Parsed parse_value(const Field& field, std::string_view text) {
-  switch (field.type) {
-    case ParameterType::real:
-      return parse_number<double>(field, text);
-    case ParameterType::integer:
-      return parse_number<std::int64_t>(field, text);
-    case ParameterType::boolean:
-      if (text == "true" || text == "false") return accepted(text == "true");
-      return refused("expected " + expectation(field));
-    case ParameterType::reals:
-      return parse_list(field, text);
-    case ParameterType::file:
-    case ParameterType::text:
-      break;
-  }
-  return parse_text(field, text);
+  const bool has_form = field.form == TextForm::id       ? is_id(text)
+                        : field.form == TextForm::colour ? is_colour(text)
+                                                         : true;
+  return has_form ? plugin::parse_value(field, text) : Parsed{std::nullopt, expectation(field)};
 }
 
 std::string expectation(const Field& field) {
@@ -132,14 +56,7 @@ std::string expectation(const Field& field) {
     case TextForm::any:
       break;
   }
-  ParameterDeclaration parameter;
-  parameter.name = field.name;
-  parameter.type = field.type;
-  parameter.facts = field.facts;
-  parameter.lowest = field.lowest;
-  parameter.highest = field.highest;
-  return plugin::allowed_values(parameter) +
-         (field.type == ParameterType::reals ? ", separated by blanks" : "");
+  return plugin::allowed_values(field);
 }
 
 std::string format_colour(const Colour& colour) {

@@ -300,7 +300,7 @@ std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_o
       found.push_back({part, &child});
     }
   }
-  if (group) {
+  if (group && children.size() > 1) {
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
   }

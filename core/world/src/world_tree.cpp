@@ -9,9 +9,11 @@
 
 namespace elsie::world {
 namespace {
-// Joins steps of a path, "robot[r1]/sensor[2]", with brackets where they are needed.
-std::string joined(const std::string& path, const std::string& step, const std::string& key) {
-  return (path.empty() ? "" : path + "/") + step + (key.empty() ? "" : "[" + key + "]");
+// The id of an object; "" if it has none.
+std::string id_of(const ElementSpec& spec, const void* object) {
+  const AttributeSpec* id = spec.attribute("id");
+  const auto held = id && id->get ? id->get(object) : std::nullopt;
+  return held ? std::get<std::string>(*held) : "";
 }
 
 // The parameters that are set for a plugin, or for an element nested in its element.
@@ -28,7 +30,7 @@ void add_parameters(Element& element, const Use& use, const Location& where) {
 }
 }  // namespace
 
-WorldTree::WorldTree(const World& world) : world_(world), file_{world.file, 1} {
+WorldTree::WorldTree(const World& world) : world_(world), file_{world.file, 0} {
   Meaning whole;
   whole.described.object = &world;
   root_ = begin(vocabulary(), whole, "");
@@ -62,8 +64,24 @@ Element WorldTree::begin(const ElementSpec& spec, Meaning meaning, const std::st
   if (!id.empty()) element.attributes.push_back({"id", id, file_});
   element.object = meanings_.size();
   element.unread = this;
-  meanings_.push_back(std::move(meaning));
+  meanings_.push_back(meaning);
   return element;
+}
+
+std::string WorldTree::path(std::size_t meaning) const {
+  const Meaning& own = meanings_[meaning];
+  if (meaning == 0) return "";
+  const std::string outer = path(own.holder);
+  const ElementSpec& around = *meanings_[own.holder].spec;
+  if (own.spec && own.spec->group) return outer;
+  const std::string& step = !own.spec      ? own.use->elements[*own.nested].element
+                            : around.group ? around.members
+                                           : own.spec->name;
+  const bool is_only = own.spec && own.spec->at_most <= 1;
+  const std::string key = is_only           ? ""
+                          : own.number == 0 ? id_of(*own.spec, own.described.object)
+                                            : std::to_string(own.number);
+  return (outer.empty() ? "" : outer + "/") + step + (key.empty() ? "" : "[" + key + "]");
 }
 
 void WorldTree::complete(Element& element) {
@@ -91,27 +109,20 @@ void WorldTree::complete(Element& element) {
 
 void WorldTree::add_children(Element& element, const ElementSpec& spec, const void* object,
                              const Meaning& meaning) {
-  const bool is_of_world = meaning.path.empty();  // the world, or one of its lists
+  const bool is_of_world = object == &world_;  // the world, or one of its lists
   std::size_t number = 0;
   const auto parts = spec.parts_of(object);
   element.children.reserve(parts.size());
   for (const auto& [part, child] : parts) {
-    Meaning of_child = meaning;
+    const std::string id = child->group ? "" : id_of(*child, part.object);
+    Meaning of_child;
     of_child.described = part;
-    of_child.use = nullptr;
-    of_child.kind.reset();
+    of_child.holder = *element.object;
+    of_child.number = id.empty() && child->at_most > 1 ? ++number : 0;
+    of_child.robot = meaning.robot;
+    of_child.robot_index = meaning.robot_index;
     of_child.is_listed = spec.group || child->at_most > 1;
-    std::string key;
-    if (!child->group) {
-      const AttributeSpec* id = child->attribute("id");
-      const auto name = id && id->get ? id->get(part.object) : std::nullopt;
-      if (name) key = std::get<std::string>(*name);
-      of_child.path = joined(meaning.path, spec.group ? spec.members : child->name,
-                             child->at_most <= 1 ? ""
-                             : key.empty()       ? std::to_string(++number)
-                                                 : key);
-    }
-    Element& made = element.children.emplace_back(begin(*child, std::move(of_child), key));
+    Element& made = element.children.emplace_back(begin(*child, of_child, id));
     if (!is_of_world || !(spec.group || child->group)) complete(made);
   }
 }
@@ -125,13 +136,14 @@ void WorldTree::add_declared(Element& element, const Meaning& meaning) {
     of_child.described = {};
     of_child.nested = i;
     of_child.is_listed = true;
-    of_child.path = joined(meaning.path, use.element, std::to_string(++count[use.element]));
+    of_child.holder = *element.object;
+    of_child.number = ++count[use.element];
     Element child;
     child.name = use.element;
     child.where = use.location;
     child.object = meanings_.size();
     add_parameters(child, use, file_);
-    meanings_.push_back(std::move(of_child));
+    meanings_.push_back(of_child);
     element.children.push_back(std::move(child));
   }
 }
@@ -142,7 +154,7 @@ void WorldTree::renew_robot(std::size_t index) {
   Meaning meaning = meanings_[*robots->children[index].object];
   meaning.described.object = &world_.robots[index];
   const ElementSpec& spec = *meaning.spec;
-  robots->children[index] = begin(spec, std::move(meaning), world_.robots[index].id);
+  robots->children[index] = begin(spec, meaning, world_.robots[index].id);
 }
 
 // The text of an element; "" if the element can be left out without a change of meaning.

@@ -41,7 +41,7 @@ class Between {
 
  private:
   void differ(const Element& a, const Element& b) {
-    const std::string& path = from_.meaning(a).path;
+    const std::string& path = from_.path(a);
     if (path.empty() && !have_same_parts(a, b)) {
       throw world::WorldError({{"", 0,
                                 "no edits lead from the running world to this one; reset the run "

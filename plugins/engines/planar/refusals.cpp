@@ -83,6 +83,7 @@ extern "C" __attribute__((visibility("default"))) void elsie_check_world(
     add(box.location, fault_of(box, "the box '" + box.id + "'"));
   }
   for (const elsie::world::Robot& robot : world.robots) {
+    if (!fault_of_height(robot.z, "") && !fault_of(robot.driven, "")) continue;  // without a name
     const std::string what = "the robot '" + robot.id + "'";
     add(robot.location, fault_of_height(robot.z, what));
     add(robot.location, fault_of(robot.driven, what));

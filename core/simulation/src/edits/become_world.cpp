@@ -102,7 +102,13 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, transaction));
   become_measures(was, transaction);
   become_goals(was);
-  cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, transaction.problems());
+  bool has_cameras = !cameras_->empty();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    has_cameras = has_cameras || (!pairs.stays(i) && robots_[i]->has_camera());
+  }
+  if (has_cameras) {
+    cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, transaction.problems());
+  }
 }
 
 /// Schedules the world's own edits that are still due.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +27,14 @@ inline bool same_schedule(const world::World& a, const world::World& b) {
 /// The robots of a world before and after an edit.
 class Simulation::Impl::Pairs {
  public:
-  Pairs(const world::World& was, const world::World& next)
-      : was_(was), next_(next), common_(was), next_common_(next) {
+  Pairs(const world::World& was, const world::World& next) : was_(was), next_(next) {
     std::map<std::string_view, std::size_t> known;  // made only if robots were added or removed
+    bool same_numbers = was.robots.size() == next.robots.size();
     for (std::size_t i = 0; i < next.robots.size(); ++i) {
+      if (i < was.robots.size() && &was.robots[i] == &next.robots[i]) {
+        formers_.push_back(i);
+        continue;
+      }
       const std::string& id = next.robots[i].id;
       std::size_t former = formers_.empty() ? 0 : formers_.back() + 1;
       if (former >= was.robots.size() || was.robots[former].id != id) {
@@ -40,6 +45,11 @@ class Simulation::Impl::Pairs {
         former = found == known.end() ? was.robots.size() : found->second;
       }
       formers_.push_back(former);
+      same_numbers = same_numbers && former == i && was.robots[i].team == next.robots[i].team;
+    }
+    if (!same_numbers) {
+      common_.emplace(was);
+      next_common_.emplace(next);
     }
   }
 
@@ -51,7 +61,7 @@ class Simulation::Impl::Pairs {
   bool stays(std::size_t robot) const {
     return same_around_ && !is_new(robot) &&
            &was_.robots[formers_[robot]] == &next_.robots[robot] &&
-           common_.number_of(formers_[robot]) == next_common_.number_of(robot);
+           (!common_ || common_->number_of(formers_[robot]) == next_common_->number_of(robot));
   }
   /// The robots of the world before that are not in the next one as they were.
   base::List<world::Robot> gone() const {
@@ -68,7 +78,7 @@ class Simulation::Impl::Pairs {
 
  private:
   const world::World &was_, &next_;
-  const CommonData common_, next_common_;
+  std::optional<CommonData> common_, next_common_;  // none: all robots keep their team numbers
   const bool same_around_ = same_part("teams", was_, next_) &&
                             same_part("resources", was_, next_) &&
                             same_part("chargers", was_, next_);

@@ -27,11 +27,9 @@ std::vector<std::string> texts_of(std::span<const Edit> edits) {
 std::string text_of(std::span<const Edit> edits) { return base::joined(texts_of(edits)); }
 
 /// The refusal of edits that make a description wrong.
-EditRefused refusal(std::span<const Edit> edits, const world::WorldError& error,
-                    const std::string& file) {
+EditRefused refusal(std::span<const Edit> edits, const world::WorldError& error) {
   const std::size_t more = error.problems().size() - 1;
-  return EditRefused(text_of(edits) + ": " +
-                     world::without_lines(error.problems().front().message, file) +
+  return EditRefused(text_of(edits) + ": " + error.problems().front().message +
                      (more == 0 ? ""
                                 : "; there " + std::string(more == 1 ? "is " : "are ") +
                                       base::counted(more, "more such problem")));
@@ -53,7 +51,7 @@ void Simulation::Impl::edit(std::span<const Edit> edits) {
   } catch (const PluginFault&) {
     throw;  // from a running plugin; it ends the run
   } catch (const world::WorldError& error) {
-    throw refusal(edits, error, world_.file);
+    throw refusal(edits, error);
   } catch (...) {
     throw EditRefused(text_of(edits) + ": " + base::what_was_thrown());
   }
@@ -139,7 +137,8 @@ std::vector<DueEdits> Simulation::Impl::checked(std::span<const TimedEdit> edits
       if (!refused.empty()) in_place.clear();  // the others are checked without them
     }
     try {
-      world::World next = tried(ahead ? *ahead : edited(world_, in_place, false), due.edits);
+      world::World next =
+          tried(ahead ? *ahead : edited(world::WorldTree(world_), in_place, false), due.edits);
       if (!same_schedule(then, next)) {
         coming.resize(i + 1);
         const auto others = by_time(still_to_come(next, given, due.time_s));
@@ -150,7 +149,7 @@ std::vector<DueEdits> Simulation::Impl::checked(std::span<const TimedEdit> edits
     } catch (const EditRefused& why) {
       refused.push_back(why.at(due.time_s, due.from));
     } catch (const world::WorldError& error) {
-      refused.push_back(refusal(due.edits, error, world_.file).at(due.time_s, due.from));
+      refused.push_back(refusal(due.edits, error).at(due.time_s, due.from));
     }
   }
   if (!needs_world) refuse_live();
@@ -161,7 +160,7 @@ std::vector<DueEdits> Simulation::Impl::checked(std::span<const TimedEdit> edits
 /// The world after these edits. Makes the objects that they concern once, because a plugin may not
 /// fit its robot. Throws EditRefused or WorldError.
 world::World Simulation::Impl::tried(const world::World& from, std::span<const Edit> edits) {
-  world::World next = edited(from, edits, true);
+  world::World next = edited(world::WorldTree(from), edits, true);
   world::World concerned = next;
   concerned.robots.clear();
   concerned.measures.clear();
@@ -181,8 +180,9 @@ world::World Simulation::Impl::tried(const world::World& from, std::span<const E
 }
 
 /// The world after these edits, checked like a file. Throws EditRefused.
-world::World Simulation::Impl::edited(const world::World& from, std::span<const Edit> edits,
+world::World Simulation::Impl::edited(world::WorldTree&& from, std::span<const Edit> edits,
                                       bool check_plugins) {
+  const world::World& was = from.world();
   world::ReadOptions options;
   options.data_directories = options_.data_directories;
   options.files = options_.files;
@@ -190,17 +190,17 @@ world::World Simulation::Impl::edited(const world::World& from, std::span<const 
   options.edits = texts_of(edits);
   options.seed = seed_;
   try {
-    world::World next = world::edited(from, *host_, options);
-    if (next.physics.engine == from.physics.engine) return next;
+    world::World next = world::edited(std::move(from), *host_, options);
+    if (next.physics.engine == was.physics.engine) return next;
   } catch (const world::WorldError& error) {
-    throw refusal(edits, error, from.file);
+    throw refusal(edits, error);
   }
   throw EditRefused(text_of(edits) + ": " + world::kEngineStays);
 }
 
 void Simulation::Impl::become(std::span<const Edit> edits, EditTransaction& transaction) {
-  world::World next = edited(world_, edits, false);
-  transaction.undo().add([this, count = events_.size()] { events_.resize(count); });
+  in_place_->take_tree();  // edits in place have made its values old
+  std::vector<EventRecord> events;
   for (const Edit& edit : edits) {
     for (const world::AttributeTarget& target : in_place_->targets(edit)) {
       transaction.ask(target);
@@ -217,9 +217,12 @@ void Simulation::Impl::become(std::span<const Edit> edits, EditTransaction& tran
       robots.emplace_back();  // an edit of the world
     }
     for (std::string& robot : robots) {
-      events_.push_back({time_s(), std::move(robot), events::Changed::of(edit.path, edit.value)});
+      events.push_back({time_s(), std::move(robot), events::Changed::of(edit.path, edit.value)});
     }
   }
+  world::World next = edited(std::move(*in_place_->take_tree()), edits, false);
+  transaction.undo().add([this, count = events_.size()] { events_.resize(count); });
+  events_.insert(events_.end(), events.begin(), events.end());
   become(std::move(next), transaction);
   for (base::Problem& problem : transaction.problems()) {
     throw EditRefused(text_of(edits) + ": " + problem.message);

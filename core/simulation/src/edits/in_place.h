@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,6 +70,8 @@ class InPlaceEdits {
     return attributes_.robots_at(edit.path);
   }
 
+  /// The tree of the world, which is made again when it is needed.
+  std::unique_ptr<world::WorldTree> take_tree() { return attributes_.take_tree(); }
   /// To be called when the description of a robot has moved in memory.
   void renew_robot(std::size_t index) { attributes_.renew_robot(index); }
 

@@ -1,6 +1,7 @@
 // A robot at run time: its plugin objects, its own state, and its decisions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -168,6 +169,10 @@ class Robot final : private RobotRequests {
   }
   /// The camera of a sensor, if it has one.
   const std::optional<Camera>& camera(std::size_t i) const { return sensors_[i]->extras().camera; }
+  bool has_camera() const {
+    return std::any_of(sensors_.begin(), sensors_.end(),
+                       [](const auto& slot) { return slot->extras().camera.has_value(); });
+  }
   /// The picture of that camera; fill it before sense().
   Image& picture(std::size_t sensor) {
     auto& picture = sensors_[sensor]->own_extras().picture;

@@ -26,6 +26,7 @@ class Cameras {
   Cameras(const world::World& world, const std::vector<std::shared_ptr<Robot>>& robots,
           const MakeCameraRenderer& make_renderer, std::vector<base::Problem>& problems);
 
+  bool empty() const { return mounts_.empty(); }
   /// The problem with a new camera for one of these sensors; none when it can be used.
   std::optional<std::string> problem_of(const Camera& camera) const;
 

@@ -23,11 +23,33 @@ const Declared* find_declared(const std::vector<Declared>& list, std::string_vie
 /// Gives a behaviour that may hold others an empty Coordination, to try out its parameters.
 void hold_nothing(const Declaration& declaration, Component& object);
 
-/// The shortest text that reads back as the same value.
-std::string format_value(const ParameterValue& value);
+/// What a parameter, or an attribute of the core's own elements, may be: a view of its declaration.
+struct Allowed {
+  template <class Declared>
+  Allowed(const Declared& declared)  // NOLINT(google-explicit-constructor)
+      : type(declared.type),
+        facts(declared.facts),
+        lowest(declared.lowest),
+        highest(declared.highest) {}
+
+  ParameterType type;
+  const ParameterFacts& facts;
+  double lowest, highest;  // the range of the member's type
+};
 
 /// The allowed values in words: "a number at least 0 and at most 50 rad/s", "one of 'low', 'high'".
-std::string allowed_values(const ParameterDeclaration& parameter);
+std::string allowed_values(const Allowed& allowed);
+
+struct Parsed {
+  std::optional<ParameterValue> value;
+  std::string expected;  // if there is none: what was expected instead of the text, and why
+};
+
+/// Parses a value strictly: the whole text must be one value, finite and in range. Decimal commas,
+/// and "yes" for true, are errors.
+Parsed parse_value(const Allowed& allowed, std::string_view text);
+/// The shortest text that parse_value() reads as the same value.
+std::string format_value(const ParameterValue& value);
 
 /// A sentence if the value is not allowed: another type, out of range, not among the choices, not
 /// finite. "speed is 60 rad/s, but must be a number at least 0 and at most 50 rad/s".

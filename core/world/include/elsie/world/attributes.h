@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +15,9 @@
 
 namespace elsie::world {
 
-/// An attribute that a path leads to:
-/// its element's meaning, with the attribute in the path: "robot[r1]/behavior[roam]/@speed".
+/// An attribute that a path leads to, and its element's meaning.
 struct AttributeTarget : WorldTree::Meaning {
+  std::string path;                          // "robot[r1]/behavior[roam]/@speed"
   std::string element;                       // the name of its element: "wander"
   Field field;                               // its type and range
   const AttributeSpec* attribute = nullptr;  // null for a parameter of a plugin
@@ -60,14 +60,20 @@ class Attributes {
   /// leads to something else, or to nothing.
   std::vector<std::string> robots_at(std::string_view path) const;
 
+  /// The tree of the world, as far as paths have completed it.
+  std::unique_ptr<WorldTree> take_tree() {
+    tree();
+    return std::move(tree_);
+  }
+
  private:
-  WorldTree& tree() const { return tree_ ? *tree_ : tree_.emplace(world_); }
+  WorldTree& tree() const { return *(tree_ ? tree_ : tree_ = std::make_unique<WorldTree>(world_)); }
   AttributeTarget target(const Element& element, const std::string& name) const;
 
   const World& world_;
   const plugin::Host& host_;
   Files files_;
-  mutable std::optional<WorldTree> tree_;  // made at the first use
+  mutable std::unique_ptr<WorldTree> tree_;  // made at the first use
 };
 
 }  // namespace elsie::world

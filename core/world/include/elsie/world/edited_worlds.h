@@ -20,8 +20,4 @@ void visit_edited_worlds(
 inline constexpr const char* kEngineStays =
     "one engine cannot take over the bodies of another; set physics/@engine before the run";
 
-/// Removes line numbers from a message about the text of a running world, because the user has
-/// never seen that text. `file` is the text's name.
-std::string without_lines(std::string message, const std::string& file);
-
 }  // namespace elsie::world

@@ -16,6 +16,8 @@ class Host;
 
 namespace elsie::world {
 
+class WorldTree;
+
 struct ReadOptions {
   /// Edits: attributes to set, each "PATH=VALUE", elements to replace or add, each
   /// "PATH=<element .../>", and what to remove, each "PATH/@remove=true". They are applied after
@@ -87,7 +89,8 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
                   const ReadOptions& options = {});
 
 /// A running world after ReadOptions::edits. Only what they lead to is read and checked like a
-/// file: the other robots are those of `world`, with the same addresses. Throws WorldError.
-World edited(const World& world, const plugin::Host& host, ReadOptions options);
+/// file: the other robots are those of `world`, with the same addresses. Takes the tree of that
+/// world apart. Throws WorldError.
+World edited(WorldTree&& world, const plugin::Host& host, ReadOptions options);
 
 }  // namespace elsie::world

@@ -21,7 +21,8 @@ class WorldTree {
   struct Meaning {
     const ElementSpec* spec = nullptr;  // null for an element that a plugin declares
     DescribedObject described;          // its object, and the index of that in its list
-    std::string path;                   // without a "/" at its end
+    std::size_t holder = 0;             // the Element::object of the element around it
+    std::size_t number = 0;             // from 1, among the elements there that have no id
     const Robot* robot = nullptr;       // the robot that it belongs to, if any
     std::size_t robot_index = 0;        // of that robot in the world
     const PluginUse* use = nullptr;     // whose element it is, or is nested in; null if none
@@ -47,16 +48,19 @@ class WorldTree {
   std::string text() && { return text(root_, 0); }
   /// `element` must have an Element::object.
   const Meaning& meaning(const Element& element) const { return meanings_[*element.object]; }
+  /// The path of such an element: "robot[r1]/sensor[2]"; "" for the root.
+  std::string path(const Element& element) const { return path(*element.object); }
 
  private:
   Element begin(const ElementSpec& spec, Meaning meaning, const std::string& id);
   void add_children(Element& element, const ElementSpec& spec, const void* object,
                     const Meaning& meaning);
   void add_declared(Element& element, const Meaning& meaning);
+  std::string path(std::size_t meaning) const;
   std::string text(Element& element, std::size_t depth);
 
   const World& world_;
-  const Location file_;  // the place of what has none of its own, as in a text of one line
+  const Location file_;            // the place of what has none of its own, without a line
   std::vector<Meaning> meanings_;  // Element::object is an index into it
   Element root_;
 };
