@@ -172,35 +172,19 @@ TEST_CASE_METHOD(test::SmallBatch,
         elsewhere.file("avoid_obstacle_left.fcl"));
 }
 
-TEST_CASE("Two files of one name have different names in a cell's text") {
+TEST_CASE("Two files of one name in a cell are refused") {
   const test::Folder folder;
-  const std::string model =
-      results::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl"));
   // The default is in a data directory, the world's own file is next to the world.
-  folder.write("fuzzy_models/avoid_obstacle_left.fcl", model + "// another one\n");
-  auto experiment = test::small_experiment(folder);
-  experiment.settings.push_back(test::setting("robot[r1]/behavior[avoid_obstacle]/@right_model",
-                                              "fuzzy_models/avoid_obstacle_left.fcl"));
-  experiment.settings.back().location = {};
+  folder.write("fuzzy_models/avoid_obstacle_left.fcl",
+               results::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl")));
+  const auto experiment = test::small_experiment(folder);
   std::string text = test::kWorld;
   text.replace(text.find("<avoid_obstacle/>"), 17,
                "<avoid_obstacle right_model=\"fuzzy_models/avoid_obstacle_left.fcl\"/>");
   folder.write("small.xml", text);
-  experiment.settings.clear();
-  const auto plan = test::plan_of(experiment);
-  REQUIRE(plan.cells[0].data.size() == 2);
-  CHECK(plan.cells[0].data[0].file != plan.cells[0].data[1].file);
-
-  // One of them is named by its path, which does not change the experiment.
-  const test::Folder copy;
-  const auto fingerprint_of_copy = [&](const std::string& content) {
-    copy.write("fuzzy_models/avoid_obstacle_left.fcl", content);
-    auto same = test::small_experiment(copy);
-    copy.write("small.xml", text);
-    return test::plan_of(same).fingerprint;
-  };
-  CHECK(fingerprint_of_copy(model + "// another one\n") == plan.fingerprint);
-  CHECK(fingerprint_of_copy(model + "// yet another\n") != plan.fingerprint);
+  CHECK_THROWS_WITH(
+      batch::make_plan(experiment, test::shipped(), test::plan_options()),
+      Contains("are both called 'fuzzy_models/avoid_obstacle_left.fcl'; expected two names"));
 }
 
 TEST_CASE("The fingerprint follows from what decides the runs, and from nothing else") {

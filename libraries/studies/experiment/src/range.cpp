@@ -39,7 +39,10 @@ std::vector<std::string> range(double from, double to, double step) {
            "; give the smaller number first");
   }
   const double length = (to - from) / step, steps = std::floor(length + kRounding);
-  if (!(steps < static_cast<double>(kMostLevels))) {
+  if (!std::isfinite(length)) {
+    refuse("its numbers are too far apart in size");
+  }
+  if (steps >= static_cast<double>(kMostLevels)) {
     refuse("it has " + text_of(steps + 1.0) + " levels; a factor has at most " +
            std::to_string(kMostLevels));
   }
