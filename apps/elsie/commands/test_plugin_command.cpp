@@ -16,10 +16,9 @@
 #include "elsie/build/source_build.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/plugin/parameters.h"
 #include "elsie/process/crash_report.h"
 #include "elsie/testing/checker.h"
-#include "elsie/world/values.h"
-#include "elsie/world/vocabulary.h"
 
 #include "arguments.h"
 #include "command.h"
@@ -70,9 +69,9 @@ bool is_file(const std::string& name) {
 }
 
 elsie::ParameterValue value_of(const ParameterDeclaration& parameter, const std::string& text) {
-  const world::Parsed parsed = world::parse_value(world::field_of(parameter), text);
+  const plugin::Parsed parsed = plugin::parse_value(parameter, text);
   if (!parsed.value) {
-    throw BadInput("--set " + parameter.name + "=" + text + ": " + parsed.problem);
+    throw BadInput("--set " + parameter.name + "=" + text + ": expected " + parsed.expected);
   }
   return *parsed.value;
 }
