@@ -11,6 +11,23 @@ using namespace elsie;
 using namespace elsie::physics;
 using world::ObstacleKind;
 
+TEST_CASE("A robot at 2 m/s does not go through a box of 5 cm, nor over it") {
+  const double step = GENERATE(0.005, 0.02);
+  const double height = GENERATE(0.05, 0.2);
+  CAPTURE(step, height);
+  PhysicsContext context(with_step(step));
+  const std::size_t robot = context.robot(-2.0, 0);
+  const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.0, 0.0, {0.05, 0.05, height});
+  context.drive(robot, {100, 100});
+  bool touched = false;
+  context.run(1.6, [&] {
+    touched = touched || context.touching(robot_body(robot), box_body(box));
+    CHECK(context.pose(robot).x < -0.06);
+    CHECK(std::abs(context.engine->robot(robot).frame.origin.z) < 0.005);
+  });
+  CHECK(touched);
+}
+
 TEST_CASE("A wheel that grazes a wall touches it") {
   PhysicsContext context;
   const std::size_t robot = context.robot(0.0, 0.0);

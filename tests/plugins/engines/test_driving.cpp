@@ -45,7 +45,7 @@ Journey drive(PhysicsContext& context, std::size_t robot, const WheelRates& rate
 }  // namespace
 
 TEST_CASE("Ten seconds from rest follow the kinematics of the differential drive") {
-  const double step = GENERATE(0.005, 0.01, 0.02);
+  const double step = GENERATE(0.001, 0.01, 0.02);
   const WheelRates rates = GENERATE(WheelRates{25, 25}, WheelRates{-25, -25}, WheelRates{10, -10},
                                     WheelRates{5, 25}, WheelRates{25, 20}, WheelRates{1, 2});
   CAPTURE(step, rates.left, rates.right);
