@@ -31,8 +31,10 @@ std::string in_words(const Robot& robot) {
   return robot.id.empty() ? "this robot" : "the robot '" + robot.id + "'";
 }
 
+// "" for an attribute of a running world, whose text nobody has seen.
 std::string on_line(const Location& where, const Location& from) {
-  return where.line == 0 ? " (" + where.file.text() + ")"
+  return where.is_edit()   ? " (" + where.file.text() + ")"
+         : where.line == 0 ? ""
          : where.file == from.file
              ? " (line " + std::to_string(where.line) + ")"
              : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";

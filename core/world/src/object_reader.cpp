@@ -247,7 +247,7 @@ class ObjectReader {
     if (known.set) known.set(object, *parsed.value);
     // A new element of a running world has no meaning in its tree.
     if (known.name == "energy" && element.name == "robot" &&
-        (!element.object || attribute.where.file.text().starts_with("--set "))) {
+        (!element.object || attribute.where.is_edit())) {
       reading_.charged_robots.insert(reading_.world.robots.size() - 1);
     }
   }
