@@ -72,7 +72,7 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
            {{"physics/@step=0.02", "@name=other", "goal[2]/@time=7"}, {true, true, true}},
            {{"goal[1]/@remove=true", "robot[r3]/@id=r4"}, {true, true, false}},
            {{"change[1]/@time=3"}, {true, true, true}},
-           {{"team[green]/@colour=#102030"}, {false, false, false}}}) {
+           {{"team[green]/@colour=#102030"}, {true, true, true}}}) {
     CAPTURE(edits);
     const world::World now = edited(edits);
     CHECK(world::write_world(now) == world::write_world(read_again(edits)));
