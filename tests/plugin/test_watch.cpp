@@ -36,13 +36,13 @@ Host renewed(const Host& host, const Folder& folder) {
   return host.renewed({{folder.path(), "given"}});
 }
 
-/// Waits until it is so, for two minutes at most.
+/// Waits until the condition holds, for two minutes at most.
 template <class Condition>
-void wait_until(const Condition& is_so) {
-  for (int i = 0; i < 12000 && !is_so(); ++i) {
+void wait_until(const Condition& holds) {
+  for (int i = 0; i < 12000 && !holds(); ++i) {
     std::this_thread::sleep_for(milliseconds(10));
   }
-  REQUIRE(is_so());
+  REQUIRE(holds());
 }
 
 /// What the watch has found, once it has.
@@ -119,6 +119,19 @@ TEST_CASE("A renewed host shares what has not changed, and loads what has beside
   CHECK(twin(after) == "The second twin");
   before.reset();
   CHECK(speed(after, "good") == 3.0);
+}
+
+TEST_CASE("An old library whose new file is refused stays ahead of later files") {
+  Folder folder;
+  folder.with("twin_a", "a.so").with("twin_b", "b.so");
+  const Host before = copies_of(folder);
+  CHECK(twin(before) == "The first twin");
+  write_text(folder / "a.so", "half a libr");
+  const Host after = renewed(before, folder);
+  CHECK(twin(after) == "The first twin");
+  REQUIRE(after.report().warnings.size() == 2);
+  CHECK_THAT(after.report().warnings[0], Contains("a.so: ") && Contains("is still in use"));
+  CHECK_THAT(after.report().warnings[1], Contains("b.so; the first one is used"));
 }
 
 TEST_CASE("The files of copies are not in memory, and the copies go with their last object") {

@@ -2,6 +2,7 @@
 // does not concern goes on.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -73,6 +74,24 @@ TEST_CASE("A reset forgets edits") {
   CHECK(simulation.run().state_hash == Simulation(lively(), shipped(), {7}).run().state_hash);
   simulation.reset();
   CHECK(simulation.run({}, good).state_hash == edited.state_hash);
+
+  simulation.reset();
+  const std::uint64_t unchanged = simulation.run().state_hash;
+  simulation.reset();
+  const std::vector<TimedEdit> in_place{{1.0, {"robot[r1]/@leader", "false"}},
+                                        {1.0, {"robot[r1]/@coverage", "3"}},
+                                        {1.0, {"robot[r2]/@energy", "77"}},
+                                        {1.0, {"robot[r2]/sensor[ahead]/@energy_cost", "50"}},
+                                        {1.0, {"robot[r1]/@x", "-2"}}};
+  CHECK(simulation.run({}, in_place).state_hash != unchanged);
+  CHECK(simulation.robot(1).state->energy < 77);
+  simulation.reset();
+  CHECK(simulation.robot(0).state->is_leader);
+  CHECK(simulation.robot(0).state->coverage_m == 0.5);
+  CHECK(simulation.robot(0).state->pose.x == Approx(-1));
+  CHECK(simulation.robot(1).state->energy == 5000);
+  CHECK(simulation.events().empty());
+  CHECK(simulation.run().state_hash == unchanged);
 }
 
 TEST_CASE("Without gravity a falling box goes on at its speed") {

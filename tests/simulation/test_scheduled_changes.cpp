@@ -246,7 +246,7 @@ TEST_CASE("A world's own edits are checked when it is read, all of them, each at
         "small.xml:5: at 1 s, robot[r1]/@max_speed=fast: max_speed=\"fast\" of <robot>: expected a "
         "number at least 0 and at most 100 m/s\n"
         "small.xml:6: at 4 s, obstacle[+]=<static_box id=\"a\" x=\"2\"/>: a second box with the id "
-        "'a'; the first is there already (small.xml)");
+        "'a'; the first is there already");
 }
 
 TEST_CASE("The world of the start with a run's edits gives the same run") {

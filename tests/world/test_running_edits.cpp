@@ -1,5 +1,7 @@
 // Edits of running worlds read only what they lead to.
+#include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -9,6 +11,7 @@
 
 #include "equal.h"
 #include "fixture.h"
+#include "folder.h"
 
 using namespace elsie;
 using namespace elsie::test;
@@ -69,7 +72,7 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
            {{"physics/@step=0.02", "@name=other", "goal[2]/@time=7"}, {true, true, true}},
            {{"goal[1]/@remove=true", "robot[r3]/@id=r4"}, {true, true, false}},
            {{"change[1]/@time=3"}, {true, true, true}},
-           {{"team[green]/@colour=#102030"}, {false, false, false}}}) {
+           {{"team[green]/@colour=#102030"}, {true, true, true}}}) {
     CAPTURE(edits);
     const world::World now = edited(edits);
     CHECK(world::write_world(now) == world::write_world(read_again(edits)));
@@ -84,6 +87,41 @@ TEST_CASE("An edit makes the world that its text would be, and shares what it do
     CHECK(is_shared == robots);
     CHECK(now.edits.is(crowd().edits) == !edits[0].starts_with("change"));
   }
+}
+
+TEST_CASE("Files that a robot has stay the same when an edit leads into it") {
+  const Folder worlds, data, experiments, current;
+  worlds.write("near.txt", "");
+  data.write("shared.txt", "");
+  for (const Folder* other : {&experiments, &current}) {
+    other->write("near.txt", "");
+    other->write("shared.txt", "");
+  }
+  world::ReadOptions reading = options();
+  reading.data_directories = {data.path().string()};
+  const world::World before = world::parse_world(
+      "<world format=\"1\"><robots>"
+      "<robot id=\"r1\"><behaviors><roam song=\"near.txt\"/></behaviors>"
+      "<coordinator><pick/></coordinator></robot>"
+      "<robot id=\"r2\" x=\"1\"><behaviors><roam song=\"shared.txt\"/></behaviors>"
+      "<coordinator><pick/></coordinator></robot></robots></world>",
+      worlds.file("world.xml"), host(), reading);
+  reading.edits = {"robot[*]/@max_speed=0.1"};
+  const auto was_in = std::filesystem::current_path();
+  std::filesystem::current_path(current.path());
+  for (const std::string& edits_from : {std::string(), experiments.file("study.xml")}) {
+    CAPTURE(edits_from);
+    reading.edits_from = edits_from;
+    const world::World now = world::edited(world::WorldTree(before), host(), reading);
+    for (const std::size_t robot : {0, 1}) {
+      const auto song = [&](const world::World& world) {
+        return world.robots[robot].behaviors[0].parameters.at("song");
+      };
+      CHECK(song(now) == song(before));
+      CHECK(now.robots[robot].max_speed == 0.1);
+    }
+  }
+  std::filesystem::current_path(was_in);
 }
 
 TEST_CASE("What no edit leads to must still have what it refers to") {

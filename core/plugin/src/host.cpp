@@ -93,7 +93,8 @@ struct Host::State {
   FileReport examine(const fs::path& file);
   void load(FileReport& file);
   std::optional<LoadedFile> load_anew(FileReport& file);
-  void keep_old(DirectoryReport& found);
+  LoadedFiles former() const;
+  void keep(const LoadedFiles::value_type& old, FileReport& file);
   void enter(LoadedFile found, FileReport& file);
 };
 
@@ -123,28 +124,27 @@ std::string Host::State::list(const SearchDirectory& directory, std::vector<fs::
   return error ? "cannot be read: " + error.message() : "";
 }
 
-/// Keeps libraries in use that the previous host had loaded from this place and that no library
-/// there replaces.
-void Host::State::keep_old(DirectoryReport& found) {
+/// The libraries that the previous host had loaded from the next place of the search path.
+LoadedFiles Host::State::former() const {
+  LoadedFiles former;
   const std::size_t place = report.directories.size();
-  if (!before || place >= before->report.directories.size()) return;
-  const bool is_library = found.directory.path.extension() == ".so";  // a new path for each build
+  if (!before || place >= before->report.directories.size()) return former;
   for (const FileReport& old : before->report.directories[place].files) {
     const auto known = before->loaded.find(old.path);
-    const auto now =
-        std::find_if(found.files.begin(), found.files.end(),
-                     [&](const FileReport& file) { return is_library || file.path == old.path; });
-    const bool is_gone = now == found.files.end();
-    if (known == before->loaded.end() || (!is_gone && !now->plugins.empty())) continue;
-    report.warnings.push_back(known_as(old.path).string() + ": " +
-                              (is_gone ? "is gone" : now->sentence) +
-                              "; the library that was there before is still in use");
-    FileReport& kept = is_gone ? found.files.emplace_back() : * now = {};
-    kept.path = old.path;
-    kept.abi_word = known->second.abi_word;
-    kept.is_former = true;
-    enter(known->second, kept);
+    if (known != before->loaded.end()) former.insert(*known);
   }
+  return former;
+}
+
+/// Keeps an old library in use, because its file is gone or cannot be used; `file` says why.
+void Host::State::keep(const LoadedFiles::value_type& old, FileReport& file) {
+  report.warnings.push_back(known_as(old.first).string() + ": " + file.sentence +
+                            "; the library that was there before is still in use");
+  file = {};
+  file.path = old.first;
+  file.abi_word = old.second.abi_word;
+  file.is_former = true;
+  enter(old.second, file);
 }
 
 void Host::State::search(std::vector<SearchDirectory> all) {
@@ -152,17 +152,24 @@ void Host::State::search(std::vector<SearchDirectory> all) {
     if (!directory.source.empty()) {
       sources.insert_or_assign(directory.path, directory.source);
     }
+    const bool is_library = directory.path.extension() == ".so";  // a new path for each build
+    LoadedFiles former = this->former();
     DirectoryReport found{std::move(directory), "", {}};
     std::vector<fs::path> files;
     found.problem = list(found.directory, files);
-    for (const fs::path& file : files) {
-      found.files.push_back(examine(file));
-    }
-    keep_old(found);
-    for (const FileReport& file : found.files) {
+    for (const fs::path& path : files) {
+      FileReport& file = found.files.emplace_back(examine(path));
+      const auto old = is_library ? former.begin() : former.find(path);
+      if (old != former.end() && file.plugins.empty()) keep(*old, file);
+      if (old != former.end()) former.erase(old);
       if (file.status == FileStatus::refused) {
-        report.warnings.push_back(known_as(file.path).string() + ": " + file.sentence);
+        report.warnings.push_back(known_as(path).string() + ": " + file.sentence);
       }
+    }
+    for (const auto& old : former) {
+      FileReport& gone = found.files.emplace_back();
+      gone.sentence = "is gone";
+      keep(old, gone);
     }
     report.directories.push_back(std::move(found));
   }

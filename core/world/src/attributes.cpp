@@ -91,7 +91,7 @@ ParameterValue Attributes::read(const AttributeTarget& target, std::string_view 
   if (target.field.type != ParameterType::file || (text.empty() && target.field.may_be_no_file())) {
     return std::move(*parsed.value);
   }
-  const Location where{world_.file, 0};
+  const Location where{"--set " + target.path + "=" + std::string(text), 0};
   const auto file = files_.find(std::string(text), where);
   if (!file) {
     throw std::invalid_argument(files_.why_not(where, target.field.name, std::string(text)));

@@ -31,8 +31,10 @@ std::string in_words(const Robot& robot) {
   return robot.id.empty() ? "this robot" : "the robot '" + robot.id + "'";
 }
 
+// "" for an attribute of a running world, whose text nobody has seen.
 std::string on_line(const Location& where, const Location& from) {
-  return where.line == 0 ? " (" + where.file.text() + ")"
+  return where.is_edit()   ? " (" + where.file.text() + ")"
+         : where.line == 0 ? ""
          : where.file == from.file
              ? " (line " + std::to_string(where.line) + ")"
              : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
@@ -337,7 +339,7 @@ void check_engine(const World& world, Problems& problems) {
 void check_ids(const Element& holder, const ElementSpec& spec, Problems& problems) {
   struct Ids {
     std::vector<const Attribute*> all;
-    std::unordered_set<std::string_view> of_read;  // the others were taken over, and differ
+    std::unordered_set<std::string_view> unchecked;  // not those of members taken over
   };
   std::map<std::string_view, Ids> ids;  // by what they are of
   for (const ElementSpec& group : spec.below()) {
@@ -345,18 +347,18 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
     const ElementSpec* member = list ? &group.children.front() : nullptr;
     if (!member || member->at_most == 1 || !member->attribute("id")) continue;
     const bool of_boxes = group.name == "obstacles" || group.name == "resources";
-    auto& [all, of_read] = ids[of_boxes ? std::string_view("box") : group.members];
+    auto& [all, unchecked] = ids[of_boxes ? std::string_view("box") : group.members];
     for (const Element& child : list->children) {
       check_ids(child, *member, problems);
       const Attribute* const id = child.find("id");
       if (id) all.push_back(id);
-      if (id && !child.unread) of_read.insert(id->value);
+      if (id && !child.unread) unchecked.insert(id->value);
     }
   }
   for (const auto& [what, known] : ids) {
     std::unordered_map<std::string_view, const Attribute*> firsts;
     for (const Attribute* id : known.all) {
-      if (!known.of_read.contains(id->value)) continue;
+      if (!known.unchecked.contains(id->value)) continue;
       const auto& [first, is_new] = firsts.try_emplace(id->value, id);
       if (is_new) continue;
       problems.add(id->where, "a second " + std::string(what) +

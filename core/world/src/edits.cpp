@@ -38,7 +38,7 @@ Element element_of(const std::string& text, const Location& where) {
 const Location* set_in(const Element& root) {
   const Location* found = nullptr;
   const auto note = [&](const Location& where) {
-    if (!found && where.file.text().starts_with("--set ") && where.file != root.where.file) {
+    if (!found && where.is_edit() && where.file != root.where.file) {
       found = &where;
     }
   };

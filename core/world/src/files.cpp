@@ -18,12 +18,10 @@ std::optional<std::string> file_in(const std::string& folder, const std::string&
   return fs::is_regular_file(path, error) ? std::optional(path.string()) : std::nullopt;
 }
 
-bool is_override(const Location& from) { return from.line == 0 && !from.file.empty(); }
-
 }  // namespace
 
 std::string Files::folder(const Location& from) const {
-  const bool in_a_file = is_override(from) && !overrides_from_.empty();
+  const bool in_a_file = from.is_edit() && !overrides_from_.empty();
   return fs::path(from.line > 0 ? from.file.text()
                   : in_a_file   ? overrides_from_
                                 : main_file_)
@@ -33,7 +31,7 @@ std::string Files::folder(const Location& from) const {
 
 // A name on a command line may be relative to the current folder.
 bool Files::given_by_hand(const Location& from) const {
-  return is_override(from) && overrides_from_.empty();
+  return from.is_edit() && overrides_from_.empty();
 }
 
 std::optional<std::string> Files::find(const std::string& name, const Location& from) const {

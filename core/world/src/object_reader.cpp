@@ -125,34 +125,39 @@ class ObjectReader {
   }
 
   // Takes over what no edit leads to from a world in memory, which has been checked: a list of the
-  // world, or a member of one. False: the element must be read, because it may refer to something
-  // that an edit has removed.
-  bool take_over(const ElementSpec& spec, Element& element, void* parent) {
+  // world, or a member of one. False: an edit leads to the element, so it must be read.
+  bool take_over(const ElementSpec& spec, const Element& element, void* parent) {
     if (!element.unread) return false;
-    if (may_miss(spec)) {
-      completed(element);
-      return false;
-    }
     const World& from = element.unread->world();
     if (!spec.group) {
-      spec.copy(parent, &from, element.unread->meaning(element).described.order);
-    } else if (const ElementSpec& first = spec.children.front(); first.share) {
-      first.share(parent, &from);
-    } else {
-      for (const auto& [part, member] : spec.parts_of(&from)) {
-        member->copy(parent, &from, part.order);
-      }
+      const DescribedObject& described = element.unread->meaning(element).described;
+      spec.copy(parent, &from, described.order);
+      note_mentions(spec, described.object);
+      return true;
+    }
+    const ElementSpec& first = spec.children.front();
+    if (first.share) first.share(parent, &from);
+    if (first.share && !may_miss(first)) return true;
+    for (const auto& [part, member] : spec.parts_of(&from)) {
+      if (!first.share) member->copy(parent, &from, part.order);
+      note_mentions(*member, part.object);
     }
     return true;
   }
-  bool take_over(const ElementSpec&, const Element&, void*) { return false; }  // of a file
+  // Whether such an element may refer to something that an edit has removed.
   bool may_miss(const ElementSpec& spec) const {
-    const auto is_edited = [&](const auto& attribute) {
-      return edited_.contains(attribute.refers_to);
-    };
-    return std::any_of(spec.attributes.begin(), spec.attributes.end(), is_edited) ||
-           (spec.group && std::any_of(spec.children.begin(), spec.children.end(),
-                                      [&](const ElementSpec& child) { return may_miss(child); }));
+    return std::any_of(
+        spec.attributes.begin(), spec.attributes.end(),
+        [&](const AttributeSpec& attribute) { return edited_.contains(attribute.refers_to); });
+  }
+  void note_mentions(const ElementSpec& spec, const void* object) {
+    for (const AttributeSpec& attribute : spec.attributes) {
+      if (!edited_.contains(attribute.refers_to)) continue;
+      const std::string id = std::get<std::string>(*attribute.get(object));
+      if (id.empty()) continue;
+      reading_.mentions.push_back({attribute.refers_to, id, spec.location(object),
+                                   attribute.name + "=\"" + id + "\" of <" + spec.name + ">"});
+    }
   }
 
   // Reads a child element; returns whether it has no mistakes.
@@ -247,7 +252,7 @@ class ObjectReader {
     if (known.set) known.set(object, *parsed.value);
     // A new element of a running world has no meaning in its tree.
     if (known.name == "energy" && element.name == "robot" &&
-        (!element.object || attribute.where.file.text().starts_with("--set "))) {
+        (!element.object || attribute.where.is_edit())) {
       reading_.charged_robots.insert(reading_.world.robots.size() - 1);
     }
   }

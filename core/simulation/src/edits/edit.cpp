@@ -199,7 +199,7 @@ world::World Simulation::Impl::edited(world::WorldTree&& from, std::span<const E
 }
 
 void Simulation::Impl::become(std::span<const Edit> edits, EditTransaction& transaction) {
-  in_place_->take_tree();  // edits in place have made its values old
+  in_place_->take_tree();  // its values are stale since edits in place
   std::vector<EventRecord> events;
   for (const Edit& edit : edits) {
     for (const world::AttributeTarget& target : in_place_->targets(edit)) {

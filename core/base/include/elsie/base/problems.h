@@ -15,10 +15,12 @@
 
 namespace elsie::base {
 
-/// A line of a file.
+/// A line of a file, or an edit.
 struct Location {
-  SharedText file;  // as the user named it
-  int line = 0;     // from 1; 0: the file as a whole
+  SharedText file;  // as the user named it, or "--set PATH=VALUE"
+  int line = 0;     // from 1; 0: the file as a whole, or an edit
+
+  bool is_edit() const { return line == 0 && file.text().starts_with("--set "); }
 };
 
 /// One mistake and where it is.

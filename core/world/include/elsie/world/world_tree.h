@@ -60,7 +60,7 @@ class WorldTree {
   std::string text(Element& element, std::size_t depth);
 
   const World& world_;
-  const Location file_;            // the place of what has none of its own, without a line
+  const Location file_;            // the place of what keeps none of its own; without a line
   std::vector<Meaning> meanings_;  // Element::object is an index into it
   Element root_;
 };
