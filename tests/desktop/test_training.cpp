@@ -288,3 +288,15 @@ TEST_CASE("A network is trained once its world has a file of its own") {
     CHECK(school.weight_files().isEmpty());
   }
 }
+
+TEST_CASE("A learning curve shows an error of 0, which has no logarithm, as 1e-12") {
+  const auto picture = [](std::optional<double> last) {
+    LearningCurve curve;
+    curve.resize(400, 300);
+    curve.add(1.0, 100.0, 0.5);
+    if (last) curve.add(100.0, 100.0, *last);
+    return curve.grab().toImage();
+  };
+  CHECK(picture(0.0) == picture(1e-12));
+  CHECK(picture(0.0) != picture({}));
+}
