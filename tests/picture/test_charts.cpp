@@ -174,6 +174,19 @@ TEST_CASE("Curves differ by their dashes where they have no colours, and marks b
   CHECK(count(text, "stroke-dasharray=\"9 4 1 4\"") == 2);
 }
 
+TEST_CASE("Neutral curves are counted among themselves: the first is solid and as dark as text") {
+  LineChart chart;
+  chart.series = {{.name = "", .points = {{0, 1}, {1, 1}}, .colour = kNeutral}};
+  const std::string alone = page_chart(chart, "", {400, 200});
+  CHECK(count(alone, "stroke-dasharray") == 0);
+  const std::size_t opaque = count(alone, "stroke-opacity");
+  chart.naming = Naming::at_peak;  // without samples of the curves
+  chart.series.insert(chart.series.begin(), 5, {.name = "", .points = {{0, 0}, {1, 0}}});
+  const std::string behind = page_chart(chart, "", {400, 200});
+  CHECK(count(behind, "stroke-dasharray") == 0);
+  CHECK(count(behind, "stroke-opacity") == opaque);
+}
+
 TEST_CASE("Dots and bars say what they are, and a ring is an outline more") {
   RowChart chart = boxes();
   const std::string rings = page_chart(chart, "", {400, 0});

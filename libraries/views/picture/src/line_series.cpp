@@ -14,13 +14,20 @@ constexpr double kStroke = 4.0;  // half of the height of an upright stroke
 
 bool is_neutral(const Series& series) { return series.colour == kNeutral; }
 
+// The place of a neutral series among the neutral ones.
+std::size_t neutral_place(const LineChart& chart, std::size_t index) {
+  const auto begin = chart.series.begin();
+  return static_cast<std::size_t>(
+      std::count_if(begin, begin + static_cast<std::ptrdiff_t>(index), is_neutral));
+}
+
 // After all colours, they repeat with dashed and then dotted lines.
 Pen pen_of(const LineChart& chart, std::size_t index) {
   if (chart.naming == Naming::in_titles) return {.width = 1.2, .dash = {}, .round = true};
   Pen pen{.width = 2.0, .dash = {}, .round = true};
   const Series& series = chart.series[index];
-  const std::size_t round =
-      is_neutral(series) ? index : series.colour.value_or(index) / kSeriesInks;
+  const std::size_t round = is_neutral(series) ? neutral_place(chart, index)
+                                               : series.colour.value_or(index) / kSeriesInks;
   if (round % 4 == 1) pen.dash = {7, 5};
   if (round % 4 == 2) pen.dash = {1, 4.5};
   if (round % 4 == 3) pen.dash = {9, 4, 1, 4};
@@ -134,7 +141,8 @@ Ink ink_of(const LineChart& chart, std::size_t index) {
   }
   // Shades from dark to light.
   if (is_neutral(series)) {
-    return kText.with_alpha(std::max(0.35, 1.0 - 0.2 * static_cast<double>(index)));
+    const auto place = static_cast<double>(neutral_place(chart, index));
+    return kText.with_alpha(std::max(0.35, 1.0 - 0.2 * place));
   }
   return series_ink(series.colour.value_or(index));
 }
