@@ -199,7 +199,8 @@ std::string page_chart(const Panel& panel, const std::string& label, const Size&
 using Style = std::map<std::string, Colour, std::less<>>;
 
 /// The panel as pixels, 0x??RRGGBB, row by row: of this width and height, with so many of them for
-/// a unit, of which a text has 12 to 15. Throws like save_page() for an axis.
+/// a unit, of which a text has 12 to 15. Curves differ in dashes, too, from the second on. Throws
+/// like save_page() for an axis.
 std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int height, double zoom,
                                         const Style& style);
 
