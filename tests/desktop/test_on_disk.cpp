@@ -10,7 +10,7 @@
 
 using namespace elsie::desktop;
 
-TEST_CASE("Line ends, also of two kinds, and the mark of UTF-8 are saved as they were") {
+TEST_CASE("Line ends and the mark of UTF-8 are kept; of two kinds, the more frequent one") {
   const QByteArray unix_text(kRoom);
   const QByteArray windows_text = QByteArray(kRoom).replace("\n", "\r\n");
   const QByteArray mixed =
@@ -24,6 +24,7 @@ TEST_CASE("Line ends, also of two kinds, and the mark of UTF-8 are saved as they
     window.after([&] { window.bench().edit({"robot[r1]/@x=-1.5"}, "move"); });
     window.after([&] { window.bench().edit({"limits/@time=61"}, "longer"); });
     CHECK(window.saved_as(file).isEmpty());
+    if (text == mixed) text = unix_text;
     text.replace("x=\"-1\"", "x=\"-1.5\"").replace("time=\"60\"", "time=\"61\"");
     CHECK(bytes_of(file) == text);
   }

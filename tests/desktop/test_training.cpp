@@ -268,9 +268,35 @@ TEST_CASE("A network is trained once its world has a file of its own") {
   click_row(window.get<WorldTree>("world_tree"), "robot[r1]");
   auto* dialog = school.new_network();
   School::enter(dialog, "training", school.samples);
-  window.press(dialog, QDialogButtonBox::Ok);
-  REQUIRE(wait_for([&] { return refusal(dialog).contains("save the world first"); }));
-  REQUIRE(window.saved_as(window.folder() + "/mine.xml").isEmpty());
-  school.ok(dialog);
-  CHECK(school.weight_files() == QStringList{"r1.weights"});
+  const auto* box = dialog->findChild<QCheckBox*>("train");
+  CHECK_FALSE(box->isEnabled());
+  CHECK_FALSE(box->isChecked());
+  CHECK(box->toolTip().contains("save it first"));
+  SECTION("which may be saved while the dialog is open") {
+    REQUIRE(window.saved_as(window.folder() + "/mine.xml").isEmpty());
+    CHECK(box->isEnabled());
+    CHECK(box->isChecked());
+    CHECK(dialog->findChild<QLabel*>("where_weights_go")->isHidden());
+    school.ok(dialog);
+    CHECK(school.weight_files() == QStringList{"r1.weights"});
+  }
+  SECTION("and until then OK takes what was entered, untrained") {
+    window.press(dialog, QDialogButtonBox::Ok);
+    REQUIRE(wait_for([&] { return !window->findChild<ElementDialog*>(); }));
+    CHECK(window.bench().text().contains("training=\"" + school.samples + '"'));
+    CHECK_FALSE(window.bench().text().contains("weights="));
+    CHECK(school.weight_files().isEmpty());
+  }
+}
+
+TEST_CASE("A learning curve shows an error of 0, which has no logarithm, as 1e-12") {
+  const auto picture = [](std::optional<double> last) {
+    LearningCurve curve;
+    curve.resize(400, 300);
+    curve.add(1.0, 100.0, 0.5);
+    if (last) curve.add(100.0, 100.0, *last);
+    return curve.grab().toImage();
+  };
+  CHECK(picture(0.0) == picture(1e-12));
+  CHECK(picture(0.0) != picture({}));
 }

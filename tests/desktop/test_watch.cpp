@@ -21,6 +21,7 @@
 
 #include "paint/axes.h"
 #include "stored.h"
+#include "waiting.h"
 #include "watch/control_surface.h"
 #include "watch/coordination_panel.h"
 #include "watch/fuzzy_instant.h"
@@ -420,6 +421,40 @@ TEST_CASE("fuzzy: a control surface over two inputs, the others held") {
   CHECK(up->currentText() == QStringLiteral("range"));
   CHECK(across->currentText() == QStringLiteral("angle"));
   CHECK(surface.grid().values[10 * FuzzyGrid::kAcross + 30] == out[0]);
+}
+
+TEST_CASE("fuzzy: the mark of a surface moves at once; the grid waits for other held inputs") {
+  class Paints : public QObject {
+   public:
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+      count += event->type() == QEvent::Paint ? 1 : 0;
+      return false;
+    }
+  };
+  QString text(kTwoInputs);
+  text.replace("angle : REAL;", "angle : REAL; load : REAL;")
+      .replace("DEFUZZIFY speed",
+               "FUZZIFY load RANGE := (0 .. 1); TERM full := (0, 0) (1, 1); "
+               "END_FUZZIFY\nDEFUZZIFY speed")
+      .replace("range IS far OR", "range IS far OR load IS full OR");
+  const auto model = elsie::fuzzy::read_fcl(ModelFile(text.toLatin1().constData()).name());
+  ControlSurface surface;
+  surface.set_model(&model);
+  surface.show();
+  surface.set_inputs({0.1, 10.0, 0.5});  // held in the middle, as computed
+  REQUIRE(wait_for([&] { return QTest::qWaitForWindowExposed(&surface); }));
+  QTest::qWait(0);
+  const double* const grid = surface.grid().values.data();
+  Paints paints;
+  surface.installEventFilter(&paints);
+  surface.set_inputs({0.9, 90.0, 0.5});
+  QApplication::processEvents();
+  CHECK(paints.count == 1);
+  QTest::qWait(300);  // longer than between two grids
+  CHECK(surface.grid().values.data() == grid);
+  surface.set_inputs({0.9, 90.0, 0.25});
+  CHECK(wait_for([&] { return surface.grid().values.data() != grid; }));
 }
 
 TEST_CASE("fuzzy: a formula without a value is said, not thrown") {

@@ -174,6 +174,36 @@ TEST_CASE("Curves differ by their dashes where they have no colours, and marks b
   CHECK(count(text, "stroke-dasharray=\"9 4 1 4\"") == 2);
 }
 
+TEST_CASE("Neutral curves are counted among themselves: the first is solid and as dark as text") {
+  LineChart chart;
+  chart.series = {{.name = "", .points = {{0, 1}, {1, 1}}, .colour = kNeutral}};
+  const std::string alone = page_chart(chart, "", {400, 200});
+  CHECK(count(alone, "stroke-dasharray") == 0);
+  const std::size_t opaque = count(alone, "stroke-opacity");
+  chart.naming = Naming::at_peak;  // without samples of the curves
+  chart.series.insert(chart.series.begin(), 5, {.name = "", .points = {{0, 0}, {1, 0}}});
+  const std::string behind = page_chart(chart, "", {400, 200});
+  CHECK(count(behind, "stroke-dasharray") == 0);
+  CHECK(count(behind, "stroke-opacity") == opaque);
+}
+
+TEST_CASE("On a screen, curves differ in their dashes as well as in their colours") {
+  LineChart chart;
+  chart.naming = Naming::at_peak;
+  chart.series = {{.name = "", .points = {{0, 0}, {1, 0}}},
+                  {.name = "", .points = {{0, 1}, {1, 1}}}};
+  const auto pixels =
+      screen_chart(chart, 400, 200, 1.0, {{"c0", {255, 0, 0}}, {"c1", {0, 0, 255}}});
+  std::size_t red = 0, blue = 0;
+  for (const std::uint32_t pixel : pixels) {
+    const int more = static_cast<int>((pixel >> 16U) & 0xffU) - static_cast<int>(pixel & 0xffU);
+    red += more > 60 ? 1 : 0;
+    blue += more < -60 ? 1 : 0;
+  }
+  CHECK(blue > 100);
+  CHECK(4 * red > 5 * blue);
+}
+
 TEST_CASE("Dots and bars say what they are, and a ring is an outline more") {
   RowChart chart = boxes();
   const std::string rings = page_chart(chart, "", {400, 0});

@@ -7,6 +7,12 @@
 #include "paint/chart.h"
 
 namespace elsie::desktop {
+namespace {
+
+constexpr double kLeastError = 1e-12;  // an error of 0 has no logarithm
+
+}  // namespace
+
 LearningCurve::LearningCurve(QWidget* parent) : QWidget(parent) {
   setObjectName("learning_curve");
   setAccessibleName(tr("Learning curve"));
@@ -47,7 +53,7 @@ void LearningCurve::paintEvent(QPaintEvent* /*event*/) {
   chart.y = {tr("mean error").toStdString(), "", {}, {}, true};
   auto& points = chart.series.emplace_back().points;
   for (const QPointF& point : points_) {
-    points.push_back({point.x(), point.y()});
+    points.push_back({point.x(), std::max(point.y(), kLeastError)});
   }
   QPainter painter(this);
   draw_chart(painter, rect(), chart, palette());

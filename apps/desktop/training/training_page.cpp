@@ -50,18 +50,13 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   column->addRow(tr("Their sizes"), layers_);
   wished_ = new QCheckBox(tr("&Train with OK, and use the weights"));
   wished_->setObjectName("train");
-  wished_->setToolTip(
-      tr("Trains the network that a run with this seed would train, and writes its weights to a "
-         "file next to the world. Otherwise each run trains its own network."));
   column->addRow(wished_);
-  if (workbench.file().isEmpty() || workbench.is_borrowed()) {
-    auto* where = new QLabel(
-        tr("The weights are written next to the world, which has no file of its own yet: save it "
-           "first."));
-    where->setObjectName("where_weights_go");
-    where->setWordWrap(true);
-    column->addRow(where);
-  }
+  where_ = new QLabel(
+      tr("The weights are written next to the world, which has no file of its own yet: save it "
+         "first."));
+  where_->setObjectName("where_weights_go");
+  where_->setWordWrap(true);
+  column->addRow(where_);
   progress_ = new QLabel;
   progress_->setObjectName("training_progress");
   progress_->setWordWrap(true);
@@ -71,6 +66,10 @@ TrainingPage::TrainingPage(Workbench& workbench, const Kind& kind, QString coord
   column->addRow(curve_);
 
   show_sizes(kind);
+  show_place(has_place());
+  connect(&workbench_, &Workbench::history_changed, this, [this] {
+    if (where_->isHidden() != has_place()) show_place(has_place());
+  });
   connect(count_, &QSpinBox::valueChanged, this, [this](int count) {
     QStringList sizes = layers();
     while (sizes.size() < count) {
@@ -209,7 +208,25 @@ void TrainingPage::show_layers(const QStringList& sizes) {
 
 bool TrainingPage::is_wished() const { return wished_->isChecked(); }
 
-void TrainingPage::wish(bool training) { wished_->setChecked(training); }
+void TrainingPage::wish(bool training) {
+  wish_ = training;
+  wished_->setChecked(training && has_place());
+}
+
+bool TrainingPage::has_place() const {
+  return !workbench_.file().isEmpty() && !workbench_.is_borrowed();
+}
+
+void TrainingPage::show_place(bool has_place) {
+  where_->setHidden(has_place);
+  wished_->setEnabled(has_place);
+  wished_->setChecked(has_place && wish_);
+  wished_->setToolTip(
+      has_place
+          ? tr("Trains the network that a run with this seed would train, and writes its weights "
+               "to a file next to the world. Otherwise each run trains its own network.")
+          : where_->text());
+}
 
 Lesson TrainingPage::lesson(const QStringList& edits, bool has_seed) const {
   const QString file = workbench_.file().isEmpty() ? QString("world.xml") : workbench_.file();
@@ -222,10 +239,6 @@ bool TrainingPage::has_trained(const QStringList& edits, bool has_seed) const {
 }
 
 void TrainingPage::train(const QStringList& edits, bool has_seed) {
-  if (workbench_.file().isEmpty() || workbench_.is_borrowed()) {
-    Q_EMIT failed(tr("The weights are written next to the world: save the world first."));
-    return;
-  }
   remove_weights();  // of a training whose result was not used
   // No existing file is changed, because undo may lead back to it.
   const QDir folder = QFileInfo(workbench_.file()).absoluteDir();
@@ -243,7 +256,7 @@ void TrainingPage::train(const QStringList& edits, bool has_seed) {
 }
 
 void TrainingPage::set_busy(bool is_busy) {
-  wished_->setEnabled(!is_busy);
+  wished_->setEnabled(!is_busy && has_place());
   for (QSpinBox* box : findChildren<QSpinBox*>()) {
     box->setEnabled(!is_busy);
   }

@@ -31,7 +31,8 @@ class TrainingPage : public QWidget {
 
   /// Shows the layers in `hidden`, such as "4 4"; "auto" and "" stand for those of a new network.
   void show_hidden(const QString& hidden);
-  /// Whether the network must be trained before it is used.
+  /// Whether the network must be trained before it is used; false while the world has no file of
+  /// its own.
   bool is_wished() const;
   void wish(bool training);
 
@@ -64,6 +65,9 @@ class TrainingPage : public QWidget {
   QStringList layers() const;
   Lesson lesson(const QStringList& edits, bool has_seed) const;
   void set_busy(bool is_busy);
+  /// Whether the world has a file of its own, next to which the weights are written.
+  bool has_place() const;
+  void show_place(bool has_place);
 
   Workbench& workbench_;
   QString coordinator_;
@@ -75,6 +79,8 @@ class TrainingPage : public QWidget {
   QSpinBox* count_;
   QHBoxLayout* layers_;
   QCheckBox* wished_;
+  bool wish_ = false;  // while the world has no file, for when it has one
+  QLabel* where_;
   QLabel* progress_;
   LearningCurve* curve_;
 };

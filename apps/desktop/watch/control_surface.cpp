@@ -94,9 +94,10 @@ void ControlSurface::set_model(const fuzzy::Model* model) {
 
 void ControlSurface::set_inputs(const std::vector<double>& inputs) {
   inputs_ = inputs;
-  if (model_ && !later_.isActive()) {
+  if (model_ && held() != computed_for_ && !later_.isActive()) {
     later_.start();
   }
+  update();
 }
 
 /// The output's range, with the values of formulas beyond it.
@@ -137,12 +138,13 @@ void ControlSurface::compute() {
   if (!model_) {
     return;
   }
+  computed_for_ = held();
   const bool has_two = model_->inputs().size() > 1;
   grid_ = fuzzy_grid(
       *model_, static_cast<std::size_t>(output_->currentIndex()),
       static_cast<std::size_t>(across_->currentIndex()),
       has_two ? std::optional(static_cast<std::size_t>(up_->currentIndex())) : std::nullopt,
-      held());
+      computed_for_);
   update();
 }
 

@@ -54,6 +54,7 @@ class ControlSurface : public QWidget, public ShowsFigures {
   QLabel* and_;
   QWidget* choices_;
   QTimer later_;
+  std::vector<double> computed_for_;  // the values of the held inputs
   FuzzyGrid grid_;
 };
 

@@ -188,6 +188,9 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
       series.colour = picture::kNeutral;
       return series;
     };
+    if (std::isfinite(value)) {
+      add({{value, 0.0}, {value, 1.0}});  // the first neutral one is solid
+    }
     if (cut != nullptr) {
       add(points_of(*cut)).filled = true;
     }
@@ -196,11 +199,9 @@ class FuzzyPanel::Page : public QWidget, public ShowsFigures {
                          .arg(number_text(std::round(1000 * *centre) / 1000))
                          .toStdString();
       picture::Series& mark = add({{*centre, 0.0}});
+      mark.colour = 0;
       mark.joining = picture::Joining::nothing;
       mark.marked = true;
-    }
-    if (std::isfinite(value)) {
-      add({{value, 0.0}, {value, 1.0}});
     }
     return chart;
   }

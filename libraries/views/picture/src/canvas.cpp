@@ -133,6 +133,8 @@ Canvas::~Canvas() = default;
 
 bool Canvas::in_page() const { return impl_->svg && impl_->svg->in_page(); }
 
+bool Canvas::on_screen() const { return !impl_->colours.empty(); }
+
 double Canvas::crisp(double coordinate) const {
   return (std::floor(coordinate * zoom_) + 0.5) / zoom_;
 }

@@ -14,13 +14,23 @@ constexpr double kStroke = 4.0;  // half of the height of an upright stroke
 
 bool is_neutral(const Series& series) { return series.colour == kNeutral; }
 
-// After all colours, they repeat with dashed and then dotted lines.
-Pen pen_of(const LineChart& chart, std::size_t index) {
+// The place of a neutral series among the neutral ones.
+std::size_t neutral_place(const LineChart& chart, std::size_t index) {
+  const auto begin = chart.series.begin();
+  return static_cast<std::size_t>(
+      std::count_if(begin, begin + static_cast<std::ptrdiff_t>(index), is_neutral));
+}
+
+// After all colours, they repeat with dashed and then dotted lines. On a screen, each curve has
+// dashes other than the one before it.
+Pen pen_of(const Canvas& canvas, const LineChart& chart, std::size_t index) {
   if (chart.naming == Naming::in_titles) return {.width = 1.2, .dash = {}, .round = true};
   Pen pen{.width = 2.0, .dash = {}, .round = true};
   const Series& series = chart.series[index];
-  const std::size_t round =
-      is_neutral(series) ? index : series.colour.value_or(index) / kSeriesInks;
+  const std::size_t colour = series.colour.value_or(index);
+  const std::size_t round = is_neutral(series)   ? neutral_place(chart, index)
+                            : canvas.on_screen() ? colour
+                                                 : colour / kSeriesInks;
   if (round % 4 == 1) pen.dash = {7, 5};
   if (round % 4 == 2) pen.dash = {1, 4.5};
   if (round % 4 == 3) pen.dash = {9, 4, 1, 4};
@@ -134,7 +144,8 @@ Ink ink_of(const LineChart& chart, std::size_t index) {
   }
   // Shades from dark to light.
   if (is_neutral(series)) {
-    return kText.with_alpha(std::max(0.35, 1.0 - 0.2 * static_cast<double>(index)));
+    const auto place = static_cast<double>(neutral_place(chart, index));
+    return kText.with_alpha(std::max(0.35, 1.0 - 0.2 * place));
   }
   return series_ink(series.colour.value_or(index));
 }
@@ -143,7 +154,7 @@ void draw_swatch(Canvas& canvas, const LineChart& chart, std::size_t index, cons
   const Series& series = chart.series[index];
   if (series.joining != Joining::nothing) {
     canvas.line(from, {from.x + kSwatch, from.y})
-        .stroke(ink_of(chart, index), pen_of(chart, index));
+        .stroke(ink_of(chart, index), pen_of(canvas, chart, index));
   }
   if (series.marked) {
     draw_mark(canvas, {from.x + kSwatch / 2, from.y}, index, ink_of(chart, index));
@@ -166,7 +177,7 @@ void draw_series(Canvas& canvas, const LineChart& chart, const PlaneMap& map, co
     if (series.joining != Joining::nothing) {
       for (const auto& piece : parts(series, map, canvas.zoom())) {
         if (piece.size() > 1) {
-          canvas.polyline(piece).stroke(ink_of(chart, i), pen_of(chart, i));
+          canvas.polyline(piece).stroke(ink_of(chart, i), pen_of(canvas, chart, i));
         } else if (!series.marked) {
           canvas.circle(piece.front(), 2.5).fill(ink_of(chart, i));
         }

@@ -39,7 +39,8 @@ struct Axis {
   std::vector<Tick> names{};  // texts in place of numbers, ascending
 };
 
-/// Series::colour: shades of the text, told apart by their dashes.
+/// Series::colour: shades of the text, the first of them the text's own, told apart by their
+/// dashes.
 inline constexpr std::size_t kNeutral = static_cast<std::size_t>(-1);
 
 /// How the points of a curve are joined.
@@ -198,7 +199,8 @@ std::string page_chart(const Panel& panel, const std::string& label, const Size&
 using Style = std::map<std::string, Colour, std::less<>>;
 
 /// The panel as pixels, 0x??RRGGBB, row by row: of this width and height, with so many of them for
-/// a unit, of which a text has 12 to 15. Throws like save_page() for an axis.
+/// a unit, of which a text has 12 to 15. Curves differ in dashes, too, from the second on. Throws
+/// like save_page() for an axis.
 std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int height, double zoom,
                                         const Style& style);
 
