@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -207,6 +208,21 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
+/// Names options, such as --learning-rate, instead of the edits that they became.
+[[noreturn]] void blame_options(const TrainOptions& options, const world::WorldError& error) {
+  std::vector<base::Problem> problems = error.problems();
+  for (base::Problem& problem : problems) {
+    for (const auto& [name, value] : options.parameters) {
+      const std::string edit = "coordinator/@" + name + "=" + value;
+      if (problem.file.starts_with("--set ") && problem.file.ends_with(edit)) {
+        problem.file = "--" + name;
+        std::replace(problem.file.begin(), problem.file.end(), '_', '-');
+      }
+    }
+  }
+  throw world::WorldError(std::move(problems));
+}
+
 /// The coordinator with the options as its parameters. `found` gets the files that its world names.
 Learner read_learner(const TrainOptions& options, const plugin::Host& host,
                      std::map<std::string, std::string>& found) {
@@ -221,7 +237,11 @@ Learner read_learner(const TrainOptions& options, const plugin::Host& host,
       read(), host, options.place, {options.parameters.begin(), options.parameters.end()});
   reading.edits.insert(reading.edits.end(), edits.begin(), edits.end());
   reading.found = &found;
-  return make_learner(read(), host, options.place);
+  try {
+    return make_learner(read(), host, options.place);
+  } catch (const world::WorldError& error) {
+    blame_options(options, error);
+  }
 }
 
 int train(const TrainOptions& options) {
