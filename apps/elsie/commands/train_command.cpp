@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -208,15 +209,32 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
-/// Names options, such as --learning-rate, instead of the edits that they became.
-[[noreturn]] void blame_options(const TrainOptions& options, const world::WorldError& error) {
+using Parameters = std::map<std::string, std::string>;
+using MakeLearner = std::function<Learner(const Parameters&)>;
+
+/// Reports for an option, such as --learning-rate, what is wrong with it alone and not without it.
+[[noreturn]] void blame_options(const Parameters& parameters, const MakeLearner& make,
+                                const world::WorldError& error) {
+  const auto problems_with = [&](const Parameters& some) -> std::vector<base::Problem> {
+    try {
+      make(some);
+      return {};
+    } catch (const world::WorldError& other) {
+      return other.problems();
+    }
+  };
+  const auto is_among = [](const std::vector<base::Problem>& all, const base::Problem& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
   std::vector<base::Problem> problems = error.problems();
-  for (base::Problem& problem : problems) {
-    for (const auto& [name, value] : options.parameters) {
-      const std::string edit = "coordinator/@" + name + "=" + value;
-      if (problem.file.starts_with("--set ") && problem.file.ends_with(edit)) {
-        problem.file = "--" + name;
+  const std::vector<base::Problem> without = problems_with({});
+  for (const auto& parameter : parameters) {
+    const std::vector<base::Problem> with = problems_with({parameter});
+    for (base::Problem& problem : problems) {
+      if (is_among(with, problem) && !is_among(without, problem)) {
+        problem.file = "--" + parameter.first;
         std::replace(problem.file.begin(), problem.file.end(), '_', '-');
+        problem.line = 0;
       }
     }
   }
@@ -229,18 +247,23 @@ Learner read_learner(const TrainOptions& options, const plugin::Host& host,
   const std::string text =
       options.from_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : "";
   world::ReadOptions reading = read_options(options.edits, options.seed.value_or(1));
-  const auto read = [&] {
-    return options.from_input ? world::parse_world(text, options.world, host, reading)
-                              : world::read_world(options.world, host, reading);
+  const auto read = [&](const world::ReadOptions& how) {
+    return options.from_input ? world::parse_world(text, options.world, host, how)
+                              : world::read_world(options.world, host, how);
   };
-  const std::vector<std::string> edits = learner_edits(
-      read(), host, options.place, {options.parameters.begin(), options.parameters.end()});
-  reading.edits.insert(reading.edits.end(), edits.begin(), edits.end());
+  const world::World described = read(reading);
   reading.found = &found;
+  const auto make = [&](const Parameters& parameters) {
+    world::ReadOptions with = reading;
+    const std::vector<std::string> edits =
+        learner_edits(described, host, options.place, {parameters.begin(), parameters.end()});
+    with.edits.insert(with.edits.end(), edits.begin(), edits.end());
+    return make_learner(read(with), host, options.place);
+  };
   try {
-    return make_learner(read(), host, options.place);
+    return make(options.parameters);
   } catch (const world::WorldError& error) {
-    blame_options(options, error);
+    blame_options(options.parameters, make, error);
   }
 }
 
