@@ -40,9 +40,9 @@ void interrupt(int) {
     [[maybe_unused]] const ssize_t written = ::write(to_write, "!", 1);
   } else if (now_ns - before_ns > kOneRequest_ns) {
     // The current work never ends.
-    process::end_process(
-        "was at work when the run was interrupted",
-        "something outside of all plugins was at work when the run was interrupted", kOtherFailure);
+    wipe_status();
+    process::end_process("was at work when the run was interrupted",
+                         "interrupted twice; no plugin was at work", kOtherFailure);
   }
   errno = error;
 }

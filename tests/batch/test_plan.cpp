@@ -172,19 +172,40 @@ TEST_CASE_METHOD(test::SmallBatch,
         elsewhere.file("avoid_obstacle_left.fcl"));
 }
 
-TEST_CASE("Two files of one name in a cell are refused") {
+TEST_CASE("Two files of one name have different names in a cell's text") {
   const test::Folder folder;
-  // The default is in a data directory, the world's own file is next to the world.
-  folder.write("fuzzy_models/avoid_obstacle_left.fcl",
-               results::file_content(test::source_path("fuzzy_models/avoid_obstacle_left.fcl")));
-  const auto experiment = test::small_experiment(folder);
+  const std::string name = "fuzzy_models/avoid_obstacle_left.fcl";
+  const std::string model = results::file_content(test::source_path(name));
   std::string text = test::kWorld;
   text.replace(text.find("<avoid_obstacle/>"), 17,
-               "<avoid_obstacle right_model=\"fuzzy_models/avoid_obstacle_left.fcl\"/>");
-  folder.write("small.xml", text);
-  CHECK_THROWS_WITH(
-      batch::make_plan(experiment, test::shipped(), test::plan_options()),
-      Contains("are both called 'fuzzy_models/avoid_obstacle_left.fcl'; expected two names"));
+               "<avoid_obstacle right_model=\"" + name + "\"/>");
+  // The default is in a data directory, the world's own file is next to the world.
+  const auto plan_in = [&](const test::Folder& place, const std::string& own) {
+    place.write(name, own);
+    const auto experiment = test::small_experiment(place);
+    place.write("small.xml", text);
+    return test::plan_of(experiment);
+  };
+  const auto plan = plan_in(folder, model + "// another one\n");
+  const batch::PlannedCell& cell = plan.cells[0];
+  REQUIRE(cell.data.size() == 2);
+  world::ReadOptions options;
+  for (const auto& data : cell.data) {
+    options.files[data.name] = plan.files[data.file].path;
+  }
+  const world::World world =
+      world::parse_world(cell.world_text, "/nowhere/w.xml", test::shipped(), options);
+  const auto& parameters = world.robots[0].behaviors[1].parameters;
+  const auto content = [&](const char* parameter) {
+    return results::file_content(std::get<std::string>(parameters.at(parameter)));
+  };
+  CHECK(content("left_model") == model);
+  CHECK(content("right_model") == model + "// another one\n");
+
+  // Where they are does not change the experiment.
+  const test::Folder copy;
+  CHECK(plan_in(copy, model + "// another one\n").fingerprint == plan.fingerprint);
+  CHECK(plan_in(copy, model + "// yet another\n").fingerprint != plan.fingerprint);
 }
 
 TEST_CASE("The fingerprint follows from what decides the runs, and from nothing else") {

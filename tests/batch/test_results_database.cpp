@@ -212,6 +212,34 @@ TEST_CASE_METHOD(test::SmallBatch, "A model that has changed is named when a bat
 }
 
 TEST_CASE_METHOD(test::SmallBatch,
+                 "Of two files of one name that were moved, only the changed one is named") {
+  REQUIRE(plan.cells[0].data.size() == 2);
+  const auto moved = [&](const std::string& folder_of_all) {
+    batch::Plan changed = plan;
+    for (std::size_t i = 0; i < 2; ++i) {
+      changed.files[plan.cells[0].data[i].file].path =
+          folder_of_all + (i == 0 ? "/a/net.fcl" : "/b/net.fcl");
+    }
+    return changed;
+  };
+  ResultsDatabase::create(file, moved("/before"));
+  batch::Plan now = moved("/now");
+  now.cells[0].identity = "other";
+  const auto difference = [&] {
+    try {
+      ResultsDatabase::resume(file, now);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(difference(), !Contains("net.fcl"));
+  now.files[now.cells[0].data[1].file].sha256 = std::string(64, 'd');
+  CHECK_THAT(difference(),
+             Contains("the data file '/now/b/net.fcl' (SHA-256 ") && !Contains("/a/net.fcl"));
+}
+
+TEST_CASE_METHOD(test::SmallBatch,
                  "What else has changed is named, too: worlds, settings, libraries, cells") {
   ResultsDatabase::create(file, plan);
   const auto difference = [&](const batch::Plan& changed) -> std::string {
@@ -242,8 +270,8 @@ TEST_CASE_METHOD(test::SmallBatch,
   library.sha256 = std::string(64, 'd');
   CHECK_THAT(difference(plugin), Contains("the plugin library '" + library.path + "' (SHA-256 ") &&
                                      Contains(", now dddddddd)"));
-  library.path = "/elsewhere/" + fs::path(library.path).filename().string();
-  CHECK_THAT(difference(plugin), Contains("the plugin library '" + library.path + "' (SHA-256 ") &&
+  library.path = "/elsewhere/libmine.so";
+  CHECK_THAT(difference(plugin), Contains("the plugin library '/elsewhere/libmine.so' (SHA-256 ") &&
                                      Contains(", now dddddddd)"));
   batch::Plan cells = plan;
   cells.cells[0].levels[1] = "another";

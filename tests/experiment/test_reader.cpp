@@ -170,9 +170,25 @@ TEST_CASE("The levels of a range are the decimal numbers that a reader expects")
   CHECK(range("-1", "1", "0.5") == Texts{"-1", "-0.5", "0", "0.5", "1"});
   CHECK(range("1e-3", "3e-3", "1e-3") == Texts{"0.001", "0.002", "0.003"});
   CHECK(range("0", "3e-07", "1e-07") == Texts{"0", "1e-07", "2e-07", "3e-07"});
+  CHECK(range("-1.5707963267948966", "1.5707963267948966", "0.7853981633974483") ==
+        Texts{"-1.5707963267948966", "-0.7853981633974483", "0", "0.7853981633974483",
+              "1.5707963267948966"});
+  CHECK(range("3", "3.000003", "0.000001") == Texts{"3", "3.000001", "3.000002", "3.000003"});
   const Texts fine = range("0", "0.999", "0.001");
   CHECK(fine.size() == 1000);
   CHECK(fine[700] == "0.7");  // 700 x 0.001 would be 0.7000000000000001
+}
+
+TEST_CASE("A range that misses its end by little is refused, too") {
+  const auto refusal = [](const std::string& from, const std::string& step) {
+    return problems(kArena + "<vary path='robot[r1]/@x' from='" + from + "' to='1' step='" + step +
+                    "'/><set path='robot[r2]/@x' value='4'/>");
+  };
+  CHECK_THAT(refusal("0", "0.3333333"),
+             Catch::Contains("do not meet 1; the last one before it is 0.9999999"));
+  CHECK_THAT(refusal("0", "0.33333334"),
+             Catch::Contains("do not meet 1; the last one before it is 0.66666668"));
+  CHECK_THAT(refusal("1e-16", "1"), Catch::Contains("steps of 1 do not meet 1; the last one"));
 }
 
 TEST_CASE("Seeds from the first to the last") {

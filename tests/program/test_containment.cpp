@@ -101,6 +101,15 @@ TEST_CASE("A process that is killed is no success") {
   CHECK(killed.out.empty());
 }
 
+TEST_CASE("A plugin that ends its check is named, with the step") {
+  TrespassersWorld world;
+  const auto run = world.here.elsie("test-plugin segfaulting --plugin-path " + world.plugins);
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 3);
+  CHECK_THAT(run.err, Contains("plugin 'segfaulting' ended the program with a segmentation fault "
+                               "(SIGSEGV) in step 50 (at 0.5 s)"));
+}
+
 TEST_CASE("A thread of a plugin that ends the process or crashes is found in its library") {
   TrespassersWorld world;
   auto run = world.run("leaving_elsewhere");

@@ -327,6 +327,8 @@ TEST_CASE_METHOD(ByFactor, "What cannot be answered is refused in a sentence") {
   CHECK_THAT(compared("sped=0.4", "speed=0.1"),
              Contains("there is no factor 'sped'") && Contains("speed"));
   CHECK_THAT(compared("speed=0.5", "speed=0.1"), Contains("'speed' has no level '0.5'"));
+  CHECK_THAT(compared("coordinator=fusion, speed=0.1", "speed=0.4"),
+             Contains("'coordinator' has no level 'fusion, speed=0.1'; separate factors by \";\""));
   CHECK_THAT(compared("slow", "speed=0.1"), Contains("there is no cell 'slow'"));
   CHECK_THAT(compared("speed=0.1; speed=0.2", "speed=0.4"), Contains("'speed' stands there twice"));
   CHECK_THAT(model("path_length_m"), Contains("is no formula"));

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -207,21 +209,62 @@ elsie::Random stream_of(const Learner& learner, const TrainOptions& options, std
   return neural::stream_of_seed(seed);
 }
 
+using Parameters = std::map<std::string, std::string>;
+using MakeLearner = std::function<Learner(const Parameters&)>;
+
+/// Reports for an option, such as --learning-rate, what is wrong with it alone and not without it.
+[[noreturn]] void blame_options(const Parameters& parameters, const MakeLearner& make,
+                                const world::WorldError& error) {
+  const auto problems_with = [&](const Parameters& some) -> std::vector<base::Problem> {
+    try {
+      make(some);
+      return {};
+    } catch (const world::WorldError& other) {
+      return other.problems();
+    }
+  };
+  const auto is_among = [](const std::vector<base::Problem>& all, const base::Problem& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  std::vector<base::Problem> problems = error.problems();
+  const std::vector<base::Problem> without = problems_with({});
+  for (const auto& parameter : parameters) {
+    const std::vector<base::Problem> with = problems_with({parameter});
+    for (base::Problem& problem : problems) {
+      if (is_among(with, problem) && !is_among(without, problem)) {
+        problem.file = "--" + parameter.first;
+        std::replace(problem.file.begin(), problem.file.end(), '_', '-');
+        problem.line = 0;
+      }
+    }
+  }
+  throw world::WorldError(std::move(problems));
+}
+
 /// The coordinator with the options as its parameters. `found` gets the files that its world names.
 Learner read_learner(const TrainOptions& options, const plugin::Host& host,
                      std::map<std::string, std::string>& found) {
   const std::string text =
       options.from_input ? std::string{std::istreambuf_iterator<char>(std::cin), {}} : "";
   world::ReadOptions reading = read_options(options.edits, options.seed.value_or(1));
-  const auto read = [&] {
-    return options.from_input ? world::parse_world(text, options.world, host, reading)
-                              : world::read_world(options.world, host, reading);
+  const auto read = [&](const world::ReadOptions& how) {
+    return options.from_input ? world::parse_world(text, options.world, host, how)
+                              : world::read_world(options.world, host, how);
   };
-  const std::vector<std::string> edits = learner_edits(
-      read(), host, options.place, {options.parameters.begin(), options.parameters.end()});
-  reading.edits.insert(reading.edits.end(), edits.begin(), edits.end());
+  const world::World described = read(reading);
   reading.found = &found;
-  return make_learner(read(), host, options.place);
+  const auto make = [&](const Parameters& parameters) {
+    world::ReadOptions with = reading;
+    const std::vector<std::string> edits =
+        learner_edits(described, host, options.place, {parameters.begin(), parameters.end()});
+    with.edits.insert(with.edits.end(), edits.begin(), edits.end());
+    return make_learner(read(with), host, options.place);
+  };
+  try {
+    return make(options.parameters);
+  } catch (const world::WorldError& error) {
+    blame_options(options.parameters, make, error);
+  }
 }
 
 int train(const TrainOptions& options) {

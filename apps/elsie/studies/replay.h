@@ -1,4 +1,4 @@
-// elsie replay: what its files share.
+// The options of elsie replay, and what it does with recordings, a run, and many runs.
 #pragma once
 
 #include <cstddef>

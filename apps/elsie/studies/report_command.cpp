@@ -261,7 +261,8 @@ void add_report_command(CLI::App& program, Job& job) {
       ->type_name("FACTOR");
   command
       ->add_option("--compare", options->compared,
-                   "Compare two groups of cells, as in coordinator=fusion, with effects and tests")
+                   "Compare two groups of cells, as in 'coordinator=fusion; speed=0.1', with "
+                   "effects and tests")
       ->type_size(2)
       ->type_name("GROUP");
   command

@@ -341,7 +341,7 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
     std::vector<const Attribute*> all;
     std::unordered_set<std::string_view> unchecked;  // not those of members taken over
   };
-  std::map<std::string_view, Ids> ids;  // by what they are of
+  std::map<std::string_view, Ids> ids;  // by kind of object
   for (const ElementSpec& group : spec.below()) {
     const Element* list = group.group ? holder.child(group.name) : nullptr;
     const ElementSpec* member = list ? &group.children.front() : nullptr;

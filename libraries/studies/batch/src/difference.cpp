@@ -1,8 +1,8 @@
 #include "difference.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -31,30 +31,57 @@ std::string stem(const std::string& path) {
   return name.substr(0, name.find(".so"));
 }
 
-// Compares data files and libraries with those of the same path, or else of the same name.
-void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
-  std::map<std::string, std::string> known;  // hashes by path
+using Hashes = std::map<std::string, std::string>;  // by path
+
+Hashes known_files(sqlite::Connection& connection, const Plan& plan) {
+  Hashes known;
   sqlite::Statement rows(connection, "SELECT path, sha256 FROM files WHERE kind <> 'world'");
   while (rows.next()) {
     known[rows.text(0)] = rows.text(1);
   }
+  // A plugin's library may have another name now.
+  sqlite::Statement plugins(connection,
+                            "SELECT plugins.kind, name, sha256 FROM plugins "
+                            "JOIN files ON files.id = file_id");
+  while (plugins.next()) {
+    for (const PlannedPlugin& plugin : plan.plugins) {
+      if (plugin.file && plugin.kind == plugins.text(0) && plugin.name == plugins.text(1)) {
+        known.try_emplace(plan.files[*plugin.file].path, plugins.text(2));
+      }
+    }
+  }
+  return known;
+}
+
+// The hash of this file before: of the same path, or else of one of the same name, preferably one
+// with this content. None if it is new.
+std::optional<std::string> hash_before(const Hashes& known, const PlannedFile& file) {
+  if (const auto same = known.find(file.path); same != known.end()) {
+    return same->second;
+  }
+  std::optional<std::string> before;
+  for (const auto& [path, sha256] : known) {
+    if (stem(path) == stem(file.path) && (!before || sha256 == file.sha256)) {
+      before = sha256;
+    }
+  }
+  return before;
+}
+
+void compare_files(sqlite::Connection& connection, const Plan& plan, Changes& changes) {
+  const Hashes known = known_files(connection, plan);
   const std::set<std::size_t> program = plan.program();
   for (std::size_t i = 0; i < plan.files.size(); ++i) {
     const PlannedFile& file = plan.files[i];
-    auto before = known.find(file.path);
-    if (before == known.end()) {
-      before = std::find_if(known.begin(), known.end(), [&](const auto& other) {
-        return stem(other.first) == stem(file.path);
-      });
-    }
-    if (file.kind == FileKind::world || before == known.end() || before->second == file.sha256) {
+    const auto before = hash_before(known, file);
+    if (file.kind == FileKind::world || !before || *before == file.sha256) {
       continue;
     }
     const char* what = program.contains(i)              ? "the program's library "
                        : file.kind == FileKind::library ? "the plugin library "
                                                         : "the data file ";
-    changes.push_back(what + base::name_in_quotes(file.path) + " (" +
-                      hashes(before->second, file.sha256) + ")");
+    changes.push_back(what + base::name_in_quotes(file.path) + " (" + hashes(*before, file.sha256) +
+                      ")");
   }
 }
 

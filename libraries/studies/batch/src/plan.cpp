@@ -133,12 +133,20 @@ class Planner {
     std::string world;                         // its file
     std::map<std::string, std::string> paths;  // by name
 
-    /// Throws world::WorldError if another file has this name.
+    /// Names a file; if another one has its name, also after its content: paths do not count.
+    void add(world::FileName& file) {
+      if (paths.try_emplace(file.name, file.path).first->second != file.path) {
+        file.name += '#' + results::file_sha256(file.path);
+        paths.try_emplace(file.name, file.path);
+      }
+    }
+    /// Adds a file that an edit names, whose text stays. Throws world::WorldError if another file
+    /// has this name.
     void add(const std::string& name, const std::string& path) {
       if (const std::string& known = paths.try_emplace(name, path).first->second; known != path) {
         throw world::WorldError({{world, 0,
                                   "the files '" + known + "' and '" + path + "' are both called '" +
-                                      name + "'; expected two names"}});
+                                      name + "', one of them by an edit; expected two names"}});
       }
     }
   };
@@ -195,7 +203,7 @@ class Planner {
     return known->second;
   }
 
-  /// Makes the world's text name every file.
+  /// Makes the world's text name every file, with different names for different files.
   static void name_files(const std::vector<ParameterDeclaration>& declared,
                          const std::map<std::string, ParameterValue>& parameters,
                          std::map<std::string, world::FileName>& file_names, FileNames& files) {
@@ -210,7 +218,7 @@ class Planner {
                          [&name = parameter](const auto& other) { return other.name == name; });
         file.name = std::get<std::string>(declaration->default_value);
       }
-      files.add(file.name, file.path);
+      files.add(file);
     }
   }
 

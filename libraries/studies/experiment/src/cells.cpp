@@ -23,10 +23,16 @@ std::string label_of(const Experiment& experiment, const Cell& cell) {
   return label.empty() ? id : label;
 }
 
-// Takes out the cells that match.
-void exclude(const Exclusion& exclusion, const Experiment& experiment, std::vector<Cell>& grid) {
-  const std::vector<std::size_t> found = Grid(experiment, grid).cells_of(exclusion.where);
-  std::set<std::size_t> excluded(found.begin(), found.end());
+void take_out_excluded(const Experiment& experiment, std::vector<Cell>& grid) {
+  if (experiment.exclusions.empty()) {
+    return;
+  }
+  const Grid all(experiment, grid);
+  std::set<std::size_t> excluded;
+  for (const Exclusion& exclusion : experiment.exclusions) {
+    const std::vector<std::size_t> found = all.cells_of(exclusion.where);
+    excluded.insert(found.begin(), found.end());
+  }
   std::size_t at = 0;
   std::erase_if(grid, [&](const Cell&) { return excluded.contains(at++); });
 }
@@ -83,9 +89,7 @@ std::vector<Cell> cells(const Experiment& experiment) {
       }
     }
   }
-  for (const Exclusion& exclusion : experiment.exclusions) {
-    exclude(exclusion, experiment, grid);
-  }
+  take_out_excluded(experiment, grid);
   for (Cell& cell : grid) {
     cell.index = static_cast<std::size_t>(&cell - grid.data());
     cell.label = label_of(experiment, cell);

@@ -1,7 +1,9 @@
+// Exact ranges of decimal numbers, so that no level is called 0.30000000000000004.
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "elsie/experiment/reader.h"
@@ -13,23 +15,57 @@ namespace elsie::experiment {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a number of steps
+// digits x 10^exponent, as the user wrote it.
+struct Decimal {
+  std::int64_t digits = 0;
+  int exponent = 0;
+};
+
+Decimal decimal(double value) {
+  std::array<char, 40> buffer;
+  const char* end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                  std::chars_format::scientific)
+                        .ptr;
+  Decimal result;
+  bool behind_point = false;
+  const char* at = buffer.data();
+  const bool negative = *at == '-';
+  for (at += negative; *at != 'e'; ++at) {
+    if (*at == '.') {
+      behind_point = true;
+      continue;
+    }
+    result.digits = result.digits * 10 + (*at - '0');  // at most 17
+    result.exponent -= behind_point;
+  }
+  int exponent = 0;
+  std::from_chars(at + (at[1] == '+' ? 2 : 1), end, exponent);
+  result.exponent += exponent;
+  result.digits = negative ? -result.digits : result.digits;
+  return result;
+}
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-std::string text_of(double value) { return world::format_value(ParameterValue(value)); }
-
-// To 15 digits of the largest number, so that no level is called 0.30000000000000004.
-double rounded(double value, double largest) {
-  const int decimals = std::max(14 - static_cast<int>(std::floor(std::log10(largest))), 0);
-  std::array<char, 1000> text;
-  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                        std::chars_format::fixed, decimals)
-                              .ptr;
-  double result = 0.0;
-  std::from_chars(text.data(), end, result);
-  return result + 0.0;  // no -0
+// The digits in units of 10^exponent, which must not exceed the number's own exponent.
+std::int64_t digits_at(Decimal number, int exponent) {
+  while (number.digits != 0 && number.exponent > exponent) {
+    if (__builtin_mul_overflow(number.digits, 10, &number.digits)) {
+      refuse("its numbers are too far apart in size");
+    }
+    --number.exponent;
+  }
+  return number.digits;
 }
+
+std::string text_of(std::int64_t digits, int exponent) {
+  const std::string text = std::to_string(digits) + "e" + std::to_string(exponent);
+  double value = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return world::format_value(ParameterValue(value));
+}
+
+std::string text_of(double value) { return world::format_value(ParameterValue(value)); }
 
 }  // namespace
 
@@ -38,23 +74,26 @@ std::vector<std::string> range(double from, double to, double step) {
     refuse("there is nothing from " + text_of(from) + " to " + text_of(to) +
            "; give the smaller number first");
   }
-  const double length = (to - from) / step, steps = std::floor(length + kRounding);
-  if (!std::isfinite(length)) {
+  const Decimal first = decimal(from), last = decimal(to), by = decimal(step);
+  const int exponent = std::min({first.exponent, last.exponent, by.exponent});
+  const std::int64_t begin = digits_at(first, exponent), end = digits_at(last, exponent),
+                     stride = digits_at(by, exponent);
+  std::int64_t length = 0;
+  if (__builtin_sub_overflow(end, begin, &length)) {
     refuse("its numbers are too far apart in size");
   }
-  if (steps >= static_cast<double>(kMostLevels)) {
-    refuse("it has " + text_of(steps + 1.0) + " levels; a factor has at most " +
+  const std::int64_t steps = length / stride;
+  if (steps >= static_cast<std::int64_t>(kMostLevels)) {
+    refuse("it has " + std::to_string(steps + 1) + " levels; a factor has at most " +
            std::to_string(kMostLevels));
   }
-  const double largest = std::max({std::abs(from), std::abs(to), step});
-  const auto text_at = [&](double i) { return text_of(rounded(from + i * step, largest)); };
-  if (length - steps > kRounding) {
+  if (steps * stride != length) {
     refuse("from " + text_of(from) + ", steps of " + text_of(step) + " do not meet " + text_of(to) +
-           "; the last one before it is " + text_at(steps));
+           "; the last one before it is " + text_of(begin + steps * stride, exponent));
   }
   std::vector<std::string> texts;
-  for (double i = 0.0; i <= steps; i += 1.0) {
-    texts.push_back(text_at(i));
+  for (std::int64_t i = 0; i <= steps; ++i) {
+    texts.push_back(text_of(begin + i * stride, exponent));
   }
   return texts;
 }

@@ -28,6 +28,14 @@ const Labels& named(const std::string& factor, const std::vector<Labels>& known)
   return *found;
 }
 
+// Whether a level goes on with another factor, as in "fusion, speed=0.1".
+bool goes_on(const std::string& level, const std::vector<Labels>& known) {
+  return std::any_of(known.begin(), known.end(), [&](const Labels& one) {
+    const std::size_t at = level.find(one.factor + "=");
+    return at != std::string::npos && trimmed(level.substr(0, at)).ends_with(',');
+  });
+}
+
 }  // namespace
 
 std::vector<Labels> labels_of(const Experiment& experiment) {
@@ -66,7 +74,9 @@ std::vector<Where> parse_where(const std::string& text, const std::vector<Labels
       if (std::none_of(factor.labels.begin(), factor.labels.end(),
                        [&](const std::string& label) { return matches(level, label); })) {
         throw std::invalid_argument("'" + where.factor + "' has no level '" + level + "'" +
-                                    base::near_or_all(level, factor.labels, "it has"));
+                                    (goes_on(level, known)
+                                         ? "; separate factors by \";\""
+                                         : base::near_or_all(level, factor.labels, "it has")));
       }
     }
     all.push_back(std::move(where));
