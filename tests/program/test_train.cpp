@@ -164,7 +164,7 @@ TEST_CASE("train refuses what it cannot do, and writes nothing then") {
       {kLearners + " --learning-rate 2", "--learning-rate: learning_rate=\"2\" of "},
       {kLearners + " --momentum 0", "--momentum"},
       {kLearners + " --hidden 3 --momentum 1", "--momentum: coordinator"},
-      {kLearners + " --training nothing.txt", "nothing.txt: there is no such file"},
+      {kLearners + " --training nothing.txt", "--training: training=\"nothing.txt\" of "},
       {kLearners + " --curve curve.jpg", "must end in .png or .svg"},
       {kLearners + " --presentations 99999999999999999999", "is not a whole number, or too large"},
       {kLearners + " --presentations 1e5", "'1e5' is not a whole number"},
