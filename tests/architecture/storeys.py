@@ -9,7 +9,7 @@ RUNTIME = {"libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64", "ld-linux
 # What each library and program may name in its link line, besides the runtime: other storeys, and libraries that are not Elsie's.
 MAY_NEED = {
     "lib/libelsie-base.so": set(),
-    "lib/libelsie.so": {"libelsie-base"},
+    "lib/libelsie.so": {"libelsie-base", "libexpat"},
     "lib/libelsie-files.so": {"libelsie-base"},
     "lib/libelsie-inference.so": {"libelsie-base", "libelsie-files"},
     "lib/libelsie-workshop.so": {"libelsie-base", "libelsie-files", "libelsie", "libelsie-inference"},

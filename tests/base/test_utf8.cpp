@@ -9,9 +9,24 @@
 
 using namespace elsie;
 
+namespace {
+
+// What the standard's own bit layout makes of a code point.
+std::string encoded(std::uint32_t code) {
+  const auto tail = [&](unsigned shift) {
+    return static_cast<char>(0x80U | ((code >> shift) & 0x3fU));
+  };
+  if (code < 0x80) return {static_cast<char>(code)};
+  if (code < 0x800) return {static_cast<char>(0xc0U | (code >> 6U)), tail(0)};
+  if (code < 0x10000) return {static_cast<char>(0xe0U | (code >> 12U)), tail(6), tail(0)};
+  return {static_cast<char>(0xf0U | (code >> 18U)), tail(12), tail(6), tail(0)};
+}
+
+}  // namespace
+
 TEST_CASE("Every code point but the surrogates is read as it was written") {
   for (std::uint32_t code = 0; code <= 0x110000; ++code) {
-    const std::string text = base::utf8_of(code);
+    const std::string text = encoded(code);
     const base::Character found = base::character_at(text, 0);
     if ((code >= 0xd800 && code <= 0xdfff) || code > 0x10ffff) {
       REQUIRE(found.bytes == 0);

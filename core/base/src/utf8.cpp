@@ -41,16 +41,6 @@ Character character_at(std::string_view text, std::size_t at) {
                                                                            : character;
 }
 
-std::string utf8_of(std::uint32_t code) {
-  const auto tail = [&](unsigned shift) {
-    return static_cast<char>(0x80U | ((code >> shift) & 0x3fU));
-  };
-  if (code < 0x80) return {static_cast<char>(code)};
-  if (code < 0x800) return {static_cast<char>(0xc0U | (code >> 6U)), tail(0)};
-  if (code < 0x10000) return {static_cast<char>(0xe0U | (code >> 12U)), tail(6), tail(0)};
-  return {static_cast<char>(0xf0U | (code >> 18U)), tail(12), tail(6), tail(0)};
-}
-
 std::size_t first_invalid(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {

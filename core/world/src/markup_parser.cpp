@@ -1,11 +1,10 @@
-// Parses XML. A library would not do: documents need the place of every element and attribute in
-// the text, and users sentences about the first mistake.
+// Reads XML with expat, which says where every event is, and turns its errors into sentences.
 #include <algorithm>
-#include <charconv>
-#include <cstdint>
-#include <system_error>
+#include <exception>
+#include <memory>
 #include <utility>
 
+#include <expat.h>
 #include <strings.h>
 
 #include "elsie/base/utf8.h"
@@ -14,322 +13,280 @@
 
 namespace elsie::world {
 namespace {
-constexpr std::size_t kDeepest = 50;          // levels: all later steps use recursion
-constexpr std::size_t kMostAttributes = 500;  // of an element: each is compared with all others
+constexpr std::size_t kDeepest = 50;  // levels: all later steps use recursion
+constexpr std::size_t kMostAttributes = 500;
 constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kEndsName = " \t\r\n=/<>\"'";
 constexpr auto kNowhere = std::string_view::npos;
+constexpr const char* kNoDeclarations =
+    "document type declarations and entities are not allowed in this file; take out '<!...>'";
 
-// XML 1.0, section 2.3, without a list of the letters beyond ASCII.
-bool may_begin_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' ||
-         static_cast<unsigned char>(c) >= 0x80;
-}
-bool is_of_name(char c) {
-  return may_begin_name(c) || (c >= '0' && c <= '9') || c == '-' || c == '.';
-}
-
-// XML 1.0, section 2.2.
-bool is_character(std::uint32_t code) {
-  return code == '\t' || code == '\n' || code == '\r' || (code >= ' ' && code < 0xd800) ||
-         (code >= 0xe000 && code < 0xfffe) || (code >= 0x10000 && code < 0x110000);
+// Finds the places in a start tag. If the text ends inside of it, what it misses stays zero.
+ElementSpan span_of_tag(std::string_view text, std::size_t begin) {
+  ElementSpan span;
+  span.begin = begin;
+  span.name_end = std::min(text.find_first_of(kEndsName, begin + 1), text.size());
+  std::size_t at = text.find_first_not_of(kBlanks, span.name_end);
+  while (at < text.size() && text[at] != '/' && text[at] != '>') {
+    ElementSpan::Attribute& attribute = span.attributes.emplace_back();
+    attribute.begin = at;
+    attribute.name_end = std::min(text.find_first_of(kEndsName, at), text.size());
+    const std::size_t quote = text.find_first_of("\"'", attribute.name_end);
+    if (quote == kNowhere) break;
+    attribute.value = quote + 1;
+    const std::size_t end = text.find(text[quote], attribute.value);
+    if (end == kNowhere) break;
+    attribute.end = end + 1;
+    at = text.find_first_not_of(kBlanks, attribute.end);
+  }
+  return span;
 }
 
 class Parser {
  public:
   Parser(std::string_view text, const std::string& file, const std::string& kind)
-      : text_(text), file_(file), kind_(kind) {}
+      : text_(text), file_(file), kind_(kind), expat_(XML_ParserCreate("UTF-8"), XML_ParserFree) {
+    XML_SetUserData(expat_.get(), this);
+    XML_SetXmlDeclHandler(expat_.get(), call<&Parser::declaration>);
+    XML_SetElementHandler(expat_.get(), call<&Parser::start>, call<&Parser::end>);
+    XML_SetCharacterDataHandler(expat_.get(), call<&Parser::text>);
+    XML_SetDefaultHandler(expat_.get(), call<&Parser::other>);
+  }
 
   Element root(std::vector<ElementSpan>* spans) {
-    check_characters();
-    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // a byte order mark
-    Element all;
-    content(all);
-    if (starts("</")) {
-      const std::size_t begin = at_;
-      fail("</" + end_tag() + "> closes nothing", begin);
-    }
-    if (all.children.empty()) {
-      throw WorldError({{file_, 0,
-                         "there is no element in the file; expected <" + kind_ +
-                             " format=\"1\"> ... </" + kind_ + ">"}});
-    }
-    if (!all.text.empty()) {
-      throw WorldError({{file_, all.text_line, "there is text outside of the root element"}});
+    check_bytes();
+    if (text_.starts_with("\xEF\xBB\xBF")) end_ = 3;  // a byte order mark
+    const int size = static_cast<int>(text_.size());  // read_text() reads at most 256 MB
+    if (XML_Parse(expat_.get(), text_.data(), size, XML_TRUE) != XML_STATUS_OK) {
+      if (failure_) std::rethrow_exception(failure_);
+      explain(XML_GetErrorCode(expat_.get()));
     }
     if (spans) *spans = std::move(spans_);
-    return std::move(all.children.front());
+    return std::move(root_);
   }
 
  private:
-  bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
+  // What expat calls for an event. An exception must not pass through expat, which is C.
+  template <auto kHandler, class... Given>
+  static void call(void* parser, Given... given) {
+    Parser& self = *static_cast<Parser*>(parser);
+    if (self.failure_) return;
+    XML_Parser const expat = self.expat_.get();
+    self.begin_ = static_cast<std::size_t>(XML_GetCurrentByteIndex(expat));
+    self.end_ = self.begin_ + static_cast<std::size_t>(XML_GetCurrentByteCount(expat));
+    try {
+      (self.*kHandler)(given...);
+    } catch (...) {
+      self.failure_ = std::current_exception();
+      XML_StopParser(expat, XML_FALSE);
+    }
+  }
 
   // The line of a place; the last answer saves counting from the beginning.
   int line_of(std::size_t offset) {
     if (offset < counted_) counted_ = 0, line_ = 1;
-    const auto begin = text_.begin();
-    line_ += static_cast<int>(
-        std::count(begin + static_cast<long>(counted_), begin + static_cast<long>(offset), '\n'));
+    const std::string_view more = text_.substr(counted_, offset - counted_);
+    line_ += static_cast<int>(std::count(more.begin(), more.end(), '\n'));
     counted_ = offset;
     return line_;
   }
   [[noreturn]] void fail(const std::string& message, std::size_t offset) {
     throw WorldError({{file_, line_of(offset), message}});
   }
-  [[noreturn]] void fail(const std::string& message) { fail(message, at_); }
 
-  void check_characters() {
-    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
-      throw WorldError({{file_, 0, "this file is in UTF-16; save it as UTF-8"}});
-    }
-    if (const std::size_t zero = text_.find('\0'); zero != kNowhere) {
-      fail("this is not an XML file: it holds a zero byte", zero);
-    }
-    if (const std::size_t bad = base::first_invalid(text_); bad < text_.size()) {
-      fail("this is not UTF-8 text; save the file as UTF-8", bad);
-    }
-    const auto control = std::find_if(text_.begin(), text_.end(), [](char c) {
-      return c >= '\0' && c < ' ' && kBlanks.find(c) == kNowhere;
-    });
-    if (control != text_.end()) {
-      fail("this is not an XML file: it holds the control character " +
-               std::to_string(static_cast<int>(*control)),
-           static_cast<std::size_t>(control - text_.begin()));
+  // Expat would read UTF-16, too.
+  void check_bytes() {
+    const std::size_t bad = std::min(text_.find('\0'), base::first_invalid(text_));
+    if (bad >= text_.size()) return;
+    const bool is_utf16 = text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF");
+    fail(is_utf16             ? "this file is in UTF-16; save it as UTF-8"
+         : text_[bad] == '\0' ? "this is not an XML file: it holds a zero byte"
+                              : "this is not UTF-8 text; save the file as UTF-8",
+         bad);
+  }
+
+  void declaration(const XML_Char* /*version*/, const XML_Char* encoding, int /*standalone*/) {
+    if (encoding && strcasecmp(encoding, "utf-8") != 0 && strcasecmp(encoding, "us-ascii") != 0) {
+      fail("the encoding '" + std::string(encoding) + "' is not supported; save the file as UTF-8",
+           begin_);
     }
   }
 
-  // Reads what stands in an element, or in the file, up to an end tag or the end of the file.
-  void content(Element& holder) {
-    while (at_ < text_.size() && !starts("</")) {
-      const std::size_t begin = at_;
-      if (text_[at_] != '<') {
-        text(holder);
-      } else if (skipped("<![CDATA[", "]]>", "a CDATA section")) {
-        note_text(holder, std::string(text_.substr(begin + 9, at_ - begin - 12)), begin);
-      } else if (skipped("<?", "?>", "a processing instruction")) {
-        check_instruction(begin);
-      } else {
-        is_at_top_ = false;
-        if (!skipped("<!--", "-->", "a comment")) element(holder);
-      }
+  void start(const XML_Char* name, const XML_Char** given) {
+    ElementSpan span = span_of_tag(text_.substr(0, end_), begin_);
+    span.open_end = end_;
+    span.empty = text_[end_ - 2] == '/';
+    span.parent = inside_;
+    if (span.attributes.size() > kMostAttributes) {
+      fail("<" + std::string(name) + "> has more than 500 attributes; no element has so many",
+           span.attributes[kMostAttributes].begin);
     }
-  }
-
-  bool skipped(std::string_view begin, std::string_view end, const std::string& what) {
-    if (!starts(begin)) return false;
-    const std::size_t found = text_.find(end, at_ + begin.size());
-    if (found == kNowhere) {
-      fail(what + " starts here and never ends; expected '" + std::string(end) + "'");
+    if (!span.empty && open_.size() == kDeepest) {
+      fail("elements are nested deeper than 50 levels; no " + kind_ + " needs that many", begin_);
     }
-    at_ = found + end.size();
-    return true;
-  }
-
-  // <?xml ... encoding="..."?>
-  void check_instruction(std::size_t begin) {
-    if (!is_at_top_) {
-      fail("a processing instruction <?...?> may stand at the top of the file only", begin);
+    Element& made = open_.empty() ? root_ : open_.back()->children.emplace_back();
+    made.name = name;
+    made.where = {file_, line_of(begin_)};
+    for (const ElementSpan::Attribute& attribute : span.attributes) {
+      made.attributes.push_back({given[0], given[1], {file_, line_of(attribute.begin)}});
+      given += 2;
     }
-    const std::string_view found = text_.substr(begin, at_ - begin);
-    const std::size_t open = found.find_first_of("\"'", found.find("encoding"));
-    const std::size_t close = found.find_first_of("\"'", open == kNowhere ? open : open + 1);
-    if (!found.starts_with("<?xml") || close == kNowhere) return;
-    const std::string encoding(found.substr(open + 1, close - open - 1));
-    if (strcasecmp(encoding.c_str(), "utf-8") != 0 &&
-        strcasecmp(encoding.c_str(), "us-ascii") != 0) {
-      fail("the encoding '" + encoding + "' is not supported; save the file as UTF-8", begin);
-    }
-  }
-
-  void text(Element& holder) {
-    const std::size_t end = std::min(text_.find('<', at_), text_.size());
-    const std::size_t begin = text_.find_first_not_of(kBlanks, at_);
-    if (begin < end) {
-      note_text(holder, decoded(begin, end), begin);
-    }
-    at_ = end;
-  }
-
-  // Keeps the first text that is not blank.
-  void note_text(Element& holder, const std::string& text, std::size_t offset) {
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == kNowhere || !holder.text.empty()) return;
-    holder.text = text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-    holder.text_line = line_of(offset);
-  }
-
-  // A piece of the text with its entities replaced, and a line feed for each end of a line.
-  std::string decoded(std::size_t begin, std::size_t end) {
-    std::string result;
-    for (at_ = begin; at_ < end;) {
-      if (text_[at_] == '&') {
-        result += entity();
-        continue;
-      }
-      const bool is_return = text_[at_] == '\r';
-      result += is_return ? '\n' : text_[at_];
-      at_ += is_return && starts("\r\n") ? 2 : 1;
-    }
-    return result;
-  }
-
-  // Reads one of the entities of XML itself, or a character reference.
-  std::string entity() {
-    const std::size_t end = text_.find(';', at_);
-    const std::string_view entity =
-        text_.substr(at_, end == kNowhere || end - at_ > 12 ? 1 : end - at_ + 1);
-    constexpr std::pair<std::string_view, const char*> kKnown[] = {
-        {"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}};
-    for (const auto& [known, meaning] : kKnown) {
-      if (entity == known) {
-        at_ += entity.size();
-        return meaning;
-      }
-    }
-    const bool hex = entity.starts_with("&#x");
-    const char* const last = entity.data() + entity.size() - 1;
-    std::uint32_t code = 0;
-    const auto read =
-        std::from_chars(std::min(entity.data() + (hex ? 3 : 2), last), last, code, hex ? 16 : 10);
-    if (!entity.starts_with("&#") || read.ptr != last || read.ec == std::errc::invalid_argument) {
-      fail("'" + std::string(entity) +
-           "' is not an entity that XML knows; write a bare ampersand as &amp;");
-    }
-    if (read.ec != std::errc() || !is_character(code)) {
-      fail("'" + std::string(entity) + "' stands for a character that XML forbids; take it out");
-    }
-    at_ += entity.size();
-    return base::utf8_of(code);
-  }
-
-  void skip_blanks() { at_ = std::min(text_.find_first_not_of(kBlanks, at_), text_.size()); }
-
-  // `of`: the element whose attribute it names, if it does.
-  std::string name(const Element* of = nullptr) {
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
-    if (at_ == begin || !may_begin_name(text_[begin])) {
-      fail("expected the name of an " +
-               (of ? "attribute of <" + of->name + ">" : "element after \"<\"") +
-               "; write a bare \"<\" as &lt;",
-           begin);
-    }
-    return std::string(text_.substr(begin, at_ - begin));
-  }
-
-  void element(Element& holder) {
-    if (starts("<!")) {
-      const auto end =
-          std::find_if_not(text_.begin() + static_cast<long>(at_) + 2, text_.end(), is_of_name);
-      fail("document type declarations and entities are not allowed in this file; take out '" +
-           std::string(text_.begin() + static_cast<long>(at_), end) + "'");
-    }
-    const std::size_t number = spans_.size();
-    ElementSpan span;
-    span.begin = at_;
-    Element made;
-    made.where = {file_, line_of(at_++)};
-    made.name = name();
-    span.name_end = at_;
-    if (open_.empty() && number > 0) {
-      fail("a second root element, <" + made.name + ">; a file holds one", span.begin);
-    }
-    while (more_in_tag(made.name, span.begin, false)) attribute(made, span);
-    span.empty = starts("/>");
-    at_ += span.empty ? 2 : 1;
-    span.open_end = span.end = at_;
-    if (!open_.empty()) span.parent = open_.back();
-    const std::size_t begin = span.begin;
-    const bool is_empty = span.empty;
+    inside_ = spans_.size();
+    open_.push_back(&made);
     spans_.push_back(std::move(span));
-    if (!is_empty) inside(made, number, begin);
-    holder.children.push_back(std::move(made));
   }
 
-  // Reads the content of an element and its end tag.
-  void inside(Element& element, std::size_t number, std::size_t begin) {
-    if (open_.size() == kDeepest) {
-      fail("elements are nested deeper than " + std::to_string(kDeepest) + " levels; no " + kind_ +
-               " needs that many",
+  void end(const XML_Char* /*name*/) {
+    std::string& text = open_.back()->text;
+    text.erase(text.find_last_not_of(kBlanks) + 1);
+    ElementSpan& span = spans_[inside_];
+    if (!span.empty) span.close = begin_;
+    span.end = end_;
+    inside_ = span.parent;
+    open_.pop_back();
+  }
+
+  // Text comes in pieces: lines, and the characters that entities stand for.
+  void text(const XML_Char* begin, int size) {
+    const std::string_view piece(begin, static_cast<std::size_t>(size));
+    Element& holder = *open_.back();
+    const std::size_t first = holder.text.empty() ? piece.find_first_not_of(kBlanks) : 0;
+    if (first == kNowhere) return;
+    if (holder.text.empty()) holder.text_line = line_of(begin_ + first);
+    holder.text += piece.substr(first);
+  }
+
+  // Comments, instructions, what declarations consist of, and blanks outside of the root.
+  void other(const XML_Char* begin, int size) {
+    if (std::string_view(begin, static_cast<std::size_t>(size)) == "<!DOCTYPE") {
+      fail(kNoDeclarations, begin_);
+    }
+  }
+
+  std::string name_at(std::size_t begin) const {
+    return std::string(text_.substr(begin, text_.find_first_of(kEndsName, begin) - begin));
+  }
+
+  // Says what is wrong with the markup after the last event. Expat gives up at `at`.
+  [[noreturn]] void explain(XML_Error error) {
+    const auto at = static_cast<std::size_t>(XML_GetCurrentByteIndex(expat_.get()));
+    const std::size_t begin = std::min(text_.find_first_not_of(kBlanks, end_), text_.size());
+    const std::string_view markup = text_.substr(begin);
+    if (error == XML_ERROR_NO_ELEMENTS) explain_end();
+    if (error == XML_ERROR_UNCLOSED_CDATA_SECTION) explain_unclosed(text_.rfind("<![CDATA[", at));
+    if (at >= text_.size()) fail("expat fails: " + std::string(XML_ErrorString(error)), 0);
+    if (open_.empty() && (!markup.starts_with('<') || markup.starts_with("<!["))) {
+      fail("there is text outside of the root element", begin);
+    }
+    if (text_[at] >= '\0' && text_[at] < ' ' && kBlanks.find(text_[at]) == kNowhere) {
+      fail("this is not an XML file: it holds a control character; take it out", at);
+    }
+    if (error == XML_ERROR_UNCLOSED_TOKEN && markup.starts_with('<')) explain_unclosed(begin);
+    if (markup.starts_with("<!--")) fail("a comment holds \"--\"; take one \"-\" out", at);
+    if (markup.starts_with("<!")) fail(kNoDeclarations, begin);
+    if (markup.starts_with("<?")) {
+      fail(R"(expected <?xml version="1.0" encoding="UTF-8"?> at the beginning of the file)",
            begin);
     }
-    open_.push_back(number);
-    content(element);
-    open_.pop_back();
-    if (at_ == text_.size()) {
-      fail("<" + element.name + "> is never closed; expected </" + element.name + ">", begin);
-    }
-    const std::size_t close = at_;
-    if (const std::string found = end_tag(); found != element.name) {
-      fail("</" + found + "> stands where </" + element.name + "> was expected: <" + element.name +
-               "> starts on line " + std::to_string(line_of(begin)),
-           close);
-    }
-    spans_[number].close = close;
-    spans_[number].end = at_;
+    explain_entity(error, begin, at);
+    if (markup.starts_with('<')) explain_tag(error, begin, at);
+    fail("text cannot hold \"]]>\" or a character that XML forbids; write \"]]>\" as ]]&gt;", at);
   }
 
-  // Reads an end tag; returns its name.
-  std::string end_tag() {
-    const std::size_t begin = at_;
-    at_ += 2;
-    std::string name = this->name();
-    more_in_tag(name, begin, true);
-    ++at_;
-    return name;
+  [[noreturn]] void explain_end() {
+    if (open_.empty()) {
+      throw WorldError({{file_, 0,
+                         "there is no element in the file; expected <" + kind_ +
+                             " format=\"1\"> ... </" + kind_ + ">"}});
+    }
+    const std::string& name = open_.back()->name;
+    fail("<" + name + "> is never closed; expected </" + name + ">", spans_[inside_].begin);
   }
 
-  // Whether an attribute follows in this tag, instead of its end.
-  bool more_in_tag(const std::string& name, std::size_t begin, bool is_end) {
-    const std::size_t before = at_;
-    skip_blanks();
-    if (at_ == text_.size()) fail("the tag <" + name + "> starts here and never ends", begin);
-    if (text_[at_] == '>' || (!is_end && starts("/>"))) return false;
-    if (is_end || before == at_) {
-      fail("expected " + std::string(is_end ? "\">\"" : "a blank or \">\"") + " in the tag <" +
-           name + ">, found '" + text_[at_] + "'");
-    }
-    return true;
+  [[noreturn]] void explain_unclosed(std::size_t begin) {
+    const std::string start = "<" + name_at(begin + 1);
+    const std::string end = start.starts_with("<!--")  ? "'-->'"
+                            : start.starts_with("<![") ? "']]>'"
+                            : start.starts_with("<?")  ? "'?>'"
+                                                       : "'>' after it, or a closing quote";
+    fail("'" + start + "' starts here and never ends; expected " + end, begin);
   }
 
-  void attribute(Element& element, ElementSpan& of) {
-    if (element.attributes.size() == kMostAttributes) {
-      fail("<" + element.name + "> has more than " + std::to_string(kMostAttributes) +
-           " attributes; no element has so many");
+  void explain_entity(XML_Error error, std::size_t begin, std::size_t at) {
+    constexpr std::string_view kKnown = "&amp;&lt;&gt;&quot;&apos;";
+    std::size_t ampersand = text_.rfind('&', at);
+    const auto entity = [&] {
+      return text_.substr(ampersand, text_.find(';', ampersand) + 1 - ampersand);
+    };
+    if (error == XML_ERROR_UNDEFINED_ENTITY) {  // expat says only in which tag or text it is
+      ampersand = text_.find('&', begin);
+      while (entity().starts_with("&#") || kKnown.find(entity()) != kNowhere) {
+        ampersand = text_.find('&', ampersand + 1);
+      }
+    } else if (ampersand == kNowhere || ampersand < begin || text_.find(';', ampersand) < at) {
+      return;
     }
-    ElementSpan::Attribute span;
-    span.begin = at_;
-    std::string name = this->name(&element);
-    const auto what = [&] { return "the attribute '" + name + "' of <" + element.name + ">"; };
-    if (element.find(name)) fail(what() + " is given twice");
-    span.name_end = at_;
-    skip_blanks();
-    if (!starts("=")) fail("expected =\"...\" after " + what());
-    ++at_;
-    skip_blanks();
-    const char quote = at_ < text_.size() ? text_[at_] : '\0';
-    if (quote != '"' && quote != '\'') fail("the value of " + what() + " must stand in quotes");
-    const std::size_t end = text_.find(quote, at_ + 1);
-    if (end == kNowhere) fail("the value of " + what() + " has no closing quote");
-    span.value = at_ + 1;
-    if (const std::size_t tag = text_.find('<', span.value); tag < end) {
-      fail("the value of " + what() + " holds a \"<\"; a quote may be missing, or write it as &lt;",
-           tag);
+    const bool is_forbidden = error == XML_ERROR_BAD_CHAR_REF;
+    const bool is_whole = is_forbidden || error == XML_ERROR_UNDEFINED_ENTITY || text_[at] == ';';
+    fail("'" + std::string(is_whole ? entity() : "&") +
+             (is_forbidden ? "' stands for a character that XML forbids; take it out"
+                           : "' is not an entity that XML knows; write a bare ampersand as &amp;"),
+         ampersand);
+  }
+
+  [[noreturn]] void explain_tag(XML_Error error, std::size_t begin, std::size_t at) {
+    const bool is_end = text_[begin + 1] == '/';
+    const std::string name = name_at(begin + (is_end ? 2 : 1));
+    if (is_end && open_.empty()) fail("</" + name + "> closes nothing", begin);
+    if (error == XML_ERROR_TAG_MISMATCH) {
+      const Element& open = *open_.back();
+      fail("</" + name + "> stands where </" + open.name + "> was expected: <" + open.name +
+               "> starts on line " + std::to_string(open.where.line),
+           begin);
     }
-    element.attributes.push_back(
-        {std::move(name), decoded(span.value, end), {file_, line_of(span.begin)}});
-    span.end = at_ = end + 1;
-    of.attributes.push_back(span);
+    if (error == XML_ERROR_JUNK_AFTER_DOC_ELEMENT) {
+      fail("a second root element, <" + name + ">; a file holds one", begin);
+    }
+    if (at == begin + (is_end ? 2 : 1)) {
+      fail("expected the name of an element after \"<\"; write a bare \"<\" as &lt;", begin);
+    }
+    explain_attribute(error, "<" + name + ">", begin, at);
+  }
+
+  [[noreturn]] void explain_attribute(XML_Error error, const std::string& tag, std::size_t begin,
+                                      std::size_t at) {
+    const auto what = [&](std::size_t attribute) {
+      return "the attribute '" + name_at(attribute) + "' of " + tag;
+    };
+    if (error == XML_ERROR_DUPLICATE_ATTRIBUTE) fail(what(at) + " is given twice", at);
+    const auto attributes = span_of_tag(text_.substr(0, at), begin).attributes;
+    if (attributes.empty() || attributes.back().end > 0) {
+      const std::string found(text_.substr(at, base::character_at(text_, at).bytes));
+      fail("expected " + std::string(text_[begin + 1] == '/' ? "" : "a blank or ") +
+               "\">\" in the tag " + tag + ", found '" + found + "'",
+           at);
+    }
+    const std::size_t name = attributes.back().begin;
+    const std::string value = "the value of " + what(name);
+    if (attributes.back().value == 0) {
+      fail(value + " must stand in quotes: " + name_at(name) + "=\"...\"", at);
+    }
+    fail(value + " holds a \"<\"; a quote may be missing, or write it as &lt;", at);
   }
 
   std::string_view text_;
   const base::SharedText file_;
   const std::string& kind_;
-  std::size_t at_ = 0;
-  bool is_at_top_ = true;  // there was no element or comment so far
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> expat_;
+  std::exception_ptr failure_;  // what a handler has thrown
+  std::size_t begin_ = 0;       // of the event
+  std::size_t end_ = 0;
   std::size_t counted_ = 0;
   int line_ = 1;  // of the byte `counted_`
+  Element root_;
   std::vector<ElementSpan> spans_;
-  std::vector<std::size_t> open_;  // elements, outermost first
+  std::vector<Element*> open_;               // outermost first
+  std::size_t inside_ = ElementSpan::kNone;  // the span of the innermost
 };
 }  // namespace
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace elsie::base {
@@ -17,9 +16,6 @@ struct Character {
 /// The character that begins at `at`, which must be less than the text's size; none when the bytes
 /// are not UTF-8. Overlong forms, surrogates and codes above U+10FFFF are not UTF-8.
 Character character_at(std::string_view text, std::size_t at);
-
-/// A code point, at most U+10FFFF, as UTF-8.
-std::string utf8_of(std::uint32_t code);
 
 /// The index of the first byte that is not UTF-8; the text's size when there is none.
 std::size_t first_invalid(std::string_view text);

@@ -25,7 +25,7 @@ struct Element {
   Location where;
   std::vector<Attribute> attributes;
   std::vector<Element> children;
-  // The first non-blank text between its tags, and the line of that text.
+  // The text between its tags, without blanks around it, and the line where it begins.
   std::string text{};
   int text_line = 0;
   bool incomplete = false;  // its template could not be read, so elements may be missing
