@@ -64,9 +64,10 @@ Records without_log(Records records) {
   return records;
 }
 
-/// The processes that this one has started and that are copied.
-std::vector<pid_t> templates() {
-  std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+/// The processes that this one and its children have started and that are copied.
+std::vector<pid_t> templates(pid_t of = getpid()) {
+  const std::string folder = "/proc/" + std::to_string(of);
+  std::ifstream children(folder + "/task/" + std::to_string(of) + "/children");
   std::vector<pid_t> found;
   for (pid_t child = 0; children >> child;) {
     std::ifstream name("/proc/" + std::to_string(child) + "/comm");
@@ -74,6 +75,8 @@ std::vector<pid_t> templates() {
     if (std::getline(name, text) && text == "elsie-template") {
       found.push_back(child);
     }
+    const std::vector<pid_t> more = templates(child);
+    found.insert(found.end(), more.begin(), more.end());
   }
   return found;
 }
@@ -82,6 +85,7 @@ std::vector<pid_t> templates() {
 batch::Job job_with_faulty(const std::string& plugin = "thrifty") {
   batch::Job job;
   job.run = 7;
+  job.cell = 0;
   job.world_text = R"(<world format="1"><limits time="1"/><robots><robot id="r1" team="red">
       <behaviors><)" +
                    plugin + R"(/></behaviors><coordinator><arbiter_suppression/></coordinator>
@@ -107,7 +111,7 @@ TEST_CASE_METHOD(
   }
 }
 
-TEST_CASE("Runs share a process that has loaded their libraries; repetitions do not") {
+TEST_CASE("Runs of a cell share a process that has read their world; repetitions do not") {
   const test::Folder folder;
   auto experiment = test::small_experiment(folder);
   experiment.repeats = 2;
@@ -115,8 +119,22 @@ TEST_CASE("Runs share a process that has loaded their libraries; repetitions do 
   std::size_t most = 0;
   records_of(jobs, {.command = kNoWorker, .template_command = kTemplate, .workers = 3},
              [&] { most = std::max(most, templates().size()); });
-  CHECK(most == 2);
+  // For each repetition one with the libraries, and one for each of two cells.
+  CHECK(most == 6);
   CHECK(templates().empty());
+}
+
+TEST_CASE_METHOD(test::SmallBatch,
+                 "Runs with worlds of their own share a process that has loaded their libraries") {
+  std::vector<batch::Job> jobs = jobs_of(plan);
+  for (batch::Job& job : jobs) {
+    job.cell.reset();
+  }
+  std::size_t most = 0;
+  CHECK(records_of(jobs, {.command = kNoWorker, .template_command = kTemplate, .workers = 3}, [&] {
+          most = std::max(most, templates().size());
+        }) == records_of(jobs, {.command = kWorker}));
+  CHECK(most == 1);
 }
 
 TEST_CASE_METHOD(test::SmallBatch, "Threads are started in the copies") {
@@ -170,17 +188,26 @@ TEST_CASE("Libraries that leave something behind when they are loaded are loaded
 }
 
 TEST_CASE("A plugin that fails while its objects are made does so in its run, as ever") {
-  for (const std::string plugin :
-       {"throws_when_made", "crashes_when_made", "crashes_when_configured", "loops_when_made"}) {
+  const std::map<std::string, std::string> reasons{
+      {"throws_when_made", "this failed"},
+      {"crashes_when_made", "the process that was to be copied ended"},
+      {"crashes_when_configured", "the process that was to be copied ended"},
+      {"loops_when_made", "this took longer than the wall limit of a run"}};
+  for (const auto& [plugin, reason] : reasons) {
     CAPTURE(plugin);
     const std::vector<batch::Job> jobs{job_with_faulty(plugin)};
-    batch::PoolOptions options{.command = kWorker,
-                               .wall_limit_s = plugin.starts_with("loops") ? 3.0 : 60.0,
-                               .grace_s = 60.0};
-    const Records expected = records_of(jobs, options);
-    options.command = kNoWorker;
-    options.template_command = kTemplate;
-    CHECK(without_log(records_of(jobs, options)).at(7) == without_log(expected).at(7));
+    std::string noted;
+    const double limit_s = plugin.starts_with("loops") ? 3.0 : 60.0;
+    const Records records =
+        records_of(jobs, {.command = kNoWorker,
+                          .template_command = kTemplate,
+                          .wall_limit_s = limit_s,
+                          .grace_s = 60.0,
+                          .note = [&](const std::string& text) { noted += text; }});
+    const Records expected =
+        records_of(jobs, {.command = kWorker, .wall_limit_s = limit_s, .grace_s = 60.0});
+    CHECK(without_log(records).at(7) == without_log(expected).at(7));
+    CHECK_THAT(noted, Contains("reads it and makes its plugins anew, because " + reason));
   }
 }
 

@@ -9,13 +9,25 @@
 
 namespace elsie::batch {
 
+namespace {
+
+/// Runs of one cell; with fewer, it is no use to keep a process that has read their world.
+constexpr std::int64_t kFewestToShare = 3;
+
+}  // namespace
+
 Job job_of(const Plan& plan, const PlannedRun& run) {
   const PlannedCell& cell = plan.cells[run.cell];
   Job job;
   job.run = run.id;
   job.repetition = run.repetition;
   const auto layout = cell.layouts.find(run.seed);
-  job.world_text = layout == cell.layouts.end() ? cell.world_text : layout->second.world_text;
+  if (layout == cell.layouts.end()) {
+    job.world_text = cell.world_text;
+    job.cell = run.cell;
+  } else {
+    job.world_text = layout->second.world_text;
+  }
   job.world_file = cell.world_file;
   for (const PlannedCell::Data& data : cell.data) {
     job.files[data.name] = plan.files[data.file].path;
@@ -59,7 +71,11 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
           "--database");
     }
   };
-  std::map<std::int64_t, std::size_t> cells;  // of the runs at work
+  std::map<std::int64_t, std::size_t> cells;                  // of the runs at work
+  std::map<std::pair<std::size_t, int>, std::int64_t> alike;  // runs by cell and repetition
+  for (const PlannedRun& run : pending) {
+    ++alike[{run.cell, run.repetition}];
+  }
   auto at = pending.begin();
   const auto next = [&]() -> std::optional<Job> {
     if (at == pending.end()) {
@@ -70,6 +86,9 @@ bool carry_out(ResultsDatabase& database, PoolOptions options, std::size_t threa
     cells[at->id] = at->cell;
     Job job = job_of(plan, *at);
     job.threads = threads;
+    if (alike.at({at->cell, at->repetition}) < kFewestToShare) {
+      job.cell.reset();
+    }
     ++at;
     return job;
   };

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kMost = 3;  // descriptors of a request
 
-/// A message with a number and room for descriptors.
+/// A message with one request and room for descriptors.
 struct Message {
-  explicit Message(pid_t& number) : part{&number, sizeof(number)} {
+  explicit Message(CopyRequest& request) : part{&request, sizeof(request)} {
     header.msg_iov = &part;
     header.msg_iovlen = 1;
     header.msg_control = control.data();
@@ -30,28 +30,28 @@ struct Message {
 
 }  // namespace
 
-bool send_request(int to, const CopyRequest& request) {
-  pid_t ended = request.ended;
-  Message message(ended);
-  const std::size_t size = request.descriptors.size() * sizeof(int);
+bool send_request(int to, const CopyRequest& request, const std::vector<int>& descriptors) {
+  CopyRequest sent = request;
+  Message message(sent);
+  const std::size_t size = descriptors.size() * sizeof(int);
   message.header.msg_controllen = size > 0 ? CMSG_SPACE(size) : 0;
   if (cmsghdr* const attached = CMSG_FIRSTHDR(&message.header)) {
     attached->cmsg_level = SOL_SOCKET;
     attached->cmsg_type = SCM_RIGHTS;
     attached->cmsg_len = CMSG_LEN(size);
-    std::memcpy(CMSG_DATA(attached), request.descriptors.data(), size);
+    std::memcpy(CMSG_DATA(attached), descriptors.data(), size);
   }
-  return sendmsg(to, &message.header, MSG_NOSIGNAL | MSG_DONTWAIT) == sizeof(ended);
+  return sendmsg(to, &message.header, MSG_NOSIGNAL | MSG_DONTWAIT) == sizeof(sent);
 }
 
-std::optional<CopyRequest> next_request(int from) {
-  CopyRequest received;
-  Message message(received.ended);
+std::optional<ReceivedRequest> next_request(int from) {
+  ReceivedRequest received;
+  Message message(received.request);
   ssize_t size = 0;
   do {
     size = recvmsg(from, &message.header, MSG_CMSG_CLOEXEC);
   } while (size < 0 && errno == EINTR);
-  if (size != sizeof(received.ended)) {
+  if (size != sizeof(CopyRequest)) {
     return std::nullopt;
   }
   if (const cmsghdr* const attached = CMSG_FIRSTHDR(&message.header)) {

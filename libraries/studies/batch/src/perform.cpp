@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -41,6 +42,14 @@ struct Watchers {
   traces::TrackRecorder tracks;
   traces::AccountRecorder accounts;
 };
+
+std::vector<plugin::SearchDirectory> libraries_of(const Job& job) {
+  std::vector<plugin::SearchDirectory> libraries;
+  for (const std::string& library : job.libraries) {
+    libraries.push_back({library, "the batch"});
+  }
+  return libraries;
+}
 
 world::World world_of(const Job& job, const plugin::Host& host) {
   world::ReadOptions options;
@@ -112,27 +121,26 @@ void run_to_end(simulation::Simulation& run, const Job& job, RunRecord& record) 
 
 }  // namespace
 
-plugin::Host host_for(const Job& job) {
-  std::vector<plugin::SearchDirectory> libraries;
-  for (const std::string& library : job.libraries) {
-    libraries.push_back({library, "the batch"});
+Preparation::Preparation(const Job& job) : host(libraries_of(job)) {}
+
+void Preparation::make(const Job& job, const simulation::MakeCameraRenderer& cameras) {
+  if (!run) {
+    run.emplace(
+        world_of(job, host), host,
+        simulation::Options{
+            .files = job.files, .threads = job.threads, .cameras = cameras, .begin_later = true});
   }
-  return plugin::Host(std::move(libraries));
 }
 
-RunRecord perform(const Job& job, const plugin::Host* host) {
+RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared) {
   RunRecord record;
   current_step = 0;
   current_time_s = 0.0;
   try {
-    const auto own = host ? std::nullopt : std::optional(host_for(job));
-    const plugin::Host& plugins = host ? *host : *own;
-    simulation::Simulation run(world_of(job, plugins), plugins,
-                               {.seed = job.seed,
-                                .files = job.files,
-                                .threads = job.threads,
-                                .cameras = render::world_cameras});
-    run_to_end(run, job, record);
+    const auto own = prepared ? std::move(prepared) : std::make_unique<Preparation>(job);
+    own->make(job, render::world_cameras);
+    own->run->reset(job.seed);
+    run_to_end(*own->run, job, record);
   } catch (const simulation::PluginFault& fault) {
     record.state = RunState::fault;
     record.message = fault.what();

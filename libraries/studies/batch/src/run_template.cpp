@@ -31,7 +31,7 @@ struct SocketPair {
   Descriptor other;
 };
 
-/// What libraries print while they are loaded; each copy prints it again.
+/// What libraries and plugins print while they are loaded and made; each copy prints it again.
 Descriptor file_for_output() {
   Descriptor file(memfd_create("output", MFD_CLOEXEC));
   if (!file) {
@@ -48,8 +48,23 @@ RunTemplate::RunTemplate(const std::vector<std::string>& command, const Job& exa
   socket_ = std::move(line.own);
 }
 
+RunTemplate::RunTemplate(std::shared_ptr<RunTemplate> loaded, const Job& example)
+    : loaded_(std::move(loaded)) {
+  SocketPair line;
+  const Descriptor output = file_for_output();
+  const Descriptor job = file_of(example);
+  process_ = loaded_->answer_to({.is_template = true}, {output.get(), line.other.get(), job.get()})
+                 .value_or(-1);
+  socket_ = std::move(line.own);
+  if (process_ < 0) {
+    state_ = State::gone;
+  }
+}
+
 void RunTemplate::end() {
-  if (const pid_t process = std::exchange(process_, -1); process > 0) {
+  if (const pid_t process = std::exchange(process_, -1); process > 0 && loaded_) {
+    loaded_->end_copy(process);
+  } else if (process > 0) {
     end_process_group(process);
   }
   socket_.reset();
@@ -83,17 +98,21 @@ void RunTemplate::refuse(std::string why) {
 }
 
 pid_t RunTemplate::copy(const Job& job, const Descriptor& output, const Descriptor& answer) {
+  if (loaded_) {
+    return answer_to({.run = job.run, .seed = job.seed}, {output.get(), answer.get()}).value_or(-1);
+  }
   const Descriptor file = file_of(job);
-  return answer_to({.descriptors = {file.get(), output.get(), answer.get()}}).value_or(-1);
+  return answer_to({}, {output.get(), answer.get(), file.get()}).value_or(-1);
 }
 
-std::optional<int> RunTemplate::end_copy(pid_t worker) { return answer_to({.ended = worker}); }
+std::optional<int> RunTemplate::end_copy(pid_t worker) { return answer_to({.ended = worker}, {}); }
 
-std::optional<int> RunTemplate::answer_to(const CopyRequest& request) {
+std::optional<int> RunTemplate::answer_to(const CopyRequest& request,
+                                          const std::vector<int>& descriptors) {
   if (state_ != State::ready) {
     return std::nullopt;
   }
-  if (send_request(socket_.get(), request)) {
+  if (send_request(socket_.get(), request, descriptors)) {
     pollfd answered{socket_.get(), POLLIN, 0};
     while (poll(&answered, 1, kAnswerTime) < 0 && errno == EINTR) {
     }

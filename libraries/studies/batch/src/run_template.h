@@ -1,11 +1,14 @@
-// A process that has loaded the libraries that several runs have in common, and is copied for each
-// of them.
+// A process that has done what several runs have in common, and is copied for each of them.
 //
-// The pool starts it with a job as an example of its runs. It reports that it is ready, or why it
-// makes no copies; see kReady and kRefused. Then it waits for requests; see copy_request.h. It
-// makes copies by fork(), and is asked to wait for them when they have ended. They end with it.
+// There are two kinds. One has loaded the libraries of its runs. The other is a copy of such a
+// process that has also read a world and made the objects of its plugins: its runs differ in their
+// seeds only. The pool starts each with a job as an example of its runs. The process reports that
+// it is ready, or why it makes no copies; see kReady and kRefused. Then it waits for requests; see
+// copy_request.h. It makes copies by fork(), and is asked to wait for them when they have ended.
+// They end with it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,6 +31,9 @@ class RunTemplate {
  public:
   /// Starts a program that loads the libraries of the example. Throws std::runtime_error.
   RunTemplate(const std::vector<std::string>& command, const Job& example);
+  /// Copies a process that has loaded them. The copy also reads the world of the example. Throws
+  /// std::runtime_error.
+  RunTemplate(std::shared_ptr<RunTemplate> loaded, const Job& example);
   ~RunTemplate() { end(); }
   RunTemplate(const RunTemplate&) = delete;
   RunTemplate& operator=(const RunTemplate&) = delete;
@@ -52,10 +58,11 @@ class RunTemplate {
 
  private:
   enum class State { loading, ready, refused, gone };
-  std::optional<int> answer_to(const CopyRequest& request);
+  std::optional<int> answer_to(const CopyRequest& request, const std::vector<int>& descriptors);
   void end();
 
   State state_ = State::loading;
+  std::shared_ptr<RunTemplate> loaded_;  // of which this is a copy that has read a world
   pid_t process_ = -1;
   Descriptor socket_;
   std::string refusal_;

@@ -1,6 +1,7 @@
 // The templates of a batch; see run_template.h.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -23,11 +24,17 @@ class RunTemplates {
   std::shared_ptr<RunTemplate> original_for(const Job& job);
 
  private:
+  using Original = std::shared_ptr<RunTemplate>;
+  template <class Key, class Make>
+  static Original kept(std::map<Key, Original>& originals, const Key& key, const Make& make);
+  void note_refusal(RunTemplate& original, const std::string& consequence, const std::string& what);
+
   const PoolOptions& options_;
-  /// By what the runs of a template have in common. Their repetition is part of it: copies of one
-  /// process have the same addresses and the same state of libraries after loading, which
+  /// The key is what the runs of a template have in common. Their repetition is part of it: copies
+  /// of one process have the same addresses and the same state of libraries after loading, which
   /// repetitions must not have in common.
-  std::map<std::pair<std::vector<std::string>, int>, std::shared_ptr<RunTemplate>> originals_;
+  std::map<std::pair<std::vector<std::string>, int>, Original> by_libraries_;
+  std::map<std::pair<std::size_t, int>, Original> by_cell_;
 };
 
 }  // namespace elsie::batch

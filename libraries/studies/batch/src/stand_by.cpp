@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,15 +70,16 @@ bool has_children() {
   return waitid(P_ALL, 0, &child, WEXITED | WNOHANG | WNOWAIT) == 0;
 }
 
-/// Why copies of this process would not be like programs of their own, or "".
-std::string obstacle(const Ties& before) {
+/// Why copies of this process would not be like programs of their own, or "". `when`: what was
+/// done with the libraries.
+std::string obstacle(const Ties& before, const std::string& when) {
   const Ties now;
-  return now.threads > 1  ? "one of them started a thread when it was loaded"
-         : has_children() ? "one of them started a process when it was loaded"
+  return now.threads > 1  ? "one of them started a thread when it was " + when
+         : has_children() ? "one of them started a process when it was " + when
          : now.descriptors != before.descriptors
-             ? "one of them opened or closed a file when it was loaded"
+             ? "one of them opened or closed a file when it was " + when
          : now.shared_memory != before.shared_memory
-             ? "one of them shared memory when it was loaded"
+             ? "one of them shared memory when it was " + when
              : "";
 }
 
@@ -102,19 +104,27 @@ void tell(const std::string& text) {
 /// Answers a request.
 void answer(int number) { ::send(kResultDescriptor, &number, sizeof(number), MSG_NOSIGNAL); }
 
+[[noreturn]] void refuse_copies(const std::string& why) {
+  tell(kRefused + why);
+  process::end_with(base::kOtherFailure);
+}
+
 /// In the copy: takes the place of a program that the pool has started.
-void take_place(const std::vector<int>& given, pid_t original, const std::string& printed) {
-  prctl(PR_SET_NAME, kNameOfRuns);
+void take_place(const ReceivedRequest& received, pid_t original, const std::string& printed) {
+  prctl(PR_SET_NAME, received.request.is_template ? kName : kNameOfRuns);
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != original) {
     process::end_with(base::kOtherFailure);  // it has ended already
   }
   answer(getpid());  // only now, so that the pool knows no process without its name and its group
-  dup2(given[0], STDIN_FILENO);
-  dup2(given[1], STDOUT_FILENO);
-  dup2(given[1], STDERR_FILENO);
-  dup2(given[2], kResultDescriptor);
+  const std::vector<int>& given = received.descriptors;
+  dup2(given[0], STDOUT_FILENO);
+  dup2(given[0], STDERR_FILENO);
+  dup2(given[1], kResultDescriptor);
+  if (given.size() > 2) {
+    dup2(given[2], STDIN_FILENO);
+  }
   close_all(given);
   std::cerr << printed << std::flush;
   process::report_crashes_of_copy();
@@ -129,25 +139,84 @@ void rehearse() {
   to_json(perform(job_from(to_json(job))));
 }
 
-/// Makes a copy for each run that is asked for. Returns when there will be none.
-void serve(const plugin::Host& host, const std::string& printed) {
-  const pid_t own = getpid();
-  while (const std::optional<CopyRequest> request = next_request(kResultDescriptor)) {
-    if (request->ended > 0) {
-      answer(end_process_group(request->ended));
-      continue;
-    }
-    const pid_t copy = fork();
-    if (copy == 0) {
-      take_place(request->descriptors, own, printed);
-      do_run(job_on_input(), &host);
-    }
-    close_all(request->descriptors);
-    if (copy < 0) {
-      answer(copy);
-    }
-  }
+/// Graphics belong to one process.
+struct Cameras {};
+std::unique_ptr<simulation::CameraRenderer> cameras_without_copies(const world::World&) {
+  throw Cameras();
 }
+
+/// A process that is copied.
+class Original {
+ public:
+  void load(const Job& example) {
+    const Ties before;
+    prepared_ = std::make_unique<Preparation>(example);
+    become_ready(before, "loaded");
+  }
+
+  /// Returns only in a copy that is a template itself.
+  void serve() {
+    const pid_t own = getpid();
+    while (const std::optional<ReceivedRequest> received = next_request(kResultDescriptor)) {
+      if (received->request.ended > 0) {
+        answer(end_process_group(received->request.ended));
+        continue;
+      }
+      const pid_t copy = fork();
+      if (copy == 0) {
+        take_place(*received, own, printed_);
+        if (received->request.is_template) {
+          return;
+        }
+        run(*received);
+      }
+      close_all(received->descriptors);
+      if (copy < 0) {
+        answer(copy);
+      }
+    }
+    process::end_with(base::kSuccess);
+  }
+
+  /// Reads the world of an example, and makes its objects.
+  void read_world() {
+    const Ties before;
+    job_ = job_on_input();
+    try {
+      prepared_->make(job_, cameras_without_copies);
+    } catch (const Cameras&) {
+      refuse_copies("it has cameras");
+    } catch (...) {
+      refuse_copies("this failed");  // the run reports how
+    }
+    become_ready(before, "made");
+  }
+
+ private:
+  [[noreturn]] void run(const ReceivedRequest& received) {
+    if (received.descriptors.size() > 2) {
+      job_ = job_on_input();
+    } else {
+      job_.run = received.request.run;
+      job_.seed = received.request.seed;
+    }
+    do_run(job_, std::move(prepared_));
+  }
+
+  void become_ready(const Ties& before, const std::string& when) {
+    std::cout.flush();
+    std::fflush(nullptr);
+    if (const std::string why = obstacle(before, when); !why.empty()) {
+      refuse_copies(why);
+    }
+    printed_ = printed();
+    tell({kReady});
+  }
+
+  std::unique_ptr<Preparation> prepared_;
+  Job job_;
+  std::string printed_;
+};
 
 }  // namespace
 
@@ -158,20 +227,15 @@ void stand_by() {
   }
   process::report_crashes(base::kPluginFailed);
   handle_requests_to_end();
+  Original original;
   const Job example = job_on_input();
   world::vocabulary();  // loads all engines, and what they link to
   rehearse();
-  const Ties before;
-  const plugin::Host host = host_for(example);
-  std::cout.flush();
-  std::fflush(nullptr);
-  if (const std::string why = obstacle(before); !why.empty()) {
-    tell(kRefused + why);
-    process::end_with(base::kOtherFailure);
-  }
-  tell({kReady});
-  serve(host, printed());
-  process::end_with(base::kSuccess);
+  original.load(example);
+  original.serve();
+  original.read_world();
+  original.serve();
+  process::end_with(base::kOtherFailure);  // a copy with a world makes no templates
 }
 
 }  // namespace elsie::batch

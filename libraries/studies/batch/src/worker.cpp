@@ -158,10 +158,10 @@ void handle_requests_to_end() {
   std::signal(SIGTERM, [](int) {});
 }
 
-void do_run(const Job& job, const plugin::Host* host) {
+void do_run(const Job& job, std::unique_ptr<Preparation> prepared) {
   LastWordsWriter last_words;
   fcntl(kResultDescriptor, F_SETFD, FD_CLOEXEC);  // children of plugins must not inherit it
-  const RunRecord record = perform(job, host);
+  const RunRecord record = perform(job, std::move(prepared));
   send(to_json(record));
   end(record.state == RunState::done    ? kDone
       : record.state == RunState::fault ? kPluginFailed

@@ -1,6 +1,8 @@
 // What a worker does, whether it is a program of its own or a copy of one.
 #pragma once
 
+#include <memory>
+
 #include "elsie/batch/job.h"
 #include "elsie/batch/perform.h"
 
@@ -16,8 +18,8 @@ Job job_on_input();
 /// SIGXCPU.
 void handle_requests_to_end();
 
-/// As work(), for this job and, if they are loaded already, its libraries. Crashes and requests to
-/// end must be handled.
-[[noreturn]] void do_run(const Job& job, const plugin::Host* host = nullptr);
+/// As work(), for this job, of which something may be prepared; see perform(). Crashes and requests
+/// to end must be handled.
+[[noreturn]] void do_run(const Job& job, std::unique_ptr<Preparation> prepared = nullptr);
 
 }  // namespace elsie::batch

@@ -24,7 +24,11 @@ struct Job {
   std::uint64_t seed = 1;
   double trajectory_period_s = 0.5;
   std::size_t threads = 1;  // as simulation::Options::threads
-  int repetition = 1;       // not told to the worker: the run does not depend on it
+  // Not told to the worker: the run does not depend on them.
+  int repetition = 1;
+  /// Runs of one cell, of one plan, differ in number, seed and repetition only. None: the run has a
+  /// world of its own.
+  std::optional<std::size_t> cell{};
 };
 
 using results::RunState;

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include "elsie/batch/job.h"
 #include "elsie/plugin/host.h"
+#include "elsie/simulation/simulation.h"
 
 namespace elsie::batch {
 
@@ -20,12 +23,21 @@ inline constexpr std::size_t kMostEpisodes = 60;
 /// The largest number of events kept, the first ones; a note gives the number of the others.
 inline constexpr std::size_t kMostEvents = 10'000;
 
-/// Loads the libraries of a job. Never throws because of a file; see plugin::Host.
-plugin::Host host_for(const Job& job);
+/// What a run has before it begins.
+struct Preparation {
+  /// Loads the libraries of the job. Never throws because of a file; see plugin::Host.
+  explicit Preparation(const Job& job);
+  /// Reads the world and makes its objects, if that has not been done. Throws as they do.
+  void make(const Job& job, const simulation::MakeCameraRenderer& cameras);
 
-/// Runs the world of a job from start to end; `host`: host_for(), if they are loaded already. Never
-/// throws: errors are in the record. A plugin may still end the process; see work().
-RunRecord perform(const Job& job, const plugin::Host* host = nullptr);
+  plugin::Host host;
+  std::optional<simulation::Simulation> run{};
+};
+
+/// Runs the world of a job from start to end; `prepared`: what was done of it before, if anything,
+/// for a job that differs in number and seed at most. Never throws: errors are in the record. A
+/// plugin may still end the process; see work().
+RunRecord perform(const Job& job, std::unique_ptr<Preparation> prepared = nullptr);
 
 /// A step, counted from 0, and its simulated time.
 struct Moment {

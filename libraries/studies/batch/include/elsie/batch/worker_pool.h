@@ -1,7 +1,7 @@
 // Worker processes: each does one run and ends.
 //
-// Starting a program and loading libraries takes longer than a short run. Therefore workers are
-// copies (by fork(2)) of a process that has done so; see run_template.h.
+// Starting a program, loading libraries and reading a world takes longer than a short run.
+// Therefore workers are copies (by fork(2)) of a process that has done so; see run_template.h.
 // Runs whose libraries cannot be loaded in this way, for example because one starts a thread while
 // it is loaded, have a worker that is a program of its own.
 //
