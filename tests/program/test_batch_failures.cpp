@@ -84,11 +84,10 @@ TEST_CASE("A crash, a hang or a plugin that fails costs one run, and is reported
 
 TEST_CASE("A run that fails in a copy of a process leaves the same results as in its own program") {
   const Laboratory here;
-  // Not "leaving_at_the_end": a copy ends without unloading the libraries, which were not its own.
   here.write_faulty(
       {"segfaulting", "overflowing", "exiting", "throwing", "calling_nowhere", "thrifty", "leaving",
-       "leaving_in_c", "leaving_quickly", "leaving_elsewhere", "killing", "forking",
-       "forking_and_crashing", "writing_to_a_broken_pipe", "printing", "rounding"},
+       "leaving_in_c", "leaving_quickly", "leaving_at_the_end", "leaving_elsewhere", "killing",
+       "forking", "forking_and_crashing", "writing_to_a_broken_pipe", "printing", "rounding"},
       "<limits time=\"2\" wall_time=\"60\"/>", 2);
   for (const std::string database : {"copies", "programs"}) {
     const auto run = here.batch("faulty.xml --workers 2 --database " + database + ".sqlite" +
