@@ -3,6 +3,9 @@
 //
 //   batch_throughput PROGRAM
 //
+// Then 10,000 short runs with two workers: as copies of a process, and as programs of their own.
+// Median of 3 pairs.
+//
 // Runs have several lengths: in short runs, starting processes and writing results take a larger
 // share. Every batch lasts seconds, so that reading the experiment matters little. Median of 9
 // pairs of batches. Prints Markdown.
@@ -16,6 +19,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <sys/resource.h>
 
 #include "statistics.h"
 
@@ -65,12 +70,13 @@ void write_experiment(const fs::path& file, const Work& work) {
 }
 
 /// Seconds from a batch's command to its end.
-double seconds_of(const std::string& program, const Folder& folder, int workers) {
+double seconds_of(const std::string& program, const Folder& folder, int workers,
+                  const std::string& more = "") {
   const fs::path database = folder / "results.sqlite";
   fs::remove(database);
   const std::string command = "'" + program + "' batch '" + (folder / "work.xml").string() +
                               "' --quiet --database '" + database.string() + "' --workers " +
-                              std::to_string(workers);
+                              std::to_string(workers) + more;
   const auto start = std::chrono::steady_clock::now();
   const int status = std::system(command.c_str());
   const double seconds =
@@ -97,6 +103,41 @@ void measure(const std::string& program, const Work& work) {
   std::fflush(stdout);
 }
 
+/// Seconds of processor time of all processes that have ended.
+double processor_seconds() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+void compare(const std::string& program) {
+  constexpr Work kShort{"clutter, 1 s", "clutter.xml", 3, 1, 10'000};
+  constexpr int kShortPairs = 3;
+  const Folder folder;
+  write_experiment(folder / "work.xml", kShort);
+  std::vector<double> copies, programs, ratio, copies_ms, programs_ms;
+  for (int pair = 0; pair < kShortPairs; ++pair) {
+    const double start = processor_seconds();
+    copies.push_back(kShort.runs / seconds_of(program, folder, 2));
+    const double middle = processor_seconds();
+    programs.push_back(kShort.runs / seconds_of(program, folder, 2, " --fresh-processes"));
+    copies_ms.push_back(1e3 * (middle - start) / kShort.runs);
+    programs_ms.push_back(1e3 * (processor_seconds() - middle) / kShort.runs);
+    ratio.push_back(copies.back() / programs.back());
+  }
+  std::printf(
+      "\n| runs of | runs in a batch | copies, runs/s | programs, runs/s | ratio | spread of the "
+      "ratio | copies, ms of processor time a run | programs, ms |\n|---|---|---|---|---|---|---|"
+      "---|\n| %s | %d | %.0f | %.0f | %.1f | %.1f to %.1f | %.2f | %.2f |\n",
+      kShort.name, kShort.runs, elsie::bench::median(copies), elsie::bench::median(programs),
+      elsie::bench::median(ratio), *std::min_element(ratio.begin(), ratio.end()),
+      *std::max_element(ratio.begin(), ratio.end()), elsie::bench::median(copies_ms),
+      elsie::bench::median(programs_ms));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -112,6 +153,7 @@ int main(int argc, char** argv) {
     for (const Work& work : kWork) {
       measure(argv[1], work);
     }
+    compare(argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "batch_throughput: %s\n", error.what());
     return 1;
