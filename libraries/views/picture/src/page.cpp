@@ -191,7 +191,9 @@ std::vector<std::uint32_t> screen_chart(const Panel& panel, int width, int heigh
                                         const Style& style) {
   check_panel(panel);
   Canvas canvas(FileType::png, width, height, zoom, style);
-  const Rect area{0.0, 0.0, width / zoom, height / zoom};
+  // The last number of an axis reaches beyond its end.
+  constexpr double kAbove = 3.0, kBeside = 18.0;
+  const Rect area{0.0, kAbove, width / zoom - kBeside, height / zoom - kAbove};
   std::visit(
       [&](const auto& shown) { draw(canvas, shown, area, head_height(canvas, shown, area.width)); },
       panel);

@@ -39,8 +39,7 @@ struct Axis {
   std::vector<Tick> names{};  // texts in place of numbers, ascending
 };
 
-/// Series::colour: shades of the text, the first of them the text's own, told apart by their
-/// dashes.
+/// Series::colour: that of the text. Further such curves of a chart are paler, and dashed.
 inline constexpr std::size_t kNeutral = static_cast<std::size_t>(-1);
 
 /// How the points of a curve are joined.
