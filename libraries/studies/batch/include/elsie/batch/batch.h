@@ -22,8 +22,8 @@ struct Progress {
   std::int64_t failed = 0;  // those that ended in a state other than "done"
   double elapsed_s = 0.0;
 
-  /// The remaining time, if the other runs take as long as those that have ended, which a batch
-  /// does cell by cell for each seed. None before the first has ended, and after the last.
+  /// The remaining time, if the other runs take as long on average as those that have ended; all
+  /// cells take their turns. None before the first has ended, and after the last.
   std::optional<double> left_s() const {
     return ended > 0 && ended < runs ? std::optional(elapsed_s * static_cast<double>(runs - ended) /
                                                      static_cast<double>(ended))
