@@ -125,15 +125,3 @@ TEST_CASE("A sensor keeps its reading at one address") {
   CHECK(light.reading() == before);
   CHECK(static_cast<const RangeReading*>(before)->distance_m == 0.5);
 }
-
-TEST_CASE("A sensor lists the numbers of its reading by name") {
-  Light light;
-  light.update({0.0, 0.01, {}, nullptr, nullptr, nullptr});
-  std::vector<NamedValue> values;
-  light.list_values(values);
-  REQUIRE(values.size() == 2);
-  CHECK(std::string(values[0].name) == "distance_m");
-  CHECK(values[0].value == 0.5);
-  CHECK(values[1].value == 1.0);
-  CHECK(light.kind() == ReadingKind::of<RangeReading>());
-}

@@ -162,9 +162,7 @@ TEST_CASE("A sensor that was added, turned or taken away is perceived so") {
       of("<obstacles><static_box id=\"block\" x=\"0.5\" width=\"0.4\"/></obstacles>",
          "<sensors><beam_range id=\"ahead\"/></sensors>");
   const auto seen = [&](std::size_t sensor) {
-    std::vector<NamedValue> values;
-    simulation.list_values(0, sensor, values);
-    return values.front().value;
+    return test::numbers_of(simulation, 0, sensor).front();
   };
   advance(simulation, 3);
   const double ahead = seen(0);

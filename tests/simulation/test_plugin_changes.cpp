@@ -18,9 +18,7 @@ using elsie::test::wheels;
 namespace {
 
 double number_of(const Simulation& simulation, std::size_t sensor = 0) {
-  std::vector<NamedValue> values;
-  simulation.list_values(0, sensor, values);
-  return values.at(0).value;
+  return test::numbers_of(simulation, 0, sensor).at(0);
 }
 
 /// Mean and standard deviation of what a sensor reads in so many steps.

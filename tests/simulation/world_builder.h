@@ -128,4 +128,16 @@ inline Parameters models(const std::string& name) {
           {"right_model", source_path("fuzzy_models/" + name + "_right.fcl")}};
 }
 
+/// The numbers of a sensor's current reading.
+inline std::vector<double> numbers_of(const simulation::Simulation& simulation, std::size_t robot,
+                                      std::size_t sensor) {
+  std::vector<double> numbers;
+  simulation.visit_reading(robot, sensor, [&](const ReadingField& field) {
+    for (std::size_t i = 0; i < field.count; ++i) {
+      numbers.push_back(field.number(i));
+    }
+  });
+  return numbers;
+}
+
 }  // namespace elsie::test

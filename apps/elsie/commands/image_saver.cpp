@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "elsie/picture/image_file.h"
+#include "elsie/recording/sensor_pictures.h"
 #include "elsie/simulation/simulation.h"
 
 #include "command.h"
@@ -99,21 +100,13 @@ void ImageSaver::save(const Simulation& simulation, std::uint64_t step) const {
         continue;
       }
       // Ids contain no '+'.
-      const std::string name = std::string(number) + "_" + simulation.robot(robot).description->id +
+      const std::string base = std::string(number) + "_" + simulation.robot(robot).description->id +
                                "+" + std::string(sensor.id);
-      using elsie::VisionReading;
-      if (sensor.sensor->kind() != elsie::ReadingKind::of<VisionReading>()) {
-        picture::write_png(*sensor.picture, folder_ / (name + "_raw.png"));
-        continue;
-      }
-      // The reading includes the sensor's noise.
-      const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
-      if (!reading.raw.empty()) {
-        picture::write_png(reading.raw, folder_ / (name + "_raw.png"));
-      }
-      if (!reading.processed.empty()) {
-        picture::write_png(reading.processed, folder_ / (name + "_processed.png"));
-      }
+      recording::visit_pictures(simulation, robot, i,
+                                [&](std::string_view name, const elsie::Image& image) {
+                                  picture::write_png(
+                                      image, folder_ / (base + "_" + std::string(name) + ".png"));
+                                });
     }
   }
 }

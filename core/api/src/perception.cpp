@@ -3,9 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "elsie/api/sensor.h"
 #include "elsie/base/error.h"
-#include "elsie/base/number_text.h"
 
 namespace elsie::detail {
 
@@ -22,15 +20,14 @@ void no_such_reading(const char* kind, std::size_t i, std::size_t count) {
 }
 
 void other_layout(const ReadingKind& wanted, const ReadingGroup& made) {
-  throw base::Error(std::string("its readings of the kind '").append(wanted.name) + "' have " +
-                    std::to_string(wanted.size) + " bytes, but those of the sensor '" +
-                    made.readings.front().sensor + "' have " + std::to_string(made.kind.size) +
-                    "; build both plugins with the same header of this kind");
-}
-
-void not_finite(const char* name, double value) {
-  throw base::Error("the number '" + std::string(name) + "' of its reading is " +
-                    base::number_text(value) + "; expected a finite number");
+  const std::string difference = wanted.size == made.kind.size
+                                     ? " list other fields in visit() than those"
+                                     : " have " + std::to_string(wanted.size) +
+                                           " bytes, not the " +
+                                           std::to_string(made.kind.size);
+  throw base::Error(std::string("its readings of the kind '").append(wanted.name) + "'" +
+                    difference + " of the sensor '" + made.readings.front().sensor +
+                    "'; build both plugins with the same header of this kind");
 }
 
 }  // namespace elsie::detail

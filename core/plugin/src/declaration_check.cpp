@@ -6,8 +6,6 @@
 #include <set>
 #include <utility>
 
-#include <dlfcn.h>
-
 #include "elsie/api/simulator_events.h"
 #include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
@@ -176,20 +174,18 @@ class Checker {
               "elsie/api/reading.h for that one, or give your own another name");
       }
     }
-    if (reading.lists_numbers && reading.numbers.empty()) {
-      fault(subject + "lists no numbers in visit() when it is new; every reading must list the " +
-            "same ones: give arrays their full size from the beginning");
+    if (reading.lists_fields && reading.fields.empty()) {
+      fault(subject + "lists nothing in visit() when it is new; every reading must list the same " +
+            "names");
     }
-    for (const ListedNumber& number : reading.numbers) {
-      dl_find_object library{};  // that contains it
-      if (!number.literal || _dl_find_object(const_cast<char*>(number.literal), &library) != 0) {
-        fault(subject + "lists the number " + base::name_in_quotes(number.name) +
-              " in visit() under a name that is made at run time; every name must be a literal, " +
-              "such as \"front_left\"");
-        return;  // its other names are of no use either
+    std::set<std::string> paths;
+    for (const FieldDeclaration& field : reading.fields) {
+      check_name("listed field", field.name);
+      if (!field.group.empty()) check_name("listed list", field.group);
+      if (const std::string path = field.path(); !paths.insert(path).second) {
+        fault(subject + "lists " + base::name_in_quotes(path) + " twice in visit()");
       }
     }
-    check_unique("listed number", reading.numbers, &ListedNumber::name);
   }
 
   void check_readings() {

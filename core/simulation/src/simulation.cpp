@@ -291,9 +291,9 @@ std::size_t Simulation::sensors(std::size_t robot) const {
 SensorView Simulation::sensor(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->sensor(index);
 }
-void Simulation::list_values(std::size_t robot, std::size_t sensor,
-                             std::vector<NamedValue>& values) const {
-  impl_->robots_[robot]->list_values(sensor, values);
+void Simulation::visit_reading(std::size_t robot, std::size_t sensor,
+                               const FieldVisit& visit) const {
+  impl_->robots_[robot]->visit_reading(sensor, visit);
 }
 std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
   return impl_->robots_[robot]->inferences();

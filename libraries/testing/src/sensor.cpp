@@ -73,11 +73,16 @@ void Sensor::equip(const elsie::Surroundings& surroundings) {
   const auto colours = surroundings.resource_colours();
   colours_.emplace(colours.begin(), colours.end());
   object_->equipped({&mounting_, *colours_});
+  object_->fit_reading();
 }
 
 std::vector<NamedValue> Sensor::values() const {
   std::vector<NamedValue> values;
-  object_->list_values(values);
+  object_->visit_fields(object_->reading(), [&](const ReadingField& field) {
+    for (std::size_t i = 0; field.is_number() && i < field.count; ++i) {
+      values.push_back({field.column(i), field.number(i)});
+    }
+  });
   return values;
 }
 

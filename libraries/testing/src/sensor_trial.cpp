@@ -68,29 +68,24 @@ class SensorTrial final : public Trial {
     sensor_.update(static_cast<const elsie::Surroundings&>(around),
                    pictures_.empty() ? nullptr : &pictures_[at % pictures_.size()]);
     answer.clear();
-    values_.clear();
-    sensor_->list_values(values_);
-    if (names_.empty()) {
-      for (const NamedValue& value : values_) {
-        names_.emplace_back(value.name);
+    std::size_t place = 0;
+    const bool is_first = names_.empty();
+    sensor_->visit_fields(sensor_->reading(), [&](const ReadingField& field) {
+      for (std::size_t i = 0; i < field.size; ++i) {
+        const std::string name = field.column(i);
+        if (is_first) names_.push_back(name);
+        require_name(place++, name);
+        if (!field.is_number()) {
+          answer.add("the picture '" + name + "'", hash_of(field.picture()));
+        } else if (i < field.count) {
+          require_finite(name.c_str(), field.number(i));
+          answer.add(name, field.number(i));
+        }
       }
-    }
-    if (names_.size() != values_.size()) {
-      throw Wrong("its reading lists " + std::to_string(values_.size()) + " numbers, and " +
+    });
+    if (names_.size() != place) {
+      throw Wrong("its reading lists " + std::to_string(place) + " numbers, and " +
                   std::to_string(names_.size()) + " before");
-    }
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (names_[i] != values_[i].name) {
-        throw Wrong("its reading lists '" + std::string(values_[i].name) + "' where it listed '" +
-                    names_[i] + "' before");
-      }
-      require_finite(names_[i].c_str(), values_[i].value);
-      answer.add(values_[i].name, values_[i].value);
-    }
-    if (sensor_->kind() == ReadingKind::of<VisionReading>()) {
-      const auto& view = *static_cast<const VisionReading*>(sensor_->reading());
-      answer.add("its raw picture", hash_of(view.raw));
-      answer.add("its processed picture", hash_of(view.processed));
     }
   }
 
@@ -105,6 +100,14 @@ class SensorTrial final : public Trial {
   }
 
  private:
+  /// Requires that this place of visit() has the name that it had before.
+  void require_name(std::size_t place, const std::string& name) const {
+    if (place < names_.size() && names_[place] != name) {
+      throw Wrong("its reading lists '" + name + "' where it listed '" + names_[place] +
+                  "' before");
+    }
+  }
+
   void require_sound() const {
     if (camera_ &&
         !(camera_->width >= 1 && camera_->height >= 1 && camera_->horizontal_fov_rad > 0.0 &&
@@ -131,7 +134,6 @@ class SensorTrial final : public Trial {
   std::vector<Image> pictures_;
   const void* reading_ = nullptr;
   std::vector<std::string> names_;
-  std::vector<NamedValue> values_;
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace elsie::testing {
 /// The result of one step, as numbers to be compared.
 struct Answer {
   struct Number {
-    const char* name;
+    std::string name;
     double value;
   };
   std::vector<Number> numbers;
@@ -30,7 +30,7 @@ struct Answer {
     numbers.clear();
     events.clear();
   }
-  void add(const char* name, double value) { numbers.push_back({name, value}); }
+  void add(std::string name, double value) { numbers.push_back({std::move(name), value}); }
   void add(const CommandSets& sets);
   void add(const Motion& command);
 };

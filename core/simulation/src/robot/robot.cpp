@@ -289,20 +289,24 @@ void Robot::ask(Statements& said) {
   });
 }
 
-void Robot::list_values(std::size_t sensor, std::vector<NamedValue>& values) const {
+void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
   const SensorSlot& slot = *sensors_[sensor];
   guard_.look(*slot.use, [&] {
-    const auto before = static_cast<std::ptrdiff_t>(values.size());
-    slot.object().list_values(values);
-    const ReadingDeclaration& fresh = slot.declaration->produces.front();
-    const auto is_same = [](const NamedValue& a, const ListedNumber& b) {
-      return a.name == b.name;
-    };
-    if (fresh.lists_numbers && !std::equal(values.begin() + before, values.end(),
-                                           fresh.numbers.begin(), fresh.numbers.end(), is_same)) {
-      guard_.fail(*slot.use,
-                  "its reading lists other numbers in visit() than a new one; every reading must "
-                  "list the same ones: give arrays their full size from the beginning");
+    const std::vector<FieldDeclaration>& declared = slot.declaration->produces.front().fields;
+    auto expected = declared.begin();
+    slot.object().visit_fields(slot.object().reading(), [&](const ReadingField& field) {
+      if (field.item == 0 && (expected == declared.end() || expected->name != field.name ||
+                              (expected++)->group != field.group)) {
+        guard_.fail(*slot.use, "its reading lists '" + field.path() +
+                                   "' in visit() in another place than a new one; every reading "
+                                   "must list the same names in the same order");
+      }
+      visit(field);
+    });
+    if (expected != declared.end()) {
+      guard_.fail(*slot.use, "its reading does not list '" + expected->name +
+                                 "' in visit(), as a new one does; every reading must list the "
+                                 "same names in the same order");
     }
   });
 }

@@ -121,7 +121,7 @@ class Robot final : private RobotRequests {
     raise(std::move(collision));
   }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
-  void list_values(std::size_t sensor, std::vector<NamedValue>& values) const;
+  void visit_reading(std::size_t sensor, const FieldVisit& visit) const;
   /// The inferences of its plugins in the last decision. Throws PluginFault.
   std::vector<MadeInference> inferences() const {
     std::vector<MadeInference> list;
@@ -184,7 +184,9 @@ class Robot final : private RobotRequests {
   struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
     using ObjectOf::ObjectOf;
     void equip(Component& object, const Example& example) const override {
-      static_cast<Sensor&>(object).equipped({&place->mounting, example.resource_colours});
+      auto& sensor = static_cast<Sensor&>(object);
+      sensor.equipped({&place->mounting, example.resource_colours});
+      sensor.fit_reading();
     }
     std::optional<Camera> camera_of(const Component& object) const override {
       return static_cast<const Sensor&>(object).camera();

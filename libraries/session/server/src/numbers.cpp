@@ -27,6 +27,7 @@ class Values {
   void see(std::string_view /*name*/, double value) {
     values_.push_back(static_cast<float>(value));
   }
+  void see(const ReadingField& /*field*/, std::size_t /*i*/, double value) { see({}, value); }
   void see_joints(const RobotView& robot) {
     for (const JointSetting& joint : robot.joints) {
       see("rate", joint.rate_rad_s);
@@ -48,6 +49,9 @@ class Names {
   }
   void see(std::string_view name, double /*value*/) {
     names_.push_back(prefix_ + std::string(name));
+  }
+  void see(const ReadingField& field, std::size_t i, double value) {
+    see(field.column(i), value);
   }
   void see_joints(const RobotView& robot) {
     std::size_t place = 0;
@@ -104,18 +108,19 @@ template <class Visitor>
 bool Numbers::visit_all(const Simulation& simulation, Visitor visitor) {
   const std::size_t failed = failed_.size();
   const bool has_decided = simulation.steps() > 0;
-  std::vector<NamedValue> listed;
   for (std::size_t robot = 0; robot < simulation.robots(); ++robot) {
     visit(simulation, robot, has_decided, visitor);
     for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
-      listed.clear();
-      if (!succeeds({robot, i}, [&] { simulation.list_values(robot, i, listed); })) {
+      const auto lists_all = [&] { simulation.visit_reading(robot, i, [](const auto&) {}); };
+      if (!succeeds({robot, i}, lists_all)) {
         continue;
       }
       visitor.begin(simulation.robot(robot).description->id, simulation.sensor(robot, i).id);
-      for (const NamedValue& value : listed) {
-        visitor.see(value.name, has_decided ? value.value : kNone);
-      }
+      simulation.visit_reading(robot, i, [&](const ReadingField& field) {
+        for (std::size_t k = 0; field.is_number() && k < field.size; ++k) {
+          visitor.see(field, k, has_decided && k < field.count ? field.number(k) : kNone);
+        }
+      });
     }
   }
   return failed_.size() == failed;

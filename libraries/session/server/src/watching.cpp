@@ -10,6 +10,7 @@
 #include "elsie/base/error.h"
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
+#include "elsie/recording/sensor_pictures.h"
 #include "elsie/traces/trace_rows.h"
 
 namespace elsie::server {
@@ -53,19 +54,20 @@ Json members_json(const RobotView& robot) {
 
 Json sensors_json(const Simulation& simulation, std::size_t robot) {
   Json sensors = Json::array();
-  std::vector<NamedValue> values;
   for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
     const SensorView sensor = simulation.sensor(robot, i);
-    values.clear();
-    simulation.list_values(robot, i, values);
-    Json names = Json::array(), numbers = Json::array();
-    for (const NamedValue& value : values) {
-      names.push_back(value.name);
-      numbers.push_back(number(value.value));
-    }
+    Json names = Json::array(), units = Json::array(), numbers = Json::array();
+    simulation.visit_reading(robot, i, [&](const ReadingField& field) {
+      for (std::size_t k = 0; field.is_number() && k < field.size; ++k) {
+        names.push_back(field.column(k));
+        units.push_back(field.unit);
+        numbers.push_back(k < field.count ? number(field.number(k)) : Json());
+      }
+    });
     sensors.push_back({{"id", sensor.id},
                        {"plugin", sensor.plugin},
                        {"names", std::move(names)},
+                       {"units", std::move(units)},
                        {"values", std::move(numbers)}});
   }
   return sensors;
@@ -95,19 +97,9 @@ Json cameras_json(const Simulation& simulation, std::size_t robot) {
     }
     Json camera = {
         {"id", sensor.id}, {"width", sensor.camera->width}, {"height", sensor.camera->height}};
-    const auto add = [&camera](const char* name, const Image* image) {
-      if (image && !image->empty()) {
-        camera[name] = rgb_text(*image);
-      }
-    };
-    if (sensor.sensor->kind() == ReadingKind::of<VisionReading>()) {
-      // The reading includes the sensor's noise.
-      const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
-      add("raw", &reading.raw);
-      add("processed", &reading.processed);
-    } else {
-      add("raw", sensor.picture);
-    }
+    recording::visit_pictures(simulation, robot, i, [&](std::string_view name, const Image& image) {
+      camera[std::string(name)] = rgb_text(image);
+    });
     cameras.push_back(std::move(camera));
   }
   return cameras;

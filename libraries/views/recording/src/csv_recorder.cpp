@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -24,6 +25,7 @@ constexpr const char* kBodyColumns =
     "asked_forward_m_s,asked_lateral_m_s,asked_turn_rad_s,"
     "command_forward_m_s,command_lateral_m_s,command_turn_rad_s";
 constexpr double kFlushEvery = 1.0;  // s, simulated: the time that a killed program may lose
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kTraceColumns = 10;
 constexpr const char* kTraceNames[kTraceColumns] = {
     "asked",    "forward_m_s", "lateral_m_s", "turn_rad_s",   "activation",
@@ -131,12 +133,12 @@ class CsvRecorder final : public simulation::Observer {
       places.robot = r;
       for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
         const simulation::SensorView sensor = simulation.sensor(r, s);
-        values_.clear();
-        simulation.list_values(r, s, values_);
-        for (const NamedValue& value : values_) {
-          places.readings.push_back(
-              place_of(reading_columns_, "sensor[" + std::string(sensor.id) + "]." + value.name));
-        }
+        simulation.visit_reading(r, s, [&](const ReadingField& field) {
+          for (std::size_t i = 0; field.is_number() && i < field.size; ++i) {
+            places.readings.push_back(place_of(
+                reading_columns_, "sensor[" + std::string(sensor.id) + "]." + field.column(i)));
+          }
+        });
       }
       for (const simulation::TracedMember& member : simulation.robot(r).trace) {
         places.behaviors.push_back(place_of(behaviors_, member.path));
@@ -164,18 +166,19 @@ class CsvRecorder final : public simulation::Observer {
   }
 
   void write_readings(const simulation::Simulation& simulation, const Places& places) {
-    values_.clear();
-    for (std::size_t s = 0; s < simulation.sensors(places.robot); ++s) {
-      simulation.list_values(places.robot, s, values_);
-    }
-    row_.assign(reading_columns_.size() + 1, nullptr);  // the last: numbers without a column
+    row_.assign(reading_columns_.size() + 1, kNone);  // the last: numbers without a column
     const bool measured = simulation.steps() > 0;
-    for (std::size_t i = 0; measured && i < places.readings.size(); ++i) {
-      row_[places.readings[i]] = &values_[i];
+    auto place = places.readings.begin();
+    for (std::size_t s = 0; measured && s < simulation.sensors(places.robot); ++s) {
+      simulation.visit_reading(places.robot, s, [&](const ReadingField& field) {
+        for (std::size_t i = 0; field.is_number() && i < field.size; ++i) {
+          row_[*place++] = i < field.count ? field.number(i) : kNone;
+        }
+      });
     }
     row_.pop_back();
-    for (const NamedValue* value : row_) {
-      value ? line_.number(value->value) : line_.empty();
+    for (const double value : row_) {
+      std::isnan(value) ? line_.empty() : line_.number(value);
     }
   }
 
@@ -217,8 +220,7 @@ class CsvRecorder final : public simulation::Observer {
   std::vector<std::string> reading_columns_;
   std::vector<std::string> behaviors_;
   std::vector<Places> places_;
-  std::vector<NamedValue> values_;
-  std::vector<const NamedValue*> row_;
+  std::vector<double> row_;  // numbers of readings; kNone: there is none
   std::vector<const simulation::TracedMember*> trace_;
   files::CsvLine line_;
 };

@@ -14,6 +14,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/files/emergency.h"
 #include "elsie/mcap/writer.h"
+#include "elsie/recording/sensor_pictures.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 #include "elsie/traces/trace_rows.h"
@@ -121,8 +122,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
  private:
   struct CameraChannels {
     std::size_t sensor;
-    std::uint16_t raw;
-    std::optional<std::uint16_t> processed;
+    std::map<std::string, std::uint16_t, std::less<>> of;  // by the names of its pictures
   };
   struct RobotChannels {
     std::size_t place;  // in the simulation
@@ -209,6 +209,9 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       const SensorView sensor = simulation.sensor(r, s);
       kind += "|" + std::string(sensor.id) + " " + std::string(sensor.plugin) +
               (sensor.camera ? " looks" : "");
+      simulation.visit_reading(r, s, [&](const ReadingField& field) {
+        kind += " " + field.path() + (field.is_array ? std::to_string(field.size) : "");
+      });
     }
     for (const simulation::TracedMember& member : simulation.robot(r).trace) {
       kind += "|" + member.path + " " + std::string(member.plugin) + " " +
@@ -273,11 +276,14 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
           continue;
         }
         const std::string topic = "cameras/" + std::string(sensor.id);
-        CameraChannels camera{s, own(topic, image), std::nullopt};
-        if (sensor.sensor->kind() == ReadingKind::of<VisionReading>()) {
-          camera.processed = own(topic + "/processed", image);
-        }
-        channels.cameras.push_back(camera);
+        CameraChannels camera{s, {{"raw", own(topic, image)}}};
+        simulation.visit_reading(r, s, [&](const ReadingField& field) {
+          const std::string name(field.name);
+          if (!field.is_number() && !camera.of.contains(name)) {
+            camera.of.emplace(name, own(topic + "/" + name, image));
+          }
+        });
+        channels.cameras.push_back(std::move(camera));
       }
       robots_.push_back(std::move(channels));
     }
@@ -289,17 +295,13 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   std::string readings_schema(const Simulation& simulation, std::size_t r) {
     Json sensors = Json::object();
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      values_.clear();
-      simulation.list_values(r, s, values_);
-      Json numbers = Json::object();
-      for (const NamedValue& value : values_) {
-        numbers[value.name] = {{"type", "number"}};
-      }
-      sensors[std::string(simulation.sensor(r, s).id)] = {
-          {"type", "object"},
-          {"properties", std::move(numbers)},
-          {"additionalProperties", false},
-          {"description", "one that is not finite is left out"}};
+      Json properties = Json::object();
+      simulation.visit_reading(r, s, [&](const ReadingField& field) {
+        add_to_schema(field, properties);
+      });
+      sensors[std::string(simulation.sensor(r, s).id)] = {{"type", "object"},
+                                                          {"properties", std::move(properties)},
+                                                          {"additionalProperties", false}};
     }
     Json schema = schema_of("elsie.Readings");
     schema["properties"]["sensors"]["properties"] = std::move(sensors);
@@ -402,42 +404,22 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     const std::size_t r = channels.place;
     Json sensors = Json::object();
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      values_.clear();
-      simulation.list_values(r, s, values_);
       Json& sensor = sensors[std::string(simulation.sensor(r, s).id)] = Json::object();
-      for (const NamedValue& value : values_) {
-        if (std::isfinite(value.value)) {
-          sensor[value.name] = value.value;
-        }
-      }
+      simulation.visit_reading(r, s,
+                               [&](const ReadingField& field) { add_to_message(field, sensor); });
     }
     write(channels.readings, time_ns,
           {{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}});
   }
 
-  // The reading already contains what a sensor makes of a picture, including noise.
   void write_pictures(const Simulation& simulation, const RobotChannels& channels,
                       std::uint64_t time_ns) {
     const std::size_t r = channels.place;
     for (const CameraChannels& camera : channels.cameras) {
-      const SensorView sensor = simulation.sensor(r, camera.sensor);
-      const Image* raw = sensor.picture;
-      if (camera.processed) {
-        const auto& reading = *static_cast<const VisionReading*>(sensor.sensor->reading());
-        raw = &reading.raw;
-        write_picture(*camera.processed, simulation, r, reading.processed, time_ns);
-      }
-      if (raw) {
-        write_picture(camera.raw, simulation, r, *raw, time_ns);
-      }
-    }
-  }
-
-  void write_picture(std::uint16_t channel, const Simulation& simulation, std::size_t r,
-                     const Image& image, std::uint64_t time_ns) {
-    if (!image.empty()) {
-      const std::string& id = simulation.robot(r).description->id;
-      write(channel, time_ns, image_message(decided_ns_, id, image));
+      visit_pictures(simulation, r, camera.sensor, [&](std::string_view name, const Image& image) {
+        const std::string& id = simulation.robot(r).description->id;
+        write(camera.of.find(name)->second, time_ns, image_message(decided_ns_, id, image));
+      });
     }
   }
 
@@ -459,7 +441,6 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   bool new_pictures_ = false;  // since the last sample
   // Robots whose battery is empty now, and was before the last decision: then they saw nothing.
   std::vector<bool> empty_, blind_;
-  std::vector<NamedValue> values_;
 };
 
 }  // namespace

@@ -95,6 +95,41 @@ std::string world_text(const simulation::Simulation& simulation, const std::stri
   return text += '}';
 }
 
+void add_to_schema(const ReadingField& field, Json& properties) {
+  if (!field.is_number() || field.item > 0) return;
+  Json* place = &properties;
+  if (!field.group.empty()) {
+    Json& list = properties[std::string(field.group)];
+    list["type"] = "array";
+    list["items"]["type"] = "object";
+    place = &list["items"]["properties"];
+  }
+  Json number{{"type", "number"}};
+  if (!field.unit.empty()) number["description"] = field.unit;
+  (*place)[std::string(field.name)] =
+      field.is_array ? Json{{"type", "array"}, {"items", std::move(number)}} : number;
+}
+
+void add_to_message(const ReadingField& field, Json& sensor) {
+  if (!field.is_number()) return;
+  Json* place = &sensor;
+  if (!field.group.empty()) {
+    Json& list = sensor[std::string(field.group)];
+    if (list.is_null()) list = Json::array();
+    if (!field.in_list) return;
+    place = &list[field.item];
+  }
+  Json& value = (*place)[std::string(field.name)];
+  if (!field.is_array) {
+    value = field.number(0);
+    return;
+  }
+  value = Json::array();
+  for (std::size_t i = 0; i < field.count; ++i) {
+    value.push_back(field.number(i));
+  }
+}
+
 Json pose_message(std::uint64_t time_ns, const Pose& pose) {
   const Frame frame = frame_of(pose);
   return {

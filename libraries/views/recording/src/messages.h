@@ -33,6 +33,11 @@ Frame frame_of(const Pose& pose, double z = 0.0);
 /// The text of the message about the world. `crowd`: places of robots without channels.
 std::string world_text(const simulation::Simulation& simulation, const std::string& program,
                        std::span<const std::size_t> crowd);
+/// Adds a field of a reading to the properties of its sensor in a schema: an array is an array, a
+/// list of structs one of objects. Pictures have channels of their own.
+void add_to_schema(const ReadingField& field, Json& properties);
+/// Adds the field to the message of its sensor.
+void add_to_message(const ReadingField& field, Json& sensor);
 Json pose_message(std::uint64_t time_ns, const Pose& pose);
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
 Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot);

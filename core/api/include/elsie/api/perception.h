@@ -176,10 +176,10 @@ class Perception {
   /// produces them. Throws base::Error when a sensor produces others of the same name.
   template <class Reading>
   Readings<Reading> readings() const {
-    constexpr ReadingKind wanted = ReadingKind::of<Reading>();
+    const ReadingKind& wanted = ReadingKind::of<Reading>();
     for (const ReadingGroup& group : data_->groups) {
       if (!group.kind.has_name_of(wanted)) continue;
-      if (group.kind.size != wanted.size) [[unlikely]] {
+      if (!group.kind.has_layout_of(wanted)) [[unlikely]] {
         detail::other_layout(wanted, group);
       }
       return Readings<Reading>(group.readings);

@@ -4,8 +4,9 @@
 // behaviour is asked. A sensor adds its own noise, from its own random stream.
 #pragma once
 
-#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -93,6 +94,12 @@ struct SensorPlace {
 
 class Sensor;
 
+namespace detail {
+/// Throws base::Error with a sentence: what is wrong with the sensor's reading. `blank`: one that
+/// has the right sizes.
+[[noreturn]] void faulty_reading(const Sensor& sensor, const void* blank);
+}  // namespace detail
+
 /// Several sensors of one plugin on one robot, which are updated in one call.
 struct SensorBatch {
   struct Entry {
@@ -120,11 +127,6 @@ struct Carrier {
   const Mounting* mounting = nullptr;        // the sensor on the robot
   std::span<const Colour> resource_colours;  // see Surroundings
 };
-
-namespace detail {
-/// Throws base::Error with a sentence.
-[[noreturn]] void not_finite(const char* name, double value);
-}  // namespace detail
 
 /// A sensor without the type of its reading. Derive from SensorOf<Reading> instead.
 class Sensor : public Component {
@@ -154,10 +156,19 @@ class Sensor : public Component {
   }
   /// The address of the current reading, the same for the whole life of the sensor.
   virtual const void* reading() const = 0;
-  /// Forgets the current reading. The simulator calls this before each run.
+  /// Forgets the current reading: it is blank. The simulator calls this before each run.
   virtual void forget() = 0;
-  /// Appends the numbers of the current reading: always the same names in the same order.
-  virtual void list_values(std::vector<NamedValue>& values) const = 0;
+  /// Forgets the current reading if its arrays have other sizes than those of a blank one. The
+  /// simulator calls this after equipped().
+  virtual void fit_reading() = 0;
+
+  // Readings without their type. `reading` is one of this sensor's kind.
+
+  /// Calls `visit` for each of its fields.
+  virtual void visit_fields(const void* reading, const FieldVisit& visit) const = 0;
+  /// A blank one, in memory of its own.
+  virtual std::shared_ptr<void> new_reading() const = 0;
+  virtual void copy_reading(const void* from, void* to) const = 0;
 };
 
 /// A sensor that produces readings of one kind.
@@ -166,8 +177,11 @@ class SensorOf : public Sensor {
  public:
   using ReadingType = Reading;
 
+  /// A reading before the first update. A sensor whose reading has arrays gives them their sizes
+  /// here, by its parameters: every reading must have the same sizes. Called after equipped().
+  virtual Reading blank() const { return {}; }
   /// The present reading. Override this function, or sense_into() for readings that own memory
-  /// (images), which is then reused from one update to the next.
+  /// (arrays, images), which is then reused from one update to the next.
   virtual Reading sense(const SensorContext& /*now*/) { return {}; }
   /// Updates the reading of the last update in place.
   virtual void sense_into(const SensorContext& now, Reading& reading) { reading = sense(now); }
@@ -175,37 +189,47 @@ class SensorOf : public Sensor {
   ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
   void update(const SensorContext& now) final {
     sense_into(now, reading_);
-    require_finite();
+    check();
   }
   /// Sets the present reading, for update_all().
   void set_reading(Reading reading) {
     reading_ = std::move(reading);
-    require_finite();
+    check();
   }
   const void* reading() const final { return &reading_; }
-  void forget() final { reading_ = Reading{}; }
-  void list_values(std::vector<NamedValue>& values) const final {
-    if constexpr (kListsNumbers<Reading>) {
-      reading_.visit([&values](const char* name, auto value) {
-        values.push_back({name, static_cast<double>(value)});
-      });
-    }
+  void forget() final {
+    reading_ = blank();
+    sizes_ = checked(reading_).sizes;
+  }
+  void fit_reading() final {
+    if (checked(blank()).sizes != sizes_) forget();
+  }
+  void visit_fields(const void* reading, const FieldVisit& visit) const final {
+    elsie::visit_fields(*static_cast<const Reading*>(reading), visit);
+  }
+  std::shared_ptr<void> new_reading() const final { return std::make_shared<Reading>(blank()); }
+  void copy_reading(const void* from, void* to) const final {
+    *static_cast<Reading*>(to) = *static_cast<const Reading*>(from);
   }
 
  private:
-  void require_finite() const {
-    if constexpr (kListsNumbers<Reading>) {
-      reading_.visit([](const char* name, auto value) {
-        if constexpr (std::is_floating_point_v<decltype(value)>) {
-          if (!std::isfinite(value)) [[unlikely]] {
-            detail::not_finite(name, static_cast<double>(value));
-          }
-        }
-      });
+  static detail::ReadingCheck checked(const Reading& reading) {
+    detail::ReadingCheck check;
+    if constexpr (kListsFields<Reading>) {
+      reading.visit(check);
+    }
+    return check;
+  }
+  void check() const {
+    const detail::ReadingCheck check = checked(reading_);
+    if (!check.is_finite || !check.fits || check.sizes != sizes_) [[unlikely]] {
+      const Reading expected = blank();
+      detail::faulty_reading(*this, &expected);
     }
   }
 
   Reading reading_{};
+  std::uint64_t sizes_ = 0;  // see ReadingCheck
 };
 
 namespace detail {

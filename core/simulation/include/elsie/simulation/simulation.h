@@ -207,8 +207,9 @@ class Simulation {
   RobotView robot(std::size_t index) const;
   std::size_t sensors(std::size_t robot) const;
   SensorView sensor(std::size_t robot, std::size_t index) const;
-  /// Appends the numbers of a sensor's current reading, by name. Throws PluginFault.
-  void list_values(std::size_t robot, std::size_t sensor, std::vector<NamedValue>& values) const;
+  /// Calls `visit` for each field of a sensor's current reading. Throws PluginFault, and what
+  /// `visit` throws, as a fault of the sensor.
+  void visit_reading(std::size_t robot, std::size_t sensor, const FieldVisit& visit) const;
   /// The inferences of the last decision, from the robot's plugins that derive from Infers and were
   /// asked. Throws PluginFault.
   std::vector<MadeInference> inferences(std::size_t robot) const;

@@ -13,6 +13,12 @@
 
 namespace elsie::testing {
 
+/// A number of a reading, by the name that it has in recordings: "distance_m", "ranges.0".
+struct NamedValue {
+  std::string name;
+  double value = 0.0;
+};
+
 ///   Sensor beam("beam_range", {{"max_range", 2.0}});
 ///   CHECK(beam.sense<RangeReading>(Surroundings().wall(1, -1, 1, 1)).hit);
 ///
