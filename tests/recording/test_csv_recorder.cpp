@@ -79,9 +79,9 @@ TEST_CASE(
   CHECK(std::stod(last[column(table, "sensor[eye].distance_m")]) == 1.0);
   CHECK(last[column(table, "sensor[eye].hit")] == "0");
   const simulation::RobotView robot = simulation.robot(0);
-  CHECK(std::stod(last[column(table, "forward_m_s")]) == robot.state->moving.forward);
-  CHECK(std::stod(last[column(table, "lateral_m_s")]) == robot.state->moving.lateral);
-  CHECK(std::stod(last[column(table, "turn_rad_s")]) == robot.state->moving.turn);
+  CHECK(std::stod(last[column(table, "forward_m_s")]) == robot.moving.forward);
+  CHECK(std::stod(last[column(table, "lateral_m_s")]) == robot.moving.lateral);
+  CHECK(std::stod(last[column(table, "turn_rad_s")]) == robot.moving.turn);
   CHECK(std::stod(last[column(table, "asked_forward_m_s")]) == robot.asked.forward);
   CHECK(std::stod(last[column(table, "command_forward_m_s")]) == robot.command.forward);
   CHECK(std::stod(last[column(table, "behavior[go_to_point].turn_rad_s")]) == robot.asked.turn);

@@ -19,8 +19,8 @@ void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
   for (std::size_t r = 0; r < simulation.robots(); ++r) {
     const simulation::RobotView robot = simulation.robot(r);
     const traces::Track& track = tracks.tracks()[r];
-    picture::RobotTrack drawn{robot.description->id, track.path, robot.state->pose, {},
-                              track.touches,         {},         track.placed,      track.from_s};
+    picture::RobotTrack drawn{robot.description->id, track.path, robot.pose,   {},
+                              track.touches,         {},         track.placed, track.from_s};
     for (const auto& beam : recording::range_beams(simulation, r)) {
       drawn.beams.push_back({{beam.from.x, beam.from.y}, {beam.to.x, beam.to.y}, beam.hit});
     }

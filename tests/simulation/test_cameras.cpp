@@ -96,7 +96,7 @@ TEST_CASE("What a camera sees is the world as it is at that instant, without its
   render::WorldScene scene(world);
   const Frame eye = simulation.sensor_frame(0, 1);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Pose& pose = simulation.robot(i).state->pose;
+    const Pose& pose = simulation.robot(i).pose;
     scene.place_robot(i, Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0));
   }
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {

@@ -49,7 +49,7 @@ TEST_CASE("One coordinate may be changed by itself; the others stay") {
   advance(simulation, 10);
   simulation.edit("robot[r1]/@x", "-3");
   simulation.edit("robot[r1]/@heading_deg", "-350");
-  const Pose& pose = simulation.robot(0).state->pose;
+  const Pose& pose = simulation.robot(0).pose;
   CHECK(pose.x == Approx(-3).margin(1e-9));
   CHECK(pose.y == Approx(2).margin(1e-4));
   CHECK(degrees(pose.heading_rad) == Approx(10).margin(1e-4));
@@ -99,7 +99,7 @@ TEST_CASE("A place that is not free is refused with a sentence, and nothing has 
   advance(other, 300);
   const Pose crate = *simulation.obstacle(1);
   REQUIRE(crate.x > 2.3);  // it was pushed
-  const Pose pusher = simulation.robot(1).state->pose;
+  const Pose pusher = simulation.robot(1).pose;
 
   const auto refused = [&](double x, double y, const std::string& sentence) {
     const std::uint64_t before = simulation.state_hash();
@@ -137,8 +137,8 @@ TEST_CASE("What is changed together is judged together") {
              Catch::Contains("robot[a]/@x=1: the robot 'a' overlaps the robot 'b'"));
   const simulation::Edit swap[] = {{"robot[a]/@x", "1"}, {"robot[b]/@x", "-1"}};
   simulation.edit(swap);
-  CHECK(simulation.robot(0).state->pose.x == Approx(1));
-  CHECK(simulation.robot(1).state->pose.x == Approx(-1));
+  CHECK(simulation.robot(0).pose.x == Approx(1));
+  CHECK(simulation.robot(1).pose.x == Approx(-1));
   // Both to one place.
   CHECK_THAT(why_not([&] { simulation.edit("robot[*]/@x", "0"); }),
              Catch::Contains("the robot 'a' overlaps the robot 'b'"));
@@ -214,7 +214,7 @@ TEST_CASE("Followers turn to whoever has the leader's flag") {
   simulation.step();
   CHECK(rates(simulation.robot(0).command).left == Approx(9.0).epsilon(0.02));
   advance(simulation, 2000);
-  const Pose& pose = simulation.robot(0).state->pose;
+  const Pose& pose = simulation.robot(0).pose;
   CHECK(std::hypot(pose.x, pose.y + 2) < 0.31);
 }
 

@@ -150,17 +150,16 @@ TEST_CASE("A behaviour that thinks in wheel rates drives every body along its ar
     world.robots.push_back(driven(drive));
     Simulation simulation(world, scripted.host);
     advance(simulation, 200);  // until the steering is where it is to be
-    const Pose before = simulation.robot(0).state->pose;
+    const Pose before = simulation.robot(0).pose;
     advance(simulation, 250);
     const auto view = simulation.robot(0);
-    CHECK(wrap_angle(view.state->pose.heading_rad - before.heading_rad) ==
-          Approx(2.0).epsilon(0.02));
-    for (const Motion& motion : {view.state->moving, view.state->odometry}) {
+    CHECK(wrap_angle(view.pose.heading_rad - before.heading_rad) == Approx(2.0).epsilon(0.02));
+    for (const Motion& motion : {view.moving, view.state->odometry}) {
       CHECK(motion.forward == Approx(0.4).epsilon(0.03));
       CHECK(motion.turn == Approx(0.8).epsilon(0.03));
     }
     // The chord of an arc of 2 rad with a radius of half a metre, or a little more.
-    CHECK(distance(before, view.state->pose) == Approx(2 * 0.5 * std::sin(1.0)).epsilon(0.03));
+    CHECK(distance(before, view.pose) == Approx(2 * 0.5 * std::sin(1.0)).epsilon(0.03));
   }
 }
 
@@ -172,7 +171,7 @@ TEST_CASE("A drive that can move sideways is asked for it, another one leaves it
     Simulation simulation(world, scripted.host);
     advance(simulation, 500);
     CHECK(simulation.robot(0).state->channels.lateral == (simulation.robot(0).command.lateral > 0));
-    return simulation.robot(0).state->pose.y;
+    return simulation.robot(0).pose.y;
   };
   CHECK(sideways("mecanum") == Approx(0.5).epsilon(0.05));
   CHECK(sideways("omnidirectional") == Approx(0.5).epsilon(0.05));
@@ -262,7 +261,7 @@ TEST_CASE("A drive is replaced while it runs, unless it would build another body
   CHECK(std::any_of(replaced.objects.begin(), replaced.objects.end(),
                     [](const auto& object) { return object.path == "drive"; }));
   advance(simulation, 100);
-  CHECK(simulation.robot(0).state->pose.x == Approx(0.6).epsilon(0.03));
+  CHECK(simulation.robot(0).pose.x == Approx(0.6).epsilon(0.03));
 }
 
 TEST_CASE("A drive that takes the place of another begins with its own joints, at rest") {

@@ -137,10 +137,10 @@ TEST_CASE("A robot on a synchro drive keeps its heading over edits of its body")
         "<robots><robot id=\"r1\"><drive><synchro/></drive><behaviors><go_to_point x=\"-2\" "
         "y=\"2\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot></robots>");
     advance(simulation, 200);
-    const Pose before = simulation.robot(0).state->pose;
+    const Pose before = simulation.robot(0).pose;
     REQUIRE(before.heading_rad > 1.0);  // the chassis points to the east as ever
     simulation.edit(edit.path, edit.value);
-    const Pose& now = simulation.robot(0).state->pose;
+    const Pose& now = simulation.robot(0).pose;
     CHECK(now.heading_rad == Approx(before.heading_rad).margin(1e-9));
     CHECK(now.x == before.x);
     advance(simulation, 10);
@@ -156,7 +156,7 @@ TEST_CASE("There is room beside the chassis of a robot, wherever its turret poin
       "speed=\"0.05\"/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>"
       "</robots>");
   advance(simulation, 200);
-  const Pose pose = simulation.robot(0).state->pose;
+  const Pose pose = simulation.robot(0).pose;
   REQUIRE(pose.heading_rad > 1.4);
   const auto box_at = [&](double ahead, double left) {
     return "<static_box length=\"0.1\" width=\"0.1\" x=\"" + std::to_string(pose.x + ahead) +

@@ -88,7 +88,7 @@ TEST_CASE("A reset forgets edits") {
   simulation.reset();
   CHECK(simulation.robot(0).state->is_leader);
   CHECK(simulation.robot(0).state->coverage_m == 0.5);
-  CHECK(simulation.robot(0).state->pose.x == Approx(-1));
+  CHECK(simulation.robot(0).pose.x == Approx(-1));
   CHECK(simulation.robot(1).state->energy == 5000);
   CHECK(simulation.events().empty());
   CHECK(simulation.run().state_hash == unchanged);
@@ -102,7 +102,7 @@ TEST_CASE("Without gravity a falling box goes on at its speed") {
   // The engine has no height to look at; robots have: one that falls.
   simulation.edit("robot[r1]/@z", "2");
   advance(simulation, 50);
-  CHECK(simulation.robot(0).state->pose.x == Approx(0).margin(1e-6));
+  CHECK(simulation.robot(0).pose.x == Approx(0).margin(1e-6));
   simulation.edit("robot[r1]/sensor[+]", "<beam_range id=\"ahead\"/>");
   const double height = simulation.sensor_frame(0, 0).origin.z;
   CHECK(height == Approx(2.09).margin(1e-3));
@@ -116,14 +116,14 @@ TEST_CASE("With half the step a robot drives on smoothly, and time goes on") {
                              "<behaviors><wander restlessness=\"0\" turn=\"0\"/></behaviors>"
                              "<coordinator><arbiter_suppression/></coordinator>");
   advance(simulation, 100);
-  const double before_x = simulation.robot(0).state->pose.x;
-  const double speed = simulation.robot(0).state->moving.forward;
+  const double before_x = simulation.robot(0).pose.x;
+  const double speed = simulation.robot(0).moving.forward;
   simulation.edit("physics/@step", "0.005");
   CHECK(simulation.time_s() == Approx(1.0));
   simulation.step();
   CHECK(simulation.time_s() == Approx(1.005));
-  CHECK(simulation.robot(0).state->moving.forward == Approx(speed).margin(0.01));
-  CHECK(simulation.robot(0).state->pose.x == Approx(before_x + 0.005 * speed).margin(1e-3));
+  CHECK(simulation.robot(0).moving.forward == Approx(speed).margin(0.01));
+  CHECK(simulation.robot(0).pose.x == Approx(before_x + 0.005 * speed).margin(1e-3));
   advance(simulation, 199);
   CHECK(simulation.time_s() == Approx(2.0));
 }
@@ -136,7 +136,7 @@ TEST_CASE(
   const auto x_after = [&](bool dropped, bool taken) {
     Simulation simulation = of("", driver);
     advance(simulation, 50);
-    const double x = simulation.robot(0).state->pose.x;
+    const double x = simulation.robot(0).pose.x;
     const std::string at = std::to_string(x + 0.4);
     if (dropped) {
       simulation.edit("obstacle[+]", "<static_box id=\"block\" width=\"1\" x=\"" + at + "\"/>");
@@ -146,7 +146,7 @@ TEST_CASE(
       simulation.edit("obstacle[block]/@remove", "true");
     }
     advance(simulation, 400);
-    return std::pair(simulation.robot(0).state->pose.x - x, simulation.robot(0).collisions);
+    return std::pair(simulation.robot(0).pose.x - x, simulation.robot(0).collisions);
   };
   const auto free = x_after(false, false), blocked = x_after(true, false),
              again = x_after(true, true);
@@ -235,7 +235,7 @@ TEST_CASE("What other robots do is not touched by an edit of one") {
       simulation.edit("robot[r3]/body/@length", "0.1");
     }
     advance(simulation, 60);
-    return simulation.robot(0).state->pose;
+    return simulation.robot(0).pose;
   };
   CHECK(path_of_r1(true) == path_of_r1(false));
 }
@@ -253,7 +253,7 @@ TEST_CASE("Robots come and go, and their teams know it") {
   REQUIRE(simulation.robots() == 3);
   CHECK(simulation.robot(2).state->team_index == 2);
   advance(simulation, 10);
-  CHECK(simulation.robot(2).state->pose.x == Approx(2).margin(1e-6));
+  CHECK(simulation.robot(2).pose.x == Approx(2).margin(1e-6));
 }
 
 TEST_CASE("A robot with another body keeps its place, speed, energy and way") {
@@ -270,7 +270,7 @@ TEST_CASE("A robot with another body keeps its place, speed, energy and way") {
   CHECK(simulation.robot(2).distance_m == way);
   simulation.edit("robot[r3]/drive[+]", "<mecanum/>");
   CHECK(simulation.robot(2).state->channels.lateral);
-  CHECK(simulation.robot(2).state->pose == before.pose);
+  CHECK(simulation.robot(2).pose == before.pose);
   advance(simulation, 50);
 }
 

@@ -42,7 +42,7 @@ TEST_CASE("An edit that cannot be made is refused in one sentence, and changes n
   const std::uint64_t before = simulation.state_hash();
   const std::size_t events = simulation.events().size();
   const std::string r9 = "<robot id=\"r9\" x=\"";
-  const Pose r1 = simulation.robot(0).state->pose;
+  const Pose r1 = simulation.robot(0).pose;
   const auto says = [&](const std::string& path, const std::string& value,
                         const std::string& part) {
     const std::string sentence = refusal(simulation, path, value);
@@ -131,7 +131,7 @@ TEST_CASE("Parameters that were set are set back when the edit is refused") {
   const auto run = [](bool edited) {
     Simulation simulation(lively(), shipped(), {7});
     advance(simulation, 60);
-    const Pose r1 = simulation.robot(0).state->pose;
+    const Pose r1 = simulation.robot(0).pose;
     if (edited) {
       const std::string block = "<static_box id=\"block\" x=\"" + std::to_string(r1.x) + "\" y=\"" +
                                 std::to_string(r1.y) + "\"/>";
@@ -153,7 +153,7 @@ TEST_CASE("A refused edit of a drive leaves the drive and its limits") {
                              "<drive><mecanum/></drive><behaviors><wander/></behaviors>"
                              "<coordinator><arbiter_suppression/></coordinator>");
   advance(simulation, 300);
-  const Pose pose = simulation.robot(0).state->pose;
+  const Pose pose = simulation.robot(0).pose;
   REQUIRE(std::abs(pose.x) > 0.3);
   CHECK_THAT(why_not([&] {
                simulation.edit(std::vector<simulation::Edit>{

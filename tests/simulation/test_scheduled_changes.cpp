@@ -141,7 +141,7 @@ TEST_CASE("A place that is taken when its time comes ends the run, and its obser
 
 TEST_CASE("Recordings tell what was changed, and observers see the start as it is changed to") {
   struct Start final : simulation::Observer {
-    void started(const Simulation& simulation) override { x = simulation.robot(0).state->pose.x; }
+    void started(const Simulation& simulation) override { x = simulation.robot(0).pose.x; }
     double x = 0;
   } start;
   ScriptedHost scripted([](const Perception&) { return wheels(5, 5); });

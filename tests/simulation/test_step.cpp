@@ -26,12 +26,12 @@ TEST_CASE("A behaviour perceives the robot's own state, and its command moves th
   CHECK(seen[0].x == Approx(1).margin(1e-6));
   CHECK(seen[0].y == Approx(2).margin(1e-6));
   const auto view = simulation.robot(0);
-  CHECK(view.state->pose.x == Approx(1).margin(0.01));
-  CHECK(view.state->pose.y == Approx(2 + 5 * 0.2).epsilon(0.01));
+  CHECK(view.pose.x == Approx(1).margin(0.01));
+  CHECK(view.pose.y == Approx(2 + 5 * 0.2).epsilon(0.01));
   CHECK(view.distance_m == Approx(1.0).epsilon(0.02));
-  CHECK(view.state->moving.forward == Approx(0.2).epsilon(0.01));
-  CHECK(view.state->moving.lateral == Approx(0).margin(0.01));
-  CHECK(view.state->moving.turn == Approx(0).margin(0.01));
+  CHECK(view.moving.forward == Approx(0.2).epsilon(0.01));
+  CHECK(view.moving.lateral == Approx(0).margin(0.01));
+  CHECK(view.moving.turn == Approx(0).margin(0.01));
 }
 
 TEST_CASE("A command is scaled, both wheels alike, to the maximum speed") {

@@ -28,7 +28,7 @@ void draw(const simulation::Simulation& simulation, const traces::TrackRecorder*
     const simulation::RobotView robot = simulation.robot(i);
     picture::RobotTrack track;
     track.id = robot.description->id;
-    track.now = robot.state->pose;
+    track.now = robot.pose;
     for (std::size_t k = 0; k < simulation.segments(i); ++k) {
       track.segments.push_back(simulation.segment(i, k).pose);
     }

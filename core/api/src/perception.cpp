@@ -22,8 +22,7 @@ void no_such_reading(const char* kind, std::size_t i, std::size_t count) {
 void other_layout(const ReadingKind& wanted, const ReadingGroup& made) {
   const std::string difference = wanted.size == made.kind.size
                                      ? " list other fields in visit() than those"
-                                     : " have " + std::to_string(wanted.size) +
-                                           " bytes, not the " +
+                                     : " have " + std::to_string(wanted.size) + " bytes, not the " +
                                            std::to_string(made.kind.size);
   throw base::Error(std::string("its readings of the kind '").append(wanted.name) + "'" +
                     difference + " of the sensor '" + made.readings.front().sensor +

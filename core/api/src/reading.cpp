@@ -15,20 +15,34 @@ namespace {
 /// Calls `action` with the first number of the field, as a pointer of its type.
 template <class Action>
 void with_numbers(const ReadingField& field, Action action) {
-  const auto as = [&]<class Number>(Number /*type*/) { action(static_cast<const Number*>(field.at)); };
+  const auto as = [&]<class Number>(Number /*type*/) {
+    action(static_cast<const Number*>(field.at));
+  };
   switch (field.type) {
-    case FieldType::boolean: return as(bool{});
-    case FieldType::int8: return as(std::int8_t{});
-    case FieldType::int16: return as(std::int16_t{});
-    case FieldType::int32: return as(std::int32_t{});
-    case FieldType::int64: return as(std::int64_t{});
-    case FieldType::uint8: return as(std::uint8_t{});
-    case FieldType::uint16: return as(std::uint16_t{});
-    case FieldType::uint32: return as(std::uint32_t{});
-    case FieldType::uint64: return as(std::uint64_t{});
-    case FieldType::real32: return as(float{});
-    case FieldType::real64: return as(double{});
-    case FieldType::picture: return;
+    case FieldType::boolean:
+      return as(bool{});
+    case FieldType::int8:
+      return as(std::int8_t{});
+    case FieldType::int16:
+      return as(std::int16_t{});
+    case FieldType::int32:
+      return as(std::int32_t{});
+    case FieldType::int64:
+      return as(std::int64_t{});
+    case FieldType::uint8:
+      return as(std::uint8_t{});
+    case FieldType::uint16:
+      return as(std::uint16_t{});
+    case FieldType::uint32:
+      return as(std::uint32_t{});
+    case FieldType::uint64:
+      return as(std::uint64_t{});
+    case FieldType::real32:
+      return as(float{});
+    case FieldType::real64:
+      return as(double{});
+    case FieldType::picture:
+      return;
   }
 }
 
@@ -86,7 +100,8 @@ std::string FieldDeclaration::in_words() const {
 
 void ReadingDeclaration::add(const ReadingField& field, const void* fresh) {
   if (field.item > 0) return;
-  const std::ptrdiff_t offset = static_cast<const char*>(field.at) - static_cast<const char*>(fresh);
+  const std::ptrdiff_t offset =
+      static_cast<const char*>(field.at) - static_cast<const char*>(fresh);
   const bool has_offset = field.is_stored && !field.is_array && field.group.empty();
   fields.push_back({std::string(field.group), std::string(field.name), std::string(field.unit),
                     field.type, field.is_array,
@@ -137,11 +152,11 @@ std::string fault_of_size(const ReadingField& field, const ReadingField& expecte
 
 }  // namespace
 
-void faulty_reading(const Sensor& sensor, const void* blank) {
+void faulty_reading(const Sensor& sensor, const void* reading, const void* blank) {
   std::vector<ReadingField> expected;
   sensor.visit_fields(blank, [&](const ReadingField& field) { expected.push_back(field); });
   std::size_t place = 0;
-  sensor.visit_fields(sensor.reading(), [&](const ReadingField& field) {
+  sensor.visit_fields(reading, [&](const ReadingField& field) {
     if (place < expected.size()) {
       if (const std::string fault = fault_of_size(field, expected[place]); !fault.empty()) {
         throw base::Error(fault);

@@ -52,6 +52,11 @@ class Checker {
     check_unique("element", declaration_.elements, &ElementDeclaration::name);
     check_unique("event", declaration_.events, &EventDeclaration::name);
     check_unique("needed reading", declaration_.needs, &ReadingDeclaration::kind);
+    for (const PublishedNumber& number : declaration_.published) {
+      check_name("published number", number.name);
+      if (!number.get) fault("published number '" + number.name + "' is not bound to a member");
+    }
+    check_unique("published number", declaration_.published, &PublishedNumber::name);
     return std::move(faults_);
   }
 
@@ -72,7 +77,10 @@ class Checker {
     std::set<std::string> seen;
     for (const Item& item : items) {
       if (!seen.insert(item.*name).second) {
-        fault(std::string(what) + " '" + item.*name + "' is declared twice");
+        fault(std::string(what) + " '" + item.*name + "' is declared twice" +
+              (what == std::string_view("element") && declaration_.kind == PluginKind::sensor
+                   ? "; every sensor has <noise> and <failure>"
+                   : ""));
       }
     }
   }
@@ -80,7 +88,9 @@ class Checker {
   void check_plugin() {
     if (std::find(kPluginKinds.begin(), kPluginKinds.end(), declaration_.kind) ==
         kPluginKinds.end()) {
-      fault("it is neither a sensor nor a behavior nor a coordinator nor a measure nor a drive");
+      fault(
+          "it is neither a sensor nor a behavior nor a coordinator nor a measure nor a drive nor a "
+          "localisation");
     }
     check_name("the plugin", declaration_.name);
     if (declaration_.version.empty()) fault("its version is empty");
@@ -201,8 +211,8 @@ class Checker {
       fault("a sensor must produce one kind of reading, not " + std::to_string(produced));
     }
     if (!is_sensor && produced != 0) fault("only a sensor produces readings");
-    if ((is_sensor || kind == PluginKind::measure || kind == PluginKind::drive) &&
-        !declaration_.needs.empty()) {
+    const bool perceives = kind == PluginKind::behavior || kind == PluginKind::coordinator;
+    if (!perceives && !declaration_.needs.empty()) {
       fault("a " + std::string(kind_name(kind)) + " is not given readings, so it cannot need any");
     }
     if (kind == PluginKind::measure && !declaration_.events.empty()) {
@@ -211,8 +221,10 @@ class Checker {
     if (kind == PluginKind::drive && !declaration_.events.empty()) {
       fault("a drive only carries out motions, so it raises no events");
     }
-    if (!declaration_.reacts_to.empty() && kind != PluginKind::behavior &&
-        kind != PluginKind::coordinator) {
+    if (kind == PluginKind::localisation && !declaration_.events.empty()) {
+      fault("a localisation only estimates, so it raises no events");
+    }
+    if (!declaration_.reacts_to.empty() && !perceives) {
       fault("only behaviors and coordinators perceive events, so it reacts to none");
     }
   }

@@ -64,7 +64,7 @@ void Simulation::Impl::reset(std::uint64_t seed) {
     const world::Robot& d = world_.robots[i];
     engine_->add_robot(world::plan_of(d), {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
     robots_[i]->reset(seed);
-    robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
+    robots_[i]->set_body(engine_->robot(i), engine_->joints(i), Arrival::started);
   }
   take_stock();
   wall_s_ = 0.0;
@@ -235,7 +235,7 @@ RunResult Simulation::Impl::figures() const {
   for (const auto& robot : robots_) {
     result.robots.push_back({robot->description().id, robot->description().team,
                              robot->tally().distance_m, robot->tally().collected,
-                             robot->state().energy, robot->state().pose,
+                             robot->state().energy, robot->truth().pose,
                              robot->tally().collisions});
   }
   measure_every_run(result, departed_);
@@ -274,16 +274,10 @@ std::span<const EventRecord> Simulation::events() const { return impl_->events_;
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(),
-          &robot.state(),
-          robot.asked(),
-          robot.command(),
-          robot.members(),
-          robot.trace(),
-          robot.tally().distance_m,
-          robot.tally().collisions,
-          robot.empty(),
-          robot.joints()};
+  return {&robot.description(),     &robot.state(), robot.truth().pose,
+          robot.truth().moving,     robot.asked(),  robot.command(),
+          robot.members(),          robot.trace(),  robot.tally().distance_m,
+          robot.tally().collisions, robot.empty(),  robot.joints()};
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();
@@ -295,6 +289,16 @@ void Simulation::visit_reading(std::size_t robot, std::size_t sensor,
                                const FieldVisit& visit) const {
   impl_->robots_[robot]->visit_reading(sensor, visit);
 }
+void Simulation::visit_published(std::size_t robot, const VisitPublished& visit) const {
+  impl_->robots_[robot]->visit_published(visit);
+}
+void Simulation::visit_published(const VisitPublished& visit) const {
+  impl_->measuring_->visit_published(visit);
+}
+std::vector<PluginSketch> Simulation::sketches(std::size_t robot) const {
+  return impl_->robots_[robot]->sketches();
+}
+std::vector<PluginSketch> Simulation::sketches() const { return impl_->measuring_->sketches(); }
 std::vector<MadeInference> Simulation::inferences(std::size_t robot) const {
   return impl_->robots_[robot]->inferences();
 }

@@ -14,10 +14,10 @@ namespace {
 constexpr const char* kAttributesOfItsElement =
     "; the parameters of a plugin are attributes of its element";
 
-// The group of a kind of plugins: <sensors>, <behaviors>, <coordinator>, <measures>, <drive>.
+// The group of a kind of plugins: <sensors>, <behaviors>, <coordinator>.
 std::string group_of(PluginKind kind) {
   const std::string name(plugin::kind_name(kind));
-  return kind == PluginKind::coordinator || kind == PluginKind::drive ? name : name + "s";
+  return plugin::is_only_one(kind) ? name : name + "s";
 }
 
 // The plugins for which `holds` is true, as tags.
@@ -60,9 +60,9 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
     for (const PluginKind kind : plugin::kPluginKinds) {
       if (host.find(kind, child.name)) {
         return "; a " + std::string(plugin::kind_name(kind)) + " belongs in " +
-               (kind == PluginKind::sensor || kind == PluginKind::drive ? "the robot's"
-                : kind == PluginKind::measure                           ? "the world's"
-                                                                        : "its") +
+               (kind == PluginKind::behavior || kind == PluginKind::coordinator ? "its"
+                : kind == PluginKind::measure                                   ? "the world's"
+                                                                                : "the robot's") +
                " <" + group_of(kind) + ">";
       }
     }

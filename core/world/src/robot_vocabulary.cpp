@@ -140,6 +140,11 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
                           "The drive of the robot; by default two wheels on one axle "
                           "(differential)")
               .optional(only_use("drive", "A drive", PluginKind::drive, Cost::body), &Robot::drive))
+      .group(Describe<Robot>("localisation",
+                             "What the robot believes of its place; by default the truth (exact)")
+                 .optional(only_use("localisation", "A localisation", PluginKind::localisation,
+                                    Cost::object),
+                           &Robot::localisation))
       .group(Describe<Robot>("segments", "The boxes that the robot pulls, from front to back")
                  .each(segment(), &Robot::segments))
       .group(Describe<Robot>("sensors", "The robot's sensors").each(sensor(), &Robot::sensors))

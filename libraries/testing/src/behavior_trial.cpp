@@ -180,6 +180,8 @@ std::unique_ptr<Trial> make_trial(const TrialSetting& setting) {
       return make_measure_trial(setting);
     case PluginKind::drive:
       return make_drive_trial(setting);
+    case PluginKind::localisation:
+      return make_localisation_trial(setting);
     case PluginKind::sensor:
       break;
   }

@@ -153,7 +153,7 @@ Trace record(World& world, double seconds, double interval_s) {
     now.time_s = simulation.time_s();
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
       const simulation::RobotView robot = simulation.robot(i);
-      const Pose& pose = robot.state->pose;
+      const Pose& pose = robot.pose;
       now.values.insert(now.values.end(), {pose.x, pose.y, pose.heading_rad, robot.command.forward,
                                            robot.command.lateral, robot.command.turn});
     }

@@ -282,7 +282,7 @@ Input InputMaker::make(int robot, Random& random) const {
   if (declaration_.kind == PluginKind::measure) {
     return make_watched(robot, random);
   }
-  if (declaration_.kind == PluginKind::drive) {
+  if (declaration_.kind == PluginKind::drive || declaration_.kind == PluginKind::localisation) {
     return make_driven(robot, random);
   }
   Input input;

@@ -28,6 +28,12 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
     }
   }
 
+  void sketch(elsie::Sketch& sketch) const override {
+    const elsie::Vector3 end{current().distance_m, 0.0, 0.0};
+    sketch.line(elsie::SketchRole::range, {}, end);
+    if (current().hit) sketch.point(elsie::SketchRole::hit, end);
+  }
+
  private:
   static BeamRange& beam(const elsie::SensorBatch::Entry& each) {
     return static_cast<BeamRange&>(*each.sensor);

@@ -18,6 +18,12 @@ class Proximity final : public elsie::SensorOf<elsie::ProximityReading> {
     }
     return {detected, max_range};
   }
+
+  void sketch(elsie::Sketch& sketch) const override {
+    using elsie::SketchRole;
+    sketch.pyramid(current().detected ? SketchRole::hit : SketchRole::range,
+                   elsie::radians(horizontal_fov_deg), elsie::radians(vertical_fov_deg), max_range);
+  }
 };
 
 }  // namespace

@@ -205,7 +205,9 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
     const world::Robot& next = world_.robots[i];
     const std::size_t former = pairs.former(i);
     const BodyPlan plan = world::plan_of(next);
+    Arrival arrival = Arrival::stayed;
     if (pairs.is_new(i)) {
+      arrival = Arrival::started;
       engine_->add_robot(plan, pose_of(next), next.z);
       new_robots.push_back(i);
     } else {
@@ -214,18 +216,19 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
       if (is_same) {
         engine_->add_robot_of(*before, former);
       } else {
-        engine_->add_robot_of(*before, former, plan, robots_[i]->state().pose);
+        engine_->add_robot_of(*before, former, plan, robots_[i]->truth().pose);
       }
       now[{robot, former}] = {robot, i};
       if (const NewPlace asked = new_place(old, next, transaction)) {
-        engine_->place_robot(i, asked.pose(robots_[i]->state().pose, pose_of(next)),
+        arrival = Arrival::placed;
+        engine_->place_robot(i, asked.pose(robots_[i]->truth().pose, pose_of(next)),
                              asked.z ? next.z : height(engine_->robot(i).frame));
       } else if (is_same) {
         continue;
       }
       new_robots.push_back(i);
     }
-    robots_[i]->set_body(engine_->robot(i), engine_->joints(i));
+    robots_[i]->set_body(engine_->robot(i), engine_->joints(i), arrival);
   }
   touches_.renumber([&](const physics::Body& body) -> std::optional<physics::Body> {
     const auto known = now.find(body);

@@ -77,7 +77,8 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
   }
   for (const InPlaceEdits::Placed& placed : places) {
     engine_->place_robot(placed.robot, placed.pose, placed.z);
-    robots_[placed.robot]->set_body(engine_->robot(placed.robot), engine_->joints(placed.robot));
+    robots_[placed.robot]->set_body(engine_->robot(placed.robot), engine_->joints(placed.robot),
+                                    Arrival::placed);
   }
   take_stock();
   log_events();

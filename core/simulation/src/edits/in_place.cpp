@@ -112,7 +112,7 @@ class Plan {
                                [&](const auto& other) { return other.robot == index_; });
     if (placed == places.end()) {
       placed = places.insert(
-          placed, {index_, robot().state().pose, height(stage_.engine.robot(index_).frame), ""});
+          placed, {index_, robot().truth().pose, height(stage_.engine.robot(index_).frame), ""});
     }
     add_text(placed->text, text_);
     return *placed;

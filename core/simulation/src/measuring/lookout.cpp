@@ -28,10 +28,11 @@ bool stays(ObservedObstacle::Kind kind) {
 
 void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavior> behaviors) {
   const OwnState& state = robot.state();
-  seen.pose = state.pose;
+  seen.pose = robot.truth().pose;
+  seen.believed = {state.pose, state.moving};
   seen.asked = robot.asked();
   seen.command = state.commanded;
-  seen.moving = state.moving;
+  seen.moving = robot.truth().moving;
   seen.odometry = state.odometry;
   seen.wheels = state.wheels;
   seen.distance_m = robot.tally().distance_m;

@@ -217,6 +217,20 @@ void Measuring::report(const RunEnd& end, std::vector<MeasuredValue>& values) {
   }
 }
 
+void Measuring::visit_published(const VisitPublished& visit) const {
+  for (const auto& slot : slots_) {
+    list_published(*slot, "", guard_, visit);
+  }
+}
+
+std::vector<PluginSketch> Measuring::sketches() const {
+  std::vector<PluginSketch> sketches;
+  for (const auto& slot : slots_) {
+    add_sketch(*slot, "", {}, guard_, sketches);
+  }
+  return sketches;
+}
+
 void Measuring::list_replaced(const plugin::Host& host, std::vector<std::string>& notes) {
   for (const auto& slot : slots_) {
     const Declaration* const now = host.find(PluginKind::measure, slot->use->plugin);

@@ -52,6 +52,10 @@ class Measuring {
   /// measures are not called any more.
   void report(const RunEnd& end, std::vector<MeasuredValue>& values);
 
+  /// See Simulation.
+  void visit_published(const VisitPublished& visit) const;
+  std::vector<PluginSketch> sketches() const;
+
   /// Measures are not replaced with their plugins: appends a sentence for each that differs in
   /// `host`.
   void list_replaced(const plugin::Host& host, std::vector<std::string>& notes);
@@ -66,7 +70,7 @@ class Measuring {
   };
   void check_names(std::vector<base::Problem>& problems) const;
 
-  Guard guard_;
+  mutable Guard guard_;             // looking at a plugin can fail, too
   std::optional<Lookout> lookout_;  // with measures only
   std::vector<std::shared_ptr<Slot>> slots_;
   bool has_failed_ = false;

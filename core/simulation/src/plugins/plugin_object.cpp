@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -76,6 +77,25 @@ void PluginObject::reset(std::uint64_t seed, const std::string& path) {
   forget();
   held->reset(random);
   is_new = false;
+}
+
+void list_published(const PluginObject& object, const std::string& within, Guard& guard,
+                    const VisitPublished& visit) {
+  if (object.declaration->published.empty()) return;
+  const std::string path = within + object.use->id;
+  for (const PublishedNumber& number : object.declaration->published) {
+    const double value = guard.look(*object.use, [&] { return number.get(*object.held); });
+    visit({path, number, std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN()});
+  }
+}
+
+void add_sketch(const PluginObject& object, const std::string& within, const Frame& frame,
+                Guard& guard, std::vector<PluginSketch>& sketches) {
+  Sketch sketch(frame);
+  guard.look(*object.use, [&] { object.held->sketch(sketch); });
+  if (!sketch.empty()) {
+    sketches.push_back({within + object.use->id, object.kind, std::move(sketch)});
+  }
 }
 
 void Statements::ask(const PluginObject& object, const std::string& path, Guard& guard) {

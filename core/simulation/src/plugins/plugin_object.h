@@ -70,13 +70,12 @@ class PluginObject {
   /// The camera of an object of this plugin, if it has one.
   virtual std::optional<Camera> camera_of(const Component& /*object*/) const { return {}; }
   /// Resets the object, with the random stream of this path at its start. Its parameters stay.
-  void reset(std::uint64_t seed, const std::string& path);
+  virtual void reset(std::uint64_t seed, const std::string& path);
 
   /// Data that few objects have.
   struct Extras {
-    std::optional<Camera> camera;     // of a sensor, if it has one
-    std::unique_ptr<Image> picture;   // of that camera; null: none was taken
-    std::unique_ptr<Pyramid> volume;  // of a sensor's last query; null: none
+    std::optional<Camera> camera;    // of a sensor, if it has one
+    std::unique_ptr<Image> picture;  // of that camera; null: none was taken
     Heap heap;
   };
   const Extras& extras() const { return extras_ ? *extras_ : kNoExtras; }
@@ -125,6 +124,14 @@ struct Statements {
   /// object's id inside a behaviour, "explore/", else "". Throws PluginFault.
   void ask(const PluginObject& object, const std::string& path, Guard& guard);
 };
+
+/// Calls `visit` for each number that an object publishes; `within` as in Statements::ask(). Throws
+/// PluginFault.
+void list_published(const PluginObject& object, const std::string& within, Guard& guard,
+                    const VisitPublished& visit);
+/// Adds what an object draws in this frame, if it draws anything. Throws PluginFault.
+void add_sketch(const PluginObject& object, const std::string& within, const Frame& frame,
+                Guard& guard, std::vector<PluginSketch>& sketches);
 
 /// A function called for each of a robot's objects. `path` names the object on the robot:
 /// "behavior[explore]/behavior[roam]"; `within` is the prefix of its id: "explore/", or "".

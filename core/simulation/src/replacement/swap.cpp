@@ -102,6 +102,7 @@ world::World Swap::adapted(world::World world) const {
     for (world::SensorUse& use : robot.sensors) fit(PluginKind::sensor, use);
     fit_all(robot);
     if (robot.drive) fit(PluginKind::drive, *robot.drive);
+    if (robot.localisation) fit(PluginKind::localisation, *robot.localisation);
   }
   return world;
 }

@@ -38,7 +38,7 @@ Robot::Robot(const world::World& world, std::size_t index,
   std::vector<base::Problem> problems;
   sensors_.reserve(description.sensors.size());
   for (const world::SensorUse& use : description.sensors) {
-    sensors_.push_back(std::make_shared<SensorSlot>(use, host));
+    sensors_.push_back(std::make_shared<SensorSlot>(use, host, *this));
   }
   // One after the other, so that they are near each other in memory.
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
@@ -47,6 +47,7 @@ Robot::Robot(const world::World& world, std::size_t index,
   controller_.emplace(description, host, Controller::Setting{guard_, *this, options.measure_time},
                       problems);
   make_drive(host, problems);
+  make_localisation(host, problems);
   throw_if_any(problems);
   group_readings();
 
@@ -67,6 +68,7 @@ void Robot::for_each(Order order, const Visit& visit) const {
     visit(*slot, "sensor[" + slot->use->id + "]", "");
   }
   visit(*drive_, "drive", "");
+  if (localisation_) visit(*localisation_, "localisation", "");
   controller_->for_each(order, "", "", visit);
 }
 
@@ -125,6 +127,32 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
   });
 }
 
+void Robot::make_localisation(const plugin::Host& host, std::vector<base::Problem>& problems) {
+  localisation_.reset();
+  if (description_->localisation) {
+    localisation_ = std::make_shared<LocalisationSlot>(*description_->localisation, host);
+    localisation_->make(host, problems);
+  }
+  localiser_ = localisation_.get();
+}
+
+void Robot::SensorSlot::equip(Component& object, const Example& example) const {
+  auto& sensor = static_cast<Sensor&>(object);
+  sensor.equipped({&place->mounting, example.resource_colours});
+  sensor.fit_reading();
+  DisturbedReading::check(sensor);
+  if (&object != held.get()) return;  // it is only tried
+  if (sensor.disturbances().empty()) {
+    disturbed.reset();
+    return;
+  }
+  if (!disturbed) {
+    disturbed = std::make_unique<DisturbedReading>();
+    disturbed->reset(robot.seed_, "robot[" + robot.description_->id + "]/sensor[" + use->id + "]");
+  }
+  disturbed->fit(sensor);
+}
+
 void Robot::command(const Motion& asked) {
   asked_ = asked;
   carry_out(asked);
@@ -165,8 +193,10 @@ void Robot::group_readings() {
     const std::size_t first = sensed_.size();
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (kind_of[i] == kind) {
-        const SensorSlot& slot = *sensors_[i];
-        sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id.c_str()});
+        SensorSlot& slot = *sensors_[i];
+        slot.sensed = sensed_.size();
+        sensed_.push_back({slot.object().reading(), &slot.place->mounting, slot.use->id.c_str(),
+                           slot.disturbed ? slot.disturbed->age_s() : 0.0});
       }
     }
     groups_.push_back({kind, std::span(sensed_).subspan(first)});
@@ -201,6 +231,7 @@ void Robot::group_sensors() {
 }
 
 void Robot::reset(std::uint64_t seed) {
+  seed_ = seed;
   guard_.begin_run();
   guard_.begin_step(0, 0.0);
   for_each(Order::inner_first, [&](PluginObject& each, const std::string& path, const auto&) {
@@ -239,12 +270,11 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
                             std::span(rays).first(group.count)};
       guard_.step(first, [&] { first.object().update_all(all); });
     }
-    if (const Pyramid* const volume = surroundings.take_volume(); !volume) {
-      if (first.extras().volume) first.own_extras().volume.reset();
-    } else if (auto& known = first.own_extras().volume) {
-      *known = *volume;
-    } else {
-      known = std::make_unique<Pyramid>(*volume);
+    for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+      SensorSlot& slot = *sensors_[i];
+      if (!slot.disturbed) continue;
+      slot.disturbed->update(slot.object(), now.time_s, now.period_s);
+      sensed_[slot.sensed].age_s = slot.disturbed->age_s();
     }
   }
 }
@@ -309,6 +339,30 @@ void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
                                  "same names in the same order");
     }
   });
+}
+
+void Robot::visit_published(const VisitPublished& visit) const {
+  for_each(Order::outer_first,
+           [&](PluginObject& each, const std::string&, const std::string& within) {
+             list_published(each, within, guard_, visit);
+           });
+}
+
+std::vector<PluginSketch> Robot::sketches() const {
+  std::vector<PluginSketch> sketches;
+  const auto add = [&](PluginObject& each, const std::string& within, const Frame& frame) {
+    add_sketch(each, within, frame, guard_, sketches);
+  };
+  const Pose& pose = truth_.pose;
+  const Frame heading = Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0);
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    add(*sensors_[i], "", sensor_frame(i));
+  }
+  for_each(Order::outer_first,
+           [&](PluginObject& each, const std::string&, const std::string& within) {
+             if (each.kind != PluginKind::sensor) add(each, within, heading);
+           });
+  return sketches;
 }
 
 void Robot::use_energy(double period_s) {
@@ -391,12 +445,49 @@ void Robot::charge(double period_s, double rate) {
   }
 }
 
-void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints) {
-  tally_.distance_m += distance(state_.pose, state.pose);
-  set_body(state, joints);
+void Robot::moved(const physics::RobotState& state, std::span<const JointSetting> joints,
+                  double time_s, double step_s) {
+  tally_.distance_m += distance(truth_.pose, state.pose);
+  take_body(state, joints);
+  if (!localiser_) {
+    state_.pose = truth_.pose;
+    state_.moving = truth_.moving;
+    return;
+  }
+  believe([&](Localisation& localisation) {
+    return localisation.update({state_.pose, state_.moving},
+                               {time_s, step_s, truth_, state_.odometry, this->joints(),
+                                state_.wheels, &localiser_->random});
+  });
 }
 
-void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
+void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints,
+                     Arrival arrival) {
+  take_body(state, joints);
+  if (!localiser_) {
+    state_.pose = truth_.pose;
+    state_.moving = truth_.moving;
+  } else if (arrival != Arrival::stayed) {
+    believe([&](Localisation& localisation) {
+      return arrival == Arrival::placed ? localisation.placed({state_.pose, state_.moving}, truth_)
+                                        : localisation.start(truth_, localiser_->random);
+    });
+  }
+}
+
+template <class Estimate>
+void Robot::believe(Estimate estimate) {
+  const Belief belief =
+      guard_.run(*localiser_->use, [&] { return estimate(localiser_->object()); });
+  const Pose& pose = belief.pose;
+  if (!belief.moving.is_finite() || !std::isfinite(pose.x + pose.y + pose.heading_rad)) {
+    guard_.fail(*localiser_->use, "it believes numbers that are not finite");
+  }
+  state_.pose = {pose.x, pose.y, wrap_angle(pose.heading_rad)};
+  state_.moving = belief.moving;
+}
+
+void Robot::take_body(const physics::RobotState& state, std::span<const JointSetting> joints) {
   std::copy(joints.begin(), joints.end(), joints_.begin());
   Turret turret;
   if (!has_default_drive_) {
@@ -411,14 +502,14 @@ void Robot::set_body(const physics::RobotState& state, std::span<const JointSett
     state_.odometry = driver_->odometry(this->joints());
   }
   body_frame_ = state.frame;
-  state_.pose = state.pose;
-  state_.moving = {state.speed, state.lateral, state.turn_rate + turret.turn_rad_s};
+  truth_.pose = state.pose;
+  truth_.moving = {state.speed, state.lateral, state.turn_rate + turret.turn_rad_s};
   if (turret.angle_rad != 0.0) {
     const double c = std::cos(turret.angle_rad), s = std::sin(turret.angle_rad);
     body_frame_ = state.frame.frame(Frame::turned({}, turret.angle_rad, 0.0));
-    state_.pose.heading_rad = wrap_angle(state.pose.heading_rad + turret.angle_rad);
-    state_.moving.forward = c * state.speed + s * state.lateral;
-    state_.moving.lateral = c * state.lateral - s * state.speed;
+    truth_.pose.heading_rad = wrap_angle(state.pose.heading_rad + turret.angle_rad);
+    truth_.moving.forward = c * state.speed + s * state.lateral;
+    truth_.moving.lateral = c * state.lateral - s * state.speed;
   }
 }
 
@@ -443,8 +534,7 @@ SensorView Robot::sensor(std::size_t index) const {
       &slot.object(),
       &slot.place->mounting,
       extras.camera ? &*extras.camera : nullptr,
-      extras.camera && extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr,
-      extras.volume.get()};
+      extras.camera && extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr};
 }
 
 }  // namespace elsie::simulation

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "elsie/api/drive.h"
+#include "elsie/api/localisation.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
@@ -23,6 +24,7 @@
 #include "plugins/plugin_object.h"
 #include "robot/common_data.h"
 #include "robot/controller.h"
+#include "robot/disturbed_reading.h"
 
 namespace elsie::simulation {
 
@@ -44,6 +46,13 @@ struct Tally {
   double energy_used = 0.0;  // taken from the battery, units
   int collected = 0;
   int collisions = 0;
+};
+
+/// How the body of a robot has come to where it is.
+enum class Arrival {
+  started,  // its run has begun there
+  placed,   // an edit has placed it
+  stayed    // it is as it was
 };
 
 class Robot final : private RobotRequests {
@@ -69,9 +78,11 @@ class Robot final : private RobotRequests {
   /// at the robot's place, units per second; 0 without one.
   void charge(double period_s, double rate);
   /// Copies the state of the body.
-  void set_body(const physics::RobotState& state, std::span<const JointSetting> joints);
+  void set_body(const physics::RobotState& state, std::span<const JointSetting> joints,
+                Arrival arrival);
   /// Copies the state of the body after a step, and adds up the distance.
-  void moved(const physics::RobotState& state, std::span<const JointSetting> joints);
+  void moved(const physics::RobotState& state, std::span<const JointSetting> joints, double time_s,
+             double step_s);
   /// Adds the energy of a collected resource, up to the capacity.
   void collect(double energy);
 
@@ -122,6 +133,10 @@ class Robot final : private RobotRequests {
   }
   /// Appends the numbers of one sensor's reading. Throws PluginFault.
   void visit_reading(std::size_t sensor, const FieldVisit& visit) const;
+  /// Calls `visit` for each number that its plugins publish. Throws PluginFault.
+  void visit_published(const VisitPublished& visit) const;
+  /// The sketches of its plugins that are not empty. Throws PluginFault.
+  std::vector<PluginSketch> sketches() const;
   /// The inferences of its plugins in the last decision. Throws PluginFault.
   std::vector<MadeInference> inferences() const {
     std::vector<MadeInference> list;
@@ -137,6 +152,8 @@ class Robot final : private RobotRequests {
 
   const world::Robot& description() const { return *description_; }
   const OwnState& state() const { return state_; }
+  /// Where it is and how it moves, whatever it believes.
+  const Belief& truth() const { return truth_; }
   TeamState& team() { return team_; }
   std::span<const Colour> resource_colours() const { return resource_colours_; }
   std::vector<TeamMate>& mates() { return mates_; }
@@ -181,12 +198,14 @@ class Robot final : private RobotRequests {
   }
 
  private:
+  using LocalisationSlot = ObjectOf<Localisation, PluginKind::localisation>;
   struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
-    using ObjectOf::ObjectOf;
-    void equip(Component& object, const Example& example) const override {
-      auto& sensor = static_cast<Sensor&>(object);
-      sensor.equipped({&place->mounting, example.resource_colours});
-      sensor.fit_reading();
+    SensorSlot(const world::SensorUse& described, const plugin::Host& host, const Robot& its_robot)
+        : ObjectOf(described, host), robot(its_robot) {}
+    void equip(Component& object, const Example& example) const override;
+    void reset(std::uint64_t seed, const std::string& path) override {
+      if (disturbed) disturbed->reset(seed, path);
+      PluginObject::reset(seed, path);
     }
     std::optional<Camera> camera_of(const Component& object) const override {
       return static_cast<const Sensor&>(object).camera();
@@ -194,6 +213,9 @@ class Robot final : private RobotRequests {
     void forget() override { object().forget(); }
 
     const SensorPlace* place = nullptr;
+    const Robot& robot;
+    std::size_t sensed = 0;                               // the place of its reading in sensed_
+    mutable std::unique_ptr<DisturbedReading> disturbed;  // null: neither noise nor failures
   };
 
   void raise(const Event& event) override {
@@ -208,12 +230,18 @@ class Robot final : private RobotRequests {
   void make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
                    std::vector<base::Problem>& problems) const;
   void take_membership(const world::World& world, std::size_t index, CommonData& common);
+  void become_localised(const world::Robot& was, EditTransaction& transaction);
   void become_sensors(const world::Robot& was, EditTransaction& transaction);
   void group_readings();
   void group_sensors();
   Example example();
   void stop_when_empty();
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
+  void take_body(const physics::RobotState& state, std::span<const JointSetting> joints);
+  void make_localisation(const plugin::Host& host, std::vector<base::Problem>& problems);
+  /// Believes what the localisation answers. Throws PluginFault.
+  template <class Estimate>
+  void believe(Estimate estimate);
   const world::PluginUse& drive_use() const;
   void command(const Motion& asked);
   /// Commands the drive; the command is then the motion that it can make.
@@ -231,6 +259,8 @@ class Robot final : private RobotRequests {
   std::vector<JointSetting> joints_;  // measured, then the set points of as many
   Tally tally_;
   Frame body_frame_;
+  Belief truth_;
+  LocalisationSlot* localiser_ = nullptr;  // null: it believes the truth
   OwnState state_;
   double period_s_ = 0.01;  // of the last decision
   Motion asked_;
@@ -254,6 +284,8 @@ class Robot final : private RobotRequests {
 
   std::shared_ptr<CommonData> common_;
   std::shared_ptr<DriveSlot> drive_;
+  std::shared_ptr<LocalisationSlot> localisation_;
+  std::uint64_t seed_ = 0;  // of the run
   BodyPlan driven_;
   world::DriveCheck drive_check_;  // of a world with <drive>
   mutable std::vector<TracedMember> trace_;

@@ -18,6 +18,7 @@ void Robot::describe(const world::Robot& next) {
     sensors_[i]->use = &next.sensors[i];
   }
   if (next.drive) drive_->use = &*next.drive;
+  if (next.localisation) localisation_->use = &*next.localisation;
   controller_->describe(next);
 }
 
@@ -41,8 +42,11 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
     }
   });
   undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
-  undo.keep(description_, body_frame_, drive_, drive_check_, joints_, joint_count_);
+  undo.keep(description_, body_frame_, truth_, drive_, drive_check_, joints_, joint_count_);
+  undo.keep(localisation_, localiser_);
   description_ = &next;
+  seed_ = transaction.seed();
+  const LocalisationSlot* const had_localisation = localiser_;
   const bool had_charger = team_.charger.has_value();
   const std::vector<Colour> colours = resource_colours_;
   take_membership(world, index, common);
@@ -58,6 +62,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   } else {
     make_drive(transaction.host(), problems);
   }
+  become_localised(was, transaction);
   if (!problems.empty()) return;
   trace_.clear();
   group_readings();
@@ -85,8 +90,24 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
                }
              }
            });
+  if (!localiser_) {
+    state_.pose = truth_.pose;
+    state_.moving = truth_.moving;
+  } else if (had_localisation != localiser_) {
+    blaming(*localiser_->use, problems, [&] {
+      believe([&](Localisation& each) { return each.start(truth_, localiser_->random); });
+    });
+  }
   take_live(!same_drive, description_->energy && (transaction.asks(next, "energy") ||
                                                   description_->energy != was.energy));
+}
+
+void Robot::become_localised(const world::Robot& was, EditTransaction& transaction) {
+  const auto& next = description_->localisation;
+  if (was.localisation && next && transaction.keeps(*localisation_, *was.localisation, *next)) {
+    return;
+  }
+  make_localisation(transaction.host(), transaction.problems());
 }
 
 void Robot::become_sensors(const world::Robot& was, EditTransaction& transaction) {
@@ -104,7 +125,7 @@ void Robot::become_sensors(const world::Robot& was, EditTransaction& transaction
       continue;
     }
     SensorSlot& made =
-        *sensors_.emplace_back(std::make_shared<SensorSlot>(use, transaction.host()));
+        *sensors_.emplace_back(std::make_shared<SensorSlot>(use, transaction.host(), *this));
     make_sensor(made, use, transaction.host(), transaction.problems());
     if (is_known) {
       transaction.note_lost(description_->id, use.id);

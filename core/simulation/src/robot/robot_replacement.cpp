@@ -34,6 +34,7 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
     replace_sensor(swap, *slot, cameras);
   }
   replace_drive(swap);
+  if (localisation_) swap.exchange(*localisation_, "localisation");
   controller_->for_each(
       Order::inner_first, "", "",
       [&](PluginObject& each, const std::string& path, const auto&) { swap.exchange(each, path); });

@@ -19,23 +19,20 @@ namespace elsie::simulation {
 
 using Robots = std::span<const std::shared_ptr<Robot>>;
 
-/// One robot as perceived by another one.
-inline TeamMate seen_from(Robots robots, std::size_t observer, std::size_t other) {
-  const Pose& from = robots[observer]->state().pose;
-  const OwnState& state = robots[other]->state();
-  return {state.id,
-          state.pose,
-          distance(from, state.pose),
-          bearing(from, state.pose.x, state.pose.y),
-          state.is_leader,
-          state.team_index};
+/// A robot at `there` as another one at `here` has it.
+inline TeamMate mate_of(const Pose& here, const Pose& there, const OwnState& other) {
+  return {other.id,        there,           distance(here, there), bearing(here, there.x, there.y),
+          other.is_leader, other.team_index};
+}
+/// A mate as it tells of itself: distance and bearing follow from what both believe.
+inline TeamMate believed_by(const Robot& observer, const Robot& other) {
+  return mate_of(observer.state().pose, other.state().pose, other.state());
 }
 
 /// Memory of one thread that is used again for each robot.
 struct SensingMemory {
   std::vector<base::Grid::Id> near;
   std::vector<RayQuery> rays;
-  Pyramid volume;
 };
 
 class RobotSurroundings final : public Surroundings {
@@ -53,11 +50,9 @@ class RobotSurroundings final : public Surroundings {
     engine_.cast_rays(within, rays, robot_);
   }
   bool anything_in(const Pyramid& pyramid) const override {
-    memory_.volume = pyramid;
-    has_volume_ = true;
     return engine_.anything_in(pyramid, robot_);
   }
-  Pose pose() const override { return robots_[robot_]->state().pose; }
+  Pose pose() const override { return robots_[robot_]->truth().pose; }
   std::optional<TeamMate> nearest_robot(double radius_m) const override {
     std::optional<TeamMate> nearest;
     for_each_within(radius_m, [&](const TeamMate& other) {
@@ -75,10 +70,6 @@ class RobotSurroundings final : public Surroundings {
   }
 
   SensingMemory& memory() const { return memory_; }
-  /// The volume of the last query since the last call, for viewers; null: there was none.
-  const Pyramid* take_volume() const {
-    return std::exchange(has_volume_, false) ? &memory_.volume : nullptr;
-  }
 
  private:
   template <class Visit>
@@ -86,7 +77,7 @@ class RobotSurroundings final : public Surroundings {
     const Pose here = pose();
     for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
       if (i != robot_) {
-        const TeamMate other = seen_from(robots_, robot_, i);
+        const TeamMate other = mate_of(here, robots_[i]->truth().pose, robots_[i]->state());
         if (other.distance_m <= radius_m) {
           visit(other);
         }
@@ -99,7 +90,6 @@ class RobotSurroundings final : public Surroundings {
   const Neighbours& neighbours_;
   std::size_t robot_;
   SensingMemory& memory_;
-  mutable bool has_volume_ = false;
 };
 
 }  // namespace elsie::simulation

@@ -45,7 +45,7 @@ struct Judge {
   Standing operator()(const world::ReachGoal& goal) const {
     return reached(every_robot(simulation, goal.robot, [&](std::size_t i) {
       const Vector2 place = position_of(goal);
-      return is_near(simulation.robot(i).state->pose, place.x, place.y, goal.radius);
+      return is_near(simulation.robot(i).pose, place.x, place.y, goal.radius);
     }));
   }
   Standing operator()(const world::PushGoal& goal) const {
@@ -64,7 +64,7 @@ struct Judge {
     for (std::size_t i = 0; i < simulation.robots(); ++i) {
       const RobotView robot = simulation.robot(i);
       if (goal.team.empty() || robot.description->team == goal.team) {
-        (robot.state->is_leader ? leaders : followers).push_back(robot.state->pose);
+        (robot.state->is_leader ? leaders : followers).push_back(robot.pose);
       }
     }
     const bool led = !leaders.empty() && !followers.empty();
@@ -107,7 +107,7 @@ struct Judge {
   Vector2 position_of(const world::ReachGoal& goal) const {
     for (std::size_t i = 0; i < simulation.robots() && !goal.of.empty(); ++i) {
       if (simulation.robot(i).description->id == goal.of) {
-        return point_of(simulation.robot(i).state->pose, {goal.x, goal.y});
+        return point_of(simulation.robot(i).pose, {goal.x, goal.y});
       }
     }
     return {goal.x, goal.y};

@@ -15,7 +15,7 @@ void Neighbours::place_all() const {
       cells_.emplace_back();
       all_.push_back(i);
     }
-    const Pose& at = robots_[i]->state().pose;
+    const Pose& at = robots_[i]->truth().pose;
     const base::Grid::Block cell = grid_->block(at.x, at.y, at.x, at.y);
     if (cell == cells_[i]) continue;
     grid_->erase(i, cells_[i]);

@@ -39,7 +39,7 @@ void Simulation::Impl::step(const Simulation& self) {
     if (!attention_[i]) continue;
     Robot& robot = *robots_[i];
     if (decides) {
-      const Pose& pose = robot.state().pose;
+      const Pose& pose = robot.truth().pose;
       robot.charge(period, charger_rate(world_, robot.description().team, {pose.x, pose.y}));
     }
     robot.take_log(time_s(), events_);
@@ -91,24 +91,24 @@ void Simulation::Impl::move(bool decides) {
   }
   ++steps_;
   loop_.each(robots_, [&](std::size_t i, std::size_t) {
-    robots_[i]->moved(engine_->robot(i), engine_->joints(i));
+    robots_[i]->moved(engine_->robot(i), engine_->joints(i), time_s(), world_.physics.step);
   });
 }
 
 void Simulation::Impl::update_team(std::size_t index, std::vector<base::Grid::Id>& memory) {
   Robot& robot = *robots_[index];
-  const Pose& pose = robot.state().pose;
+  const Pose& pose = robot.truth().pose;
   robot.mates().clear();
   robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
   if (!(farthest_call_m_ > 0.0)) return;
   // A mate is perceived if the mate's own coverage reaches this robot.
   for (const std::size_t i : neighbours_->near({pose.x, pose.y}, farthest_call_m_, memory)) {
-    const Pose& other = robots_[i]->state().pose;
+    const Pose& other = robots_[i]->truth().pose;
     // A rough test first, because most are too far away.
     const double reach = robots_[i]->state().coverage_m;
     if (i != index && std::abs(other.x - pose.x) <= reach && std::abs(other.y - pose.y) <= reach &&
         robots_[i]->team().name == robot.team().name && distance(pose, other) <= reach) {
-      robot.mates().push_back(seen_from(robots_, index, i));
+      robot.mates().push_back(believed_by(*robots_[index], *robots_[i]));
     }
   }
 }

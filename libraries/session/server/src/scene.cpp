@@ -59,24 +59,6 @@ void list_views(const simulation::Simulation& simulation, std::size_t robot, int
   }
 }
 
-/// The eight edges of a sensor's volume.
-void list_edges(const recording::SensedVolume& sensed, std::size_t robot,
-                std::vector<snapshots::BeamState>& edges) {
-  const Pyramid& pyramid = sensed.pyramid;
-  const double aside = pyramid.range_m * std::tan(0.5 * pyramid.horizontal_fov_rad);
-  const double above = pyramid.range_m * std::tan(0.5 * pyramid.vertical_fov_rad);
-  const std::array<Vector3, 4> corners{pyramid.frame.point({pyramid.range_m, aside, above}),
-                                       pyramid.frame.point({pyramid.range_m, -aside, above}),
-                                       pyramid.frame.point({pyramid.range_m, -aside, -above}),
-                                       pyramid.frame.point({pyramid.range_m, aside, -above})};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    edges.push_back(
-        snapshots::BeamState::of(pyramid.frame.origin, corners[i], robot, sensed.detected));
-    edges.push_back(
-        snapshots::BeamState::of(corners[i], corners[(i + 1) % 4], robot, sensed.detected));
-  }
-}
-
 }  // namespace
 
 Json scene_json(const simulation::Simulation& simulation) {
@@ -134,7 +116,7 @@ void place_bodies(const simulation::Simulation& simulation,
                   std::vector<snapshots::BodyState>& bodies) {
   bodies.clear();
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    const Pose& pose = simulation.robot(i).state->pose;
+    const Pose& pose = simulation.robot(i).pose;
     bodies.push_back(
         snapshots::BodyState::of(Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0)));
     for (std::size_t k = 0; k < simulation.segments(i); ++k) {
@@ -159,9 +141,6 @@ void list_beams(const simulation::Simulation& simulation,
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
     for (const recording::RangeBeam& beam : recording::range_beams(simulation, i)) {
       beams.push_back(snapshots::BeamState::of(beam.from, beam.to, i, beam.hit));
-    }
-    for (const recording::SensedVolume& volume : recording::sensed_volumes(simulation, i)) {
-      list_edges(volume, i, beams);
     }
   }
 }

@@ -36,7 +36,7 @@ std::string crowd_text(std::uint64_t time_ns, const simulation::Simulation& simu
   std::string bytes(robots.size() * kPointBytes, '\0');
   char* next = bytes.data();
   for (const std::size_t place : robots) {
-    const Pose& pose = simulation.robot(place).state->pose;
+    const Pose& pose = simulation.robot(place).pose;
     for (const double number : {pose.x, pose.y, pose.heading_rad}) {
       std::memcpy(next, &number, sizeof(number));
       next += sizeof(number);

@@ -153,10 +153,10 @@ class CsvRecorder final : public simulation::Observer {
       line_.number(files::tidy_time(simulation.time_s()));
       line_.text(robot.description->id);
       for (const double value :
-           {robot.state->pose.x, robot.state->pose.y, robot.state->pose.heading_rad,
-            robot.state->moving.forward, robot.state->moving.lateral, robot.state->moving.turn,
-            robot.distance_m, robot.state->energy, robot.asked.forward, robot.asked.lateral,
-            robot.asked.turn, robot.command.forward, robot.command.lateral, robot.command.turn}) {
+           {robot.pose.x, robot.pose.y, robot.pose.heading_rad, robot.moving.forward,
+            robot.moving.lateral, robot.moving.turn, robot.distance_m, robot.state->energy,
+            robot.asked.forward, robot.asked.lateral, robot.asked.turn, robot.command.forward,
+            robot.command.lateral, robot.command.turn}) {
         line_.number(value);
       }
       write_readings(simulation, places);

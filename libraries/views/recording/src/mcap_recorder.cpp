@@ -296,9 +296,8 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     Json sensors = Json::object();
     for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
       Json properties = Json::object();
-      simulation.visit_reading(r, s, [&](const ReadingField& field) {
-        add_to_schema(field, properties);
-      });
+      simulation.visit_reading(
+          r, s, [&](const ReadingField& field) { add_to_schema(field, properties); });
       sensors[std::string(simulation.sensor(r, s).id)] = {{"type", "object"},
                                                           {"properties", std::move(properties)},
                                                           {"additionalProperties", false}};
@@ -343,10 +342,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     for (; seen_events_ < events.size(); ++seen_events_) {
       const simulation::EventRecord& event = events[seen_events_];
       const auto robot = places_.find(event.robot);
-      const Pose* where =
-          robot == places_.end() ? nullptr : &simulation.robot(robot->second).state->pose;
+      std::optional<Pose> where;
+      if (robot != places_.end()) where = simulation.robot(robot->second).pose;
       const std::uint64_t time_ns = nanoseconds(event.time_s);
-      write(events_, time_ns, event_message(time_ns, event, where));
+      write(events_, time_ns, event_message(time_ns, event, where ? &*where : nullptr));
     }
   }
 
@@ -363,7 +362,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     write(transforms_, time_ns, transforms_message(time_ns, simulation, places_seen()));
     for (const RobotChannels& channels : robots_) {
       const RobotView robot = simulation.robot(channels.place);
-      write(channels.pose, time_ns, pose_message(time_ns, robot.state->pose));
+      write(channels.pose, time_ns, pose_message(time_ns, robot.pose));
       write(channels.state, time_ns, state_message(time_ns, robot));
       if (decided) {
         write_decision(simulation, channels, robot, time_ns);

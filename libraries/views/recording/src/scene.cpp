@@ -197,7 +197,7 @@ Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& sim
   Json transforms = Json::array();
   for (const std::size_t i : robots) {
     const world::Robot& robot = world.robots[i];
-    const Pose& pose = simulation.robot(i).state->pose;
+    const Pose& pose = simulation.robot(i).pose;
     transforms.push_back(
         transform_json(time_ns, robot_frame(robot.id), frame_of(pose), pose.heading_rad));
     if (simulation.segments(i) == 0) continue;

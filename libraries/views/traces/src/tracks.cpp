@@ -26,7 +26,7 @@ void TrackRecorder::stepped(const simulation::Simulation& simulation) {
     const simulation::RobotView robot = simulation.robot(i);
     if (robot.collisions != collisions_[i]) {
       collisions_[i] = robot.collisions;
-      tracks_[i].touches.push_back({robot.state->pose.x, robot.state->pose.y});
+      tracks_[i].touches.push_back({robot.pose.x, robot.pose.y});
     }
   }
 }
@@ -57,7 +57,7 @@ void TrackRecorder::sample(const simulation::Simulation& simulation) {
       track.placed.push_back(track.path.size());
       was_placed_[i] = false;
     }
-    track.path.push_back(simulation.robot(i).state->pose);
+    track.path.push_back(simulation.robot(i).pose);
   }
 }
 

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "elsie/api/curve.h"
+#include "elsie/api/sketch.h"
 #include "elsie/base/random.h"
 
 namespace elsie {
 
-/// A sensor, behaviour, coordinator, measure or drive at run time. Its life:
+/// A sensor, behaviour, coordinator, measure, drive or localisation at run time. Its life:
 ///
 ///   constructed -> parameters and nested elements set -> configured() -> equipped()
 ///     -> { reset() -> notes(), curves() -> many steps }... -> destroyed
@@ -43,6 +44,10 @@ class Component {
   /// Curves for the user, also called after reset(): the learning curve of a network that was
   /// trained for this run. A few hundred points are enough. Names must differ.
   virtual std::vector<Curve> curves() const { return {}; }
+
+  /// Draws what it senses, thinks or wants at this instant. Called only when somebody looks,
+  /// between two steps: a run is the same with and without it.
+  virtual void sketch(Sketch& /*sketch*/) const {}
 };
 
 }  // namespace elsie

@@ -23,7 +23,7 @@ namespace elsie {
 
 class Coordination;
 
-enum class PluginKind { sensor, behavior, coordinator, measure, drive };
+enum class PluginKind { sensor, behavior, coordinator, measure, drive, localisation };
 
 /// A parameter that names a data file. A path in a world file is resolved against the folder of
 /// that file, then against the data directories; the member holds the resolved path.
@@ -90,6 +90,20 @@ struct EventDeclaration {
   std::string meaning;
 };
 
+/// Facts about a published number besides its name.
+struct PublishedFacts {
+  std::string unit{};     // "m"; "" for a pure number
+  std::string meaning{};  // one line
+};
+
+/// A number that a plugin shows: a column and a channel of recordings, a curve in the window.
+struct PublishedNumber {
+  std::string name;
+  PublishedFacts facts;
+  /// The number now; NaN: there is none.
+  std::function<double(const Component&)> get;
+};
+
 struct Declaration {
   PluginKind kind = PluginKind::behavior;
   std::string name;
@@ -105,6 +119,7 @@ struct Declaration {
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
   std::vector<EventDeclaration> events;      // the events that it may raise
   std::vector<std::string> reacts_to;        // names of events
+  std::vector<PublishedNumber> published;    // in the order of the declaration
   bool updates_all = false;                  // sensors: those of a robot are updated in one call
   /// Its objects may be called from several threads at once, each from one of them.
   bool may_share_threads = true;
@@ -167,6 +182,20 @@ struct HoldsItem {
 template <class Class>
 HoldsItem<Class> holds_behaviors(Coordination* Class::*member) {
   return {member};
+}
+
+template <class Class, class Value>
+struct PublishesItem {
+  const char* name;
+  Value Class::*member;
+  PublishedFacts facts;
+};
+/// A number that the plugin shows, read from a member of its class, or from a const member function
+/// without arguments, when somebody looks. A number that is not finite stands for none.
+template <class Class, class Value>
+PublishesItem<Class, Value> publishes(const char* name, Value Class::*member,
+                                      PublishedFacts facts = {}) {
+  return {name, member, std::move(facts)};
 }
 
 /// The behaviour needs these readings: a robot without a sensor that produces them is refused.
@@ -343,6 +372,15 @@ void apply(Declaration& declaration, const Plugin&, HoldsItem<Class> item) {
     static_cast<Plugin&>(object).*member = &inside;
   };
 }
+template <class Plugin, class Class, class Value>
+void apply(Declaration& declaration, const Plugin&, PublishesItem<Class, Value> item) {
+  static_assert(std::is_base_of_v<Class, Plugin>,
+                "a published number must be a member of the plugin's class");
+  const auto get = [member = item.member](const Component& object) {
+    return static_cast<double>(std::invoke(member, static_cast<const Plugin&>(object)));
+  };
+  declaration.published.push_back({item.name, std::move(item.facts), get});
+}
 /// An item that does not depend on the class.
 template <class Plugin, std::invocable<Declaration&> Item>
 void apply(Declaration& declaration, const Plugin&, const Item& item) {
@@ -388,6 +426,9 @@ Declaration declare(PluginKind kind, const char* name, const char* description, 
   declaration.create = [] { return std::make_unique<Plugin>(); };
   const Plugin defaults;
   (detail::apply(declaration, defaults, std::move(items)), ...);
+  if constexpr (requires { Plugin::declare_for_all(declaration); }) {
+    Plugin::declare_for_all(declaration);  // what all plugins of this kind have
+  }
   return declaration;
 }
 

@@ -24,6 +24,7 @@
 
 #include "elsie/api/component.h"
 #include "elsie/api/geometry.h"
+#include "elsie/api/localisation.h"
 #include "elsie/api/motion.h"
 #include "elsie/api/registration.h"
 
@@ -44,10 +45,11 @@ struct ObservedBehavior {
 struct ObservedRobot {
   std::string_view id;
   std::string_view team;
-  Pose pose;
+  Pose pose;                 // the true one
+  Belief believed;           // what it takes for its pose and motion; see localisation.h
   Motion asked;              // by its coordinator, in the last decision; zero before the first
   Motion command;            // as the drive can make it
-  Motion moving;             // measured
+  Motion moving;             // the true motion
   Motion odometry;           // from the joints of its drive
   WheelPair wheels;          // converts motions to wheel rates; see OwnState
   double distance_m = 0.0;   // driven so far

@@ -26,9 +26,9 @@ struct Mounting {
 /// The state of the robot's own body.
 struct OwnState {
   std::string_view id;
-  Pose pose;          // ground truth
+  Pose pose;          // as the robot believes; see localisation.h
   Motion commanded;   // in the last step, as the drive can make it
-  Motion moving;      // measured, ground truth
+  Motion moving;      // as it believes
   Motion odometry;    // from the joints of the drive: the motion if no wheel slips
   Channels channels;  // that the drive can make
   /// For behaviours that use wheel rates, with any drive: `self.wheels.motion({l, r})` is the
@@ -51,7 +51,7 @@ struct OwnState {
 /// Another robot of the same team, whose communication coverage reaches this one.
 struct TeamMate {
   std::string_view id;
-  Pose pose;
+  Pose pose;  // as that robot believes
   double distance_m = 0.0;
   double bearing_rad = 0.0;  // from this robot's heading, positive to the left
   bool is_leader = false;
@@ -80,6 +80,7 @@ struct SensedReading {
   const void* value = nullptr;
   const Mounting* mounting = nullptr;
   const char* sensor = "";  // its id
+  double age_s = 0.0;       // how long ago it was measured, by the latency and dropouts of its file
 };
 
 /// All readings of one kind, in the order of the sensors in the world file.
@@ -98,6 +99,9 @@ class Sensed {
   const Mounting& mounting() const { return *sensed_->mounting; }
   double azimuth_rad() const { return sensed_->mounting->azimuth_rad; }
   std::string_view sensor() const { return sensed_->sensor; }
+  /// How long ago it was measured, s. Above 0 only if the world file gives the sensor a latency or
+  /// dropouts.
+  double age_s() const { return sensed_->age_s; }
 
  private:
   const SensedReading* sensed_;

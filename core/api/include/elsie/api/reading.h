@@ -167,14 +167,19 @@ constexpr FieldType field_type() {
     static_assert(sizeof(Value) <= 8, "visit() lists float and double, no long double");
     return sizeof(Value) == 4 ? FieldType::real32 : FieldType::real64;
   } else {
-    constexpr int size = sizeof(Value) == 1 ? 0 : sizeof(Value) == 2 ? 1 : sizeof(Value) == 4 ? 2 : 3;
+    constexpr int size = sizeof(Value) == 1   ? 0
+                         : sizeof(Value) == 2 ? 1
+                         : sizeof(Value) == 4 ? 2
+                                              : 3;
     constexpr FieldType first = std::is_signed_v<Value> ? FieldType::int8 : FieldType::uint8;
     return static_cast<FieldType>(static_cast<int>(first) + size);
   }
 }
 
 template <class Values>
-concept Array = requires(const Values& values) { std::span(values); };
+concept Array = requires(const Values& values) {
+  std::span(values);
+};
 template <Array Values>
 using Element = typename decltype(std::span(std::declval<const Values&>()))::value_type;
 
@@ -196,7 +201,9 @@ constexpr bool kListsFields = requires(const Reading& reading) {
 namespace detail {
 
 template <class Values>
-constexpr bool kHasFixedSize = std::is_array_v<Values> || requires { std::tuple_size<Values>::value; };
+constexpr bool kHasFixedSize = std::is_array_v<Values> || requires {
+  std::tuple_size<Values>::value;
+};
 
 /// Makes a ReadingField of each value that visit() lists. kOfItem: of a struct in a list.
 template <bool kOfItem>
@@ -388,9 +395,9 @@ struct ReadingKind {
 
   template <class Reading>
   static const ReadingKind& of() {
-    static const ReadingKind kind{Reading::kind, sizeof(Reading),
-                                  kListsFields<Reading> ? ReadingDeclaration::of<Reading>().layout()
-                                                        : 0};
+    static const ReadingKind kind{
+        Reading::kind, sizeof(Reading),
+        kListsFields<Reading> ? ReadingDeclaration::of<Reading>().layout() : 0};
     return kind;
   }
   bool has_name_of(const ReadingKind& other) const {

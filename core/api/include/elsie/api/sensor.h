@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "elsie/api/component.h"
+#include "elsie/api/disturbance.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/api/perception.h"
@@ -95,9 +96,9 @@ struct SensorPlace {
 class Sensor;
 
 namespace detail {
-/// Throws base::Error with a sentence: what is wrong with the sensor's reading. `blank`: one that
-/// has the right sizes.
-[[noreturn]] void faulty_reading(const Sensor& sensor, const void* blank);
+/// Throws base::Error with a sentence: what is wrong with a reading of the sensor. `blank`: one
+/// that has the right sizes.
+[[noreturn]] void faulty_reading(const Sensor& sensor, const void* reading, const void* blank);
 }  // namespace detail
 
 /// Several sensors of one plugin on one robot, which are updated in one call.
@@ -156,10 +157,15 @@ class Sensor : public Component {
   }
   /// The address of the current reading, the same for the whole life of the sensor.
   virtual const void* reading() const = 0;
+  /// The address of what the last update has measured: the current reading, unless its element
+  /// gives the sensor noise or failures. The simulator then makes the reading of it.
+  virtual const void* measured() const = 0;
+  /// The current reading, to change it.
+  virtual void* own_reading() = 0;
   /// Forgets the current reading: it is blank. The simulator calls this before each run.
   virtual void forget() = 0;
-  /// Forgets the current reading if its arrays have other sizes than those of a blank one. The
-  /// simulator calls this after equipped().
+  /// Forgets the current reading if its arrays have other sizes than those of a blank one; begins
+  /// or ends to keep apart what is measured. The simulator calls this after equipped().
   virtual void fit_reading() = 0;
 
   // Readings without their type. `reading` is one of this sensor's kind.
@@ -169,6 +175,14 @@ class Sensor : public Component {
   /// A blank one, in memory of its own.
   virtual std::shared_ptr<void> new_reading() const = 0;
   virtual void copy_reading(const void* from, void* to) const = 0;
+
+  /// The noise and the failures that its element in the world file gives it, for the simulator.
+  const std::vector<Disturbance>& disturbances() const { return disturbances_; }
+  /// Adds what every sensor declares.
+  static void declare_for_all(Declaration& declaration);
+
+ private:
+  std::vector<Disturbance> disturbances_;
 };
 
 /// A sensor that produces readings of one kind.
@@ -188,20 +202,30 @@ class SensorOf : public Sensor {
 
   ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
   void update(const SensorContext& now) final {
-    sense_into(now, reading_);
-    check();
+    Reading& reading = in_work();
+    sense_into(now, reading);
+    check(reading);
   }
   /// Sets the present reading, for update_all().
   void set_reading(Reading reading) {
-    reading_ = std::move(reading);
-    check();
+    Reading& to = in_work();
+    to = std::move(reading);
+    check(to);
   }
   const void* reading() const final { return &reading_; }
+  const void* measured() const final { return measured_ ? measured_.get() : &reading_; }
+  void* own_reading() final { return &reading_; }
   void forget() final {
     reading_ = blank();
+    if (measured_) *measured_ = blank();
     sizes_ = checked(reading_).sizes;
   }
   void fit_reading() final {
+    if (disturbances().empty()) {
+      measured_.reset();
+    } else if (!measured_) {
+      measured_ = std::make_unique<Reading>(reading_);
+    }
     if (checked(blank()).sizes != sizes_) forget();
   }
   void visit_fields(const void* reading, const FieldVisit& visit) const final {
@@ -212,7 +236,12 @@ class SensorOf : public Sensor {
     *static_cast<Reading*>(to) = *static_cast<const Reading*>(from);
   }
 
+ protected:
+  /// The current reading, for sketch().
+  const Reading& current() const { return reading_; }
+
  private:
+  Reading& in_work() { return measured_ ? *measured_ : reading_; }
   static detail::ReadingCheck checked(const Reading& reading) {
     detail::ReadingCheck check;
     if constexpr (kListsFields<Reading>) {
@@ -220,16 +249,17 @@ class SensorOf : public Sensor {
     }
     return check;
   }
-  void check() const {
-    const detail::ReadingCheck check = checked(reading_);
+  void check(const Reading& reading) const {
+    const detail::ReadingCheck check = checked(reading);
     if (!check.is_finite || !check.fits || check.sizes != sizes_) [[unlikely]] {
       const Reading expected = blank();
-      detail::faulty_reading(*this, &expected);
+      detail::faulty_reading(*this, &reading, &expected);
     }
   }
 
   Reading reading_{};
-  std::uint64_t sizes_ = 0;  // see ReadingCheck
+  std::unique_ptr<Reading> measured_;  // null: what is measured is the reading
+  std::uint64_t sizes_ = 0;            // see ReadingCheck
 };
 
 namespace detail {

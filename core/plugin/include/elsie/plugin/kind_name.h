@@ -8,11 +8,12 @@
 namespace elsie::plugin {
 
 /// All kinds, in the order in which they are listed.
-inline constexpr std::array kPluginKinds{PluginKind::sensor, PluginKind::behavior,
+inline constexpr std::array kPluginKinds{PluginKind::sensor,      PluginKind::behavior,
                                          PluginKind::coordinator, PluginKind::measure,
-                                         PluginKind::drive};
+                                         PluginKind::drive,       PluginKind::localisation};
 
-/// "sensor", "behavior", "coordinator", "measure" or "drive": as written in a world file.
+/// "sensor", "behavior", "coordinator", "measure", "drive" or "localisation": as written in a
+/// world file.
 constexpr std::string_view kind_name(PluginKind kind) {
   switch (kind) {
     case PluginKind::sensor:
@@ -25,8 +26,16 @@ constexpr std::string_view kind_name(PluginKind kind) {
       return "measure";
     case PluginKind::drive:
       return "drive";
+    case PluginKind::localisation:
+      return "localisation";
   }
   return "plugin";  // a kind made up by a faulty library
+}
+
+/// Whether a robot has at most one of them, in an element with the name of the kind.
+constexpr bool is_only_one(PluginKind kind) {
+  return kind == PluginKind::coordinator || kind == PluginKind::drive ||
+         kind == PluginKind::localisation;
 }
 
 }  // namespace elsie::plugin

@@ -73,9 +73,23 @@ struct SensorView {
   std::string_view plugin;
   const Sensor* sensor;
   const Mounting* mounting;
-  const Camera* camera;   // its camera, or none
-  const Image* picture;   // its last picture; none before the first step
-  const Pyramid* volume;  // of its last volume query, or none
+  const Camera* camera;  // its camera, or none
+  const Image* picture;  // its last picture; none before the first step
+};
+
+/// A number that a plugin publishes, at this instant.
+struct PublishedValue {
+  std::string_view path;  // of the plugin, as in TracedMember; of a measure its id
+  const PublishedNumber& number;
+  double value;  // NaN: there is none now
+};
+using VisitPublished = std::function<void(const PublishedValue&)>;
+
+/// What a plugin draws.
+struct PluginSketch {
+  std::string path;  // as in PublishedValue
+  PluginKind kind;
+  Sketch sketch;
 };
 
 /// One segment that a robot pulls, at this instant.
@@ -107,6 +121,8 @@ struct MadeInference {
 struct RobotView {
   const world::Robot* description;  // as edited
   const OwnState* state;            // as last perceived, or, between steps, the present state
+  Pose pose;                        // true; state->pose is what it believes
+  Motion moving;                    // true
   Motion asked;                     // the last command of its coordinator
   Motion command;                   // the same, as its drive can make it
   std::span<const Member> members;  // its own behaviours, with the trace of the last decision
@@ -210,6 +226,13 @@ class Simulation {
   /// Calls `visit` for each field of a sensor's current reading. Throws PluginFault, and what
   /// `visit` throws, as a fault of the sensor.
   void visit_reading(std::size_t robot, std::size_t sensor, const FieldVisit& visit) const;
+  /// Calls `visit` for each number that the plugins of a robot publish, in the same order until
+  /// edits change the robot; the other one for those of measures. Throws PluginFault.
+  void visit_published(std::size_t robot, const VisitPublished& visit) const;
+  void visit_published(const VisitPublished& visit) const;
+  /// What the plugins of a robot draw, and what measures draw. Throws PluginFault.
+  std::vector<PluginSketch> sketches(std::size_t robot) const;
+  std::vector<PluginSketch> sketches() const;
   /// The inferences of the last decision, from the robot's plugins that derive from Infers and were
   /// asked. Throws PluginFault.
   std::vector<MadeInference> inferences(std::size_t robot) const;

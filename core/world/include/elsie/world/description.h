@@ -210,7 +210,8 @@ struct Robot : Coordination {
   double battery = 5000.0;       // units when full
   std::optional<double> energy;  // units at the start; default: full
   RobotBody body;
-  std::optional<PluginUse> drive;  // default: differential
+  std::optional<PluginUse> drive;         // default: differential
+  std::optional<PluginUse> localisation;  // default: exact
   BodyPlan driven;  // the chassis with the parts of its drive; empty: default drive; see parts.h
   std::vector<Segment> segments;  // from the robot backwards
   std::vector<SensorUse> sensors;

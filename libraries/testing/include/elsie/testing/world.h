@@ -46,7 +46,7 @@ class World {
   World& reset(std::uint64_t seed);
 
   double time_s() const { return simulation_->time_s(); }
-  Pose pose(const std::string& robot) const { return this->robot(robot).state->pose; }
+  Pose pose(const std::string& robot) const { return this->robot(robot).pose; }
   simulation::RobotView robot(const std::string& id) const;
   /// The coordinator's notes about one of the robot's behaviours in the last decision.
   const TraceRow& trace(const std::string& robot, const std::string& behavior) const;

@@ -33,6 +33,9 @@ void for_each_use(World& world, const See& see) {
     if (robot.drive) {
       see(PluginKind::drive, *robot.drive);
     }
+    if (robot.localisation) {
+      see(PluginKind::localisation, *robot.localisation);
+    }
   }
   for (auto& measure : world.measures) {
     see(PluginKind::measure, measure);

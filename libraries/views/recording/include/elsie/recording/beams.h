@@ -21,14 +21,4 @@ struct RangeBeam {
 /// range sensors.
 std::vector<RangeBeam> range_beams(const simulation::Simulation& simulation, std::size_t robot);
 
-/// The volume of a proximity sensor, in the world.
-struct SensedVolume {
-  Pyramid pyramid;
-  bool detected = false;
-};
-
-/// The volumes of a robot's last proximity queries, from the current places of its sensors.
-std::vector<SensedVolume> sensed_volumes(const simulation::Simulation& simulation,
-                                         std::size_t robot);
-
 }  // namespace elsie::recording

@@ -1,0 +1,67 @@
+// The noise and the failures that a world file gives a sensor.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elsie/api/disturbance.h"
+#include "elsie/api/sensor.h"
+#include "elsie/base/random.h"
+
+namespace elsie::simulation {
+
+/// Makes a sensor's reading of what it measures, for one sensor whose element has <noise> or
+/// <failure>. The sensor itself goes on as without them.
+class DisturbedReading {
+ public:
+  /// Throws std::invalid_argument with a sentence if a disturbance does not fit the sensor.
+  static void check(const Sensor& sensor);
+
+  /// Takes over the sensor's disturbances; random streams go on. Requires check().
+  void fit(const Sensor& sensor);
+  /// Called before a run; `path` is the sensor's.
+  void reset(std::uint64_t seed, const std::string& path);
+  /// Called after each update of the sensor: changes its current reading.
+  void update(Sensor& sensor, double time_s, double period_s);
+  /// How long ago the current reading was measured, s; infinite if nothing was measured yet.
+  double age_s() const { return age_s_; }
+
+ private:
+  /// Numbers that a noise applies to: the fields of this path.
+  struct Target {
+    Noise noise;
+    std::vector<std::size_t> fields;  // their places in visit()
+    Random random;
+  };
+  struct Failing {
+    Failure failure;
+    Random random;
+  };
+  struct Sample {
+    double time_s = 0.0;
+    std::shared_ptr<void> reading;
+  };
+
+  void add_noise(Sensor& sensor, const void* reading);
+  /// The memory for another sample.
+  std::shared_ptr<void> memory(const Sensor& sensor);
+  /// The stream of an element of its own, so that a new one changes nothing else.
+  Random stream(const char* element, std::size_t place) const;
+
+  std::vector<Target> noises_;
+  std::vector<Failing> failures_;
+  double latency_s_ = 0.0;
+  double stuck_from_s_ = 0.0;   // infinite: never
+  std::deque<Sample> samples_;  // measured and not seen yet, the first of them last seen
+  std::vector<std::shared_ptr<void>> spare_;
+  double age_s_ = 0.0;
+  std::uint64_t seed_ = 0;
+  std::string path_;
+};
+
+}  // namespace elsie::simulation
