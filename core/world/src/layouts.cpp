@@ -155,7 +155,7 @@ void draw_layouts(Element& world, const std::string& file, const plugin::Host& h
                   Problems& problems) {
   if (world.child("layouts")) {
     reinterpret_cast<DrawLayouts*>(
-        plugin::part_symbol("layouts", plugin::layouts_file(), "elsie_draw_layouts"))(
+        plugin::part_symbol("layouts", plugin::part_file("layouts"), "elsie_draw_layouts"))(
         world, file, host, files, options, drawn, problems);
   }
 }
