@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -43,6 +44,17 @@ std::optional<Colour> colour_in(const Image& image, const Vector2& size, const V
 
 std::vector<Vector2> points_of_line(const Patch& line) {
   return in_world(pose_of(line), line.points);
+}
+
+std::vector<Vector2> outline_of(const FloorPiece& piece, int sides) {
+  if (!piece.corners.empty()) return piece.corners;
+  std::vector<Vector2> corners;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    corners.push_back({piece.middle.x + piece.radius * std::cos(angle),
+                       piece.middle.y + piece.radius * std::sin(angle)});
+  }
+  return corners;
 }
 
 std::vector<FloorPiece> pieces_of(const Patch& patch) {

@@ -23,6 +23,7 @@ void read_floor_image(World& world, const Element& root, const World* before, co
   }
   if (before && before->floor.pixels && before->floor.image == floor.image) {
     floor.pixels = before->floor.pixels;
+    floor.image_file = before->floor.image_file;
     return;
   }
   const auto refuse = [&](const std::string& why) {
@@ -34,6 +35,7 @@ void read_floor_image(World& world, const Element& root, const World* before, co
     const std::string content = read_text(*file);
     if (!is_image(content)) return refuse("expected a PNG or PGM image; the file is neither");
     floor.pixels = std::make_shared<const Image>(read_image(content, 3));
+    floor.image_file = Files::absolute(*file);
     floor.image = files.name_for_world(*file, image->value);
   } catch (const WorldError& error) {
     problems.add(error);

@@ -125,6 +125,7 @@ struct Lamp {
 struct Floor {
   std::optional<Colour> colour;  // none: plain, which each view shows its own way; see floor.h
   std::string image;             // the name of its image's file in the world's file; empty: none
+  std::string image_file{};      // its absolute path
   // The rectangle around the origin that the image covers, m; by default the arena.
   std::optional<double> image_length, image_width;
   std::shared_ptr<const Image> pixels{};  // red, green, blue; the image's; null: no image

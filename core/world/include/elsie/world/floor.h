@@ -13,6 +13,9 @@
 
 namespace elsie::world {
 
+/// The radius of the ball as which a lamp is drawn, m.
+inline constexpr double kLampRadius = 0.03;
+
 /// The colour that sensors see on a floor without one. Pictures and cameras show it their own way.
 inline constexpr Colour kPlainFloor{255, 255, 255};
 
@@ -26,6 +29,8 @@ struct FloorPiece {
 
 /// The pieces of a patch, which may overlap: a line has one for each of its points and sections.
 std::vector<FloorPiece> pieces_of(const Patch& patch);
+/// The corners of a piece, counter-clockwise: as many as `sides` of a disc.
+std::vector<Vector2> outline_of(const FloorPiece& piece, int sides);
 /// The points of a line in the world, m.
 std::vector<Vector2> points_of_line(const Patch& line);
 /// The pieces of all patches, the lowest first.
