@@ -87,8 +87,7 @@ class Planning {
       return;
     }
     const double metres = plan_.metres_per_pixel;
-    const Area area{plan_.x, plan_.y, metres * image.width,
-                    metres * image.height};
+    const Area area{plan_.x, plan_.y, metres * image.width, metres * image.height};
     if (!drawing_.require_inside(area, plan_.location, plan_.id)) {
       return;
     }
@@ -211,7 +210,7 @@ void draw_floor_plan(Drawing& drawing, const FloorPlan& plan) {
   try {
     const std::string content = world::read_text(*found);
     world::is_image(content) ? planning.add_image(plan.file, content)
-                      : planning.add_list(plan.file, content);
+                             : planning.add_list(plan.file, content);
   } catch (const world::WorldError& error) {
     drawing.problems.add(error);
   }

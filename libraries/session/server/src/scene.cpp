@@ -35,21 +35,6 @@ Json json(const Shape& shape, const Frame& frame, const Colour& colour, int body
   return made;
 }
 
-/// A patch as flat prisms. All have the patch's own frame, which an edit of its place moves.
-void list_patch(const world::Patch& patch, Json& shapes) {
-  constexpr int kRound = 32;
-  const Frame frame = Frame::turned({patch.x, patch.y, 0.0}, radians(patch.heading_deg), 0.0);
-  for (const world::FloorPiece& piece : world::pieces_of(patch)) {
-    std::vector<Vector2> outline = world::outline_of(piece, kRound);
-    for (Vector2& corner : outline) {
-      const Vector3 away = Vector3{corner.x, corner.y, 0.0} - frame.origin;
-      corner = {dot(away, frame.forward), dot(away, frame.left)};
-    }
-    shapes.push_back(json(Shape::prism(std::move(outline), 0.0), frame, piece.colour, -1));
-    shapes.back()["path"] = "patch[" + patch.id + "]";
-  }
-}
-
 /// The floor without its patches; the window reads the file of the image itself.
 Json floor_json(const world::World& world) {
   Json floor = Json::object();
@@ -70,6 +55,21 @@ const char* group_of(const world::Obstacle& box) {
 
 std::string path(const char* group, const std::string& id) {
   return std::string(group) + "[" + id + "]";
+}
+
+/// A patch as flat prisms. All have the patch's own frame, which an edit of its place moves.
+void list_patch(const world::Patch& patch, Json& shapes) {
+  constexpr int kRound = 32;
+  const Frame frame = Frame::turned({patch.x, patch.y, 0.0}, radians(patch.heading_deg), 0.0);
+  for (const world::FloorPiece& piece : world::pieces_of(patch)) {
+    std::vector<Vector2> outline = world::outline_of(piece, kRound);
+    for (Vector2& corner : outline) {
+      const Vector3 away = Vector3{corner.x, corner.y, 0.0} - frame.origin;
+      corner = {dot(away, frame.forward), dot(away, frame.left)};
+    }
+    shapes.push_back(json(Shape::prism(std::move(outline), 0.0), frame, piece.colour, -1));
+    shapes.back()["path"] = path("patch", patch.id);
+  }
 }
 
 /// The views of the cameras on a body, as pyramids with their apexes at the frames' origins.
