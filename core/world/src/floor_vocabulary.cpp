@@ -61,6 +61,13 @@ ElementSpec patch(PatchShape shape) {
                 &Patch::points));
 }
 
+// Adds the patches of one shape to a list.
+Describe<World> with_patches(Describe<World> list, PatchShape shape) {
+  return std::move(list).each(
+      patch(shape), &World::patches, [=](const Patch& each) { return each.shape == shape; },
+      [=](Patch& made) { made.shape = shape; });
+}
+
 }  // namespace
 
 ElementSpec lamp() {
@@ -99,9 +106,7 @@ Describe<World> patches() {
                   .members("patch");
   for (const PatchShape shape :
        {PatchShape::rectangle, PatchShape::disc, PatchShape::polygon, PatchShape::line}) {
-    list = std::move(list).each(
-        patch(shape), &World::patches, [=](const Patch& each) { return each.shape == shape; },
-        [=](Patch& made) { made.shape = shape; });
+    list = with_patches(std::move(list), shape);
   }
   return list;
 }

@@ -124,7 +124,8 @@ class PlaceCheck {
 void check_patch(const Patch& patch, PlaceCheck& check, Problems& problems) {
   const std::string in_words = "the patch '" + patch.id + "'";
   const bool is_line = patch.shape == PatchShape::line;
-  const auto problem = patch.shape == PatchShape::polygon ? problem_of_outline(patch.points)
+  const auto problem = patch.shape == PatchShape::polygon
+                           ? problem_of_outline(patch.points, "patches")
                        : is_line && patch.points.size() < 2
                            ? std::optional<std::string>("has 1 point; expected at least 2")
                            : std::nullopt;

@@ -1,6 +1,6 @@
 // The parts of the top view: its layout and the functions that draw it.
 //
-// Drawing runs from the floor upwards: its image and patches, grid, marks (goals, chargers), boxes,
+// Drawing runs from the floor upwards: grid, image and patches of the floor, marks (goals, chargers), boxes,
 // paths, beams, robots, touches, walls, lamps, labels.
 #pragma once
 
@@ -90,7 +90,7 @@ std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<V
 
 // The parts of the picture. Each takes the labels to place, or adds areas that labels should avoid.
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
-/// The image and the patches, below the grid.
+/// The image and the patches, over the grid.
 void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
