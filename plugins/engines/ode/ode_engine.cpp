@@ -22,7 +22,6 @@
 #include "islands.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
-#include "ray_cast.h"
 #include "scene.h"
 #include "softness.h"
 
@@ -88,10 +87,9 @@ class OdeEngine final : public Engine {
                                  std::size_t except) const override {
     return bodies_.scene.cast_ray(origin, direction, max_range, except);
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
-    cast_each(within, rays, [&](const Vector3& origin, const Vector3& direction, double range) {
-      return cast_ray(origin, direction, range, except);
-    });
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                 std::size_t except) const override {
+    bodies_.scene.cast_rays(within, rays, surfaces, except);
   }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
     return bodies_.scene.anything_in(pyramid, except);

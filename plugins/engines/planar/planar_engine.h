@@ -57,8 +57,9 @@ class PlanarEngine final : public Engine {
                                  std::size_t except) const override {
     return scene_.cast_ray(origin, direction, max_range, except);
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
-    scene_.cast_rays(within, rays, except);
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                 std::size_t except) const override {
+    scene_.cast_rays(within, rays, surfaces, except);
   }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
     return scene_.anything_in(pyramid, except);

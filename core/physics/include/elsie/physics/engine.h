@@ -158,9 +158,15 @@ class Engine {
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
   /// The same for several rays, whose frames are given in the frame `within`: sets their distances.
-  /// Only one thread at a time may ask for a robot.
+  /// Rays that follow each other and start at one point share the search for bodies. Only one
+  /// thread at a time may ask for a robot.
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const {
+    cast_rays(within, rays, {}, except);
+  }
+  /// The same, and sets what each of them hit, unless there are no `surfaces`. Throws
+  /// std::invalid_argument if they are not as many as the rays.
   virtual void cast_rays(const Frame& within, std::span<RayQuery> rays,
-                         std::size_t except) const = 0;
+                         std::span<Surface> surfaces, std::size_t except) const = 0;
   /// Returns whether a wall, a visible obstacle or a robot other than `except` reaches into the
   /// pyramid, whose far face is flat, at the distance `range_m` along its axis. Robots are seen as
   /// by rays, but with the boxes around their wheels, and around a chassis that is a ball or a
@@ -187,7 +193,7 @@ using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics&
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 5;
+  std::uint32_t version = 6;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t obstacle = sizeof(world::Obstacle);
