@@ -46,14 +46,11 @@ struct Nearest {
   }
   /// Of bodies at the same distance, the first in their order is hit, and none below the floor.
   template <class View>
-  bool meet(const View& view, base::Grid::Id body, const Ray& ray) {
+  void meet(const View& view, base::Grid::Id body, const Ray& ray) {
     const double there = view.distance_to(body, ray, distance);
-    if (there == kMiss || there > distance) return false;
-    if (there == distance && found && !floor && !(view.body_of(body) < view.body_of(id))) {
-      return false;
-    }
+    if (there == kMiss || there > distance) return;
+    if (there == distance && found && !floor && !(view.body_of(body) < view.body_of(id))) return;
     *this = {there, body, true, false};
-    return true;
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -36,31 +37,28 @@ class RayFan {
 
   /// All rays start at the origin, in the world; they are at most kMost.
   void cast(const Frame& within, std::span<RayQuery> queries, std::span<Surface> surfaces) {
-    rays_.clear();
-    rays_.reserve(queries.size());
+    beams_.reserve(queries.size());
     for (const RayQuery& query : queries) {
-      Beam& beam = rays_.emplace_back(Ray(origin_, within.direction(query.from->forward)));
-      beam.nearest.distance = query.max_range_m;
-      if (is_finite(beam.ray)) beam.nearest.meet_floor(beam.ray);
+      add(within.direction(query.from->forward), query.max_range_m);
     }
     sort();
     visit_rings();
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      const Beam& beam = rays_[i];
+      const Beam& beam = beams_[i];
       queries[i].distance_m = answer_of(beam.nearest);
       if (!surfaces.empty()) surfaces[i] = surface_of(view_, beam.nearest, beam.ray);
     }
   }
 
  private:
-  static constexpr int kSectors = 256;
+  static constexpr int kSectors = 1024;
   static constexpr double kNarrow = 1e-9;  // of a right angle: more than rounding
 
   struct Beam {
     explicit Beam(const Ray& with) : ray(with) {}
     Ray ray;
     Nearest nearest;
-    int sector = 0;
+    int sector = -1;
   };
 
   /// The direction of a vector, from 0 to 4, growing counter-clockwise as its angle does.
@@ -73,27 +71,29 @@ class RayFan {
     return std::clamp(static_cast<int>(around * (0.25 * kSectors)), 0, kSectors - 1);
   }
 
-  /// A counting sort. Rays that run straight up or down have no sector and are cast alone.
-  void sort() {
-    firsts_.fill(0);
-    for (Beam& beam : rays_) {
-      const Vector3& along = beam.ray.direction;
-      if (!is_finite(beam.ray)) {
-        beam.sector = -1;
-      } else if (std::abs(along.x) + std::abs(along.y) < kNarrow) {
-        beam.sector = -1;
-        beam.nearest = physics::cast(view_, beam.ray, beam.nearest.distance);
-      } else {
-        beam.sector = sector_of(turn_of(along.x, along.y));
-        ++firsts_[static_cast<std::size_t>(beam.sector) + 1];
-        farthest_ = std::max(farthest_, beam.nearest.distance);
-      }
+  void add(const Vector3& along, double max_range) {
+    Beam& beam = beams_.emplace_back(Ray(origin_, along));
+    beam.nearest.distance = max_range;
+    if (!is_finite(beam.ray)) return;
+    if (std::abs(along.x) + std::abs(along.y) < kNarrow) {
+      // Straight up or down.
+      beam.nearest = physics::cast(view_, beam.ray, max_range);
+      return;
     }
-    for (std::size_t i = 1; i < firsts_.size(); ++i) firsts_[i] += firsts_[i - 1];
+    beam.nearest.meet_floor(beam.ray);
+    farthest_ = std::max(farthest_, beam.nearest.distance);
+    beam.sector = sector_of(turn_of(along.x, along.y));
+    ++firsts_[static_cast<std::size_t>(beam.sector) + 1];
+  }
+
+  /// By counting.
+  void sort() {
+    std::partial_sum(firsts_.begin(), firsts_.end(), firsts_.begin());
     sorted_.resize(firsts_.back());
     std::array<std::uint32_t, kSectors + 1> next = firsts_;
-    for (std::uint32_t i = 0; i < rays_.size(); ++i) {
-      if (rays_[i].sector >= 0) sorted_[next[static_cast<std::size_t>(rays_[i].sector)]++] = i;
+    for (std::uint32_t i = 0; i < beams_.size(); ++i) {
+      const int sector = beams_[i].sector;
+      if (sector >= 0) sorted_[next[static_cast<std::size_t>(sector)]++] = i;
     }
   }
 
@@ -101,15 +101,15 @@ class RayFan {
     const base::Grid& grid = view_.grid();
     const int last = std::max({column_, grid.columns() - 1 - column_, row_,
                                grid.rows() - 1 - row_});
-    for (int ring = 0; ring <= last && !sorted_.empty(); ++ring) {
-      if (ring > 0 && way_to(ring) >= farthest_) return;
+    std::size_t done = 0;  // beams that reach no further ring
+    for (int ring = 0; ring <= last; ++ring) {
+      const double way = ring > 0 ? way_to(ring) : 0.0;
+      const auto is_done = [&](const Beam& beam) {
+        return beam.sector < 0 || beam.nearest.distance <= way;
+      };
+      while (done < beams_.size() && is_done(beams_[done])) ++done;
+      if (done == beams_.size()) return;
       visit(ring);
-      if (!has_shortened_) continue;
-      has_shortened_ = false;
-      farthest_ = 0.0;
-      for (const std::uint32_t i : sorted_) {
-        farthest_ = std::max(farthest_, rays_[i].nearest.distance);
-      }
     }
   }
 
@@ -181,19 +181,18 @@ class RayFan {
     const std::uint32_t begin = firsts_[static_cast<std::size_t>(first)];
     const std::uint32_t end = firsts_[static_cast<std::size_t>(last) + 1];
     for (std::uint32_t i = begin; i < end; ++i) {
-      Beam& beam = rays_[sorted_[i]];
-      if (beam.nearest.meet(view_, id, beam.ray)) has_shortened_ = true;
+      Beam& beam = beams_[sorted_[i]];
+      beam.nearest.meet(view_, id, beam.ray);
     }
   }
 
   const View& view_;
   Vector3 origin_;
   int column_, row_;  // its cell
-  std::vector<Beam> rays_;
-  std::array<std::uint32_t, kSectors + 1> firsts_{};  // of the rays in each sector
-  std::vector<std::uint32_t> sorted_;                 // rays, by sector
+  std::vector<Beam> beams_;
+  std::array<std::uint32_t, kSectors + 1> firsts_{};  // in sorted_, of each sector
+  std::vector<std::uint32_t> sorted_;                 // beams, by sector
   double farthest_ = 0.0;                             // m, no ray reaches further
-  bool has_shortened_ = false;                        // a ray, in this ring
 };
 
 /// The number of rays at the beginning that start at one point.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kHair = 1e-9;  // m
 
 // Fewer rays from one point are cast one by one.
-constexpr std::size_t kLeastFan = 4;
+constexpr std::size_t kLeastFan = 32;
 
 base::Grid::Block cells(const base::Grid& grid, const Aabb& bounds) {
   return grid.block(bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);

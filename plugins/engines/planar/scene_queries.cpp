@@ -13,7 +13,7 @@ namespace elsie::physics {
 namespace {
 
 // Fewer rays from one point are cast as rays from different points are.
-constexpr std::size_t kLeastFan = LevelRays::kMost + 1;
+constexpr std::size_t kLeastFan = 64;
 
 /// A part of a body in the world's frame.
 class Placing {
