@@ -94,6 +94,11 @@ std::optional<double> Surroundings::cast_ray(const Vector3& origin, const Vector
   return hit ? std::optional(hit->distance) : std::nullopt;
 }
 
+void Surroundings::cast_rays(const Frame& within, std::span<RayQuery> rays,
+                             std::span<Surface> surfaces) const {
+  engine_->bodies->cast_rays(within, rays, surfaces, physics::Engine::kNobody);
+}
+
 bool Surroundings::anything_in(const Pyramid& pyramid) const {
   return engine_->bodies->anything_in(pyramid, physics::Engine::kNobody);
 }

@@ -46,8 +46,9 @@ class RobotSurroundings final : public Surroundings {
     const auto hit = engine_.cast_ray(origin, direction, max_range_m, robot_);
     return hit ? std::optional(hit->distance) : std::nullopt;
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays) const override {
-    engine_.cast_rays(within, rays, robot_);
+  void cast_rays(const Frame& within, std::span<RayQuery> rays,
+                 std::span<Surface> surfaces) const override {
+    engine_.cast_rays(within, rays, surfaces, robot_);
   }
   bool anything_in(const Pyramid& pyramid) const override {
     return engine_.anything_in(pyramid, robot_);

@@ -4,6 +4,7 @@
 // behaviour is asked. A sensor adds its own noise, from its own random stream.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -42,6 +43,19 @@ struct RayQuery {
   double distance_m = kNothing;  // the answer: to the first surface; kNothing beyond the range
 };
 
+/// What a ray hit.
+struct Surface {
+  enum class Kind : std::uint8_t { nothing, floor, wall, obstacle, robot };
+
+  Kind kind = Kind::nothing;
+  std::size_t index = 0;  // of a wall, obstacle or robot among its kind, in the order of adding
+  /// In the world, a unit vector, on the side from which the ray came; against the ray if that
+  /// starts within the body. Zero for nothing.
+  Vector3 normal;
+
+  friend bool operator==(const Surface&, const Surface&) = default;
+};
+
 /// The queries that a sensor may make. They ignore the robot that carries the sensor.
 class Surroundings {
  public:
@@ -50,14 +64,14 @@ class Surroundings {
   virtual std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range_m) const = 0;
   /// The same for all these rays, faster: sets their distances. Their frames are given in the frame
-  /// `within`, as those of sensors in the robot's.
-  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays) const {
-    for (RayQuery& ray : rays) {
-      ray.distance_m = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
-                                ray.max_range_m)
-                           .value_or(RayQuery::kNothing);
-    }
+  /// `within`, as those of sensors in the robot's. Rays that start at one point are cheapest.
+  void cast_rays(const Frame& within, std::span<RayQuery> rays) const {
+    cast_rays(within, rays, {});
   }
+  /// The same, and sets what each of them hit, unless there are no `surfaces`. Throws
+  /// std::invalid_argument if they are not as many as the rays.
+  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays,
+                         std::span<Surface> surfaces) const = 0;
   /// True if a body that proximity sensors see reaches into the volume. The floor does not count.
   virtual bool anything_in(const Pyramid& pyramid) const = 0;
   /// The true pose of the robot that carries the sensor.

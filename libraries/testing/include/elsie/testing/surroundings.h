@@ -41,6 +41,9 @@ class Surroundings final : public elsie::Surroundings {
 
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override;
+  using elsie::Surroundings::cast_rays;
+  void cast_rays(const Frame& within, std::span<RayQuery> rays,
+                 std::span<Surface> surfaces) const override;
   bool anything_in(const Pyramid& pyramid) const override;
   Pose pose() const override { return pose_; }
   std::optional<TeamMate> nearest_robot(double radius_m) const override;
