@@ -216,6 +216,11 @@ void Robot::group_sensors() {
   together_.clear();
   sensor_cost_.reset();
   may_share_threads_ = true;
+  watched_ = {};
+  for (const auto& slot : sensors_) {
+    watched_.contacts |= slot->declaration->watches_contacts;
+    watched_.motion |= slot->declaration->watches_motion;
+  }
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const SensorSlot& slot = *sensors_[i];
     if (i > 0 && slot.declaration == sensors_[i - 1]->declaration &&

@@ -179,6 +179,8 @@ class Robot final : private RobotRequests {
   const Tally& tally() const { return tally_; }
   /// Returns whether all its plugins may be called while other threads call those of other robots.
   bool may_share_threads() const { return may_share_threads_; }
+  /// What one of its sensors asks for.
+  Watched watched() const { return watched_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const {
@@ -251,6 +253,7 @@ class Robot final : private RobotRequests {
   // a step, when the robot has moved, needs what is up to state_.
   const world::Robot* description_;
   bool may_share_threads_ = true;
+  Watched watched_;
   bool charge_asked_ = false;
   bool empty_ = false;
   std::uint32_t joint_count_ = 0;     // that can be set

@@ -11,6 +11,7 @@
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
+#include "elsie/world/things.h"
 
 #include "robot/robot.h"
 #include "step/neighbours.h"
@@ -37,9 +38,14 @@ struct SensingMemory {
 
 class RobotSurroundings final : public Surroundings {
  public:
-  RobotSurroundings(const physics::Engine& engine, Robots robots, const Neighbours& neighbours,
-                    std::size_t robot, SensingMemory& memory)
-      : engine_(engine), robots_(robots), neighbours_(neighbours), robot_(robot), memory_(memory) {}
+  RobotSurroundings(const physics::Engine& engine, const world::Things& things, Robots robots,
+                    const Neighbours& neighbours, std::size_t robot, SensingMemory& memory)
+      : engine_(engine),
+        things_(things),
+        robots_(robots),
+        neighbours_(neighbours),
+        robot_(robot),
+        memory_(memory) {}
 
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override {
@@ -53,7 +59,18 @@ class RobotSurroundings final : public Surroundings {
   bool anything_in(const Pyramid& pyramid) const override {
     return engine_.anything_in(pyramid, robot_);
   }
+  Thing thing(const Surface& surface) const override { return things_.of(surface); }
   Pose pose() const override { return robots_[robot_]->truth().pose; }
+  const OwnState& self() const override { return robots_[robot_]->state(); }
+  std::span<const JointSetting> joints() const override { return robots_[robot_]->joints(); }
+  std::vector<Contact> contacts() const override;
+  BodyMotion motion() const override;
+  Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
+  std::span<const LampView> lamps() const override { return things_.lamps(); }
+  void things_within(double radius_m, std::vector<NearThing>& things) const override {
+    things_.within(
+        pose(), radius_m, [this](std::size_t i) { return engine_.has_obstacle(i); }, things);
+  }
   std::optional<TeamMate> nearest_robot(double radius_m) const override {
     std::optional<TeamMate> nearest;
     for_each_within(radius_m, [&](const TeamMate& other) {
@@ -87,6 +104,7 @@ class RobotSurroundings final : public Surroundings {
   }
 
   const physics::Engine& engine_;
+  const world::Things& things_;
   Robots robots_;
   const Neighbours& neighbours_;
   std::size_t robot_;
