@@ -133,8 +133,7 @@ class Simulation::Impl {
     knows_calls_ = false;
     things_.emplace(world_);
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      if (robots_[i]->watched().contacts) engine_->watch_contacts(i);
-      if (robots_[i]->watched().motion) engine_->watch_motion(i);
+      if (robots_[i]->feels_contacts()) engine_->watch_contacts(i);
     }
   }
 

@@ -34,10 +34,8 @@ Thing Things::of(const Surface& surface) const {
       return {Thing::Kind::floor, {}, {}, world_.floor.colour.value_or(kPlainFloor)};
     case Surface::Kind::wall:
       return {Thing::Kind::wall, {}, {}, kSeenWall};
-    case Surface::Kind::robot: {
-      const Robot& robot = world_.robots[surface.index];
-      return {Thing::Kind::robot, robot.id, robot.team, team_colour(world_, robot.team)};
-    }
+    case Surface::Kind::robot:
+      return robot(surface.index);
     case Surface::Kind::obstacle:
       break;
   }
@@ -47,6 +45,18 @@ Thing Things::of(const Surface& surface) const {
   const Obstacle& obstacle = world_.obstacles[surface.index];
   if (obstacle.kind == ObstacleKind::resource) return resource(obstacle);
   return {Thing::Kind::obstacle, obstacle.id, {}, box_colour(world_, obstacle, kSeenBoxes)};
+}
+
+Thing Things::robot(std::size_t index) const {
+  const Robot& robot = world_.robots[index];
+  return {Thing::Kind::robot, robot.id, robot.team, team_colour(world_, robot.team)};
+}
+
+void Things::add_robot(std::size_t index, const Pose& from, const Pose& place, double radius_m,
+                       std::vector<NearThing>& things) const {
+  if (const double far = distance(from, place); far <= radius_m) {
+    things.push_back({robot(index), {place.x, place.y}, far, bearing(from, place.x, place.y)});
+  }
 }
 
 void Things::within(const Pose& from, double radius_m,

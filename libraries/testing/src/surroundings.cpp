@@ -171,6 +171,10 @@ std::span<const LampView> Surroundings::lamps() const { return things().lamps();
 void Surroundings::things_within(double radius_m, std::vector<NearThing>& found) const {
   things().within(
       pose_, radius_m, [](std::size_t) { return true; }, found);
+  for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+    const world::Robot& other = world_.robots[i];
+    things().add_robot(i, pose_, {other.x, other.y, radians(other.heading_deg)}, radius_m, found);
+  }
 }
 
 std::optional<double> Surroundings::cast_ray(const Vector3& origin, const Vector3& direction,

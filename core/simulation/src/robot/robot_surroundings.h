@@ -63,13 +63,20 @@ class RobotSurroundings final : public Surroundings {
   Pose pose() const override { return robots_[robot_]->truth().pose; }
   const OwnState& self() const override { return robots_[robot_]->state(); }
   std::span<const JointSetting> joints() const override { return robots_[robot_]->joints(); }
-  std::vector<Contact> contacts() const override;
-  BodyMotion motion() const override;
+  std::span<const Contact> contacts() const override { return robots_[robot_]->contacts(); }
+  BodyMotion motion() const override {
+    const physics::Motion motion = engine_.motion(robot_);
+    return {motion.velocity, motion.turning};
+  }
   Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
   std::span<const LampView> lamps() const override { return things_.lamps(); }
   void things_within(double radius_m, std::vector<NearThing>& things) const override {
     things_.within(
         pose(), radius_m, [this](std::size_t i) { return engine_.has_obstacle(i); }, things);
+    const Pose here = pose();
+    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
+      if (i != robot_) things_.add_robot(i, here, robots_[i]->truth().pose, radius_m, things);
+    }
   }
   std::optional<TeamMate> nearest_robot(double radius_m) const override {
     std::optional<TeamMate> nearest;

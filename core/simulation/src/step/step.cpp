@@ -92,7 +92,9 @@ void Simulation::Impl::move(bool decides) {
   }
   ++steps_;
   loop_.each(robots_, [&](std::size_t i, std::size_t) {
-    robots_[i]->moved(engine_->robot(i), engine_->joints(i), time_s(), world_.physics.step);
+    Robot& robot = *robots_[i];
+    robot.moved(engine_->robot(i), engine_->joints(i), time_s(), world_.physics.step);
+    if (robot.feels_contacts()) robot.touched(engine_->contacts(i));
   });
 }
 

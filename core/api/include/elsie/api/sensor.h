@@ -236,12 +236,9 @@ constexpr bool kUpdatesAll = !requires {
 
 }  // namespace detail
 
-/// The sensor asks for what the simulator does not compute for every robot.
-inline auto watches(Watched watched) {
-  return [=](Declaration& declaration) {
-    declaration.watches_contacts |= watched.contacts;
-    declaration.watches_motion |= watched.motion;
-  };
+/// The sensor asks for Surroundings::contacts(), which the simulator does not compute for others.
+inline auto feels_contacts() {
+  return [](Declaration& declaration) { declaration.feels_contacts = true; };
 }
 
 /// Makes a sensor class a plugin; see ELSIE_BEHAVIOR. The kind of reading comes from its base

@@ -56,7 +56,7 @@ struct Thing {
   Colour colour;          // as pictures show it in full light
 };
 
-/// A resource or a charger near the carrier.
+/// A resource, a charger or a robot near the carrier.
 struct NearThing {
   Thing thing;
   Vector2 place;             // m, its middle
@@ -64,7 +64,7 @@ struct NearThing {
   double bearing_rad = 0.0;  // from its true heading, positive to the left
 };
 
-/// A place at which the carrier's body touched something other than the floor in the last step.
+/// A place at which the carrier's body touched something other than the floor, in one step.
 struct Contact {
   std::size_t vehicle = 0;  // 0: the robot itself; then its segments, counted backwards
   Surface other;
@@ -83,16 +83,8 @@ struct LampView {
 
 /// The true motion of the carrier's body: of the origin of its frame, in the world.
 struct BodyMotion {
-  Vector3 velocity;              // m/s
-  Vector3 turning;               // rad/s
-  Vector3 acceleration;          // m/s2, over the last step, without gravity
-  Vector3 turning_acceleration;  // rad/s2
-};
-
-/// What the simulator computes only for robots with a sensor that declares it; see watches().
-struct Watched {
-  bool contacts = false;
-  bool motion = false;
+  Vector3 velocity;  // m/s
+  Vector3 turning;   // rad/s
 };
 
 /// The queries that a sensor may make. They ignore the robot that carries the sensor.
@@ -123,16 +115,16 @@ class Surroundings {
   virtual const OwnState& self() const = 0;
   /// Its measured joints; those that can be set.
   virtual std::span<const JointSetting> joints() const = 0;
-  /// Its contacts. Empty unless the sensor declares watches({.contacts = true}).
-  virtual std::vector<Contact> contacts() const = 0;
-  /// Its motion. Accelerations are zero unless the sensor declares watches({.motion = true}).
+  /// Its contacts in the steps since sensors were last updated. Empty unless a sensor of the robot
+  /// declares feels_contacts().
+  virtual std::span<const Contact> contacts() const = 0;
   virtual BodyMotion motion() const = 0;
   /// The colour of the floor there: patches, image, marks of chargers.
   virtual Colour floor_colour(const Vector2& place) const = 0;
   /// All lamps, in file order, also those that something hides.
   virtual std::span<const LampView> lamps() const = 0;
-  /// Appends the resources that are still there and the chargers within the radius of the carrier,
-  /// by their middles; resources first, each in file order.
+  /// Appends the resources that are still there, the chargers and the other robots whose middles
+  /// are within the radius of the carrier, in this order, each kind in file order.
   virtual void things_within(double radius_m, std::vector<NearThing>& things) const = 0;
   /// The nearest other robot of any team within the radius of the carrier, for radio or infra-red
   /// beacons.

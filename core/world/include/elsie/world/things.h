@@ -20,11 +20,16 @@ class Things {
   Thing of(const Surface& surface) const;
   std::span<const LampView> lamps() const { return lamps_; }
   Colour floor_colour(const Vector2& place) const { return floor_.colour_at(place); }
-  /// See Surroundings::things_within(). `is_there`: whether an obstacle, by its index, is there.
+  /// The resources and chargers of Surroundings::things_within(). `is_there`: whether an obstacle,
+  /// by its index, is there.
   void within(const Pose& from, double radius_m, const std::function<bool(std::size_t)>& is_there,
               std::vector<NearThing>& things) const;
+  /// Appends a robot that is at `place`, if it is within the radius.
+  void add_robot(std::size_t robot, const Pose& from, const Pose& place, double radius_m,
+                 std::vector<NearThing>& things) const;
 
  private:
+  Thing robot(std::size_t index) const;
   Thing resource(const Obstacle& obstacle) const;
   Thing charger(const Charger& charger) const;
 

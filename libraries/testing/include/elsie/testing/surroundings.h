@@ -69,7 +69,7 @@ class Surroundings final : public elsie::Surroundings {
   Pose pose() const override { return pose_; }
   const OwnState& self() const override { return carrier; }
   std::span<const JointSetting> joints() const override { return joints_; }
-  std::vector<Contact> contacts() const override { return contacts_; }
+  std::span<const Contact> contacts() const override { return contacts_; }
   BodyMotion motion() const override { return motion_; }
   Colour floor_colour(const Vector2& place) const override;
   std::span<const LampView> lamps() const override;
