@@ -87,7 +87,8 @@ struct BodyMotion {
   Vector3 turning;   // rad/s
 };
 
-/// The queries that a sensor may make. They ignore the robot that carries the sensor.
+/// The queries that a sensor may make. They ignore the robot that carries the sensor. Those that
+/// have a default answer it as in an empty world.
 class Surroundings {
  public:
   /// The distance in metres from `origin` to the first surface that range sensors see, along
@@ -106,26 +107,26 @@ class Surroundings {
   /// True if a body that proximity sensors see reaches into the volume. The floor does not count.
   virtual bool anything_in(const Pyramid& pyramid) const = 0;
   /// What a ray hit, and what a body touched.
-  virtual Thing thing(const Surface& surface) const = 0;
+  virtual Thing thing(const Surface& surface) const;
   /// Whether no surface that range sensors see is between two places, in the world frame.
   bool is_open(const Vector3& from, const Vector3& to) const;
   /// The true pose of the robot that carries the sensor.
   virtual Pose pose() const = 0;
   /// Its battery, its size, its wheels and so on. Pose and motion in it are what it believes.
-  virtual const OwnState& self() const = 0;
+  virtual const OwnState& self() const;
   /// Its measured joints; those that can be set.
-  virtual std::span<const JointSetting> joints() const = 0;
+  virtual std::span<const JointSetting> joints() const { return {}; }
   /// Its contacts in the steps since sensors were last updated. Empty unless a sensor of the robot
   /// declares feels_contacts().
-  virtual std::span<const Contact> contacts() const = 0;
-  virtual BodyMotion motion() const = 0;
+  virtual std::span<const Contact> contacts() const { return {}; }
+  virtual BodyMotion motion() const { return {}; }
   /// The colour of the floor there: patches, image, marks of chargers.
-  virtual Colour floor_colour(const Vector2& place) const = 0;
+  virtual Colour floor_colour(const Vector2& place) const;
   /// All lamps, in file order, also those that something hides.
-  virtual std::span<const LampView> lamps() const = 0;
+  virtual std::span<const LampView> lamps() const { return {}; }
   /// Appends the resources that are still there, the chargers and the other robots whose middles
   /// are within the radius of the carrier, in this order, each kind in file order.
-  virtual void things_within(double radius_m, std::vector<NearThing>& things) const = 0;
+  virtual void things_within(double radius_m, std::vector<NearThing>& things) const;
   /// The nearest other robot of any team within the radius of the carrier, for radio or infra-red
   /// beacons.
   virtual std::optional<TeamMate> nearest_robot(double radius_m) const = 0;
