@@ -51,7 +51,12 @@ double deviation(const std::vector<double>& values) {
 }
 
 std::string why_refused(const std::string& inside) {
-  return why_not([&] { in_front(inside); });
+  try {
+    in_front(inside);
+  } catch (const world::WorldError& refused) {
+    return refused.what();
+  }
+  return "";
 }
 
 }  // namespace

@@ -252,8 +252,8 @@ TEST_CASE("A behaviour that was compiled with another header of a reading is not
   });
   const world::World world = with_light_meter(scripted);
   CHECK_THROWS_WITH(Simulation(world, scripted.host).run(),
-                    Catch::Contains("its readings of the kind 'light' have 4 bytes, but those of "
-                                    "the sensor 'light_meter' have 8; build both plugins with"));
+                    Catch::Contains("its readings of the kind 'light' have 4 bytes, not the 8 of "
+                                    "the sensor 'light_meter'; build both plugins with"));
 }
 
 namespace {

@@ -65,7 +65,7 @@ TEST_CASE("Goals and measures have the truth") {
   const std::string goal =
       R"(<goals><reach robot="r1" x="3" y="0" radius="0.3"/></goals><limits time="30"/>)";
   CHECK(traveller("", goal).run().outcome == simulation::Outcome::success);
-  CHECK(traveller(R"(<odometry slip="0.3"/>)", goal).run().outcome ==
+  CHECK(traveller(R"(<odometry slip="-0.3"/>)", goal).run().outcome ==
         simulation::Outcome::time_limit);
 }
 

@@ -22,7 +22,7 @@ class Beacon final : public elsie::Localisation, public OdometryErrors {
 
   elsie::Belief update(const elsie::Belief& before,
                        const elsie::LocalisationContext& now) override {
-    elsie::Belief belief = reckoning_.update(before, now);
+    elsie::Belief belief = reckoning_.update(*this, before, now);
     since_s_ += now.step_s;
     const elsie::Pose& truth = now.truth.pose;
     const bool hears = range <= 0.0 || std::hypot(truth.x - x, truth.y - y) <= range;

@@ -26,25 +26,25 @@ elsie::Pose moved(const elsie::Pose& from, const elsie::Motion& motion, double s
 }  // namespace
 
 void DeadReckoning::start(const OdometryErrors& errors, elsie::Random& random) {
-  errors_ = errors;
+  left_radius_error_ = right_radius_error_ = 0.0;
   if (errors.radius_spread > 0.0) {
-    errors_.left_radius_error += random.normal(0.0, errors.radius_spread);
-    errors_.right_radius_error += random.normal(0.0, errors.radius_spread);
+    left_radius_error_ = random.normal(0.0, errors.radius_spread);
+    right_radius_error_ = random.normal(0.0, errors.radius_spread);
   }
 }
 
-elsie::Belief DeadReckoning::update(const elsie::Belief& before,
+elsie::Belief DeadReckoning::update(const OdometryErrors& errors, const elsie::Belief& before,
                                     const elsie::LocalisationContext& now) const {
   elsie::WheelRates rates = now.wheels.wheel_rates(now.odometry);
-  const double believed = 1.0 - errors_.slip;
+  const double believed = 1.0 - errors.slip;
   const auto with_error = [&](double rate, double error) {
     return rate * (1.0 + error) * believed +
-           noise_of(rate, now.wheels.radius, now.step_s, errors_.wheel_noise, *now.random);
+           noise_of(rate, now.wheels.radius, now.step_s, errors.wheel_noise, *now.random);
   };
-  rates.left = with_error(rates.left, errors_.left_radius_error);
-  rates.right = with_error(rates.right, errors_.right_radius_error);
+  rates.left = with_error(rates.left, errors.left_radius_error + left_radius_error_);
+  rates.right = with_error(rates.right, errors.right_radius_error + right_radius_error_);
   const elsie::WheelPair wheels{now.wheels.radius,
-                                now.wheels.half_axle * (1.0 + errors_.axle_error)};
+                                now.wheels.half_axle * (1.0 + errors.axle_error)};
   elsie::Motion moving = wheels.motion(rates);
   moving.lateral = now.odometry.lateral * believed;
   return {moved(before.pose, moving, now.step_s), moving};

@@ -60,8 +60,10 @@ class DeadReckoning {
   /// Draws the errors of a run.
   void start(const OdometryErrors& errors, elsie::Random& random);
   /// The belief a step later.
-  elsie::Belief update(const elsie::Belief& before, const elsie::LocalisationContext& now) const;
+  elsie::Belief update(const OdometryErrors& errors, const elsie::Belief& before,
+                       const elsie::LocalisationContext& now) const;
 
  private:
-  OdometryErrors errors_;
+  double left_radius_error_ = 0.0;  // drawn for this run
+  double right_radius_error_ = 0.0;
 };

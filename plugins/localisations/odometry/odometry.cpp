@@ -11,7 +11,7 @@ class Odometry final : public elsie::Localisation, public OdometryErrors {
   }
   elsie::Belief update(const elsie::Belief& before,
                        const elsie::LocalisationContext& now) override {
-    return reckoning_.update(before, now);
+    return reckoning_.update(*this, before, now);
   }
 
  private:

@@ -10,21 +10,19 @@
 #include "elsie/testing/sensor.h"
 
 using namespace elsie;
-using testing::Sensor;
-using testing::Surroundings;
 
 namespace {
 
 /// A wall across the world at this x, seen from a sensor at the origin, as high as the wall's
 /// middle.
-Surroundings wall_at(double x) {
-  Surroundings room;
+testing::Surroundings wall_at(double x) {
+  testing::Surroundings room;
   room.wall(x + 0.005, -20, x + 0.005, 20);  // its middle is on the line, and it is 1 cm thick
   return room;
 }
 
-Sensor in_the_middle(const std::string& name, const testing::Settings& settings) {
-  Sensor sensor(name, settings);
+testing::Sensor in_the_middle(const std::string& name, const testing::Settings& settings) {
+  testing::Sensor sensor(name, settings);
   sensor.mounted({{0.0, 0.0, 0.1}, 0.0, 0.0});
   return sensor;
 }
@@ -32,7 +30,7 @@ Sensor in_the_middle(const std::string& name, const testing::Settings& settings)
 }  // namespace
 
 TEST_CASE("A lidar measures x / cos(azimuth) to a wall, from left to right") {
-  Sensor lidar = in_the_middle("lidar", {{"rays", 91}, {"fov_deg", 90}, {"max_range", 8}});
+  testing::Sensor lidar = in_the_middle("lidar", {{"rays", 91}, {"fov_deg", 90}, {"max_range", 8}});
   const auto reading = lidar.sense<LidarReading>(wall_at(1.0));
   REQUIRE(reading.ranges_m.size() == 91);
   CHECK(reading.azimuth_rad(0) == Approx(radians(45)));
@@ -43,7 +41,7 @@ TEST_CASE("A lidar measures x / cos(azimuth) to a wall, from left to right") {
 }
 
 TEST_CASE("A lidar all around has evenly spaced rays, and its range where nothing is") {
-  Sensor lidar = in_the_middle("lidar", {{"rays", 8}, {"max_range", 3}});
+  testing::Sensor lidar = in_the_middle("lidar", {{"rays", 8}, {"max_range", 3}});
   const auto reading = lidar.sense<LidarReading>(wall_at(1.0));
   CHECK(reading.step_rad == Approx(radians(45)));
   CHECK(reading.azimuth_rad(0) == Approx(radians(157.5)));
@@ -52,12 +50,12 @@ TEST_CASE("A lidar all around has evenly spaced rays, and its range where nothin
 }
 
 TEST_CASE("A lidar of one ray looks ahead") {
-  Sensor lidar = in_the_middle("lidar", {{"rays", 1}});
+  testing::Sensor lidar = in_the_middle("lidar", {{"rays", 1}});
   CHECK(lidar.sense<LidarReading>(wall_at(1.0)).ranges_m[0] == Approx(1.0));
 }
 
 TEST_CASE("A depth camera measures along the rays of its pixels") {
-  Sensor depth =
+  testing::Sensor depth =
       in_the_middle("depth", {{"width", 4}, {"height", 2}, {"fov_deg", 90}, {"max_range", 2}});
   const auto reading = depth.sense<DepthReading>(wall_at(0.1));
   // At half the width from the pinhole, pixel middles are 0.5 and 1.5 pixels aside and 0.5 up.
@@ -72,7 +70,7 @@ TEST_CASE("A depth camera measures along the rays of its pixels") {
 
 TEST_CASE("Infra-red sensors have the laws of their robots") {
   const auto value = [](const char* law, double distance) {
-    Sensor sensor = in_the_middle("infrared", {{"law", law}});
+    testing::Sensor sensor = in_the_middle("infrared", {{"law", law}});
     return sensor.sense<InfraredReading>(wall_at(distance)).value;
   };
   CHECK(value("khepera", 0.02) == Approx(450));
@@ -90,8 +88,9 @@ TEST_CASE("Infra-red sensors have the laws of their robots") {
 }
 
 TEST_CASE("An infra-red sensor of three rays has the mean of their values") {
-  Sensor one = in_the_middle("infrared", {{"law", "enki"}});
-  Sensor three = in_the_middle("infrared", {{"law", "enki"}, {"rays", 3}, {"spread_deg", 60}});
+  testing::Sensor one = in_the_middle("infrared", {{"law", "enki"}});
+  testing::Sensor three =
+      in_the_middle("infrared", {{"law", "enki"}, {"rays", 3}, {"spread_deg", 60}});
   const auto at = [&](double distance) {
     return one.sense<InfraredReading>(wall_at(distance)).value;
   };
@@ -100,17 +99,17 @@ TEST_CASE("An infra-red sensor of three rays has the mean of their values") {
 }
 
 TEST_CASE("A bumper feels what touches its part of the body") {
-  Sensor front("bumper", {{"fov_deg", 120}}), back("bumper", {{"fov_deg", 120}});
+  testing::Sensor front("bumper", {{"fov_deg", 120}}), back("bumper", {{"fov_deg", 120}});
   front.turned(0);
   back.turned(180);
-  Surroundings room;
+  testing::Surroundings room;
   room.box(0.2, 0).touch({0.05, 0.01, 0.05}, {-1, 0, 0}, 0.02);
   CHECK(front.sense<BumperReading>(room).pressed);
   CHECK(front.sense<BumperReading>(room).force_n == Approx(0.02 / 0.01));
   CHECK_FALSE(back.sense<BumperReading>(room).pressed);
   room.at(0, 0, 180);
   CHECK(back.sense<BumperReading>(room).pressed);
-  Sensor stiff("bumper", {{"least_force", 5}}), segment("bumper", {{"vehicle", 1}});
+  testing::Sensor stiff("bumper", {{"least_force", 5}}), segment("bumper", {{"vehicle", 1}});
   room.at(0, 0, 0);
   CHECK_FALSE(stiff.sense<BumperReading>(room).pressed);
   CHECK_FALSE(segment.sense<BumperReading>(room).pressed);
