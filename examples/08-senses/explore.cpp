@@ -92,6 +92,7 @@ class Explore final : public elsie::Behavior {
     for (std::size_t i = 0; i < scan->ranges_m.size(); ++i) {
       const double azimuth = scan.azimuth_rad() + scan->azimuth_rad(i);
       const double range = scan->ranges_m[i];
+      const bool is_hit = range < 0.95 * scan->max_range_m;  // noise shortens the range of nothing
       const auto along = [&](double far) {
         return elsie::point_of(here,
                                {at.x + far * std::cos(azimuth), at.y + far * std::sin(azimuth)});
@@ -99,7 +100,7 @@ class Explore final : public elsie::Behavior {
       for (double far = 0.0; far < range - cell; far += 0.5 * cell) {
         set(along(far), State::free);
       }
-      if (range < scan->max_range_m) set(along(range), State::taken);
+      if (is_hit) set(along(range), State::taken);
     }
   }
 
