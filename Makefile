@@ -5,7 +5,7 @@ ELSIE := $(BUILD)/bin/elsie
 # .ci/run alone sets WARNINGS_ARE_ERRORS: a compiler that warns of more than ours does keeps nobody from building.
 CONFIGURE := cmake --log-level=WARNING $(if $(WARNINGS_ARE_ERRORS),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 
-.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench figures world-hashes library-table weigh mutants coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
+.PHONY: desktop program configure-program transcript api site install package all demo test test-quick sanitize sanitize-threads fuzz fuzz-check bench examples figures world-hashes library-table weigh mutants coverage four-resources pictures tables reference format lint lint-changed dependencies configure clean
 
 all: configure
 	cmake --build --preset $(PRESET)
@@ -87,6 +87,10 @@ fuzz-check: configure
 # Benchmarks: docs/internals/performance.md.
 bench: all
 	scripts/benchmark $(BUILD)
+
+# The worlds of examples/08-senses with twenty seeds: each succeeds, and fails without its sense.
+examples: program
+	ELSIE=$(CURDIR)/$(ELSIE) examples/08-senses/check 20
 
 # Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all

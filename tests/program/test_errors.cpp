@@ -141,10 +141,11 @@ TEST_CASE("A wrong command line is reported in sentences") {
         "elsie: --memory-limit: '49.5' is not a number from 50 to 1000000");
   CHECK(refused("explain a.mcap --from -1") ==
         "elsie: --from: '-1' is not a number of zero or above");
-  CHECK(refused("describe vision --kind camera") ==
-        "elsie: --kind: 'camera' is not a plugin kind; there are sensor, behavior, coordinator and "
-        "measure");
-  CHECK(here.elsie("describe wander --kind behaviour").exit_code == 0);
+  CHECK(
+      refused("describe camera vision") ==
+      "elsie: 'camera' is not a kind of plugins; there are sensor, behavior, coordinator, measure, "
+      "drive, localisation");
+  CHECK(here.elsie("describe behaviour wander").exit_code == 0);
   for (const char* numbers : {"--seed x", "--seed -1", "--seed 1.5", "--duration nan",
                               "--duration 0", "--duration 1,5", "--record-rate -2"}) {
     CHECK_THAT(refused("run worlds/maze.xml " + std::string(numbers)),

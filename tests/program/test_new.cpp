@@ -10,7 +10,8 @@ using elsie::test::Workplace;
 
 TEST_CASE("What elsie new makes runs as it is, without a build system") {
   Workplace here;
-  for (const std::string kind : {"behavior", "coordinator", "sensor", "measure", "drive"}) {
+  for (const std::string kind :
+       {"behavior", "coordinator", "sensor", "measure", "drive", "localisation"}) {
     CAPTURE(kind);
     const std::string name = "my_first_" + kind;
     const auto made = here.elsie("new " + kind + " " + name);

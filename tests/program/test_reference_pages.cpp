@@ -17,7 +17,8 @@ using nlohmann::json;
 namespace {
 
 const fs::path kDocs = source_path("docs");
-const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator", "measure", "drive"};
+const std::vector<std::string> kKinds{"sensor",  "behavior", "coordinator",
+                                      "measure", "drive",    "localisation"};
 
 /// The text between the lines <!-- mark --> and <!-- end of mark -->, without blank lines around
 /// it; fails unless each occurs once.
@@ -66,7 +67,7 @@ TEST_CASE("Every page of a plugin says what the declaration says today (else: ma
       CAPTURE(kind, name);
       const std::string page = read(kDocs / (kind + "s") / (name + ".md"));
       CHECK_THAT(page, Catch::StartsWith("# " + name + "\n\n"));
-      const auto run = here.elsie("describe " + name + " --kind " + kind + " --declaration");
+      const auto run = here.elsie("describe " + kind + " " + name + " --declaration");
       REQUIRE(run.exit_code == 0);
       CHECK(block(page, "declaration") == run.out);
     }

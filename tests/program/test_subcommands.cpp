@@ -40,12 +40,12 @@ TEST_CASE("describe prints parameters, defaults, ranges and events") {
 TEST_CASE("describe picks a plugin by its kind, and prints its declaration alone") {
   Workplace here;
   const std::string page = here.elsie("describe wander").out;
-  CHECK(here.elsie("describe wander --kind behavior").out == page);
+  CHECK(here.elsie("describe behavior wander").out == page);
   CHECK("# wander\n\n" + here.elsie("describe wander --declaration").out == page);
-  CHECK_THAT(here.elsie("describe wander --kind sensor").err,
+  CHECK_THAT(here.elsie("describe sensor wander").err,
              Catch::Contains("there is no sensor 'wander'"));
-  CHECK(here.elsie("describe wander --kind sensor").exit_code == 2);
-  CHECK(here.elsie("describe wander --kind wheel").exit_code == 2);
+  CHECK(here.elsie("describe sensor wander").exit_code == 2);
+  CHECK(here.elsie("describe wheel wander").exit_code == 2);
   CHECK(here.elsie("describe wander --json --declaration").exit_code == 2);
 }
 

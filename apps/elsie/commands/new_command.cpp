@@ -232,9 +232,12 @@ void add_new_command(CLI::App& program, Job& job) {
   command->footer(
       "\nExamples:\n  elsie new behavior circle_around\n"
       "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"
-      "  elsie new sensor light\n  elsie new measure detour\n  elsie new drive tracks\n");
+      "  elsie new sensor light\n  elsie new measure detour\n  elsie new drive tracks\n"
+      "  elsie new localisation landmarks\n");
   auto options = std::make_shared<NewOptions>();
-  command->add_option("KIND", options->kind, "behavior, coordinator, sensor, measure or drive")
+  command
+      ->add_option("KIND", options->kind,
+                   "behavior, coordinator, sensor, measure, drive or localisation")
       ->required();
   command->add_option("NAME", options->name, "Its name: small letters, digits, underscores")
       ->required();
@@ -249,9 +252,9 @@ void add_new_command(CLI::App& program, Job& job) {
       const auto& kinds = plugin::kPluginKinds;
       if (std::none_of(kinds.begin(), kinds.end(),
                        [&](PluginKind kind) { return options->kind == plugin::kind_name(kind); })) {
-        throw BadInput(
-            "'" + options->kind +
-            "' is not a plugin kind; there are behavior, coordinator, sensor, measure and drive");
+        throw BadInput("'" + options->kind +
+                       "' is not a plugin kind; there are behavior, coordinator, sensor, measure, "
+                       "drive and localisation");
       }
       return make_project(*options);
     };

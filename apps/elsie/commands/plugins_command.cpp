@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "elsie/base/near_name.h"
+#include "elsie/base/words.h"
 #include "elsie/experiment/vocabulary.h"
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/kind_name.h"
@@ -220,9 +221,11 @@ PluginKind kind_of(const std::string& word) {
   if (word == "behaviour") {
     return PluginKind::behavior;
   }
-  throw CLI::ValidationError("--kind", "'" + word +
-                                           "' is not a plugin kind; there are sensor, "
-                                           "behavior, coordinator and measure");
+  std::vector<std::string> kinds;
+  for (const PluginKind kind : kPluginKinds) {
+    kinds.emplace_back(kind_name(kind));
+  }
+  throw BadInput("'" + word + "' is not a kind of plugins; there are " + base::listed(kinds));
 }
 
 }  // namespace
@@ -236,19 +239,21 @@ void add_describe_command(CLI::App& program, Job& job) {
       "\nExamples:\n  elsie describe beam_range\n  elsie describe reach\n  elsie describe world\n"
       "  elsie describe experiment\n"
       "  elsie describe events\n"
-      "  elsie describe wander --kind behavior --declaration\n");
+      "  elsie describe behavior wander --declaration\n");
   auto options = std::make_shared<DescribeOptions>();
   command
-      ->add_option("PLUGIN", options->name,
-                   "Name of a sensor, behavior, coordinator, measure or drive, or of an element of "
-                   "world and "
-                   "experiment files, as 'reach'; or 'events', 'world' or 'experiment'")
+      ->add_option_function<std::vector<std::string>>(
+          "NAME",
+          [options](const std::vector<std::string>& words) {
+            options->name = words.back();
+            if (words.size() == 2) options->kind = kind_of(words.front());
+          },
+          "Name of a plugin, or of an element of world and experiment files, as 'reach'; or "
+          "'events', 'world' or 'experiment'. The kind of the plugin may stand before it: 'sensor "
+          "compass'")
+      ->expected(1, 2)
+      ->type_name("[KIND] NAME")
       ->required();
-  command
-      ->add_option_function<std::string>(
-          "--kind", [options](const std::string& word) { options->kind = kind_of(word); },
-          "Which, when plugins of several kinds have that name")
-      ->type_name("KIND:{sensor,behavior,coordinator,measure,drive}");
   CLI::Option* json =
       command->add_flag("--json", options->json, "Print one JSON object, and nothing else");
   command
