@@ -67,6 +67,12 @@ world::World reduced(world::World world) {
   for (world::Charger& charger : world.chargers) {
     charger.id.clear();
   }
+  for (world::Lamp& lamp : world.lamps) {
+    lamp.id.clear();
+  }
+  for (world::Patch& patch : world.patches) {
+    patch.id.clear();
+  }
   for (world::Robot& robot : world.robots) {
     reduce(robot);
     for (world::SensorUse& sensor : robot.sensors) {
