@@ -117,7 +117,7 @@ TEST_CASE("A robot that a moving box presses through a wall ends the run, and is
     context.drive(ram, {0.2, 0.0}, 3.0);
     FAIL("nothing was said");
   } catch (const PhysicsFailure& failure) {
-    CHECK(failure.failure.kind == Failure::Kind::outside);
+    CHECK(failure.failure.kind == physics::Failure::Kind::outside);
     CHECK(failure.failure.body == robot_body(robot));
     CHECK(failure.failure.time_s > 0.5);
     CHECK(failure.failure.time_s < 3.0);

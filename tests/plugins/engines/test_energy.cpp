@@ -159,7 +159,7 @@ Reached crowd_of(std::size_t robots, const world::Physics& physics, double speed
 
 /// What becomes of a robot between a box that moves to the right and a wall of a centimetre at 1 m.
 struct Pressed {
-  std::optional<Failure> failure;
+  std::optional<physics::Failure> failure;
   double farthest = 0.0;  // m, of its middle to the right
   double fastest = 0.0;   // m/s
 };
@@ -281,7 +281,7 @@ TEST_CASE(
     CHECK(with_room.farthest < 0.96 + kDeepest);
     const Pressed without = press(physics, speed, 0.005, seed);
     REQUIRE(without.failure);
-    CHECK(without.failure->kind == Failure::Kind::pressed);
+    CHECK(without.failure->kind == physics::Failure::Kind::pressed);
     CHECK(without.failure->body == robot_body(0));
     CHECK(without.failure->presser == box_body(1));
     CHECK(without.failure->time_s > 0.5 / speed);  // not before they meet
