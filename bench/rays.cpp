@@ -62,9 +62,8 @@ class Scanner {
   Scanner(const physics::Engine& engine, const Lidar& lidar) : engine_(engine), lidar_(lidar) {
     const double apart = 2.0 * std::numbers::pi / static_cast<double>(lidar.rays);
     for (std::size_t i = 0; i < lidar.rays; ++i) {
-      from_.push_back(Frame::turned({0.03, 0.0, 0.07},
-                                    std::numbers::pi - apart * static_cast<double>(i),
-                                    lidar.pitch_rad));
+      from_.push_back(Frame::turned(
+          {0.03, 0.0, 0.07}, std::numbers::pi - apart * static_cast<double>(i), lidar.pitch_rad));
     }
     for (const Frame& frame : from_) rays_.push_back({&frame, lidar.range_m});
     surfaces_.resize(rays_.size());
@@ -73,8 +72,9 @@ class Scanner {
   void measure(Costs& costs) {
     costs.single.push_back(cost([&](const Frame& robot) {
       for (RayQuery& ray : rays_) {
-        const auto hit = engine_.cast_ray(robot.point(ray.from->origin),
-                                          robot.direction(ray.from->forward), ray.max_range_m, kSelf);
+        const auto hit =
+            engine_.cast_ray(robot.point(ray.from->origin), robot.direction(ray.from->forward),
+                             ray.max_range_m, kSelf);
         ray.distance_m = hit ? hit->distance : RayQuery::kNothing;
       }
     }));
@@ -124,7 +124,8 @@ int main(int argc, char** argv) {
   }
   try {
     std::printf(
-        "| engine | rays | pitch, deg | range, m | us for a single ray | single / batch | batch with "
+        "| engine | rays | pitch, deg | range, m | us for a single ray | single / batch | batch "
+        "with "
         "surfaces / without |\n|---|---|---|---|---|---|---|\n");
     for (const char* const name : {"ode", "planar"}) {
       const auto engine = crowded(name);

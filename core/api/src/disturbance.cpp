@@ -28,16 +28,16 @@ ElementItem<Noise> noise() {
                 {.meaning = "at last kept between these two numbers; empty: no limits"}));
 }
 
-ElementItem<Failure> failure() {
-  return element<Failure>(
+ElementItem<UpdateFailure> failure() {
+  return element<UpdateFailure>(
       "failure", "when it does not renew its reading",
-      parameter("dropout", &Failure::dropout,
+      parameter("dropout", &UpdateFailure::dropout,
                 {.min = 0,
                  .max = 1,
                  .meaning = "probability that an update is missed, so that the reading stays"}),
-      parameter("latency", &Failure::latency,
+      parameter("latency", &UpdateFailure::latency,
                 {.unit = "s", .min = 0, .meaning = "how much later a reading is seen"}),
-      parameter("stuck_from", &Failure::stuck_from,
+      parameter("stuck_from", &UpdateFailure::stuck_from,
                 {.unit = "s",
                  .min = -1,
                  .meaning = "the time from which on the reading stays; negative: never"}));

@@ -32,7 +32,9 @@ class RayFan {
   static constexpr std::size_t kMost = 512;  // rays; more would leave the processor's cache
 
   RayFan(const View& view, const Vector3& origin)
-      : view_(view), origin_(origin), column_(view.grid().column(origin.x)),
+      : view_(view),
+        origin_(origin),
+        column_(view.grid().column(origin.x)),
         row_(view.grid().row(origin.y)) {}
 
   /// All rays start at the origin, in the world; they are at most kMost.
@@ -99,8 +101,8 @@ class RayFan {
 
   void visit_rings() {
     const base::Grid& grid = view_.grid();
-    const int last = std::max({column_, grid.columns() - 1 - column_, row_,
-                               grid.rows() - 1 - row_});
+    const int last =
+        std::max({column_, grid.columns() - 1 - column_, row_, grid.rows() - 1 - row_});
     std::size_t done = 0;  // beams that reach no further ring
     for (int ring = 0; ring <= last; ++ring) {
       const double way = ring > 0 ? way_to(ring) : 0.0;

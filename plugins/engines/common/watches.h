@@ -124,8 +124,8 @@ class MotionWatch {
     }
   }
 
-  Motion motion(std::size_t robot, std::size_t vehicle, const Velocity& now) const {
-    Motion motion{now.linear, now.turning, {}, {}};
+  BodyMotion motion(std::size_t robot, std::size_t vehicle, const Velocity& now) const {
+    BodyMotion motion{now.linear, now.turning, {}, {}};
     if (watches(robot)) {
       const Velocity& change = watched_[places_[robot]].vehicles[vehicle].change;
       motion.acceleration = change.linear;

@@ -110,8 +110,8 @@ void ContactFinder::find_floor(const OdeBodies& bodies, base::ThreadPool& pool) 
   }
 }
 
-void ContactFinder::find_neighbors(const OdeBodies& bodies, const ContactWatch& watch,
-                                   Scene::Id id, FoundContacts& found) const {
+void ContactFinder::find_neighbors(const OdeBodies& bodies, const ContactWatch& watch, Scene::Id id,
+                                   FoundContacts& found) const {
   bodies.scene.neighbors(id, found.neighbors);
   for (const Scene::Id other : found.neighbors) {
     const Body a = bodies.scene.body(id), b = bodies.scene.body(other);

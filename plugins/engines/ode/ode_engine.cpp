@@ -95,10 +95,10 @@ class OdeEngine final : public Engine {
   void watch_motion(std::size_t robot) override {
     motion_watch_.watch(robot, bodies_.robots.at(robot).vehicles().size());
   }
-  Motion motion(std::size_t robot) const override {
+  BodyMotion motion(std::size_t robot) const override {
     return motion_watch_.motion(robot, 0, velocity_of(robot, 0));
   }
-  Motion segment_motion(std::size_t robot, std::size_t segment) const override {
+  BodyMotion segment_motion(std::size_t robot, std::size_t segment) const override {
     return motion_watch_.motion(robot, segment + 1, velocity_of(robot, segment + 1));
   }
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,

@@ -87,22 +87,22 @@ void CollisionPipeline::meet(std::uint32_t first, std::uint32_t second, double m
                              Found& found) const {
   const Collider &a = colliders_[first], &b = colliders_[second];
   bool touches = false;
-  for_each_meeting(*a.solids, clearance_.placement(first), *b.solids, clearance_.placement(second),
-                   margin, found.space, [&](std::size_t i, std::size_t k, const Meeting& met) {
-                     for (std::size_t n = 0; n < met.count; ++n) {
-                       Contact& contact = found.contacts.emplace_back();
-                       contact.key = {a.number, b.number,
-                                      Contact::Key::of(i, k, met.points[n].feature)};
-                       contact.a = a.mover;
-                       contact.b = b.mover;
-                       contact.collider_a = first;
-                       contact.collider_b = second;
-                       contact.at = met.points[n].at;
-                       contact.normal = met.normal;
-                       contact.gap = met.points[n].gap;
-                       touches = touches || contact.gap <= kTouching;
-                     }
-                   });
+  for_each_meeting(
+      *a.solids, clearance_.placement(first), *b.solids, clearance_.placement(second), margin,
+      found.space, [&](std::size_t i, std::size_t k, const Meeting& met) {
+        for (std::size_t n = 0; n < met.count; ++n) {
+          Contact& contact = found.contacts.emplace_back();
+          contact.key = {a.number, b.number, Contact::Key::of(i, k, met.points[n].feature)};
+          contact.a = a.mover;
+          contact.b = b.mover;
+          contact.collider_a = first;
+          contact.collider_b = second;
+          contact.at = met.points[n].at;
+          contact.normal = met.normal;
+          contact.gap = met.points[n].gap;
+          touches = touches || contact.gap <= kTouching;
+        }
+      });
   if ((touches || pushed(a.number, b.number)) && a.body != b.body) {
     found.touches.push_back(a.body < b.body ? Touch{a.body, b.body} : Touch{b.body, a.body});
   }

@@ -65,10 +65,10 @@ class PlanarEngine final : public Engine {
   void watch_motion(std::size_t robot) override {
     motion_watch_.watch(robot, robots_.at(robot).vehicles());
   }
-  Motion motion(std::size_t robot) const override {
+  BodyMotion motion(std::size_t robot) const override {
     return motion_watch_.motion(robot, 0, velocity_of(robot, 0));
   }
-  Motion segment_motion(std::size_t robot, std::size_t segment) const override;
+  BodyMotion segment_motion(std::size_t robot, std::size_t segment) const override;
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
     return scene_.cast_ray(origin, direction, max_range, except);

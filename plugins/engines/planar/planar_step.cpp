@@ -68,7 +68,7 @@ MotionWatch::Velocity PlanarEngine::velocity_of(std::size_t robot, std::size_t v
   return {{velocity.x, velocity.y, 0.0}, {0.0, 0.0, velocity.turn}};
 }
 
-Motion PlanarEngine::segment_motion(std::size_t robot, std::size_t segment) const {
+BodyMotion PlanarEngine::segment_motion(std::size_t robot, std::size_t segment) const {
   robots_.at(robot).hinge(segment);  // there is one
   return motion_watch_.motion(robot, segment + 1, velocity_of(robot, segment + 1));
 }

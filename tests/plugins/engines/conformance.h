@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,14 +43,15 @@ struct Bustle {
   std::uint64_t seed = 1;
   int steps = 400;
   int side = 3;
-  double apart = 0.8;  // m
+  double apart = 0.8;                                            // m
+  std::function<void(const Engine&)> after_each_step = nullptr;  // all robots are watched then
 };
 
 /// The hash after each step.
 inline std::vector<std::uint64_t> history(const std::string& engine, const Bustle& bustle,
                                           std::size_t threads = 1) {
   base::ThreadPool pool(threads);
-  const auto [seed, steps, side, apart] = bustle;
+  const auto& [seed, steps, side, apart, after_each_step] = bustle;
   const double size = apart * (side + 0.2), first = -0.5 * apart * (side - 1);
   PhysicsContext context(with(engine), {.length = size, .width = size});
   context.engine->work_with(pool);
@@ -67,6 +69,10 @@ inline std::vector<std::uint64_t> history(const std::string& engine, const Bustl
   const double y = first + 0.5 * apart;
   const std::size_t moving =
       context.obstacle(world::ObstacleKind::moving, first, y, {0.1, 0.1, 0.1});
+  for (std::size_t robot = 0; after_each_step && robot <= robots; ++robot) {
+    context.engine->watch_contacts(robot);
+    context.engine->watch_motion(robot);
+  }
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < steps; ++i) {
     for (std::size_t robot = 0; i % 20 == 0 && robot <= robots; ++robot) {
@@ -76,6 +82,7 @@ inline std::vector<std::uint64_t> history(const std::string& engine, const Bustl
     context.engine->drive_obstacle(moving, {first + 0.003 * (i + 1), y}, {0.3, 0.0});
     context.engine->step();
     hashes.push_back(context.engine->hash_state());
+    if (after_each_step) after_each_step(*context.engine);
   }
   return hashes;
 }

@@ -136,8 +136,8 @@ TEST_CASE("The normals of round bodies point away from their axes and middles") 
   pillar.height = 0.4;
   context.engine->add_obstacle(pillar);
   const auto ball = context.engine->add_robot(alone(Shape::sphere(r)), {0.0, 3.0, 0.0});
-  const auto capsule = context.engine->add_robot(
-      alone(Shape::capsule(r, 0.3, Shape::Axis::left)), {-3.0, 0.0, 0.0});
+  const auto capsule =
+      context.engine->add_robot(alone(Shape::capsule(r, 0.3, Shape::Axis::left)), {-3.0, 0.0, 0.0});
   for (const double off : {0.0, 0.3, -0.4}) {
     const double back = std::sqrt(0.25 - off * off);
     check(surface(context, {0, off, 0.1}, {1, 0, 0}), Surface::Kind::obstacle, 0,
@@ -150,8 +150,7 @@ TEST_CASE("The normals of round bodies point away from their axes and middles") 
           {off / r, -back / r, 0});
     check(surface(context, {0, 0, middle + off}, {0, 1, 0}), Surface::Kind::robot, ball,
           {0, -back / r, off / r});
-    check(surface(context, {0, off, middle}, {-1, 0, 0}), Surface::Kind::robot, capsule,
-          {1, 0, 0});
+    check(surface(context, {0, off, middle}, {-1, 0, 0}), Surface::Kind::robot, capsule, {1, 0, 0});
     // Its end.
     check(surface(context, {0, 0.1 + std::abs(off), middle}, {-1, 0, 0}), Surface::Kind::robot,
           capsule, {back / r, std::abs(off) / r, 0});
@@ -218,8 +217,8 @@ TEST_CASE("Rays in a batch have the distances and bodies of single rays, bit for
   const std::size_t count = GENERATE(1u, 3u, 16u, 17u, 60u, 360u, 10000u);
   const bool is_level = GENERATE(true, false), at_one_point = GENERATE(true, false);
   const std::size_t self = GENERATE(std::size_t{31}, kNobody);
-  const Frame within = is_level ? Frame::turned(crowd.place(), 0.3, 0.0)
-                                : Frame::turned(crowd.place(), 0.3, 0.1);
+  const Frame within =
+      is_level ? Frame::turned(crowd.place(), 0.3, 0.0) : Frame::turned(crowd.place(), 0.3, 0.1);
   const Vector3 mounted{0.1, 0.02, 0.1};
   Batch batch;
   for (std::size_t i = 0; i < count; ++i) {
@@ -238,9 +237,8 @@ TEST_CASE("Rays in a batch have the distances and bodies of single rays, bit for
   crowd.engine->cast_rays(within, alone, self);
   for (std::size_t i = 0; i < count; ++i) {
     const Frame& from = batch.from[i];
-    const auto hit = crowd.engine->cast_ray(within.point(from.origin),
-                                            within.direction(from.forward),
-                                            batch.rays[i].max_range_m, self);
+    const auto hit = crowd.engine->cast_ray(
+        within.point(from.origin), within.direction(from.forward), batch.rays[i].max_range_m, self);
     CAPTURE(i);
     REQUIRE(answers[i].distance_m == (hit ? hit->distance : kNone));
     REQUIRE(alone[i].distance_m == answers[i].distance_m);

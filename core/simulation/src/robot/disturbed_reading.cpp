@@ -76,7 +76,7 @@ void DisturbedReading::fit(const Sensor& sensor) {
       });
       noises_.push_back(std::move(target));
     } else {
-      const auto& failure = std::get<Failure>(each);
+      const auto& failure = std::get<UpdateFailure>(each);
       const std::size_t number = failures_.size();
       failures_.push_back({failure, number < failures.size() ? failures[number].random
                                                              : stream("failure", number)});

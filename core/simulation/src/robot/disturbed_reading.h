@@ -39,7 +39,7 @@ class DisturbedReading {
     Random random;
   };
   struct Failing {
-    Failure failure;
+    UpdateFailure failure;
     Random random;
   };
   struct Sample {

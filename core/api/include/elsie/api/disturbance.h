@@ -34,13 +34,13 @@ struct Noise {
 };
 
 /// How a sensor fails to renew its reading.
-struct Failure {
+struct UpdateFailure {
   double dropout = 0.0;      // probability of each update to be missed: the reading stays
   double latency = 0.0;      // s: a reading is seen so much later
   double stuck_from = -1.0;  // s: from this time on the reading stays; negative: never
 };
 
-using Disturbance = std::variant<Noise, Failure>;
+using Disturbance = std::variant<Noise, UpdateFailure>;
 
 /// The elements <noise> and <failure> of a plugin whose objects keep them in this list.
 std::vector<ElementDeclaration> disturbance_elements(

@@ -72,11 +72,13 @@ struct BodyContact {
 
   /// The part of the impulse that presses.
   double pressing() const { return dot(impulse, normal); }
+
+  friend bool operator==(const BodyContact&, const BodyContact&) = default;
 };
 
 /// The motion of a robot's or a segment's frame (its origin), in the world. Accelerations are
 /// changes of velocity over the last step, without gravity: a robot at rest has none.
-struct Motion {
+struct BodyMotion {
   Vector3 velocity;              // m/s
   Vector3 turning;               // rad/s
   Vector3 acceleration;          // m/s2; zero unless it is watched
@@ -174,13 +176,14 @@ class Engine {
   /// that another engine adds of this one is watched there, too, likewise by watch_motion().
   virtual void watch_contacts(std::size_t robot) = 0;
   /// Where a watched robot touched something other than the floor and itself in the last step: at
-  /// its beginning (to within 0.02 mm) or with an impulse. Ordered by vehicle, body and place; valid
-  /// until the next step. A surface that is met all over has a contact at each of a few points.
+  /// its beginning (to within 0.02 mm) or with an impulse. Ordered by vehicle, body and place;
+  /// valid until the next step. A surface that is met all over has a contact at each of a few
+  /// points.
   virtual std::span<const BodyContact> contacts(std::size_t robot) const = 0;
   /// From the next step on, motion() and segment_motion() have this robot's accelerations.
   virtual void watch_motion(std::size_t robot) = 0;
-  virtual Motion motion(std::size_t robot) const = 0;
-  virtual Motion segment_motion(std::size_t robot, std::size_t segment) const = 0;
+  virtual BodyMotion motion(std::size_t robot) const = 0;
+  virtual BodyMotion segment_motion(std::size_t robot, std::size_t segment) const = 0;
 
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
   /// as range sensors see the world: floor (from above), walls, obstacles that are visible to them,
@@ -198,8 +201,8 @@ class Engine {
   }
   /// The same, and sets what each of them hit, unless there are no `surfaces`. Throws
   /// std::invalid_argument if they are not as many as the rays.
-  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays,
-                         std::span<Surface> surfaces, std::size_t except) const = 0;
+  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                         std::size_t except) const = 0;
   /// Returns whether a wall, a visible obstacle or a robot other than `except` reaches into the
   /// pyramid, whose far face is flat, at the distance `range_m` along its axis. Robots are seen as
   /// by rays, but with the boxes around their wheels, and around a chassis that is a ball or a
