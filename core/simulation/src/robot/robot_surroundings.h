@@ -65,7 +65,7 @@ class RobotSurroundings final : public Surroundings {
   std::span<const JointSetting> joints() const override { return robots_[robot_]->joints(); }
   std::span<const Contact> contacts() const override { return robots_[robot_]->contacts(); }
   BodyMotion motion() const override {
-    const physics::Motion motion = engine_.motion(robot_);
+    const physics::BodyMotion motion = engine_.motion(robot_);
     return {motion.velocity, motion.turning};
   }
   Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
