@@ -174,7 +174,7 @@ TEST_CASE("A robot that drives in a circle accelerates towards its middle") {
   for (int i = 0; i < 5; ++i) {
     context.engine->step();
     const RobotState state = context.engine->robot(robot);
-    const BodyMotion motion = context.engine->motion(robot);
+    const physics::BodyMotion motion = context.engine->motion(robot);
     CHECK(length(motion.velocity) == Approx(std::hypot(state.speed, state.lateral)).epsilon(1e-3));
     CHECK(motion.turning.z == Approx(state.turn_rate).epsilon(1e-9));
     // The velocity turns by w h in the step: it changes by its chord.
@@ -198,7 +198,7 @@ TEST_CASE("Segments that are pulled in a circle accelerate as they turn") {
   context.drive(train, {10, 12});
   context.run(20.0);
   for (std::size_t i = 0; i < 2; ++i) {
-    const BodyMotion motion = context.engine->segment_motion(train, i);
+    const physics::BodyMotion motion = context.engine->segment_motion(train, i);
     CHECK(length(motion.acceleration) ==
           Approx(length(motion.velocity) * motion.turning.z).epsilon(0.1));
   }
@@ -216,7 +216,7 @@ TEST_CASE("Acceleration is the change of velocity over the step, for who watches
     context.drive(robot, {5.0 + i, 5.0 + i});
     context.drive(other, {5.0 + i, 5.0 + i});
     context.engine->step();
-    const BodyMotion motion = context.engine->motion(robot);
+    const physics::BodyMotion motion = context.engine->motion(robot);
     const Vector3 expected = (1.0 / step) * (motion.velocity - before);
     CHECK(length(motion.acceleration - expected) <= 1e-9 * (1.0 + length(expected)));
     CHECK(context.engine->motion(other).acceleration == Vector3{});
