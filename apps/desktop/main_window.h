@@ -189,7 +189,8 @@ class MainWindow : public QMainWindow {
   struct Actions {
     QAction *new_world, *open, *save;
     QAction *undo, *redo, *cut, *copy, *paste, *remove, *lock;
-    QAction *add_robot, *add_sensor, *behaviors, *coordinator, *add_resource, *add_charger;
+    QAction *add_robot, *add_sensor, *behaviors, *coordinator, *add_resource, *add_charger,
+        *add_lamp, *add_patch;
     QList<QAction*> obstacles;
     QAction *measure, *status_bar;
     QAction* run;

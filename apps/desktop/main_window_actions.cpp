@@ -188,6 +188,8 @@ void MainWindow::fill_add_menu(QMenu* menu) {
   }
   actions_.add_resource = member("add_resource", tr("R&esource..."), "resources");
   actions_.add_charger = member("add_charger", tr("&Charger..."), "chargers");
+  actions_.add_lamp = member("add_lamp", tr("&Lamp..."), "lamps");
+  actions_.add_patch = member("add_patch", tr("&Patch of the floor..."), "patches");
   menu->addSeparator();
   member("add_goal", tr("&Goal..."), "goals");
   member("add_measure", tr("Meas&ure..."), "measures");
@@ -282,6 +284,7 @@ void MainWindow::fill_simulation_menu(QMenu* menu) {
       "physics", tr("&Physics parameters..."), {}, [this] { authoring_->edit_element("physics"); },
       tr("Gravity, ERP and CFM or kp and kd, and the time step; also during a run"));
   add("arena", tr("&Arena..."), {}, [this] { authoring_->edit_element("arena"); });
+  add("floor", tr("&Floor..."), {}, [this] { authoring_->edit_element("floor"); });
   add("limits", tr("&Limits..."), {}, [this] { authoring_->edit_element("limits"); });
   menu->addSeparator();
   command(

@@ -7,7 +7,7 @@ namespace elsie::program {
 const CommandModule& command_module() {
   using Get = const CommandModule* (*)();
   const auto get = reinterpret_cast<Get>(plugin::part_symbol(
-      "subcommands", plugin::layouts_file().replace_filename("elsie-commands.so"), kCommandModule));
+      "subcommands", plugin::part_file("elsie-commands"), kCommandModule));
   return *get();
 }
 

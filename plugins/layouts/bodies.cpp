@@ -8,6 +8,7 @@
 
 #include "elsie/shapes/outline.h"
 #include "elsie/world/error.h"
+#include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
 #include "elsie/world/tree.h"
 
@@ -25,6 +26,38 @@ Footprint footprint_of(const world::Charger& charger) {
   disc.top = kMarkHeight;
   disc.round = true;
   return disc;
+}
+
+Footprint footprint_of(const world::Lamp& lamp) {
+  Footprint disc{.x = lamp.x, .y = lamp.y, .round = true};
+  disc.half_length = disc.half_width = world::kLampRadius;
+  disc.bottom = lamp.z - world::kLampRadius;
+  disc.top = lamp.z + world::kLampRadius;
+  return disc;
+}
+
+/// The pieces of a patch without a height: they overlap nothing.
+Body body_of(const world::Patch& patch) {
+  Body body;
+  for (const world::FloorPiece& piece : world::pieces_of(patch)) {
+    Footprint& area = body.emplace_back();
+    const auto& corners = piece.corners;
+    area.round = corners.empty();
+    area.x = piece.middle.x;
+    area.y = piece.middle.y;
+    area.half_length = area.half_width = piece.radius;
+    if (area.round) continue;
+    for (const Vector2& corner : corners) {
+      area.x += corner.x / static_cast<double>(corners.size());
+      area.y += corner.y / static_cast<double>(corners.size());
+    }
+    for (const Vector2& corner : corners) {
+      area.outline.push_back({corner.x - area.x, corner.y - area.y});
+      area.half_length = std::max(area.half_length, std::abs(area.outline.back().x));
+      area.half_width = std::max(area.half_width, std::abs(area.outline.back().y));
+    }
+  }
+  return body;
 }
 
 Body body_of(const world::Robot& robot) {
@@ -87,15 +120,16 @@ Body moved(const Body& body, double x, double y, double heading_deg) {
 
 std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
                             std::vector<Element> things, Problems& problems) {
-  Element tree = without(drawing.world, {"obstacles", "resources", "chargers", "robots", "goals",
-                                         "measures", "changes", "limits"});
+  Element tree =
+      without(drawing.world, {"obstacles", "resources", "chargers", "lamps", "floor", "patches",
+                              "robots", "goals", "measures", "changes", "limits"});
   Element holder;
   holder.name = list;
   holder.where = drawing.world.where;
   for (Element& thing : things) {
     thing.set("x", "0", thing.where);
     thing.set("y", "0", thing.where);
-    if (list != "chargers") thing.set("heading_deg", "0", thing.where);
+    if (has_heading(thing.name)) thing.set("heading_deg", "0", thing.where);
   }
   holder.children = std::move(things);
   tree.children.push_back(std::move(holder));
@@ -106,6 +140,8 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
       bodies.push_back({world::footprint_of(box)});
     }
     for (const auto& charger : world->chargers) bodies.push_back({footprint_of(charger)});
+    for (const world::Lamp& lamp : world->lamps) bodies.push_back({footprint_of(lamp)});
+    for (const world::Patch& patch : world->patches) bodies.push_back(body_of(patch));
     for (const world::Robot& robot : world->robots) bodies.push_back(body_of(robot));
   }
   return bodies;
@@ -113,13 +149,15 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
 
 bool Occupied::add_world(const Drawing& drawing) {
   const auto world =
-      read(drawing, without(drawing.world, {"goals", "measures", "changes", "limits"}),
+      read(drawing,
+           without(drawing.world, {"floor", "patches", "goals", "measures", "changes", "limits"}),
            drawing.problems);
   if (!world) {
     return false;
   }
   for (const world::Obstacle& box : world->obstacles) add({world::footprint_of(box)});
   for (const world::Charger& charger : world->chargers) add({footprint_of(charger)});
+  for (const world::Lamp& lamp : world->lamps) add({footprint_of(lamp)});
   for (const world::Robot& robot : world->robots) add(body_of(robot));
   return true;
 }

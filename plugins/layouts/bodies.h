@@ -21,9 +21,9 @@ double covered(const Body& body);
 /// The body at another place.
 Body moved(const Body& body, double x, double y, double heading_deg);
 
-/// The bodies of robots, boxes and chargers, in the order given, wherever they are. `list` is the
-/// group of the world that they belong to. Empty if one of them is invalid; `problems` then gets
-/// all mistakes.
+/// The bodies of robots, boxes, chargers and lamps, and the areas of patches, in the order given,
+/// wherever they are. `list` is the group of the world that they belong to. Empty if one of them is
+/// invalid; `problems` then gets all mistakes.
 std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
                             std::vector<Element> things, Problems& problems);
 

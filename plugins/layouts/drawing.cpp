@@ -88,8 +88,14 @@ const char* list_of(const std::string& name) {
   return name == "robot"                                       ? "robots"
          : name == "resource"                                  ? "resources"
          : name == "charger"                                   ? "chargers"
+         : name == "lamp"                                      ? "lamps"
+         : world::vocabulary().child("patches")->child(name)   ? "patches"
          : world::vocabulary().child("obstacles")->child(name) ? "obstacles"
                                                                : nullptr;
+}
+
+bool has_heading(const std::string& name) {
+  return world::vocabulary().child(list_of(name))->child(name)->attribute("heading_deg");
 }
 
 }  // namespace elsie::layouts

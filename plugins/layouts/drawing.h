@@ -41,6 +41,8 @@ struct Wall {
 
 /// The list of the world that an element belongs to; null if the element cannot be scattered.
 const char* list_of(const std::string& name);
+/// Whether such a thing has a heading.
+bool has_heading(const std::string& name);
 
 struct Drawing {
   Element& world;

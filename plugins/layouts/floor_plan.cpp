@@ -11,9 +11,9 @@
 #include "elsie/base/words.h"
 #include "elsie/world/error.h"
 #include "elsie/world/files.h"
+#include "elsie/world/images.h"
 
 #include "described.h"
-#include "image.h"
 
 namespace elsie::layouts {
 
@@ -28,12 +28,14 @@ struct PixelBox {
 
 /// Covers the dark pixels with few rectangles: from each that is not covered yet, in reading order,
 /// the larger of the widest and of the highest rectangle. None: more than kMostBoxes.
-std::optional<std::vector<PixelBox>> boxes_of(const GreyImage& image, double threshold) {
+std::optional<std::vector<PixelBox>> boxes_of(const Image& image, double threshold) {
+  const auto columns = static_cast<std::size_t>(image.width);
+  const auto rows = static_cast<std::size_t>(image.height);
   std::vector<bool> dark;
-  for (const std::uint8_t pixel : image.pixels) {
+  for (const std::uint8_t pixel : image.bytes) {
     dark.push_back(pixel < threshold * 255.0);
   }
-  const auto at = [&](std::size_t x, std::size_t y) { return dark[y * image.width + x]; };
+  const auto at = [&](std::size_t x, std::size_t y) { return dark[y * columns + x]; };
   const auto row_is_dark = [&](std::size_t x, std::size_t y, std::size_t width) {
     for (std::size_t i = x; i < x + width; ++i) {
       if (!at(i, y)) return false;
@@ -47,21 +49,21 @@ std::optional<std::vector<PixelBox>> boxes_of(const GreyImage& image, double thr
     return true;
   };
   std::vector<PixelBox> boxes;
-  for (std::size_t y = 0; y < image.height; ++y) {
-    for (std::size_t x = 0; x < image.width; ++x) {
+  for (std::size_t y = 0; y < rows; ++y) {
+    for (std::size_t x = 0; x < columns; ++x) {
       if (!at(x, y)) continue;
       PixelBox wide{x, y, 1, 1}, high{x, y, 1, 1};
-      while (x + wide.width < image.width && at(x + wide.width, y)) ++wide.width;
-      while (y + wide.height < image.height && row_is_dark(x, y + wide.height, wide.width)) {
+      while (x + wide.width < columns && at(x + wide.width, y)) ++wide.width;
+      while (y + wide.height < rows && row_is_dark(x, y + wide.height, wide.width)) {
         ++wide.height;
       }
-      while (y + high.height < image.height && at(x, y + high.height)) ++high.height;
-      while (x + high.width < image.width && column_is_dark(x + high.width, y, high.height)) {
+      while (y + high.height < rows && at(x, y + high.height)) ++high.height;
+      while (x + high.width < columns && column_is_dark(x + high.width, y, high.height)) {
         ++high.width;
       }
       const PixelBox& box = wide.area() >= high.area() ? wide : high;
       for (std::size_t j = y; j < y + box.height; ++j) {
-        for (std::size_t i = x; i < x + box.width; ++i) dark[j * image.width + i] = false;
+        for (std::size_t i = x; i < x + box.width; ++i) dark[j * columns + i] = false;
       }
       boxes.push_back(box);
       if (boxes.size() > kMostBoxes) {
@@ -77,16 +79,15 @@ class Planning {
   Planning(Drawing& drawing, const FloorPlan& plan) : drawing_(drawing), plan_(plan) {}
 
   void add_image(const std::string& name, const std::string& content) {
-    GreyImage image;
+    Image image;
     try {
-      image = read_image(content);
+      image = world::read_image(content, 1);
     } catch (const std::runtime_error& error) {
       refuse("names the file '" + name + "', which " + error.what());
       return;
     }
     const double metres = plan_.metres_per_pixel;
-    const Area area{plan_.x, plan_.y, metres * static_cast<double>(image.width),
-                    metres * static_cast<double>(image.height)};
+    const Area area{plan_.x, plan_.y, metres * image.width, metres * image.height};
     if (!drawing_.require_inside(area, plan_.location, plan_.id)) {
       return;
     }
@@ -208,8 +209,8 @@ void draw_floor_plan(Drawing& drawing, const FloorPlan& plan) {
   }
   try {
     const std::string content = world::read_text(*found);
-    is_image(content) ? planning.add_image(plan.file, content)
-                      : planning.add_list(plan.file, content);
+    world::is_image(content) ? planning.add_image(plan.file, content)
+                             : planning.add_list(plan.file, content);
   } catch (const world::WorldError& error) {
     drawing.problems.add(error);
   }

@@ -82,9 +82,9 @@ class Scattering {
                                               ": <heading> draws it; take one of them out");
       return false;
     }
-    if (scatter_.heading && thing_.name == "charger") {
+    if (scatter_.heading && !has_heading(thing_.name)) {
       return drawing_.refuse(scatter_.heading->location, scatter_.id,
-                             "has a <heading>, but chargers face no way; leave it out");
+                             "has a <heading>, but " + faceless() + " no way; leave it out");
     }
     for (const Draw& draw : scatter_.draws) {
       if (draw.path == "@x" || draw.path == "@y" || draw.path == "@id" ||
@@ -93,6 +93,10 @@ class Scattering {
       }
     }
     return true;
+  }
+
+  std::string faceless() const {
+    return thing_.name == "charger" ? "chargers face" : "a <" + thing_.name + "> faces";
   }
 
   /// The n-th thing (from 0) without a place.
@@ -279,7 +283,7 @@ void draw_scatter(Drawing& drawing, const Scatter& scatter, PathDraws& draws, Oc
         scatter.location, scatter.id,
         (scatter.things.empty() ? "does not say what it scatters" : "scatters several things") +
             std::string("; expected one of <static_box> or another obstacle, <resource>, "
-                        "<charger> and <robot>"));
+                        "<charger>, <lamp>, <disc_patch> or another patch, and <robot>"));
     return;
   }
   const Element& thing = *scatter.things.front();

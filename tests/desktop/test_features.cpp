@@ -205,6 +205,8 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
                                                        {"add_cylinder", "<static_cylinder"},
                                                        {"add_prism", "<static_prism"},
                                                        {"add_charger", "<charger "},
+                                                       {"add_lamp", "<lamp "},
+                                                       {"add_patch", "<rectangle_patch "},
                                                        {"add_measure", "<measures>"},
                                                        {"add_team", "<teams>"},
                                                        {"add_goal", "<goals>"}};
@@ -214,8 +216,8 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
     add_with(window, action);
     CHECK(window.bench().text().count(text) == before + 1);
   }
-  for (const char* path :
-       {"obstacle[moving_box_1]", "charger[charger_1]", "resource[resource_1]"}) {
+  for (const char* path : {"obstacle[moving_box_1]", "charger[charger_1]", "resource[resource_1]",
+                           "lamp[lamp_1]", "patch[rectangle_patch_1]"}) {
     INFO(path);
     CHECK(tree->item(path));
   }

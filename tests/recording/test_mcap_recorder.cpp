@@ -399,3 +399,26 @@ TEST_CASE("Cylinders are cylinders, and prisms are triangles that enclose their 
   }
   CHECK(volume == Approx(1.25 * 0.4));
 }
+
+TEST_CASE("The scene has the floor's colour, its image and patches as triangles, and lamps") {
+  world::World world = one_robot(behavior("wander"));
+  world.floor.colour = Colour{255, 0, 0};
+  world.floor.pixels = std::make_shared<const Image>(Image{2, 1, 3, {0, 255, 0, 0, 0, 255}});
+  world.patches.push_back({.id = "d", .shape = world::PatchShape::disc, .points = {}});
+  world.lamps.push_back({.id = "sun", .x = 1.0});
+  world.limits.time = 0.1;
+  const RecordedFile file(world, shipped());
+  auto all = recorded(file.path);
+  const auto entities = all["/scene"].at(0).content.at("entities");
+  REQUIRE(entities.size() == 4);
+  CHECK(entities[0].at("cubes")[0].at("color").at("g") == 0.0);
+  CHECK(entities[1].at("id") == "floor");
+  const auto& drawn = entities[1].at("triangles").at(0);
+  CHECK(drawn.at("points").size() == 4 + 4 + 24);
+  CHECK(drawn.at("colors").size() == drawn.at("points").size());
+  CHECK(drawn.at("indices").size() == 6 + 6 + 3 * 22);
+  CHECK(drawn.at("points").back().at("z") > drawn.at("points")[0].at("z"));
+  CHECK(entities[2].at("id") == "lamp/sun");
+  CHECK(entities[2].at("spheres").size() == 1);
+  CHECK(entities[2].at("texts")[0].at("text") == "sun");
+}

@@ -163,3 +163,52 @@ TEST_CASE("What is not visible is not seen") {
   scene.boxes[0].visible = false;
   CHECK(find(take(scene, view_from({0, 0, 1})), kRed).area == 0);
 }
+
+TEST_CASE("Patches lie on the floor in their order, below marks and whatever stands there") {
+  Scene scene;
+  const View above = view_from({0, 0, 3}, 0, -90);          // x is up in the picture, y to the left
+  const double scale = 50.0 / std::tan(radians(15)) / 3.0;  // px/m
+  const auto pixel = [&](const Image& picture, double x, double y) {
+    return colour_at(picture, static_cast<int>(50 - y * scale), static_cast<int>(50 - x * scale));
+  };
+  const std::vector<Vector2> square{{-0.3, -0.2}, {0.3, -0.2}, {0.3, 0.2}, {-0.3, 0.2}};
+  scene.patches = {{square, kGreen}, {{{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}}, kBlue}};
+  const Image picture = take(scene, above);
+  CHECK(pixel(picture, -0.28, -0.18) == kGreen);
+  CHECK(pixel(picture, 0.1, 0.1) == kBlue);
+  CHECK(pixel(picture, -0.1, 0.3) == scene.floor);
+  CHECK(find(picture, kGreen).area + 2 * find(picture, kBlue).area ==
+        Approx(scale * scale * (0.6 * 0.4 - 0.3 * 0.2 + 0.25)).epsilon(0.05));
+  scene.marks = {{{0.1, 0.1}, 0.05, kRed}};
+  scene.boxes = {cube({-0.2, 0, 0.1}, 0.1, kRed)};
+  CHECK(pixel(take(scene, above), 0.1, 0.1) == kRed);
+  CHECK(shows(pixel(take(scene, above), -0.2, 0.0), kRed));
+}
+
+TEST_CASE("The image of a floor has its first row in the north, and its pixels as they are") {
+  Scene scene;
+  const Image pixels{2, 2, 3, {255, 0, 0, 0, 255, 0, 0, 0, 255, 200, 200, 0}};
+  scene.image = {{0.8, 0.4}, std::make_shared<const Image>(pixels)};
+  const View above = view_from({0, 0, 3}, 90, -90);         // north is up in the picture
+  const double scale = 50.0 / std::tan(radians(15)) / 3.0;  // px/m
+  const auto pixel = [&](const Image& picture, double x, double y) {
+    return colour_at(picture, static_cast<int>(50 + x * scale), static_cast<int>(50 - y * scale));
+  };
+  const Image picture = take(scene, above);
+  CHECK(pixel(picture, -0.38, 0.18) == Colour{255, 0, 0});
+  CHECK(pixel(picture, 0.38, 0.18) == Colour{0, 255, 0});
+  CHECK(pixel(picture, -0.02, -0.02) == Colour{0, 0, 255});
+  CHECK(pixel(picture, 0.38, -0.18) == Colour{200, 200, 0});
+  CHECK(pixel(picture, 0.42, 0.1) == scene.floor);
+  // Patches and boxes are above it, and the next picture has another image, or none.
+  scene.patches = {{{{0.1, 0.05}, {0.3, 0.05}, {0.3, 0.15}, {0.1, 0.15}}, kRed}};
+  CHECK(pixel(take(scene, above), 0.2, 0.1) == kRed);
+  scene.patches.clear();
+  Image other = pixels;
+  other.bytes[0] = 9;
+  scene.image.pixels = std::make_shared<const Image>(other);
+  CHECK(pixel(take(scene, above), -0.38, 0.18) == Colour{9, 0, 0});
+  scene.image.pixels = nullptr;
+  const Image plain = take(scene, above);
+  CHECK(plain.bytes == take(Scene(), above).bytes);
+}

@@ -292,3 +292,19 @@ TEST_CASE("Cylinders and prisms move, and leave, as boxes do") {
     CHECK(find(take(scene.scene(), view), kRed).area == 0);
   }
 }
+
+TEST_CASE("A camera sees the floor's colour, its patches and lamps") {
+  world::World world = empty_world();
+  world.floor.colour = Colour{200, 160, 90};
+  world::Patch& patch = world.patches.emplace_back();
+  patch.shape = world::PatchShape::line;
+  patch.points = {{0.5, -0.2}, {0.5, 0.2}};
+  patch.line_width = 0.1;
+  patch.colour = {200, 30, 160};
+  const View view = view_from({-0.2, 0, 0.4}, 0, -30, {200, 200, radians(80)});
+  const Image picture = picture_of(world, view);
+  CHECK(find(picture, *world.floor.colour).area > 5000);
+  CHECK(find(picture, patch.colour).area > 200);
+  world.lamps.push_back({.id = "sun", .x = 1.0, .z = 0.4, .colour = {30, 60, 220}});
+  CHECK(find(picture_of(world, view), {30, 60, 220}).area > 5);
+}

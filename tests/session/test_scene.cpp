@@ -56,3 +56,30 @@ TEST_CASE("A snapshot has the edges of what a proximity sensor watches") {
   }
   CHECK(widest == Approx(half).epsilon(1e-4));
 }
+
+TEST_CASE("A scene has the floor, patches in their own frames, and lamps") {
+  test::Session session;
+  const test::Json scene = session.open(R"(<world format="1">
+  <lamps><lamp id="sun" x="1" z="0.7"/></lamps>
+  <floor colour="#102030"/>
+  <patches>
+    <disc_patch id="spot" x="1" y="2" radius="0.5" colour="#00ff00"/>
+    <line_patch id="track" y="1" heading_deg="90"><point x="0" y="0"/><point x="1" y="0"/></line_patch>
+  </patches>
+</world>)")["scene"];
+  CHECK(scene["floor"] == test::Json({{"colour", {0x10, 0x20, 0x30}}}));
+  const test::Json& shapes = scene["shapes"];
+  CHECK(shapes[0]["path"] == "patch[spot]");
+  CHECK(shapes[0]["colour"] == test::Json({0, 255, 0}));
+  CHECK(shapes[0]["frame"][0] == test::Json({1.0, 2.0, 0.0}));
+  CHECK(shapes[0]["size"][0].get<double>() == Approx(1.0));
+  CHECK(shapes[0]["size"][2] == 0.0);
+  for (int piece = 1; piece <= 3; ++piece) {
+    CHECK(shapes[piece]["path"] == "patch[track]");
+    CHECK(shapes[piece]["frame"][0] == test::Json({0.0, 1.0, 0.0}));
+    CHECK(shapes[piece]["frame"][1][1].get<double>() == Approx(1.0));
+  }
+  CHECK(shapes[4]["path"] == "lamp[sun]");
+  CHECK(shapes[4]["shape"] == "sphere");
+  CHECK(shapes[4]["frame"][0] == test::Json({1.0, 0.0, 0.7}));
+}

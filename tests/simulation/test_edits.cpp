@@ -31,7 +31,10 @@ TEST_CASE("A run with an edit of no consequence is one without") {
                                             {"goal[1]/@radius", "0.02"},
                                             {"limits/@time", "7"},
                                             {"resource[food]/@energy", "5"},
-                                            {"team[+]", "<team id=\"green\"/>"}};
+                                            {"team[+]", "<team id=\"green\"/>"},
+                                            {"lamp[+]", "<lamp x=\"1\"/>"},
+                                            {"floor/@colour", "#123456"},
+                                            {"patch[+]", "<disc_patch radius=\"1\"/>"}};
   for (const simulation::Edit& edit : edits) {
     CAPTURE(edit.text());
     CHECK(hash_after(300, {{131, edit}}) == plain);

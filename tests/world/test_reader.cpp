@@ -82,7 +82,7 @@ TEST_CASE("A world says everything") {
 
   REQUIRE(w.robots.size() == 2);
   const world::Robot& r = w.robots[0];
-  CHECK(r.location.line == 36);
+  CHECK(r.location.line == 48);
   CHECK(r.leader);
   CHECK(r.energy == 50.0);
   CHECK(r.body.axle == 0.11);

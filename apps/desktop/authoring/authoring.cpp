@@ -49,7 +49,7 @@ std::vector<Authoring::Obstacle> Authoring::obstacles() {
   std::vector<Obstacle> all{{"static", "static_box", tr("&static box")},
                             {"dynamic", "dynamic_box", tr("&dynamic box")},
                             {"moving", "moving_box", tr("&moving box")}};
-  QString taken = "bcdegmnorstu";
+  QString taken = "bcdeglmnoprstu";
   for (const QString shape : kBoxShapes) {
     if (shape == "box") continue;
     QString text = tr(shape.toUtf8().constData());
@@ -278,6 +278,9 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   }
   offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
   offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");
+  offer(is_here ? tr("Add &lamp here...") : tr("Add &lamp..."), "lamps");
+  offer(is_here ? tr("Add &patch of the floor here...") : tr("Add &patch of the floor..."),
+        "patches");
   if (!is_here) {
     offer(tr("Add &goal..."), "goals");
     offer(tr("Add meas&ure..."), "measures");
@@ -360,9 +363,13 @@ void Authoring::move(const QStringList& paths, double by_x, double by_y) {
 }
 
 void Authoring::turn(const QString& path, double by_rad) {
-  const Stage::Body* body = stage_.body_of(path);
-  if (body && is_the_present()) {
-    workbench_.edit({path + "/@heading_deg=" + heading_deg(heading_rad(body->frame) + by_rad)},
+  const auto frame = stage_.place_of(path);
+  const auto kind = workbench_.catalog().kind_of(place_of(workbench_.tree(), path));
+  const bool has_heading =
+      kind && std::any_of(kind->fields.begin(), kind->fields.end(),
+                          [](const Field& field) { return field.name == "heading_deg"; });
+  if (frame && has_heading && is_the_present()) {
+    workbench_.edit({path + "/@heading_deg=" + heading_deg(heading_rad(*frame) + by_rad)},
                     tr("turn %1").arg(title(path)), "turn " + path);
   }
 }

@@ -101,6 +101,8 @@ QString member_word(const QString& list) {
                                              {"obstacles", "obstacle"},
                                              {"resources", "resource"},
                                              {"chargers", "charger"},
+                                             {"lamps", "lamp"},
+                                             {"patches", "patch"},
                                              {"robots", "robot"},
                                              {"goals", "goal"},
                                              {"measures", "measure"},

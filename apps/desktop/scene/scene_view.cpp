@@ -261,7 +261,8 @@ std::optional<Frame> SceneView::frame_of_selected() const {
 // Only obstacles and resources have a size that the view can change.
 std::optional<Vector3> SceneView::size_of_selected() const {
   const QString path = selection_.value(0);
-  if (path.isEmpty() || path.startsWith("robot") || path.startsWith("charger")) {
+  if (path.isEmpty() || path.startsWith("robot") || path.startsWith("charger") ||
+      Stage::is_bodiless(path)) {
     return std::nullopt;
   }
   const Stage::Solid* solid = stage_.solid_of(path);

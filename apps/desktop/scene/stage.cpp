@@ -1,5 +1,6 @@
 #include "scene/stage.h"
 
+#include <QImage>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,6 +33,24 @@ std::uint8_t place_in(const Names& names, const std::string& name) {
   return static_cast<std::uint8_t>(found - names.begin());
 }
 
+Colour colour_from(const Json& json) {
+  return {json.at(0).get<std::uint8_t>(), json.at(1).get<std::uint8_t>(),
+          json.at(2).get<std::uint8_t>()};
+}
+
+/// The pixels of a file; null if it is no image.
+std::shared_ptr<const Image> image_from(const QString& file) {
+  const QImage read = QImage(file).convertToFormat(QImage::Format_RGB888);
+  if (read.isNull()) return nullptr;
+  auto image = std::make_shared<Image>(Image{read.width(), read.height(), 3, {}});
+  for (int row = 0; row < read.height(); ++row) {
+    const uchar* const line = read.constScanLine(row);
+    image->bytes.insert(image->bytes.end(), line,
+                        line + 3 * static_cast<std::ptrdiff_t>(read.width()));
+  }
+  return image;
+}
+
 Shape shape_from(const Json& json) {
   Shape shape;
   shape.kind = Shape::Kind{place_in(Shape::kKinds, json.at("shape").get<std::string>())};
@@ -45,7 +64,14 @@ Shape shape_from(const Json& json) {
 
 void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
-  if (shape.is_round() && shape.size.z < kDisc) {
+  if (shape.kind == Shape::Kind::prism && shape.size.z == 0.0) {
+    std::vector<Vector2> outline;
+    for (const Vector2& corner : shape.outline) {
+      const Vector3 at = frame.point({corner.x, corner.y, 0.0});
+      outline.push_back({at.x, at.y});
+    }
+    scene.patches.push_back({std::move(outline), solid.colour});
+  } else if (shape.is_round() && shape.size.z < kDisc) {
     scene.marks.push_back({{frame.origin.x, frame.origin.y}, shape.radius(), solid.colour});
   } else {
     render::add(scene, shape, frame, solid.colour);
@@ -107,6 +133,8 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   }
   length_ = whole.length_;
   width_ = whole.width_;
+  floor_ = whole.floor_;
+  image_ = std::move(whole.image_);
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
   views_ = std::move(whole.views_);
@@ -118,6 +146,12 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
 void Stage::read(const Json& scene) {
   length_ = scene.at("arena").at(0).get<double>();
   width_ = scene.at("arena").at(1).get<double>();
+  const Json& floor = member(scene, "floor");
+  if (const Json& colour = member(floor, "colour"); colour.is_array()) floor_ = colour_from(colour);
+  if (const Json& size = member(floor, "image_size"); size.is_array()) {
+    image_ = {{size.at(0).get<double>(), size.at(1).get<double>()},
+              image_from(text_of(floor, "image"))};
+  }
   for (const Json& each : scene.at("bodies")) {
     bodies_.push_back({text_of(each, "path"), integer_of(each, "vehicle", 0), {}, {}, true});
   }
@@ -126,9 +160,7 @@ void Stage::read(const Json& scene) {
     Solid solid;
     solid.shape = shape_from(each);
     solid.frame = frame_from(each.at("frame"));
-    const Json& colour = each.at("colour");
-    solid.colour = {colour.at(0).get<std::uint8_t>(), colour.at(1).get<std::uint8_t>(),
-                    colour.at(2).get<std::uint8_t>()};
+    solid.colour = colour_from(each.at("colour"));
     solid.body = each.at("body").get<int>();
     solid.path = text_of(each, "path");
     if (solid.body >= 0) {
@@ -184,7 +216,7 @@ Frame Stage::frame_of(const Solid& solid) const {
 bool Stage::is_free(const QPointF& at, double room) const {
   return std::none_of(solids_.begin(), solids_.end(), [&](const Solid& solid) {
     const Vector3 middle = frame_of(solid).origin;
-    return !solid.path.isEmpty() && is_present(solid) &&
+    return !solid.path.isEmpty() && !is_bodiless(solid.path) && is_present(solid) &&
            std::hypot(at.x() - middle.x, at.y() - middle.y) <
                room + 0.5 * std::hypot(solid.shape.size.x, solid.shape.size.y);
   });
@@ -222,7 +254,8 @@ std::optional<Frame> Stage::place_of(const QString& path) const {
 
 render::Scene Stage::drawn() const {
   render::Scene scene;
-  scene.floor = kFloor;
+  scene.floor = floor_.value_or(kFloor);
+  scene.image = image_;
   scene.sky = kSky;
   for (const Solid& solid : solids_) {
     if (is_present(solid)) {

@@ -52,6 +52,10 @@ class Stage {
   bool is_empty() const { return solids_.empty(); }
   double length() const { return length_; }  // of the arena, m
   double width() const { return width_; }
+  /// Whether an element has no body: a patch of the floor, or a lamp.
+  static bool is_bodiless(const QString& path) {
+    return path.startsWith("patch[") || path.startsWith("lamp[");
+  }
   double time_s() const { return time_s_; }
   /// Whether the shown time is earlier than the latest one.
   bool is_past() const { return time_s_ < latest_s_; }
@@ -82,6 +86,8 @@ class Stage {
 
   std::uint64_t epoch_ = 0;
   double length_ = 0.0, width_ = 0.0;
+  std::optional<Colour> floor_;
+  render::FloorImage image_;
   double time_s_ = 0.0;
   double latest_s_ = 0.0;  // the latest time that was shown
   std::vector<Body> bodies_;

@@ -49,7 +49,7 @@ std::vector<std::string> engine_names() {
 
 fs::path engine_file(const std::string& name) { return engines() / (name + ".so"); }
 
-fs::path layouts_file() { return folder() / "layouts.so"; }
+fs::path part_file(const std::string& name) { return folder() / (name + ".so"); }
 
 void* engine_symbol(const std::string& name, const char* symbol) {
   return part_symbol("the physics engine '" + name + "'", engine_file(name), symbol);

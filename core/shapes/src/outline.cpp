@@ -17,7 +17,7 @@ double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x;
 
 }  // namespace
 
-std::optional<std::string> problem_of_outline(Corners points) {
+std::optional<std::string> problem_of_outline(Corners points, const char* things) {
   const std::size_t n = points.size();
   if (n < 3 || n > 16) {
     return "has " + base::counted(n, "point") + "; expected 3 to 16 points around its outline";
@@ -46,8 +46,8 @@ std::optional<std::string> problem_of_outline(Corners points) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (std::copysign(turns[i], turns[i] * area) < -1e-9) {
-      return "is not convex: its outline turns inwards at " + point(i + 1) +
-             "; make several prisms of it";
+      return "is not convex: its outline turns inwards at " + point(i + 1) + "; make several " +
+             things + " of it";
     }
   }
   return std::nullopt;

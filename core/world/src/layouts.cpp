@@ -72,7 +72,7 @@ ElementSpec with_layouts(ElementSpec world) {
   named_draws.insert(named_draws.begin(), id);
 
   std::vector<ElementSpec> in_scatter;
-  for (const char* const list : {"obstacles", "resources", "chargers", "robots"}) {
+  for (const char* const list : {"obstacles", "resources", "chargers", "lamps", "patches", "robots"}) {
     for (ElementSpec thing : world.child(list)->children) {
       thing.make = nullptr;
       thing.at_most = 1;
@@ -155,7 +155,7 @@ void draw_layouts(Element& world, const std::string& file, const plugin::Host& h
                   Problems& problems) {
   if (world.child("layouts")) {
     reinterpret_cast<DrawLayouts*>(
-        plugin::part_symbol("layouts", plugin::layouts_file(), "elsie_draw_layouts"))(
+        plugin::part_symbol("layouts", plugin::part_file("layouts"), "elsie_draw_layouts"))(
         world, file, host, files, options, drawn, problems);
   }
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -7,6 +8,8 @@
 #include "elsie/api/geometry.h"
 #include "elsie/base/grid.h"
 #include "elsie/base/number_text.h"
+#include "elsie/shapes/outline.h"
+#include "elsie/world/floor.h"
 #include "elsie/world/footprint.h"
 #include "elsie/world/parts.h"
 
@@ -117,6 +120,50 @@ class PlaceCheck {
   base::Grid grid_;
   std::vector<Block> there_;
 };
+
+void check_patch(const Patch& patch, PlaceCheck& check, Problems& problems) {
+  const std::string in_words = "the patch '" + patch.id + "'";
+  const bool is_line = patch.shape == PatchShape::line;
+  const auto problem = patch.shape == PatchShape::polygon
+                           ? problem_of_outline(patch.points, "patches")
+                       : is_line && patch.points.size() < 2
+                           ? std::optional<std::string>("has 1 point; expected at least 2")
+                           : std::nullopt;
+  if (problem) problems.add(patch.location, in_words + " " + *problem);
+  if (!is_line) {
+    check.check_point(in_words, patch.x, patch.y, patch.location);
+    return;
+  }
+  const std::vector<Vector2> points = points_of_line(patch);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    check.check_point("a point of " + in_words, points[i].x, points[i].y, patch.location);
+    if (i > 0 &&
+        std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y) < kLeastLength) {
+      problems.add(patch.location, in_words + " has two points in a row at (" +
+                                       number_text(patch.points[i].x) + ", " +
+                                       number_text(patch.points[i].y) + "); take one out");
+    }
+  }
+}
+
+/// A lamp must not be inside of an obstacle; of a running world, only those that stay are known.
+void check_lamp(const Lamp& lamp, const Reading& reading, bool is_running, PlaceCheck& check,
+                Problems& problems) {
+  const std::string in_words = "the lamp '" + lamp.id + "'";
+  check.check_point(in_words, lamp.x, lamp.y, lamp.location);
+  const Footprint area{.x = lamp.x, .y = lamp.y, .bottom = lamp.z, .top = lamp.z, .round = true};
+  for (const Obstacle& obstacle : reading.world.obstacles) {
+    if (lamp.z >= obstacle.z + obstacle.height || !reading.sound(obstacle.location) ||
+        (is_running && obstacle.kind != ObstacleKind::fixed) || problem_of(obstacle)) {
+      continue;
+    }
+    if (overlap(area, footprint_of(obstacle))) {
+      problems.add(lamp.location, in_words + " is inside " + obstacle.in_words() + " (line " +
+                                      std::to_string(obstacle.location.line) +
+                                      "), which hides it; expected a free place");
+    }
+  }
+}
 }  // namespace
 
 void check_places(const Reading& reading, bool is_running, Problems& problems) {
@@ -149,6 +196,12 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
     if (reading.sound(charger.location)) {
       check.check_point("the charger '" + charger.id + "'", charger.x, charger.y, charger.location);
     }
+  }
+  for (const Patch& patch : world.patches) {
+    if (reading.sound(patch.location)) check_patch(patch, check, problems);
+  }
+  for (const Lamp& lamp : world.lamps) {
+    if (reading.sound(lamp.location)) check_lamp(lamp, reading, is_running, check, problems);
   }
   if (is_running) return;
   for (const Robot& robot : world.robots) {

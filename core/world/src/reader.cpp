@@ -63,7 +63,7 @@ Element tree_of_world(std::string_view text, const std::string& file,
 namespace {
 // Applies the edits to the tree of a world, and reads it.
 World read_edited(Element& root, const std::string& file, const plugin::Host& host,
-                  const ReadOptions& options) {
+                  const ReadOptions& options, const World* before = nullptr) {
   Problems problems;
   const Files files(file, options.data_directories, options.edits_from, options.files,
                     options.found);
@@ -119,7 +119,7 @@ World read_edited(Element& root, const std::string& file, const plugin::Host& ho
     completed(*obstacles);
     completed(*resources);
   }
-  World world = world_of_tree(std::move(root), file, host, files, options, problems);
+  World world = world_of_tree(std::move(root), file, host, files, options, problems, before);
   world.drawn = drawn;
   return world;
 }
@@ -133,11 +133,12 @@ World parse_world(std::string_view text, const std::string& file, const plugin::
 
 World edited(WorldTree&& world, const plugin::Host& host, ReadOptions options) {
   options.is_running = true;
-  return read_edited(world.begun(), world.world().file, host, options);
+  return read_edited(world.begun(), world.world().file, host, options, &world.world());
 }
 
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
-                    const Files& files, const ReadOptions& options, Problems& problems) {
+                    const Files& files, const ReadOptions& options, Problems& problems,
+                    const World* before) {
   std::optional<Drawn> drawn;
   draw_layouts(root, file, host, files, options, drawn, problems);
   if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
@@ -151,6 +152,7 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   world.drawn = drawn;
   add_default_teams(world.teams);
   colour_teams(world);
+  read_floor_image(world, root, before, files, problems);
   build_bodies(reading, host, problems);
   std::stable_partition(
       world.obstacles.begin(), world.obstacles.end(),

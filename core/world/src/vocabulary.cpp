@@ -10,6 +10,7 @@
 #include "elsie/world/facts.h"
 #include "elsie/world/layouts.h"
 
+#include "floor_vocabulary.h"
 #include "obstacle_shapes.h"
 
 namespace elsie::world {
@@ -268,6 +269,9 @@ ElementSpec world() {
       .group(obstacles())
       .group(obstacles({"resources", "Boxes to be collected"}, resource(), ObstacleKind::resource))
       .group(Describe<World>("chargers", "Where robots charge").each(charger(), &World::chargers))
+      .group(Describe<World>("lamps", "Where light comes from").each(lamp(), &World::lamps))
+      .one(floor(), &World::floor)
+      .group(patches())
       .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())
       .group(Describe<World>("measures", "Additional measures of a run")

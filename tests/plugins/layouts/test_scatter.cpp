@@ -1,4 +1,6 @@
 // <scatter>: what stands where, how far apart, and what is refused.
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -327,6 +329,50 @@ TEST_CASE("Places are tried only so many times, and the refusal says how many") 
       refusal("<arena length='50' width='50'/>" +
               scattered("count='20000' tries='999999'", "<static_box length='0.5' width='0.5'/>")),
       Contains("2000000 places were tried for all of them, and no layout tries more"));
+}
+
+TEST_CASE("Lamps keep clear of what is as high as they are, and of each other") {
+  const std::string boxes =
+      "<obstacles><static_box length='9' width='9' height='0.4'/></obstacles>";
+  const std::string lamps =
+      "<layouts><scatter id='l' count='8' gap='0.5'><lamp z='0.6'/></scatter></layouts>";
+  const world::World world = drawn(boxes + lamps, 1);
+  REQUIRE(world.lamps.size() == 8);
+  CHECK(world.lamps[7].id == "l8");
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      CHECK(std::hypot(world.lamps[i].x - world.lamps[j].x, world.lamps[i].y - world.lamps[j].y) >
+            0.5);
+    }
+  }
+  CHECK_THAT(refusal("<arena length='4' width='4'/><obstacles><static_box length='4' width='4' "
+                     "height='0.8'/></obstacles>" +
+                     lamps),
+             Contains("has no room for the first of its 8 things"));
+}
+
+TEST_CASE("Patches are scattered within the walls, whatever stands there, by a density too") {
+  const std::string boxes =
+      "<arena length='4' width='4'/><obstacles><static_box length='4' width='4'/></obstacles>";
+  const world::World world =
+      drawn(boxes +
+                "<layouts><scatter id='p' density='0.5'><disc_patch radius='0.5'/></scatter>"
+                "<scatter id='q' count='30'><line_patch width='0.1'><point x='0' y='0'/>"
+                "<point x='1' y='0'/></line_patch><heading/></scatter></layouts>",
+            1);
+  CHECK(world.patches.size() == 10 + 30);  // 0.5 * 16 / (pi / 4)
+  std::set<double> headings;
+  for (const world::Patch& patch : world.patches) {
+    CHECK(std::abs(patch.x) <= 2.0);
+    if (patch.shape == world::PatchShape::disc) {
+      CHECK(std::max(std::abs(patch.x), std::abs(patch.y)) <= 1.5);
+    } else {
+      headings.insert(patch.heading_deg);
+    }
+  }
+  CHECK(headings.size() > 20);
+  CHECK_THAT(refusal(scattered("", "<disc_patch/><heading/>")),
+             Contains("a <disc_patch> faces no way"));
 }
 
 TEST_CASE("What would have no effect is refused in a sentence") {

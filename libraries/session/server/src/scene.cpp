@@ -6,6 +6,7 @@
 
 #include "elsie/recording/beams.h"
 #include "elsie/world/colours.h"
+#include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
 
 namespace elsie::server {
@@ -34,12 +35,41 @@ Json json(const Shape& shape, const Frame& frame, const Colour& colour, int body
   return made;
 }
 
+/// The floor without its patches; the window reads the file of the image itself.
+Json floor_json(const world::World& world) {
+  Json floor = Json::object();
+  if (const auto& colour = world.floor.colour) {
+    floor["colour"] = {colour->red, colour->green, colour->blue};
+  }
+  if (world.floor.pixels) {
+    const Vector2 size = world::image_size(world);
+    floor["image"] = world.floor.image_file;
+    floor["image_size"] = {size.x, size.y};
+  }
+  return floor;
+}
+
 const char* group_of(const world::Obstacle& box) {
   return box.kind == world::ObstacleKind::resource ? "resource" : "obstacle";
 }
 
 std::string path(const char* group, const std::string& id) {
   return std::string(group) + "[" + id + "]";
+}
+
+/// A patch as flat prisms. All have the patch's own frame, which an edit of its place moves.
+void list_patch(const world::Patch& patch, Json& shapes) {
+  constexpr int kRound = 32;
+  const Frame frame = Frame::turned({patch.x, patch.y, 0.0}, radians(patch.heading_deg), 0.0);
+  for (const world::FloorPiece& piece : world::pieces_of(patch)) {
+    std::vector<Vector2> outline = world::outline_of(piece, kRound);
+    for (Vector2& corner : outline) {
+      const Vector3 away = Vector3{corner.x, corner.y, 0.0} - frame.origin;
+      corner = {dot(away, frame.forward), dot(away, frame.left)};
+    }
+    shapes.push_back(json(Shape::prism(std::move(outline), 0.0), frame, piece.colour, -1));
+    shapes.back()["path"] = path("patch", patch.id);
+  }
 }
 
 /// The views of the cameras on a body, as pyramids with their apexes at the frames' origins.
@@ -65,6 +95,12 @@ Json scene_json(const simulation::Simulation& simulation) {
   const world::World& world = simulation.world();
   Json bodies = Json::array(), shapes = Json::array(), views = Json::array();
   int body = -1;
+  for (const world::Patch& patch : world.patches) list_patch(patch, shapes);
+  for (const world::Lamp& lamp : world.lamps) {
+    shapes.push_back(json(Shape::sphere(world::kLampRadius), {.origin = {lamp.x, lamp.y, lamp.z}},
+                          lamp.colour, body));
+    shapes.back()["path"] = path("lamp", lamp.id);
+  }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
     shapes.push_back(json(wall.shape, wall.frame, kWall, body));
   }
@@ -94,6 +130,7 @@ Json scene_json(const simulation::Simulation& simulation) {
                           world::box_colour(world, box, kBoxes), ++body));
   }
   return {{"arena", {world.arena.length, world.arena.width}},
+          {"floor", floor_json(world)},
           {"bodies", std::move(bodies)},
           {"shapes", std::move(shapes)},
           {"views", std::move(views)}};

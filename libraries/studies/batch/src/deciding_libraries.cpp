@@ -67,7 +67,8 @@ std::vector<fs::path> deciding_libraries(const world::World& world, const plugin
   for (const auto& [name, library] : kOfEngines) {
     if (name == engine) files[library];
   }
-  if (world.drawn) files["layouts"] = plugin::layouts_file();
+  if (world.drawn) files["layouts"] = plugin::part_file("layouts");
+  if (world.drawn || world.floor.pixels) files["images"] = plugin::part_file("images");
   dl_iterate_phdr(
       [](dl_phdr_info* library, std::size_t, void* wanted) {
         const fs::path file(library->dlpi_name);

@@ -36,6 +36,15 @@ void leave_bodies_only(Element& root, const plugin::Host& drives) {
   }
 }
 
+// An image of the floor that is no longer there is left out.
+void leave_out_missing_image(Element& root, const world::Files& files) {
+  Element* const floor = root.child("floor");
+  const world::Attribute* const image = floor ? floor->find("image") : nullptr;
+  if (image && !files.find(image->value, image->where)) {
+    for (const char* name : {"image", "image_length", "image_width"}) floor->erase(name);
+  }
+}
+
 }  // namespace
 
 world::World bodies_of(std::string_view text, const std::string& file, const plugin::Host& drives) {
@@ -44,6 +53,7 @@ world::World bodies_of(std::string_view text, const std::string& file, const plu
   world::Problems problems;
   world::merge_templates(root, drives, files, problems);
   leave_bodies_only(root, drives);
+  leave_out_missing_image(root, files);
   return world::world_of_tree(std::move(root), file, drives, files, {}, problems);
 }
 

@@ -131,6 +131,8 @@ Canvas::Canvas(FileType type, int width, int height, double zoom, Style colours)
 
 Canvas::~Canvas() = default;
 
+bool Canvas::is_text() const { return impl_->svg.has_value(); }
+
 bool Canvas::in_page() const { return impl_->svg && impl_->svg->in_page(); }
 
 bool Canvas::on_screen() const { return !impl_->colours.empty(); }

@@ -63,6 +63,8 @@ class Canvas {
   double zoom() const { return zoom_; }
   /// Whether it is drawn for an HTML page.
   bool in_page() const;
+  /// Whether it becomes a text with every shape: an SVG, or a part of a page.
+  bool is_text() const;
   /// Whether it has the colours of a screen.
   bool on_screen() const;
   /// The nearest coordinate at which a line of one pixel is sharp.

@@ -108,6 +108,7 @@ std::string page_map(const world::World& world, const std::vector<MapPath>& path
   } else {
     draw_robots(canvas, scene, layout, labels);
   }
+  draw_lamps(canvas, scene, layout);
   const TextStyle style{.size = 11, .halo = 2.0};
   for (const DrawnRobot& robot : scene.robots) {
     if (scene.robots.size() < 2 || scene.robots.size() > kNamedRobots) break;

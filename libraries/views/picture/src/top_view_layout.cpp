@@ -199,7 +199,8 @@ void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout) {
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout) {
   // Without walls, the floor fills the plot.
   const Rect& floor = scene.world.arena.walls ? layout.arena : layout.plot;
-  canvas.rectangle(floor).fill(kFloor);
+  const auto& colour = scene.world.floor.colour;
+  canvas.rectangle(floor).fill(colour ? ink(*colour) : kFloor);
   const double step = grid_step(layout.map.scale_x);
   const Vector2 low = layout.map.point({floor.x, floor.bottom()});
   const Vector2 high = layout.map.point({floor.right(), floor.y});
@@ -215,6 +216,7 @@ void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout) {
     const double y = canvas.crisp(layout.map.pixel({0, at}).y);
     canvas.line({floor.x, y}, {floor.right(), y}).stroke(tone(at), {.width = 1});
   }
+  draw_floor_marks(canvas, scene, layout);
 }
 
 void draw_walls(Canvas& canvas, const Scene& scene, const Layout& layout) {

@@ -193,6 +193,11 @@ void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
                          draw_bolt(canvas, at, 7, colour);
                        }});
   }
+  if (!scene.world.lamps.empty()) {
+    const Ink light = ink(scene.world.lamps.front().colour);
+    entries.push_back(
+        {"lamp", 24, [light](Canvas& canvas, const Vector2& at) { draw_sun(canvas, at, light); }});
+  }
   const bool places =
       std::any_of(scene.world.goals.begin(), scene.world.goals.end(), [](const world::Goal& goal) {
         return std::holds_alternative<world::ReachGoal>(goal) ||

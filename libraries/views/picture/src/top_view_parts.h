@@ -1,7 +1,7 @@
 // The parts of the top view: its layout and the functions that draw it.
 //
-// Drawing runs from the floor upwards: grid, floor marks (goals, chargers), boxes, paths, beams,
-// robots, touches, walls, labels.
+// Drawing runs from the floor upwards: grid, image and patches of the floor, marks (goals, chargers), boxes,
+// paths, beams, robots, touches, walls, lamps, labels.
 #pragma once
 
 #include <cmath>
@@ -90,6 +90,11 @@ std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<V
 
 // The parts of the picture. Each takes the labels to place, or adds areas that labels should avoid.
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
+/// The image and the patches, over the grid.
+void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout);
+void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                      LabelPlacer& labels);
 void draw_walls(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout);
@@ -115,6 +120,7 @@ void draw_left_out(Canvas& canvas, const Layout& layout, const LabelPlacer& labe
 // Symbols in both the legend and the drawing.
 void draw_resource_mark(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
 void draw_bolt(Canvas& canvas, const Vector2& at, double radius, const Ink& ink);
+void draw_sun(Canvas& canvas, const Vector2& at, const Ink& light);
 void draw_touch(Canvas& canvas, const Vector2& at);
 void draw_robot_symbol(Canvas& canvas, const Vector2& at, double heading_rad, const Ink& ink);
 void draw_crowd_symbol(Canvas& canvas, const Vector2& at, const Ink& ink);

@@ -3,7 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "elsie/picture/floor_tiles.h"
 #include "elsie/world/colours.h"
+#include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
 
 #include "messages.h"
@@ -101,13 +103,69 @@ Json entity(std::uint64_t time_ns, const std::string& id, const std::string& fra
   return made;
 }
 
-Json arena(std::uint64_t time_ns, const world::Arena& arena) {
+Json arena(std::uint64_t time_ns, const World& world) {
+  const world::Arena& arena = world.arena;
   Json made = entity(time_ns, "arena", kWorldFrame);
   add_shape(made, Shape::box({arena.length, arena.width, kSheet}),
-            {.origin = {0.0, 0.0, -0.5 * kSheet}}, kFloor);
+            {.origin = {0.0, 0.0, -0.5 * kSheet}}, world.floor.colour.value_or(kFloor));
   for (const world::Fixture& wall : world::walls_of(arena)) {
     add_shape(made, wall.shape, wall.frame, kWall);
   }
+  return made;
+}
+
+/// Adds a convex polygon with a colour of its own to the triangles of a list.
+void add_polygon(Json& list, std::span<const Vector2> corners, double z, const Colour& colour) {
+  const std::size_t first = list["points"].size();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    list["points"].push_back(position_json({corners[i].x, corners[i].y, z}));
+    list["colors"].push_back(colour_json(colour));
+    if (i < 2) continue;
+    for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
+      list["indices"].push_back(first + corner);
+    }
+  }
+}
+
+/// The image of the floor and its patches, each a little above those that it covers, and all below
+/// the tops of chargers' marks.
+Json floor_marks(std::uint64_t time_ns, const World& world) {
+  constexpr int kMostTiles = 64;
+  constexpr int kRound = 24;
+  Json made = entity(time_ns, "floor", kWorldFrame);
+  Json list{{"pose", pose_json({})},
+            {"points", Json::array()},
+            {"color", colour_json(kFloor)},
+            {"colors", Json::array()},
+            {"indices", Json::array()}};
+  const std::vector<world::FloorPiece> pieces = world::patches_of(world);
+  const double layer = 0.9 * kSheet / static_cast<double>(pieces.size() + 1);
+  for (const picture::FloorTile& tile : picture::floor_tiles(world, kMostTiles)) {
+    const Vector2 corners[] = {{tile.left, tile.bottom},
+                               {tile.right, tile.bottom},
+                               {tile.right, tile.top},
+                               {tile.left, tile.top}};
+    add_polygon(list, corners, layer, tile.colour);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    add_polygon(list, world::outline_of(pieces[i], kRound), layer * static_cast<double>(i + 2),
+                pieces[i].colour);
+  }
+  made["triangles"].push_back(std::move(list));
+  return made;
+}
+
+/// The name of a thing, at this height above it.
+Json name_json(const std::string& name, const Vector3& at) {
+  return {{"pose", pose_json({.origin = at})}, {"billboard", true},          {"font_size", 0.08},
+          {"scale_invariant", false},          {"color", colour_json(kInk)}, {"text", name}};
+}
+
+Json lamp(std::uint64_t time_ns, const world::Lamp& lamp) {
+  Json made = entity(time_ns, "lamp/" + lamp.id, kWorldFrame);
+  const Vector3 at{lamp.x, lamp.y, lamp.z};
+  add_shape(made, Shape::sphere(world::kLampRadius), {.origin = at}, lamp.colour);
+  made["texts"].push_back(name_json(lamp.id, at + Vector3{0.0, 0.0, 0.1}));
   return made;
 }
 
@@ -153,13 +211,7 @@ void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
     add_shape(vehicles[part.vehicle], part.shape, part.frame,
               part.role == PartRole::chassis ? colour : kTyre);
   }
-  vehicles[0]["texts"].push_back(
-      {{"pose", pose_json({.origin = {0.0, 0.0, robot.body.top() + 0.08}})},
-       {"billboard", true},
-       {"font_size", 0.08},
-       {"scale_invariant", false},
-       {"color", colour_json(kInk)},
-       {"text", robot.id}});
+  vehicles[0]["texts"].push_back(name_json(robot.id, {0.0, 0.0, robot.body.top() + 0.08}));
   for (Json& vehicle : vehicles) entities.push_back(std::move(vehicle));
 }
 
@@ -173,7 +225,13 @@ Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulati
                    std::span<const std::size_t> robots) {
   const World& world = simulation.world();
   Json entities = Json::array();
-  entities.push_back(arena(time_ns, world.arena));
+  entities.push_back(arena(time_ns, world));
+  if (world.floor.pixels || !world.patches.empty()) {
+    entities.push_back(floor_marks(time_ns, world));
+  }
+  for (const world::Lamp& each : world.lamps) {
+    entities.push_back(lamp(time_ns, each));
+  }
   for (const world::Charger& each : world.chargers) {
     entities.push_back(charger(time_ns, each));
   }

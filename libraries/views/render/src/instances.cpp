@@ -101,6 +101,27 @@ void add_wedges(const Prism& prism, const Eye& eye, std::vector<Instance>& wedge
   }
 }
 
+/// The triangles between the middle of a patch and its sides.
+void add_triangles(const FlatPatch& patch, const Eye& eye, std::vector<Instance>& triangles) {
+  const auto corners = static_cast<double>(patch.outline.size());
+  Vector3 middle;
+  for (const Vector2& corner : patch.outline) {
+    middle = middle + (1.0 / corners) * Vector3{corner.x, corner.y, 0.0};
+  }
+  double radius = 0.0;
+  for (const Vector2& corner : patch.outline) {
+    radius = std::max(radius, std::hypot(corner.x - middle.x, corner.y - middle.y));
+  }
+  if (!eye.may_see(middle, radius)) return;
+  for (std::size_t i = 0; i < patch.outline.size(); ++i) {
+    const Vector2 &from = patch.outline[i], &to = patch.outline[(i + 1) % patch.outline.size()];
+    const Vector3 side_middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y), 0.0};
+    triangles.push_back(eye.instance(
+        {middle, side_middle - middle, {to.x - from.x, to.y - from.y, 0.0}, {0.0, 0.0, 1.0}},
+        kFullLight, patch.colour));
+  }
+}
+
 }  // namespace
 
 void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Tile& tile,
@@ -115,6 +136,14 @@ void add_view(const Scene& scene, const View& view, const Atlas& atlas, const Ti
         {{x, y, 0.0}, {reach, 0.0, 0.0}, {0.0, reach, 0.0}, {0.0, 0.0, 1.0}}, kFullLight, colour));
   };
   add_flat(kSquare, eye.origin().x, eye.origin().y, kFloorReach, scene.floor);
+  if (scene.image.pixels) {
+    const Vector2 half{0.5 * scene.image.size.x, 0.5 * scene.image.size.y};
+    if (eye.may_see({}, std::hypot(half.x, half.y))) {
+      list[kImage].push_back(eye.instance(
+          {{}, {half.x, 0.0, 0.0}, {0.0, half.y, 0.0}, {0.0, 0.0, 1.0}}, kFullLight, scene.floor));
+    }
+  }
+  for (const FlatPatch& patch : scene.patches) add_triangles(patch, eye, list[kTriangle]);
   for (const Mark& mark : scene.marks) {
     if (eye.may_see({mark.at.x, mark.at.y, 0.0}, mark.radius)) {
       add_flat(kDisc, mark.at.x, mark.at.y, mark.radius, mark.colour);

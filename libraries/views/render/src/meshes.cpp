@@ -114,6 +114,13 @@ Mesh square_mesh() {
   return mesh;
 }
 
+Mesh triangle_mesh() {
+  Mesh mesh;
+  mesh.vertices = {vertex(0, 0, 0), vertex(1, -0.5, 0), vertex(1, 0.5, 0)};
+  add_face(mesh, {0, 1, 2}, 0, 0, 1);
+  return mesh;
+}
+
 Mesh disc_mesh() {
   Mesh mesh;
   std::vector<int> corners;
@@ -129,7 +136,8 @@ Mesh disc_mesh() {
 }  // namespace
 
 std::array<Mesh, kMeshes> meshes() {
-  return {square_mesh(), disc_mesh(), box_mesh(), wedge_mesh(), cylinder_mesh(), ball_mesh()};
+  return {square_mesh(), square_mesh(), triangle_mesh(), disc_mesh(),
+          box_mesh(),    wedge_mesh(),  cylinder_mesh(), ball_mesh()};
 }
 
 }  // namespace elsie::render

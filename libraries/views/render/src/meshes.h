@@ -25,6 +25,8 @@ struct Mesh {
 /// The meshes, in the order in which they are drawn.
 enum MeshKind : std::size_t {
   kSquare,    // x and y from -1 to 1 at z = 0, facing up
+  kImage,     // the same, with the image of the floor
+  kTriangle,  // with its corners at 0, (1, -1/2) and (1, 1/2) at z = 0, facing up
   kDisc,      // of radius 1 at z = 0, facing up
   kBox,       // x and y from -1/2 to 1/2, z from 0 to 1
   kWedge,     // the part of a prism between its axis, at x = y = 0, and one of its sides, at x = 1

@@ -23,7 +23,9 @@ layout(location = 7) in vec4 colour;
 uniform float nearest;
 uniform float darkest;
 flat out vec3 shaded;
+out vec2 at;
 void main() {
+  at = 0.5 + 0.5 * vec2(position.x, -position.y);
   vec4 point = vec4(position, 1.0);
   float x = dot(x_row, point);
   float y = dot(y_row, point);
@@ -41,6 +43,14 @@ constexpr const char* kFragmentShader = R"(#version 330 core
 flat in vec3 shaded;
 out vec4 colour;
 void main() { colour = vec4(shaded, 1.0); }
+)";
+
+// The nearest pixel of an image on the floor, which is in full light.
+constexpr const char* kImageShader = R"(#version 330 core
+in vec2 at;
+uniform sampler2D image;
+out vec4 colour;
+void main() { colour = vec4(texture(image, at).rgb, 1.0); }
 )";
 
 constexpr int kClipDistances = 4;
@@ -66,10 +76,11 @@ GLuint compile(GLenum type, const char* source) {
   return shader;
 }
 
-GLuint link() {
+/// A program that shades what it draws by this fragment shader.
+GLuint link(const char* fragment_shader) {
   const GLuint program = glCreateProgram();
   for (const GLuint shader :
-       {compile(GL_VERTEX_SHADER, kVertexShader), compile(GL_FRAGMENT_SHADER, kFragmentShader)}) {
+       {compile(GL_VERTEX_SHADER, kVertexShader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
     glAttachShader(program, shader);
     glDeleteShader(shader);  // deleted with the program
   }
@@ -81,6 +92,9 @@ GLuint link() {
     glGetProgramInfoLog(program, sizeof(why), nullptr, why);
     refuse("program", why);
   }
+  glUseProgram(program);
+  glUniform1f(glGetUniformLocation(program, "nearest"), static_cast<float>(kNearest));
+  glUniform1f(glGetUniformLocation(program, "darkest"), static_cast<float>(kDarkestShade));
   return program;
 }
 
@@ -88,11 +102,8 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 
 }  // namespace
 
-Painter::Painter() : program_(link()) {
+Painter::Painter() : program_(link(kFragmentShader)) {
   glGenBuffers(1, &instances_);
-  glUseProgram(program_);
-  glUniform1f(glGetUniformLocation(program_, "nearest"), static_cast<float>(kNearest));
-  glUniform1f(glGetUniformLocation(program_, "darkest"), static_cast<float>(kDarkestShade));
   const std::array<Mesh, kMeshes> all = meshes();
   for (std::size_t i = 0; i < kMeshes; ++i) shapes_[i] = make(all[i]);
 }
@@ -144,7 +155,37 @@ void Painter::draw(const Shape& shape, std::size_t first, std::size_t count) {
                           static_cast<GLsizei>(count));
 }
 
-void Painter::paint(const DrawList& list, const Colour& sky, int width, int height) {
+void Painter::use_image(const std::shared_ptr<const Image>& image) {
+  if (image_program_ == 0) {
+    image_program_ = link(kImageShader);
+    glGenTextures(1, &texture_);
+  }
+  glUseProgram(image_program_);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  if (image == image_) return;
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (image->width > largest || image->height > largest) {
+    throw RenderError("cameras cannot see the image of the floor, which has " +
+                      std::to_string(image->width) + " x " + std::to_string(image->height) +
+                      " pixels: the OpenGL driver takes at most " + std::to_string(largest) +
+                      " in each direction; make the image smaller");
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, image->width, image->height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+               image->bytes.data());
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  }
+  for (const GLenum edge : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    glTexParameteri(GL_TEXTURE_2D, edge, GL_CLAMP_TO_EDGE);
+  }
+  image_ = image;
+}
+
+void Painter::paint(const DrawList& list, const Scene& scene, int width, int height) {
+  const Colour& sky = scene.sky;
   // Sets all state again, because painters may share a context.
   glUseProgram(program_);
   glViewport(0, 0, width, height);
@@ -183,7 +224,10 @@ void Painter::paint(const DrawList& list, const Colour& sky, int width, int heig
   std::size_t first = 0;
   for (std::size_t i = 0; i < kMeshes; ++i) {
     i <= kDisc ? glDisable(GL_DEPTH_TEST) : glEnable(GL_DEPTH_TEST);
+    const bool is_image = i == kImage && !list[i].empty();
+    if (is_image) use_image(scene.image.pixels);
     draw(shapes_[i], first, list[i].size());
+    if (is_image) glUseProgram(program_);
     first += list[i].size();
   }
 }

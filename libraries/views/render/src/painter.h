@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include <epoxy/gl.h>
 
@@ -19,8 +20,8 @@ class Painter {
   /// objects made here. Throws RenderError.
   Painter();
 
-  /// Draws the list into the lower left part of the framebuffer, cleared to `sky`.
-  void paint(const DrawList& list, const Colour& sky, int width, int height);
+  /// Draws the list into the lower left part of the framebuffer, cleared to the scene's sky.
+  void paint(const DrawList& list, const Scene& scene, int width, int height);
 
  private:
   /// A mesh on the graphics card.
@@ -31,9 +32,14 @@ class Painter {
 
   Shape make(const Mesh& mesh);
   void draw(const Shape& shape, std::size_t first, std::size_t count);
+  /// Draws with the image of a floor, which goes to the graphics card when it is another one.
+  void use_image(const std::shared_ptr<const Image>& image);
 
   GLuint instances_ = 0;  // buffer
   GLuint program_ = 0;
+  GLuint image_program_ = 0;  // made with the first image, as is its texture
+  GLuint texture_ = 0;        // of image_
+  std::shared_ptr<const Image> image_{};
   std::array<Shape, kMeshes> shapes_;
 };
 

@@ -58,7 +58,7 @@ class Renderer::Impl {
       }
       make_room(atlas.width, atlas.height);
       glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-      painter_->paint(list_, scene.sky, atlas.width, atlas.height);
+      painter_->paint(list_, scene, atlas.width, atlas.height);
       read_back(atlas, pictures.first(count));
       views = views.subspan(count);
       pictures = pictures.subspan(count);

@@ -1,6 +1,7 @@
 #include "elsie/render/world_scene.h"
 
 #include "elsie/world/colours.h"
+#include "elsie/world/floor.h"
 
 namespace elsie::render {
 namespace {
@@ -14,12 +15,21 @@ constexpr Colour kWall = grey(130);
 constexpr world::BoxColours kBoxes{grey(115), grey(85), grey(70)};
 constexpr Colour kChassis = grey(120);
 constexpr Colour kTyre = grey(25);
+constexpr int kRoundPatch = 32;  // corners of a round patch
 
 }  // namespace
 
 WorldScene::WorldScene(const world::World& world, const Look& look) {
-  scene_.floor = kFloor;
+  scene_.floor = world.floor.colour.value_or(kFloor);
   scene_.sky = kSky;
+  scene_.image = {world::image_size(world), world.floor.pixels};
+  for (const world::FloorPiece& piece : world::patches_of(world)) {
+    scene_.patches.push_back({world::outline_of(piece, kRoundPatch), piece.colour});
+  }
+  for (const world::Lamp& lamp : world.lamps) {
+    add(scene_, Shape::sphere(world::kLampRadius), {.origin = {lamp.x, lamp.y, lamp.z}},
+        lamp.colour);
+  }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
     add(scene_, wall.shape, wall.frame, kWall);
   }

@@ -1,6 +1,7 @@
 // Parts of the core that are separate libraries in elsie/, next to libelsie, so that the core links
 // none of them: physics engines, `elsie/engines/NAME.so` with the interface elsie/physics/engine.h,
-// and `elsie/layouts.so`, which draws layouts, with the interface elsie/world/layouts.h.
+// `elsie/layouts.so`, which draws layouts (elsie/world/layouts.h), and `elsie/images.so`, which reads
+// images (elsie/world/images.h).
 #pragma once
 
 #include <filesystem>
@@ -15,8 +16,8 @@ std::vector<std::string> engine_names();
 /// The library of an engine; it may not exist. `name` may also be a path without the suffix.
 std::filesystem::path engine_file(const std::string& name);
 
-/// The library that draws layouts; it may not exist.
-std::filesystem::path layouts_file();
+/// The library of another part, such as "layouts"; it may not exist.
+std::filesystem::path part_file(const std::string& name);
 
 /// The address of a symbol of such a library. The first call loads the library after comparing its
 /// ABI word; it stays loaded. Throws PluginError, which calls the library `what` ("the physics

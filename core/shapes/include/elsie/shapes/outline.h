@@ -16,8 +16,8 @@ using Corners = std::span<const Vector2>;
 inline constexpr double kLeastLength = 1e-4;
 
 /// What is wrong with points as the outline of a prism, to follow its name: "is not convex: ...".
-/// None if they go around it once, either way.
-std::optional<std::string> problem_of_outline(Corners points);
+/// None if they go around it once, either way. `things`: what several of could have such a form.
+std::optional<std::string> problem_of_outline(Corners points, const char* things = "prisms");
 /// The corners of points without a problem, counter-clockwise, the center of area at the origin.
 std::vector<Vector2> centered_outline(Corners points);
 /// The area, m2; negative if the corners go clockwise.

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -109,6 +110,50 @@ struct Charger {
   bool seen_by_range_sensors = false;      // true: it is a box with this edge length, not a mark
   static constexpr double kBoxEdge = 0.1;  // m
   Location location;
+};
+
+/// A point light, which light sensors and cameras see. It has no body.
+struct Lamp {
+  std::string id;
+  double x = 0.0, y = 0.0, z = 0.5;  // m; z is above 0
+  double intensity = 1.0;            // above 0; 1 is the reference lamp of each sensor's law
+  Colour colour{255, 255, 255};
+  Location location{};
+};
+
+/// The floor without its patches.
+struct Floor {
+  std::optional<Colour> colour;  // none: plain, which each view shows its own way; see floor.h
+  std::string image;             // the name of its image's file in the world's file; empty: none
+  std::string image_file{};      // its absolute path
+  // The rectangle around the origin that the image covers, m; by default the arena.
+  std::optional<double> image_length, image_width;
+  std::shared_ptr<const Image> pixels{};  // red, green, blue; the image's; null: no image
+  Location location{};
+};
+
+enum class PatchShape { rectangle, disc, polygon, line };
+inline constexpr const char* kPatchShapes[] = {"rectangle", "disc", "polygon", "line"};
+
+/// An area of the floor with a colour of its own. It lies over the image and earlier patches.
+struct Patch {
+  std::string id;
+  PatchShape shape = PatchShape::rectangle;
+  double x = 0.0, y = 0.0;  // m, its middle: of a polygon, the center of area; of a line, the
+                            // origin of its points
+  double heading_deg = 0.0;
+  double length = 0.5;          // m, of a rectangle, along its own x
+  double width = 0.5;           // m, of a rectangle
+  double radius = 0.25;         // m, of a disc
+  double line_width = 0.02;     // m, of a line
+  std::vector<Vector2> points;  // m, around the outline of a polygon, or along a line
+  Colour colour{0, 0, 0};
+  Location location{};
+
+  /// The name of its element: "disc_patch".
+  std::string element() const {
+    return std::string(kPatchShapes[static_cast<int>(shape)]) + "_patch";
+  }
 };
 
 /// The name in a world file of a file whose absolute path a parameter holds.
@@ -302,6 +347,9 @@ struct World {
   std::vector<Team> teams;
   std::vector<Obstacle> obstacles;
   std::vector<Charger> chargers;
+  std::vector<Lamp> lamps;
+  Floor floor;
+  std::vector<Patch> patches;
   base::List<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;

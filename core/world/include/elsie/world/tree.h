@@ -71,8 +71,9 @@ Concern concern_of(const std::string& edit);
 void remove_overridden(Element& world);
 
 /// The world of a tree to which templates and edits have been applied. Throws WorldError with
-/// all problems, including those found earlier.
+/// all problems, including those found earlier. `before`: the running world that becomes this one.
 World world_of_tree(Element root, const std::string& file, const plugin::Host& host,
-                    const Files& files, const ReadOptions& options, Problems& problems);
+                    const Files& files, const ReadOptions& options, Problems& problems,
+                    const World* before = nullptr);
 
 }  // namespace elsie::world

@@ -1,10 +1,11 @@
-// A scene as plain data: boxes, prisms, cylinders, balls and marks on a floor.
+// A scene as plain data: boxes, prisms, cylinders, balls, and a floor with marks.
 //
 // Lengths are in m, frames in the world. Colours are those in full light; faces turned away from it
 // are darker, down to kDarkestShade, with the same hue and saturation.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -63,8 +64,22 @@ struct Mark {
   Colour colour;
 };
 
+/// A picture on the floor, north at its top, below all patches.
+struct FloorImage {
+  Vector2 size;                         // m, around the origin
+  std::shared_ptr<const Image> pixels;  // red, green, blue; null: none
+};
+
+/// A convex polygon on the floor, below all marks; later patches cover earlier ones.
+struct FlatPatch {
+  std::vector<Vector2> outline;  // counter-clockwise
+  Colour colour;
+};
+
 struct Scene {
   Colour floor{80, 80, 80};   // unlimited, at z = 0; invisible from below
+  FloorImage image;
+  std::vector<FlatPatch> patches;
   Colour sky{140, 140, 140};  // everywhere else
   std::vector<Box> boxes;
   std::vector<Prism> prisms;

@@ -4,7 +4,8 @@
 // light, so that coloured and white things stand out. Resources have their colour or their team's
 // (world::resource_colour()). Chargers are yellow: discs on the floor as large as the area in which
 // they charge, or boxes if range sensors see them. All robots look alike, whatever their team, so
-// that none is mistaken for a resource.
+// that none is mistaken for a resource. Patches of the floor, its image and, if it has one, its
+// colour are as in the world's file. Lamps are balls.
 #pragma once
 
 #include <cstddef>

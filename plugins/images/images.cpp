@@ -1,36 +1,45 @@
-#include "image.h"
+// Reads PNG and PGM images; see elsie/world/images.h.
+#include "elsie/world/images.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <stdexcept>
 
 #include <png.h>
 
-namespace elsie::layouts {
-
+namespace elsie::images {
 namespace {
 
 [[noreturn]] void fail(const std::string& message) { throw std::runtime_error(message); }
 
+bool is_size(std::size_t width, std::size_t height) {
+  return width > 0 && height > 0 && width <= world::kMostPixels / height;
+}
+
 void check_size(std::size_t width, std::size_t height) {
-  if (width == 0 || height == 0 || width > kMostPixels / height) {
+  if (!is_size(width, height)) {
     fail("has " + std::to_string(width) + " x " + std::to_string(height) +
-         " pixels; expected at least one, and at most " + std::to_string(kMostPixels));
+         " pixels; expected at least one, and at most " + std::to_string(world::kMostPixels));
   }
 }
 
-GreyImage read_png(const std::string& content) {
+Image blank(std::size_t width, std::size_t height, int channels) {
+  Image image{static_cast<int>(width), static_cast<int>(height), channels, {}};
+  image.bytes.resize(width * height * static_cast<std::size_t>(channels));
+  return image;
+}
+
+Image read_png(const std::string& content, int channels) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  GreyImage image;
   if (png_image_begin_read_from_memory(&png, content.data(), content.size()) != 0) {
     const std::size_t width = png.width, height = png.height;
-    if (width > 0 && height > 0 && width <= kMostPixels / height) {
-      png.format = PNG_FORMAT_GRAY;
-      image = {width, height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png))};
+    if (is_size(width, height)) {
+      png.format = channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
+      Image image = blank(width, height, channels);
       const png_color white{255, 255, 255};
-      if (png_image_finish_read(&png, &white, image.pixels.data(), 0, nullptr) != 0) {
-        return image;
-      }
+      if (png_image_finish_read(&png, &white, image.bytes.data(), 0, nullptr) != 0) return image;
     } else {
       png_image_free(&png);
       check_size(width, height);
@@ -73,42 +82,37 @@ class Numbers {
   std::size_t at_ = 2;  // after "P2" or "P5"
 };
 
-GreyImage read_pgm(const std::string& content) {
+Image read_pgm(const std::string& content, int channels) {
   Numbers numbers(content);
-  GreyImage image;
-  image.width = numbers.next();
-  image.height = numbers.next();
-  check_size(image.width, image.height);
+  const std::size_t width = numbers.next();
+  const std::size_t height = numbers.next();
+  check_size(width, height);
   const std::size_t most = numbers.next();
   if (most == 0 || most > 255) {
     fail("is a PGM image with " + std::to_string(most) + " as its white; expected 1 to 255");
   }
-  const std::size_t count = image.width * image.height;
+  const std::size_t count = width * height;
   const bool is_plain = content[1] == '2';
   if (!is_plain && content.size() - std::min(content.size(), numbers.begin_of_pixels()) < count) {
     fail("is no whole PGM image: it has fewer bytes than its " + std::to_string(count) + " pixels");
   }
   const std::size_t begin = numbers.begin_of_pixels();
-  image.pixels.reserve(count);
+  Image image = blank(width, height, channels);
+  auto byte = image.bytes.begin();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t value =
         is_plain ? numbers.next() : static_cast<unsigned char>(content[begin + i]);
-    image.pixels.push_back(static_cast<std::uint8_t>(std::min(value, most) * 255 / most));
+    byte =
+        std::fill_n(byte, channels, static_cast<std::uint8_t>(std::min(value, most) * 255 / most));
   }
   return image;
 }
 
-bool is_png(const std::string& content) { return content.starts_with("\x89PNG"); }
-bool is_pgm(const std::string& content) {
-  return content.starts_with("P5") || content.starts_with("P2");
-}
-
 }  // namespace
+}  // namespace elsie::images
 
-bool is_image(const std::string& content) { return is_png(content) || is_pgm(content); }
-
-GreyImage read_image(const std::string& content) {
-  return is_png(content) ? read_png(content) : read_pgm(content);
+extern "C" __attribute__((visibility("default"))) elsie::Image elsie_read_image(
+    const std::string& content, int channels) {
+  return content.starts_with("P") ? elsie::images::read_pgm(content, channels)
+                                  : elsie::images::read_png(content, channels);
 }
-
-}  // namespace elsie::layouts

@@ -1,0 +1,91 @@
+// The floor with its image and patches, and the lamps above it.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "elsie/picture/floor_tiles.h"
+#include "elsie/world/floor.h"
+
+#include "text.h"
+#include "top_view_parts.h"
+
+namespace elsie::picture {
+namespace {
+
+constexpr double kSun = 4.5;           // the radius of a lamp, without its rays
+constexpr int kMostTiles = 600;        // of an image, in each direction
+constexpr int kMostTilesInText = 128;  // of one in an SVG, which grows with them
+
+void draw_image(Canvas& canvas, const Scene& scene, const Layout& layout) {
+  // Edges on whole pixels, so that no line shows between neighbours.
+  const auto sharp = [&](double at) { return std::round(at * canvas.zoom()) / canvas.zoom(); };
+  for (const FloorTile& tile :
+       floor_tiles(scene.world, canvas.is_text() ? kMostTilesInText : kMostTiles)) {
+    const Vector2 from = layout.map.pixel({tile.left, tile.top});
+    const Vector2 to = layout.map.pixel({tile.right, tile.bottom});
+    const double x = sharp(from.x), y = sharp(from.y);
+    canvas.rectangle({x, y, sharp(to.x) - x, sharp(to.y) - y}).fill(ink(tile.colour));
+  }
+}
+
+void draw_patch(Canvas& canvas, const Layout& layout, const world::Patch& patch) {
+  const double scale = layout.map.scale_x;
+  if (patch.shape == world::PatchShape::line) {
+    std::vector<Vector2> way;
+    for (const Vector2& point : world::points_of_line(patch))
+      way.push_back(layout.map.pixel(point));
+    canvas.polyline(way).stroke(ink(patch.colour),
+                                {.width = std::max(1.0, patch.line_width * scale), .round = true});
+    return;
+  }
+  for (const world::FloorPiece& piece : world::pieces_of(patch)) {
+    if (piece.corners.empty()) {
+      canvas.circle(layout.map.pixel(piece.middle), piece.radius * scale);
+    } else {
+      canvas.polygon(pixels(layout.map, {}, piece.corners));
+    }
+    canvas.fill(ink(piece.colour));
+  }
+}
+
+}  // namespace
+
+void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout) {
+  draw_image(canvas, scene, layout);
+  for (const world::Patch& patch : scene.world.patches) draw_patch(canvas, layout, patch);
+}
+
+void draw_sun(Canvas& canvas, const Vector2& at, const Ink& light) {
+  constexpr int kRays = 8;
+  const Ink edge = mix(light, kText, 0.65);
+  for (int i = 0; i < kRays; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kRays;
+    const Vector2 way{std::cos(angle), std::sin(angle)};
+    canvas.line({at.x + 6.5 * way.x, at.y + 6.5 * way.y}, {at.x + 9.5 * way.x, at.y + 9.5 * way.y});
+  }
+  canvas.stroke(edge, {.width = 1.6, .round = true});
+  canvas.circle(at, kSun).fill_keep(light);
+  canvas.stroke(edge, {.width = 1.4});
+}
+
+void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout) {
+  for (const world::Lamp& lamp : scene.world.lamps) {
+    draw_sun(canvas, layout.map.pixel({lamp.x, lamp.y}), ink(lamp.colour));
+  }
+}
+
+void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                      LabelPlacer& labels) {
+  constexpr std::size_t kMostLabels = 120;
+  if (scene.world.lamps.size() > kMostLabels) {
+    labels.leave_out(scene.world.lamps.size());
+    return;
+  }
+  const TextStyle style{.size = 12, .ink = kFaintText, .halo = 2.5};
+  for (const world::Lamp& lamp : scene.world.lamps) {
+    draw_label(canvas, labels, clean_text(lamp.id, 16), layout.map.pixel({lamp.x, lamp.y}), 10.0,
+               style);
+  }
+}
+
+}  // namespace elsie::picture
