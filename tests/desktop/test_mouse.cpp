@@ -104,6 +104,49 @@ TEST_CASE("A box is turned by its knob and resized by its corner") {
   CHECK(window.bench().undo_name() == "resize crate");
 }
 
+TEST_CASE("Patches and lamps are chosen, moved, turned and resized in the view") {
+  SeenRoom window;
+  SceneView& scene = window->scene();
+  window.after([&] {
+    window.bench().edit(
+        {"patch[+]=<rectangle_patch id=\"mat\" x=\"-1\" y=\"-1\" length=\"0.6\" width=\"0.4\"/>",
+         "patch[+]=<disc_patch id=\"spot\" x=\"-1\" y=\"-1\" radius=\"0.1\" colour=\"#ff0000\"/>",
+         "patch[+]=<line_patch id=\"track\" y=\"1.2\" width=\"0.1\"><point x=\"-1\" y=\"0\"/>"
+         "<point x=\"0\" y=\"0\"/></line_patch>",
+         "lamp[+]=<lamp id=\"sun\" x=\"0.2\" y=\"-1\" z=\"0.1\"/>"},
+        "add");
+  });
+  press_key(&scene, Qt::Key_7);
+  const auto choose = [&](double x, double y, const QString& path) {
+    click_at(&scene, pixel_at(window, {x, y, 0.0}));
+    REQUIRE(window.get<WorldTree>("world_tree")->selection() == QStringList{path});
+  };
+  const auto drag = [&](SceneView::Tool tool, double x, double y) {
+    REQUIRE(wait_for([&] { return scene.handle(tool).has_value(); }));
+    const QPoint from = scene.handle(tool)->toPoint();
+    window.after([&] {
+      drag_by_hand(&scene, Qt::LeftButton, from, pixel_at(window, {x, y, 0.0}));
+    });
+  };
+  choose(-1.0, -1.0, "patch[spot]");
+  drag(SceneView::Tool::move, -0.5, -1.5);
+  CHECK(number_in(window, "patch[spot]", "x") == Approx(-0.5).margin(0.03));
+  CHECK(number_in(window, "patch[spot]", "y") == Approx(-1.5).margin(0.03));
+  drag(SceneView::Tool::resize, -0.3, -1.45);
+  CHECK(number_in(window, "patch[spot]", "radius") == Approx(0.2).margin(0.03));
+  choose(-1.0, -1.0, "patch[mat]");
+  drag(SceneView::Tool::turn, -1.0, -0.5);
+  CHECK(number_in(window, "patch[mat]", "heading_deg") == Approx(90.0).margin(3.0));
+  choose(-0.5, 1.2, "patch[track]");
+  CHECK_FALSE(scene.handle(SceneView::Tool::resize));
+  drag(SceneView::Tool::move, 0.3, 1.5);  // from the origin of its points
+  CHECK(number_in(window, "patch[track]", "x") == Approx(0.3).margin(0.03));
+  CHECK(number_in(window, "patch[track]", "y") == Approx(1.5).margin(0.03));
+  choose(0.2, -1.0, "lamp[sun]");
+  drag(SceneView::Tool::move, 0.8, -1.2);
+  CHECK(number_in(window, "lamp[sun]", "x") == Approx(0.8).margin(0.03));
+}
+
 TEST_CASE("A cylinder stays round, and a prism keeps its form, when they are resized") {
   SeenRoom window;
   const auto resize = [&](const QString& element, const QPointF& to) {

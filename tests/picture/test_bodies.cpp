@@ -39,3 +39,15 @@ TEST_CASE("A picture of bodies needs no drive") {
   CHECK(std::count_if(plan.parts.begin(), plan.parts.end(),
                       [](const Part& part) { return part.role == PartRole::wheel; }) == 2);
 }
+
+TEST_CASE("The image of a floor whose file is gone is left out of a picture, and nothing else") {
+  const plugin::Host none;
+  const std::string text =
+      "<world format=\"1\"><floor colour=\"#112233\" image=\"gone.png\" image_length=\"3\"/>"
+      "<patches><disc_patch/></patches></world>";
+  CHECK_THROWS_AS(world::parse_world(text, "w.xml", none), world::WorldError);
+  const world::World drawn = picture::bodies_of(text, "w.xml", none);
+  CHECK_FALSE(drawn.floor.pixels);
+  CHECK(drawn.floor.colour == Colour{0x11, 0x22, 0x33});
+  CHECK(drawn.patches.size() == 1);
+}

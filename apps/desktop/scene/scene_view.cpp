@@ -258,11 +258,18 @@ std::optional<Frame> SceneView::frame_of_selected() const {
   return stage_.place_of(selection_.value(0));
 }
 
-// Only obstacles and resources have a size that the view can change.
+// Only obstacles, resources and patches have a size that the view can change; a line, of several
+// pieces, has none.
 std::optional<Vector3> SceneView::size_of_selected() const {
   const QString path = selection_.value(0);
   if (path.isEmpty() || path.startsWith("robot") || path.startsWith("charger") ||
-      Stage::is_bodiless(path)) {
+      path.startsWith("lamp")) {
+    return std::nullopt;
+  }
+  const auto& solids = stage_.solids();
+  if (Stage::is_patch(path) && std::count_if(solids.begin(), solids.end(), [&](const auto& each) {
+                                 return each.path == path;
+                               }) > 1) {
     return std::nullopt;
   }
   const Stage::Solid* solid = stage_.solid_of(path);

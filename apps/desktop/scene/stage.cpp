@@ -14,6 +14,7 @@ namespace {
 // A light floor, on which the colours of teams and lines are easy to see.
 constexpr Colour kFloor{226, 228, 224};
 constexpr Colour kSky{244, 246, 248};
+constexpr int kRound = 24;       // corners of a disc
 constexpr double kDisc = 0.004;  // m: flatter objects lie on the floor as marks
 
 Vector3 vector_of(const Json& json) {
@@ -64,9 +65,9 @@ Shape shape_from(const Json& json) {
 
 void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
-  if (shape.kind == Shape::Kind::prism && shape.size.z == 0.0) {
+  if (Stage::is_patch(solid.path)) {
     std::vector<Vector2> outline;
-    for (const Vector2& corner : shape.outline) {
+    for (const Vector2& corner : elsie::outline_of(shape, kRound)) {
       const Vector3 at = frame.point({corner.x, corner.y, 0.0});
       outline.push_back({at.x, at.y});
     }
@@ -78,7 +79,6 @@ void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   }
 }
 
-constexpr int kRound = 24;  // corners of a disc
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Keeps the part of a ray where `at` + way * `per` is at most `most`.

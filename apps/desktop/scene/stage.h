@@ -54,8 +54,9 @@ class Stage {
   double width() const { return width_; }
   /// Whether an element has no body: a patch of the floor, or a lamp.
   static bool is_bodiless(const QString& path) {
-    return path.startsWith("patch[") || path.startsWith("lamp[");
+    return is_patch(path) || path.startsWith("lamp[");
   }
+  static bool is_patch(const QString& path) { return path.startsWith("patch["); }
   double time_s() const { return time_s_; }
   /// Whether the shown time is earlier than the latest one.
   bool is_past() const { return time_s_ < latest_s_; }

@@ -56,17 +56,22 @@ std::string path(const char* group, const std::string& id) {
   return std::string(group) + "[" + id + "]";
 }
 
-/// A patch as flat prisms. All have the patch's own frame, which an edit of its place moves.
+/// A patch as a flat disc, or as flat prisms. All have the patch's own frame, which an edit of its
+/// place moves.
 void list_patch(const world::Patch& patch, Json& shapes) {
   constexpr int kRound = 32;
   const Frame frame = Frame::turned({patch.x, patch.y, 0.0}, radians(patch.heading_deg), 0.0);
   for (const world::FloorPiece& piece : world::pieces_of(patch)) {
-    std::vector<Vector2> outline = world::outline_of(piece, kRound);
-    for (Vector2& corner : outline) {
-      const Vector3 away = Vector3{corner.x, corner.y, 0.0} - frame.origin;
-      corner = {dot(away, frame.forward), dot(away, frame.left)};
+    Shape flat = Shape::pillar(patch.radius, 0.0);
+    if (patch.shape != world::PatchShape::disc) {
+      std::vector<Vector2> outline = world::outline_of(piece, kRound);
+      for (Vector2& corner : outline) {
+        const Vector3 away = Vector3{corner.x, corner.y, 0.0} - frame.origin;
+        corner = {dot(away, frame.forward), dot(away, frame.left)};
+      }
+      flat = Shape::prism(std::move(outline), 0.0);
     }
-    shapes.push_back(json(Shape::prism(std::move(outline), 0.0), frame, piece.colour, -1));
+    shapes.push_back(json(flat, frame, piece.colour, -1));
     shapes.back()["path"] = path("patch", patch.id);
   }
 }
