@@ -209,16 +209,83 @@ TEST_CASE("Between the poses where a robot was put elsewhere there is no line") 
   CHECK_FALSE(scene.image().at(scene.place(0, 0)).light());
 }
 
+namespace {
+
+void add_beam(Sketch& sketch, const Vector3& from, const Vector3& to, bool hit) {
+  sketch.line(SketchRole::range, from, to);
+  if (hit) sketch.point(SketchRole::hit, to);
+}
+
+}  // namespace
+
 TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
   Stage scene;
   scene.add_robot("r", "blue", {0, 0, 0});
-  scene.view.robots = {
-      {"r", {}, {}, {{{0, 0}, {1.5, 0.5}, true}, {{0, 0}, {1.5, -1.5}, false}}, {}}};
+  Sketch sketch(Frame{});
+  add_beam(sketch, {}, {1.5, 0.5, 0}, true);
+  add_beam(sketch, {}, {1.5, -1.5, 0}, false);
+  scene.view.robots = {{"r", {}, {}, {sketch}, {}}};
   const Bitmap image = scene.image();
   const auto ochre = [](const Pixel& p) { return p.red > p.blue + 90 && p.green > p.blue + 40; };
   CHECK(image.count(scene.place(1.5, 0.5), 2, ochre) >= 15);
   CHECK(image.count(scene.place(1.5, -1.5), 2, ochre) < 5);
   CHECK(image.count(scene.place(0.75, 0.25), 2, ochre) >= 3);
+}
+
+TEST_CASE("A field is of pale dots, a target a circle with a cross, a wish an arrow") {
+  Stage scene;
+  scene.add_robot("r", "blue", {0, 0, 0});
+  Sketch sketch(Frame{});
+  sketch.point(SketchRole::field, {-2, 2, 0});
+  sketch.point(SketchRole::target, {2, 2, 0});
+  sketch.arrow(SketchRole::wish, {1, -2, 0}, {3, -2, 0});
+  sketch.line(SketchRole::belief, {-3, -2, 0}, {-1, -2, 0});
+  sketch.text(SketchRole::target, {0, -3, 0}, "here");
+  scene.view.sketches = {sketch};
+  const Bitmap image = scene.image();
+  const auto bluish = [](const Pixel& p) { return p.blue > p.red + 20; };
+  const auto dark = [](const Pixel& p) { return !p.light(); };
+  CHECK(image.count(scene.place(-2, 2), 1, bluish) == 9);
+  const Vector2 target = scene.place(2, 2);
+  CHECK(image.count({target.x + 7, target.y}, 1, bluish) >= 3);  // the cross
+  CHECK(image.count({target.x, target.y + 5}, 1, bluish) >= 3);  // the circle
+  const auto purple = [](const Pixel& p) { return p.red > p.green + 60 && p.blue > p.green + 60; };
+  CHECK(image.count(scene.place(2, -2), 1, purple) >= 3);
+  CHECK(image.count(scene.place(2.95, -2), 4, purple) >= 10);  // its head
+  const int drawn = image.count(scene.place(-2, -2), 10, dark);
+  CHECK(drawn > 5);   // the belief is dashed
+  CHECK(drawn < 35);
+  CHECK(image.count(scene.place(0, -3), 10, bluish) > 10);
+}
+
+TEST_CASE("Edges of a volume that coincide from above are drawn once") {
+  Stage scene;
+  scene.add_robot("r", "blue", {0, 0, 0});
+  Sketch one(Frame{}), twice(Frame{});
+  one.line(SketchRole::range, {0, 0, 0}, {2, 1, 0});
+  twice.line(SketchRole::range, std::vector<Vector3>{{0, 0, 0}, {2, 1, 0}, {2, 1, 1}, {0, 0, 1}});
+  scene.view.sketches = {one};
+  scene.image();
+  const std::string once_drawn = base::read_whole((scene.folder / "view.png").string());
+  scene.view.sketches = {twice};
+  scene.image();
+  CHECK(base::read_whole((scene.folder / "view.png").string()) == once_drawn);
+}
+
+TEST_CASE("Where a robot believes it is: a dotted path and a dashed outline") {
+  Stage scene;
+  scene.add_robot("r", "red", {0, 0, 0});
+  RobotTrack track{"r", {}, {-3, 0, 0}, {}, {}};
+  track.believed = Pose{3, 2, 0};
+  for (int i = 0; i <= 60; ++i) track.believed_path.push_back({0.05 * i, 2, 0});
+  scene.view.robots = {track};
+  const Bitmap image = scene.image();
+  const int dots = image.count(scene.place(1.5, 2), 10, kReddish);
+  CHECK(dots > 5);
+  CHECK(dots < 60);
+  const Vector2 ghost = scene.place(3, 2);
+  CHECK(image.count(ghost, 14, kReddish) > 15);
+  CHECK(image.at({ghost.x - 3, ghost.y - 3}).light());  // it is an outline
 }
 
 TEST_CASE("A touch is a small red cross") {
@@ -395,7 +462,8 @@ TEST_CASE("A crowd is dots on thin paths, with room between them") {
     track.id = scene.world.robots.back().id;
     track.path = {{pose.x - 0.1, pose.y, 0.0}, pose};
     track.now = pose;
-    track.beams = {{{pose.x, pose.y}, {pose.x, pose.y + 0.3}, true}};
+    track.sketches.emplace_back(Frame{});
+    add_beam(track.sketches[0], {pose.x, pose.y, 0}, {pose.x, pose.y + 0.3, 0}, true);
     scene.view.robots.push_back(track);
   }
   const Bitmap image = scene.image();

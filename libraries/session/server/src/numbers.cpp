@@ -15,8 +15,9 @@ using simulation::Simulation;
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-// Sources that are no sensors: the fuzzy models of a robot, and the measures.
+// Sources that are no sensors: the fuzzy models of a robot, what its plugins publish, and measures.
 constexpr std::size_t kNoSensor = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kPublished = kNoSensor - 1;
 constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
 
 /// Takes the values, in the order of the names.
@@ -122,8 +123,30 @@ bool Numbers::visit_all(const Simulation& simulation, Visitor visitor) {
         }
       });
     }
+    visit_published(
+        simulation.robot(robot).description->id, {robot, kPublished},
+        [&](const auto& visit) { simulation.visit_published(robot, visit); }, has_decided, visitor);
   }
+  visit_published(
+      kMeasures, {kNoRobot, kPublished},
+      [&](const auto& visit) { simulation.visit_published(visit); }, has_decided, visitor);
   return failed_.size() == failed;
+}
+
+template <class List, class Visitor>
+void Numbers::visit_published(std::string_view whose, std::pair<std::size_t, std::size_t> source,
+                              const List& list, bool has_decided, Visitor& visitor) {
+  if (silent_.contains(source)) return;
+  std::vector<std::pair<std::string, double>> numbers;
+  const auto list_all = [&] {
+    list([&](const simulation::PublishedValue& each) {
+      numbers.emplace_back(std::string(each.path) + '/' + each.number.name, each.value);
+    });
+  };
+  if (!succeeds(source, list_all)) return;
+  if (numbers.empty()) silent_.insert(source);
+  visitor.begin(whose);
+  for (const auto& [name, value] : numbers) visitor.see(name, has_decided ? value : kNone);
 }
 
 template <class Call>
@@ -155,6 +178,7 @@ void Numbers::begin(const Simulation& simulation, double period_s) {
 
 void Numbers::lay_out(const Simulation& simulation) {
   failed_.clear();
+  silent_.clear();
   list_names(simulation);
 }
 

@@ -62,6 +62,10 @@ class Numbers {
   /// Visits the numbers of all robots except what has failed. Returns whether nothing new failed.
   template <class Visitor>
   bool visit_all(const simulation::Simulation& simulation, Visitor visitor);
+  /// Visits the numbers that `list` lists for its visitor, if it succeeds.
+  template <class List, class Visitor>
+  void visit_published(std::string_view whose, std::pair<std::size_t, std::size_t> source,
+                       const List& list, bool has_decided, Visitor& visitor);
   /// Calls plugins of this source, a robot and a sensor, unless they have failed. Returns whether
   /// they have succeeded.
   template <class Call>
@@ -77,6 +81,7 @@ class Numbers {
   std::size_t fixed_ = 0;                                 // the number of names before them
   std::uint64_t layout_ = 0;
   std::set<std::pair<std::size_t, std::size_t>> failed_;
+  std::set<std::pair<std::size_t, std::size_t>> silent_;  // they publish nothing
   std::set<std::pair<std::string, std::string>> noted_;  // the robot and the id of a plugin
   std::vector<simulation::Note> notes_;
 };
