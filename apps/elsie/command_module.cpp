@@ -6,8 +6,8 @@ namespace elsie::program {
 
 const CommandModule& command_module() {
   using Get = const CommandModule* (*)();
-  const auto get = reinterpret_cast<Get>(plugin::part_symbol(
-      "subcommands", plugin::part_file("elsie-commands"), kCommandModule));
+  const auto get = reinterpret_cast<Get>(
+      plugin::part_symbol("subcommands", plugin::part_file("elsie-commands"), kCommandModule));
   return *get();
 }
 

@@ -139,6 +139,33 @@ TEST_CASE("The libraries that decide a cell are those that its worlds need") {
           {{"</world>",
             "<layouts><scatter id=\"s\" gap=\"0.3\"><static_box/></scatter></layouts></world>"}}) ==
       Names{"layouts", "libelsie", "libelsie-base", "libelsie-inference", "libode", "ode"});
+  folder.write("floor.pgm", "P2 1 1 255 7");
+  CHECK(program_of({{"<limits", "<floor image=\"floor.pgm\"/><limits"}}) ==
+        Names{"images", "libelsie", "libelsie-base", "libelsie-inference", "libode", "ode"});
+}
+
+TEST_CASE("The image of a floor is a data file of its cell, and part of the fingerprint") {
+  const test::Folder folder;
+  const auto plan_with = [&](const std::string& pixel) {
+    folder.write("floor.pgm", "P2 1 1 255 " + pixel);
+    const auto experiment = test::small_experiment(folder);
+    std::string text = test::kWorld;
+    text.replace(text.find("<limits"), 7, "<floor image=\"floor.pgm\"/><limits");
+    folder.write("small.xml", text);
+    return test::plan_of(experiment);
+  };
+  const auto plan = plan_with("7");
+  world::ReadOptions options;
+  for (const auto& data : plan.cells[0].data) {
+    options.files[data.name] = plan.files[data.file].path;
+  }
+  CHECK(options.files.contains("floor.pgm"));
+  const world::World world =
+      world::parse_world(plan.cells[0].world_text, "/nowhere/w.xml", test::shipped(), options);
+  REQUIRE(world.floor.pixels);
+  CHECK(world.floor.pixels->bytes == std::vector<std::uint8_t>{7, 7, 7});
+  CHECK(plan_with("7").fingerprint == plan.fingerprint);
+  CHECK(plan_with("8").fingerprint != plan.fingerprint);
 }
 
 TEST_CASE("A world's measures are among its plugins, and in its text") {

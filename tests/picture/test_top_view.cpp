@@ -266,10 +266,10 @@ TEST_CASE("Edges of a volume that coincide from above are drawn once") {
   twice.line(SketchRole::range, std::vector<Vector3>{{0, 0, 0}, {2, 1, 0}, {2, 1, 1}, {0, 0, 1}});
   scene.view.sketches = {one};
   scene.image();
-  const std::string once_drawn = base::read_whole((scene.folder / "view.png").string());
+  const std::string once_drawn = bytes_of(scene.folder / "view.png");
   scene.view.sketches = {twice};
   scene.image();
-  CHECK(base::read_whole((scene.folder / "view.png").string()) == once_drawn);
+  CHECK(bytes_of(scene.folder / "view.png") == once_drawn);
 }
 
 TEST_CASE("Where a robot believes it is: a dotted path and a dashed outline") {

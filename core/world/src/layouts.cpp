@@ -72,7 +72,8 @@ ElementSpec with_layouts(ElementSpec world) {
   named_draws.insert(named_draws.begin(), id);
 
   std::vector<ElementSpec> in_scatter;
-  for (const char* const list : {"obstacles", "resources", "chargers", "lamps", "patches", "robots"}) {
+  for (const char* const list :
+       {"obstacles", "resources", "chargers", "lamps", "patches", "robots"}) {
     for (ElementSpec thing : world.child(list)->children) {
       thing.make = nullptr;
       thing.at_most = 1;

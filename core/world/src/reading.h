@@ -58,8 +58,8 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
 Reading read_tree(Element& root, const plugin::Host& host, const Files& files, bool check_plugins,
                   Problems& problems);
 
-/// Reads the image of the floor, or takes over that of `before`, unless null. `root` is the tree that
-/// the world was read from.
+/// Reads the image of the floor, or takes over that of `before`, unless null. `root` is the tree
+/// that the world was read from.
 void read_floor_image(World& world, const Element& root, const World* before, const Files& files,
                       Problems& problems);
 

@@ -68,7 +68,7 @@ std::vector<fs::path> deciding_libraries(const world::World& world, const plugin
     if (name == engine) files[library];
   }
   if (world.drawn) files["layouts"] = plugin::part_file("layouts");
-  if (world.drawn || world.floor.pixels) files["images"] = plugin::part_file("images");
+  if (world.floor.pixels) files["images"] = plugin::part_file("images");
   dl_iterate_phdr(
       [](dl_phdr_info* library, std::size_t, void* wanted) {
         const fs::path file(library->dlpi_name);

@@ -96,9 +96,11 @@ class Planner {
     options.found = &found;
     const world::World start = world;
     experiment::for_each_use(world, see);
+    name_image(world.floor, files);
     world::visit_edited_worlds(start, host_, options, [&](world::World later) {
       add_program(later, planned);
       experiment::for_each_use(later, see);
+      name_image(later.floor, files);
     });
     for (const auto& [name, path] : found) {
       files.add(name, path);
@@ -158,6 +160,7 @@ class Planner {
       experiment::for_each_use(world, [&](PluginKind kind, world::PluginUse& plugin) {
         name_files(host_.find(kind, plugin.plugin), plugin, files);
       });
+      name_image(world.floor, files);
       const std::string text = world::write_world(world);
       planned.layouts[seed] = {text, results::sha256(text)};
     }
@@ -230,6 +233,13 @@ class Planner {
                        [&](const auto& other) { return other.name == element.element; });
       name_files(declared->parameters, element.parameters, element.file_names, files);
     }
+  }
+
+  static void name_image(world::Floor& floor, FileNames& files) {
+    if (!floor.pixels) return;
+    world::FileName image{floor.image_file, floor.image};
+    files.add(image);
+    floor.image = image.name;
   }
 
   /// Everything about a cell that affects its results.

@@ -206,7 +206,9 @@ void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout) {
   const Vector2 high = layout.map.point({floor.right(), floor.y});
   const auto tone = [&](double at) {
     const bool whole = std::abs(at - std::round(at)) < 1e-9;
-    return step < 1.0 && whole ? hex(0xcfd4d9, "line") : hex(0xe4e7ea, "grid");
+    const bool is_main = step < 1.0 && whole;
+    if (colour) return mix(ink(*colour), hex(0x808890), is_main ? 0.35 : 0.2);
+    return is_main ? hex(0xcfd4d9, "line") : hex(0xe4e7ea, "grid");
   };
   for (const double at : multiples(low.x, high.x, step).at) {
     const double x = canvas.crisp(layout.map.pixel({at, 0}).x);

@@ -1,7 +1,7 @@
 // The parts of the top view: its layout and the functions that draw it.
 //
-// Drawing runs from the floor upwards: grid, image and patches of the floor, marks (goals, chargers), boxes,
-// paths, sketches, robots, touches, walls, lamps, labels.
+// Drawing runs from the floor upwards: grid, image and patches of the floor, marks (goals,
+// chargers), boxes, paths, sketches, robots, touches, walls, lamps, labels.
 #pragma once
 
 #include <cmath>

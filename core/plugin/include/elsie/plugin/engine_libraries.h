@@ -1,7 +1,7 @@
 // Parts of the core that are separate libraries in elsie/, next to libelsie, so that the core links
 // none of them: physics engines, `elsie/engines/NAME.so` with the interface elsie/physics/engine.h,
-// `elsie/layouts.so`, which draws layouts (elsie/world/layouts.h), and `elsie/images.so`, which reads
-// images (elsie/world/images.h).
+// `elsie/layouts.so`, which draws layouts (elsie/world/layouts.h), and `elsie/images.so`, which
+// reads images (elsie/world/images.h).
 #pragma once
 
 #include <filesystem>

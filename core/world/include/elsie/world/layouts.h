@@ -2,8 +2,8 @@
 // running world contains the drawn robots and boxes instead.
 //
 // The core has the vocabulary, whose elements have no objects. What reads and draws them is the
-// library plugin::part_file("layouts"), loaded for worlds that have layouts. docs/random-worlds.md says
-// what they mean.
+// library plugin::part_file("layouts"), loaded for worlds that have layouts. docs/random-worlds.md
+// says what they mean.
 #pragma once
 
 #include <optional>

@@ -77,7 +77,7 @@ struct FlatPatch {
 };
 
 struct Scene {
-  Colour floor{80, 80, 80};   // unlimited, at z = 0; invisible from below
+  Colour floor{80, 80, 80};  // unlimited, at z = 0; invisible from below
   FloorImage image;
   std::vector<FlatPatch> patches;
   Colour sky{140, 140, 140};  // everywhere else
