@@ -125,7 +125,7 @@ class CsvRecorder final : public simulation::Observer {
   };
 
   static bool believes(const simulation::Simulation& simulation) {
-    const std::vector<world::Robot>& robots = simulation.world().robots;
+    const auto& robots = simulation.world().robots;
     return std::any_of(robots.begin(), robots.end(),
                        [](const world::Robot& robot) { return robot.localisation.has_value(); });
   }

@@ -30,6 +30,8 @@ constexpr const char* kPublishedTopic = "/published";
 // Kinds of a robot's channels.
 constexpr const char* kSketchesKind = "sketches";
 constexpr const char* kBeliefKind = "belief";
+constexpr const char* kPublishedKind = "published";
+constexpr const char* kPublishedNumbers = "numbers";  // its metadata: the numbers and their units, as JSON
 
 /// "/robots/r1/pose"
 inline std::string robot_topic(std::string_view robot, std::string_view kind) {

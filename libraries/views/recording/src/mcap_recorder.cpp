@@ -286,7 +286,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       if (robot.localisation) channels.belief = own(kBeliefKind, pose);
       const std::string title = "elsie.Published." + robot.id;
       if (const auto text = published_schema(title, published_of(simulation, r)); !text.empty()) {
-        channels.published = own("published", schema(title, text));
+        auto metadata = who;
+        metadata[kPublishedNumbers] = numbers_text(published_of(simulation, r));
+        channels.published = channel(robot_topic(robot.id, kPublishedKind), schema(title, text),
+                                     std::move(metadata));
       }
       for (std::size_t s = 0; options_.images && s < simulation.sensors(r); ++s) {
         const SensorView sensor = simulation.sensor(r, s);

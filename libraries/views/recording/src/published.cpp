@@ -28,6 +28,15 @@ std::string published_schema(const std::string& title, const VisitAllPublished& 
   return text_of(schema);
 }
 
+std::string numbers_text(const VisitAllPublished& visit_all) {
+  Json numbers = Json::array();
+  visit_all([&](const PublishedValue& each) {
+    numbers.push_back(
+        {{"path", each.path}, {"name", each.number.name}, {"unit", each.number.facts.unit}});
+  });
+  return text_of(numbers);
+}
+
 Json published_message(std::uint64_t time_ns, const VisitAllPublished& visit_all) {
   Json plugins = Json::object();
   visit_all([&](const PublishedValue& each) {
