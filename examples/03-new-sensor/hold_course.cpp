@@ -1,8 +1,8 @@
 #include <elsie/api/behavior.h>
 
-#include "compass_reading.h"
+#include "gyrocompass_reading.h"
 
-// Drives in one direction of the compass.
+// Drives in one direction of the gyrocompass.
 class HoldCourse final : public elsie::Behavior {
  public:
   double course_deg = 0.0;
@@ -10,14 +10,14 @@ class HoldCourse final : public elsie::Behavior {
   double gain = 2.0;
 
   elsie::Response respond(const elsie::Perception& now) override {
-    const double heading = now.readings<CompassReading>()[0]->heading_rad;
+    const double heading = now.readings<GyrocompassReading>()[0]->heading_rad;
     const double off = elsie::wrap_angle(elsie::radians(course_deg) - heading);
     return elsie::Motion{speed, 0.0, gain * off};
   }
 };
 
-ELSIE_BEHAVIOR(HoldCourse, "hold_course", "Drives in one direction of the compass",
-               elsie::needs<CompassReading>(),
+ELSIE_BEHAVIOR(HoldCourse, "hold_course", "Drives in one direction of the gyrocompass",
+               elsie::needs<GyrocompassReading>(),
                elsie::parameter("course_deg", &HoldCourse::course_deg,
                                 {.unit = "deg",
                                  .min = -180,

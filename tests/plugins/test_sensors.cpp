@@ -18,6 +18,7 @@ class OneWall final : public Surroundings {
     const double distance = (0.5 - origin.x) / direction.x;
     return distance >= 0 && distance <= max_range ? std::optional(distance) : std::nullopt;
   }
+  void cast_rays(const Frame&, std::span<RayQuery>, std::span<Surface>) const override {}
   bool anything_in(const Pyramid& pyramid) const override {
     asked = pyramid;
     return pyramid.frame.origin.x + pyramid.range_m >= 0.5;

@@ -23,6 +23,7 @@ class Colours final : public Surroundings {
   std::optional<double> cast_ray(const Vector3&, const Vector3&, double) const override {
     return std::nullopt;
   }
+  void cast_rays(const Frame&, std::span<RayQuery>, std::span<Surface>) const override {}
   bool anything_in(const Pyramid&) const override { return false; }
   Pose pose() const override { return {}; }
   std::optional<TeamMate> nearest_robot(double) const override { return std::nullopt; }

@@ -131,6 +131,10 @@ class Simulation::Impl {
   void take_stock() {
     attention_.assign(robots_.size(), true);
     knows_calls_ = false;
+    things_.emplace(world_);
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      if (robots_[i]->feels_contacts()) engine_->watch_contacts(i);
+    }
   }
 
   void set_joints() {
@@ -163,6 +167,7 @@ class Simulation::Impl {
   RobotLoop loop_;
   std::vector<SensingMemory> memory_;  // of each thread
   Touches touches_;
+  std::optional<world::Things> things_;  // of world_ as it is
   std::optional<Neighbours> neighbours_{std::in_place,
                                         world_.arena};  // positions at the last control step
   double farthest_call_m_ = 0.0;                        // the largest coverage of a robot

@@ -412,11 +412,11 @@ class Checker {
     Answer answer;
     std::size_t step = 0;
     // Pictures take a long time.
-    const bool sees =
-        declaration_.kind == PluginKind::sensor &&
-        std::ranges::any_of(declaration_.produces.front().fields, [](const FieldDeclaration& field) {
-          return field.type == FieldType::picture;
-        });
+    const bool sees = declaration_.kind == PluginKind::sensor &&
+                      std::ranges::any_of(declaration_.produces.front().fields,
+                                          [](const FieldDeclaration& field) {
+                                            return field.type == FieldType::picture;
+                                          });
     const std::size_t steps = static_cast<std::size_t>(options_.steps) / (sees ? 50 : 1) / 4;
     const std::size_t begun = memory_in_use();
     const auto walk = [&] {

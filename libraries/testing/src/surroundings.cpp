@@ -8,12 +8,14 @@
 #include "elsie/render/world_scene.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/parts.h"
+#include "elsie/world/things.h"
 
 namespace elsie::testing {
 
 /// The simulator's bodies and rays.
 struct Surroundings::Engine {
   std::unique_ptr<physics::Engine> bodies;
+  std::optional<world::Things> things;  // none: the world has changed
 };
 
 Surroundings::Surroundings() : engine_(std::make_unique<Engine>()) {
@@ -22,8 +24,23 @@ Surroundings::Surroundings() : engine_(std::make_unique<Engine>()) {
   engine_->bodies = physics::make_engine(world_.arena, world_.physics);
 }
 Surroundings::~Surroundings() = default;
-Surroundings::Surroundings(Surroundings&&) noexcept = default;
-Surroundings& Surroundings::operator=(Surroundings&&) noexcept = default;
+// What the engine's views refer to has moved.
+Surroundings::Surroundings(Surroundings&& other) noexcept
+    : carrier(std::move(other.carrier)),
+      pose_(other.pose_),
+      world_(std::move(other.world_)),
+      joints_(std::move(other.joints_)),
+      contacts_(std::move(other.contacts_)),
+      motion_(other.motion_),
+      last_(other.last_),
+      colours_(std::move(other.colours_)),
+      engine_(std::move(other.engine_)) {
+  engine_->things.reset();
+}
+Surroundings& Surroundings::operator=(Surroundings&& other) noexcept {
+  std::destroy_at(this);
+  return *std::construct_at(this, std::move(other));
+}
 
 Surroundings& Surroundings::at(double x, double y, double heading_deg) {
   pose_ = {x, y, wrap_angle(radians(heading_deg))};
@@ -32,7 +49,9 @@ Surroundings& Surroundings::at(double x, double y, double heading_deg) {
 
 Surroundings& Surroundings::add(const world::Obstacle& box) {
   engine_->bodies->add_obstacle(box);
+  last_ = {Surface::Kind::obstacle, world_.obstacles.size(), {}};
   world_.obstacles.push_back(box);
+  engine_->things.reset();
   return *this;
 }
 
@@ -83,8 +102,79 @@ Surroundings& Surroundings::robot(const std::string& id, double x, double y, dou
 Surroundings& Surroundings::robot(const world::Robot& robot) {
   engine_->bodies->add_robot(world::plan_of(robot),
                              {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))}, robot.z);
+  last_ = {Surface::Kind::robot, world_.robots.size(), {}};
   world_.robots.push_back(robot);
+  engine_->things.reset();
   return *this;
+}
+
+Surroundings& Surroundings::charger(double x, double y, double radius) {
+  world::Charger charger;
+  charger.id = "charger" + std::to_string(world_.chargers.size());
+  charger.x = x;
+  charger.y = y;
+  charger.radius = radius;
+  world_.chargers.push_back(charger);
+  engine_->things.reset();
+  return *this;
+}
+
+Surroundings& Surroundings::lamp(double x, double y, double z, double intensity,
+                                 const Colour& colour) {
+  world_.lamps.push_back(
+      {"lamp" + std::to_string(world_.lamps.size()), x, y, z, intensity, colour, {}});
+  engine_->things.reset();
+  return *this;
+}
+
+Surroundings& Surroundings::floor(const Colour& colour) {
+  world_.floor.colour = colour;
+  engine_->things.reset();
+  return *this;
+}
+
+Surroundings& Surroundings::patch(const world::Patch& patch) {
+  world_.patches.push_back(patch);
+  engine_->things.reset();
+  return *this;
+}
+
+Surroundings& Surroundings::touch(const Vector3& place, const Vector3& normal, double impulse_n_s,
+                                  std::size_t vehicle) {
+  contacts_.push_back({vehicle, {last_.kind, last_.index, normal}, place, normal, impulse_n_s});
+  return *this;
+}
+
+Surroundings& Surroundings::moving(const BodyMotion& motion) {
+  motion_ = motion;
+  return *this;
+}
+
+Surroundings& Surroundings::joints(std::vector<JointSetting> joints) {
+  joints_ = std::move(joints);
+  return *this;
+}
+
+const world::Things& Surroundings::things() const {
+  if (!engine_->things) engine_->things.emplace(world_);
+  return *engine_->things;
+}
+
+Thing Surroundings::thing(const Surface& surface) const { return things().of(surface); }
+
+Colour Surroundings::floor_colour(const Vector2& place) const {
+  return things().floor_colour(place);
+}
+
+std::span<const LampView> Surroundings::lamps() const { return things().lamps(); }
+
+void Surroundings::things_within(double radius_m, std::vector<NearThing>& found) const {
+  things().within(
+      pose_, radius_m, [](std::size_t) { return true; }, found);
+  for (std::size_t i = 0; i < world_.robots.size(); ++i) {
+    const world::Robot& other = world_.robots[i];
+    things().add_robot(i, pose_, {other.x, other.y, radians(other.heading_deg)}, radius_m, found);
+  }
 }
 
 std::optional<double> Surroundings::cast_ray(const Vector3& origin, const Vector3& direction,
@@ -92,6 +182,11 @@ std::optional<double> Surroundings::cast_ray(const Vector3& origin, const Vector
   const auto hit =
       engine_->bodies->cast_ray(origin, direction, max_range_m, physics::Engine::kNobody);
   return hit ? std::optional(hit->distance) : std::nullopt;
+}
+
+void Surroundings::cast_rays(const Frame& within, std::span<RayQuery> rays,
+                             std::span<Surface> surfaces) const {
+  engine_->bodies->cast_rays(within, rays, surfaces, physics::Engine::kNobody);
 }
 
 bool Surroundings::anything_in(const Pyramid& pyramid) const {

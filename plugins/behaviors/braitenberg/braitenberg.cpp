@@ -3,8 +3,9 @@
 //
 //   wheel rate = base + sum over the sensors of weight x excitation
 //
-// The excitation of a range sensor is 1 - distance / max range, that of a proximity sensor 1 or 0.
-// Sensors count in the order of the world file, all range sensors first.
+// The excitation of a range sensor is 1 - distance / max range, that of a proximity sensor 1 or 0,
+// that of an infra-red sensor its value, as a fraction of the largest. Sensors count in the order
+// of the world file: all range sensors first, then proximity sensors, then infra-red ones.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include <elsie/api/behavior.h>
+#include <elsie/readings/infrared.h>
 
 namespace {
 
@@ -24,10 +26,11 @@ class Braitenberg final : public elsie::Behavior {
   void equipped(const elsie::Perception& example) override {
     const auto ranges = example.readings<elsie::RangeReading>();
     const auto switches = example.readings<elsie::ProximityReading>();
-    const std::size_t sensors = ranges.size() + switches.size();
+    const auto infrareds = example.readings<elsie::InfraredReading>();
+    const std::size_t sensors = ranges.size() + switches.size() + infrareds.size();
     if (sensors == 0) {
       throw std::invalid_argument(
-          "it is wired to range and proximity sensors, and the robot has none; add one");
+          "it is wired to range, proximity and infra-red sensors, and the robot has none; add one");
     }
     if (!weights.empty() && weights.size() != 2 * sensors) {
       throw std::invalid_argument(
@@ -41,6 +44,9 @@ class Braitenberg final : public elsie::Behavior {
         wire(sensor.azimuth_rad());
       }
       for (const auto& sensor : switches) {
+        wire(sensor.azimuth_rad());
+      }
+      for (const auto& sensor : infrareds) {
         wire(sensor.azimuth_rad());
       }
     }
@@ -58,6 +64,9 @@ class Braitenberg final : public elsie::Behavior {
     }
     for (const auto& sensor : now.readings<elsie::ProximityReading>()) {
       excite(sensor->detected ? 1.0 : 0.0);
+    }
+    for (const auto& sensor : now.readings<elsie::InfraredReading>()) {
+      excite(sensor->value / sensor->largest);
     }
     return now.self().wheels.motion(rates);
   }
@@ -84,7 +93,7 @@ ELSIE_BEHAVIOR(
     elsie::parameter(
         "weights", &Braitenberg::weights,
         {.unit = "rad/s",
-         .meaning = "left and right weight of each sensor in turn, range sensors first; "
+         .meaning = "left and right weight of each sensor in turn: range, proximity, infra-red; "
                     "empty: each sensor makes the robot turn away from its side"}),
     elsie::parameter("default_weight", &Braitenberg::default_weight,
                      {.unit = "rad/s", .meaning = "scale of the default wiring, without weights"}));

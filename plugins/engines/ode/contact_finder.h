@@ -14,6 +14,7 @@
 #include "ode_handles.h"
 #include "ode_robot.h"
 #include "scene.h"
+#include "watches.h"
 
 namespace elsie::physics {
 
@@ -40,6 +41,13 @@ struct FoundContacts {
   OdeContacts contacts;
   std::vector<Touch> touches;
   std::vector<Scene::Id> neighbors;  // of the current body; kept to reuse its memory
+  /// The contacts of two bodies of which one is watched: those from `first` to before `last`.
+  struct Watched {
+    Scene::Id a = 0, b = 0;
+    std::size_t first = 0, last = 0;
+  };
+  std::vector<Watched> watched;
+  std::vector<ContactImpulse> impulses;  // of these
 };
 
 /// A pool finds the contacts of several bodies at once. Their order does not depend on the pool.
@@ -50,7 +58,9 @@ class ContactFinder {
   /// Bodies in a share of the pool.
   static constexpr std::size_t kBlock = 16;
 
-  void find(const OdeBodies& bodies, base::ThreadPool& pool);
+  void find(const OdeBodies& bodies, const ContactWatch& watch, base::ThreadPool& pool);
+  /// After the step that found() was for.
+  void note(const OdeBodies& bodies, ContactWatch& watch);
 
   std::span<FoundContacts> found() { return std::span(blocks_).first(used_); }
   /// See Engine::touches().
@@ -58,7 +68,9 @@ class ContactFinder {
 
  private:
   void find_floor(const OdeBodies& bodies, base::ThreadPool& pool);
-  void find_neighbors(const OdeBodies& bodies, Scene::Id id, FoundContacts& found) const;
+  void find_neighbors(const OdeBodies& bodies, const ContactWatch& watch, Scene::Id id,
+                      FoundContacts& found) const;
+  Vector3 impulse_on_a(const FoundContact& contact) const;
 
   world::Physics physics_;
   OdeGeom floor_;

@@ -10,9 +10,6 @@
 namespace elsie::physics {
 namespace {
 
-// A body that was stopped at a surface stands there, up to rounding and the softness of contacts.
-constexpr double kTouching = 2e-5;  // m
-
 // A body that rises less than this above the bottom of a box passes below it.
 constexpr double kBelow = 1e-3;  // m
 

@@ -59,7 +59,7 @@ void OdeContacts::attach(dBodyID a, dBodyID b, dContact& contact, double gap) {
     surface.bounce = bounce_;
     surface.bounce_vel = bounce_threshold_;
   }
-  found_.push_back({a, b, a ? dBodyGetData(a) : nullptr, b ? dBodyGetData(b) : nullptr, contact});
+  found_.push_back({a, b, a ? dBodyGetData(a) : nullptr, b ? dBodyGetData(b) : nullptr, contact, nullptr});
 }
 
 void OdeContacts::wheel_on_floor(dBodyID body, dGeomID geom, const Cylinder& wheel, double sinking,

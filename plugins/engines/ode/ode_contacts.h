@@ -14,6 +14,19 @@
 
 namespace elsie::physics {
 
+class Crowd;
+
+/// Surfaces that are no further apart touch: a body that was stopped at a surface stands there, up
+/// to rounding and the softness of contacts.
+inline constexpr double kTouching = 2e-5;  // m
+
+/// The impulse of a contact, noted by whatever solves it.
+struct ContactImpulse {
+  dJointFeedback joint{};        // if ODE does
+  const Crowd* crowd = nullptr;  // that does otherwise, with these of its rows
+  int first_row = 0, last_row = 0;
+};
+
 /// A contact in the form of ODE's joints. `b`, or `a`, is null for a fixed body. The members are
 /// the data of the bodies, which Islands gives to them; null for a fixed body.
 struct FoundContact {
@@ -22,6 +35,7 @@ struct FoundContact {
   void* member_a = nullptr;
   void* member_b = nullptr;
   dContact contact{};
+  ContactImpulse* impulse = nullptr;  // if somebody asks for it
 };
 
 /// Collects contacts of one step.

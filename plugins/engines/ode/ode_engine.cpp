@@ -22,9 +22,9 @@
 #include "islands.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
-#include "ray_cast.h"
 #include "scene.h"
 #include "softness.h"
+#include "watches.h"
 
 namespace elsie::physics {
 namespace {
@@ -84,14 +84,30 @@ class OdeEngine final : public Engine {
   Frame obstacle(std::size_t box) const override;
   bool has_obstacle(std::size_t box) const override { return bodies_.boxes.at(box).present; }
   std::span<const Touch> touches() const override { return finder_.touches(); }
+  void watch_contacts(std::size_t robot) override {
+    bodies_.robots.at(robot);
+    contact_watch_.watch(robot);
+  }
+  std::span<const BodyContact> contacts(std::size_t robot) const override {
+    bodies_.robots.at(robot);
+    return contact_watch_.of(robot);
+  }
+  void watch_motion(std::size_t robot) override {
+    motion_watch_.watch(robot, bodies_.robots.at(robot).vehicles().size());
+  }
+  Motion motion(std::size_t robot) const override {
+    return motion_watch_.motion(robot, 0, velocity_of(robot, 0));
+  }
+  Motion segment_motion(std::size_t robot, std::size_t segment) const override {
+    return motion_watch_.motion(robot, segment + 1, velocity_of(robot, segment + 1));
+  }
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
     return bodies_.scene.cast_ray(origin, direction, max_range, except);
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
-    cast_each(within, rays, [&](const Vector3& origin, const Vector3& direction, double range) {
-      return cast_ray(origin, direction, range, except);
-    });
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                 std::size_t except) const override {
+    bodies_.scene.cast_rays(within, rays, surfaces, except);
   }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
     return bodies_.scene.anything_in(pyramid, except);
@@ -110,6 +126,8 @@ class OdeEngine final : public Engine {
   std::size_t add_upright(std::vector<BoxBody>& list, BodyKind kind, world::ObstacleKind box_kind,
                           const world::Fixture& fixture, double mass, bool sensed);
   std::size_t enter_robot(double top);
+  void take_watches(const OdeEngine& other, std::size_t robot);
+  MotionWatch::Velocity velocity_of(std::size_t robot, std::size_t vehicle) const;
   void take_step();
   template <class Work>
   void for_each_robot(const Work& work);
@@ -139,6 +157,8 @@ class OdeEngine final : public Engine {
   BodyStates boxes_before_;  // at the start of this step
   Islands islands_;
   Bounds bounds_;
+  ContactWatch contact_watch_;
+  MotionWatch motion_watch_;
   GiveUps give_ups_;
   std::vector<bool> stay_within_;  // within the arena's walls: each robot
 };
@@ -185,18 +205,29 @@ std::size_t OdeEngine::enter_robot(double top) {
 }
 
 std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot) {
-  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).bodies_.robots.at(robot);
+  const auto& before = dynamic_cast<const OdeEngine&>(other);
+  const OdeRobot& same = before.bodies_.robots.at(robot);
   prepare_ode();
   bodies_.robots.emplace_back(world_.get(), same);
+  take_watches(before, robot);
   return enter_robot(std::max(0.0, same.state().frame.origin.z) + bodies_.robots.back().height());
+}
+
+/// The last robot is watched as it is in the other engine.
+void OdeEngine::take_watches(const OdeEngine& other, std::size_t robot) {
+  const std::size_t index = bodies_.robots.size() - 1;
+  if (other.contact_watch_.watches(robot)) contact_watch_.watch(index);
+  motion_watch_.take(index, other.motion_watch_, robot, bodies_.robots[index].vehicles().size());
 }
 
 std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
                                     const Pose& pose) {
-  const OdeRobot& same = dynamic_cast<const OdeEngine&>(other).bodies_.robots.at(robot);
+  const auto& before = dynamic_cast<const OdeEngine&>(other);
+  const OdeRobot& same = before.bodies_.robots.at(robot);
   const double z = std::max(0.0, same.state().frame.origin.z);
   const std::size_t index = add_robot(plan, pose, z);
   bodies_.robots[index].push(same);
+  take_watches(before, robot);
   place_in_scene(index);
   return index;
 }
@@ -316,6 +347,11 @@ void OdeEngine::step() {
 }
 
 void OdeEngine::take_step() {
+  const auto velocity = [this](std::size_t robot, std::size_t vehicle) {
+    return velocity_of(robot, vehicle);
+  };
+  contact_watch_.begin_step();
+  motion_watch_.begin_step(velocity);
   start_moving_boxes();
   begin();
   bool solved = false;
@@ -335,8 +371,13 @@ void OdeEngine::take_step() {
     islands_.dissolve();
   }
   islands_.step_others(*pool_);
+  if (contact_watch_.is_used()) {
+    finder_.note(bodies_, contact_watch_);
+    contact_watch_.end_step();
+  }
   time_ += physics_.step;
   settle();
+  motion_watch_.end_step(physics_.step, velocity);
 }
 
 /// Calls work(robot, share) for all robots; the pool does several shares at once.
@@ -372,8 +413,15 @@ void OdeEngine::restore() {
 }
 
 void OdeEngine::find_contacts(Islands::OdeTakes takes) {
-  finder_.find(bodies_, *pool_);
+  finder_.find(bodies_, contact_watch_, *pool_);
   islands_.divide(finder_.found(), bodies_.robots, takes);
+}
+
+/// Of the origin, in the world.
+MotionWatch::Velocity OdeEngine::velocity_of(std::size_t robot, std::size_t vehicle) const {
+  const OdeVehicle& of = bodies_.robots.at(robot).vehicles().at(vehicle);
+  const Vector3 from_middle = of.frame().origin - of.solids().chassis.shape.center;
+  return {of.velocity() + cross(of.turning(), from_middle), of.turning()};
 }
 
 void OdeEngine::start_moving_boxes() {

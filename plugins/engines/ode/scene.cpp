@@ -3,11 +3,16 @@
 #include <algorithm>
 
 #include "ray_cast.h"
+#include "ray_fan.h"
+#include "surface_normals.h"
 
 namespace elsie::physics {
 namespace {
 
 constexpr double kHair = 1e-9;  // m
+
+// Fewer rays from one point are cast one by one.
+constexpr std::size_t kLeastFan = 32;
 
 base::Grid::Block cells(const base::Grid& grid, const Aabb& bounds) {
   return grid.block(bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);
@@ -85,15 +90,49 @@ void Scene::neighbors(Id id, std::vector<Id>& found) const {
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
+/// See ray_cast.h.
+class Scene::View {
+ public:
+  View(const Scene& scene, std::size_t except) : scene_(scene), except_(except) {}
+
+  bool sees(Id id) const { return scene_.is_seen(entry(id), except_); }
+  double distance_to(Id id, const Ray& ray, double range) const {
+    const Entry& at = entry(id);
+    if (!meets_bounds(ray, at.bounds, range)) return kMiss;
+    return physics::distance_to(ray, at.solid, at.wheels, at.wheels_top);
+  }
+  Vector3 normal_of(Id id, const Ray& ray) const {
+    const Entry& at = entry(id);
+    return physics::normal_of(ray, at.solid, at.wheels, at.wheels_top);
+  }
+  Body body_of(Id id) const { return entry(id).body; }
+  const base::Grid& grid() const { return scene_.grid_; }
+  base::Grid::Block block_of(Id id) const { return entry(id).block; }
+  Reach reach_of(Id id) const {
+    const auto& [lower, upper] = entry(id).bounds;
+    return {{lower.x, lower.y}, {upper.x, upper.y}};
+  }
+
+ private:
+  const Entry& entry(Id id) const { return scene_.entries_[id]; }
+
+  const Scene& scene_;
+  std::size_t except_;
+};
+
 std::optional<RayHit> Scene::cast_ray(const Vector3& origin, const Vector3& direction,
                                       double max_range, std::size_t except) const {
-  const auto distance = [&](Id id, const Ray& ray, double range) {
-    const Entry& entry = entries_[id];
-    if (!is_seen(entry, except) || !meets_bounds(ray, entry.bounds, range)) return kMiss;
-    return distance_to(ray, entry.solid, entry.wheels, entry.wheels_top);
-  };
-  return physics::cast_ray(grid_, origin, direction, max_range, distance,
-                           [&](Id id) { return entries_[id].body; });
+  return physics::cast_ray(View(*this, except), origin, direction, max_range);
+}
+
+void Scene::cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                      std::size_t except) const {
+  check_surfaces(rays, surfaces);
+  const View view(*this, except);
+  cast_fans(view, within, rays, surfaces, kLeastFan,
+            [&](std::span<RayQuery> others, std::span<Surface> of_them) {
+              cast_each(view, within, others, of_them);
+            });
 }
 
 bool Scene::anything_in(const Pyramid& pyramid, std::size_t except) const {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "elsie/api/sensor.h"
@@ -46,9 +47,13 @@ class Scene {
 
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
+  /// As Engine::cast_rays().
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                 std::size_t except) const;
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:
+  class View;
   struct Entry {
     Aabb bounds;  // of the body; slightly larger, so that rounding never hides it
     double reach = 0.0;

@@ -92,9 +92,7 @@ void CollisionPipeline::meet(std::uint32_t first, std::uint32_t second, double m
                      for (std::size_t n = 0; n < met.count; ++n) {
                        Contact& contact = found.contacts.emplace_back();
                        contact.key = {a.number, b.number,
-                                      static_cast<std::uint64_t>(i) << 48 |
-                                          static_cast<std::uint64_t>(k) << 32 |
-                                          met.points[n].feature};
+                                      Contact::Key::of(i, k, met.points[n].feature)};
                        contact.a = a.mover;
                        contact.b = b.mover;
                        contact.collider_a = first;

@@ -56,6 +56,8 @@ class CollisionPipeline {
 
   /// Of all calls of find() since forget_touches().
   std::span<const Touch> touches() const { return touches_; }
+  /// Those of the last find(), with the impulses of solve().
+  std::span<const Contact> contacts() const { return contacts_; }
   /// A body that a box presses into others, because nothing stops the box.
   struct Press {
     std::uint32_t body = 0, box = 0;  // colliders

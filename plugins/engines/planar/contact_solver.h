@@ -25,7 +25,13 @@ struct Contact {
   /// Names a contact from step to step, whatever else is in the world.
   struct Key {
     std::uint64_t a = 0, b = 0;  // the numbers of the bodies
-    std::uint64_t feature = 0;
+    std::uint64_t feature = 0;    // of(), see there
+    /// Solid `i` of one body meets solid `k` of the other at this point of a Meeting.
+    static std::uint64_t of(std::size_t i, std::size_t k, std::uint32_t feature) {
+      return static_cast<std::uint64_t>(i) << 48 | static_cast<std::uint64_t>(k) << 32 | feature;
+    }
+    std::size_t solid_of_a() const { return feature >> 48; }
+    std::size_t solid_of_b() const { return feature >> 32 & 0xffff; }
     friend auto operator<=>(const Key&, const Key&) = default;  // NOLINT(modernize-use-nullptr)
   };
 

@@ -115,7 +115,15 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
         before.colliders_[before.robot_bodies_[robot].first_collider + i].number;
   }
   enter_robot(index);
+  take_watches(before, robot);
   return index;
+}
+
+/// The last robot is watched as it is in the other engine.
+void PlanarEngine::take_watches(const PlanarEngine& other, std::size_t robot) {
+  const std::size_t index = robots_.size() - 1;
+  if (other.contact_watch_.watches(robot)) contact_watch_.watch(index);
+  motion_watch_.take(index, other.motion_watch_, robot, robots_[index].vehicles());
 }
 
 std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
@@ -129,6 +137,7 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, c
     movers_[made.first() + i].push(velocity, same.place(), physics_.step);
   }
   robots_[index].settle(movers_);
+  take_watches(before, robot);
   return index;
 }
 

@@ -17,6 +17,7 @@
 #include "planar_robot.h"
 #include "planar_scene.h"
 #include "refusals.h"
+#include "watches.h"
 
 namespace elsie::physics {
 
@@ -53,12 +54,28 @@ class PlanarEngine final : public Engine {
   Frame obstacle(std::size_t box) const override;
   bool has_obstacle(std::size_t box) const override { return boxes_.at(box).present; }
   std::span<const Touch> touches() const override { return pipeline_.touches(); }
+  void watch_contacts(std::size_t robot) override {
+    robots_.at(robot);
+    contact_watch_.watch(robot);
+  }
+  std::span<const BodyContact> contacts(std::size_t robot) const override {
+    robots_.at(robot);
+    return contact_watch_.of(robot);
+  }
+  void watch_motion(std::size_t robot) override {
+    motion_watch_.watch(robot, robots_.at(robot).vehicles());
+  }
+  Motion motion(std::size_t robot) const override {
+    return motion_watch_.motion(robot, 0, velocity_of(robot, 0));
+  }
+  Motion segment_motion(std::size_t robot, std::size_t segment) const override;
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
     return scene_.cast_ray(origin, direction, max_range, except);
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const override {
-    scene_.cast_rays(within, rays, except);
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                 std::size_t except) const override {
+    scene_.cast_rays(within, rays, surfaces, except);
   }
   bool anything_in(const Pyramid& pyramid, std::size_t except) const override {
     return scene_.anything_in(pyramid, except);
@@ -90,6 +107,7 @@ class PlanarEngine final : public Engine {
                             bool sensed, std::optional<Mover> mover);
   Mover& mover_of_box(const BoxBody& box) { return movers_[colliders_[box.collider].mover]; }
   void enter_robot(std::size_t robot);
+  void take_watches(const PlanarEngine& other, std::size_t robot);
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
   void start_moving_boxes();
   void stop_moving_boxes();
@@ -102,6 +120,9 @@ class PlanarEngine final : public Engine {
   [[noreturn]] void fail(const Mover& mover, bool stays_within, const Body& body,
                          std::optional<std::size_t> segment) const;
   void fail_if_pressed() const;
+  void note_contacts();
+  void note_contact(const Contact& contact, bool of_a);
+  MotionWatch::Velocity velocity_of(std::size_t robot, std::size_t vehicle) const;
 
   const int parts_;         // of a step
   world::Physics physics_;  // with the length of a part as its step
@@ -118,6 +139,8 @@ class PlanarEngine final : public Engine {
   std::vector<std::uint32_t> mobile_boxes_;
   CollisionPipeline pipeline_;
   Bounds bounds_;
+  ContactWatch contact_watch_;
+  MotionWatch motion_watch_;
   std::vector<std::uint32_t> jointed_;  // robots with steering or segments
   std::vector<Hinge*> hinges_;          // of all robots, in each step
   base::ThreadPool alone_;

@@ -53,7 +53,7 @@ PlanarScene::Id PlanarScene::add(Body body, bool sensed, bool moves,
   return id;
 }
 
-base::Grid::Block PlanarScene::block_of(const SceneBody& entry) const {
+Reach PlanarScene::reach_of(const SceneBody& entry) const {
   double x = entry.reach, y = x;
   if (!entry.moves && entry.section == SceneBody::Section::box) {
     const Vector2& half = entry.half;
@@ -61,13 +61,15 @@ base::Grid::Block PlanarScene::block_of(const SceneBody& entry) const {
     x = c * half.x + s * half.y + kHair;
     y = s * half.x + c * half.y + kHair;
   }
-  return grid_.block(entry.place.x - x, entry.place.y - y, entry.place.x + x, entry.place.y + y);
+  const Vector2& at = entry.place;
+  return {{at.x - x, at.y - y}, {at.x + x, at.y + y}};
 }
 
 /// Enters a body in the grid.
 void PlanarScene::place(Id id) {
   SceneBody& entry = entries_[id];
-  const base::Grid::Block block = block_of(entry);
+  const auto [from, to] = reach_of(entry);
+  const base::Grid::Block block = grid_.block(from.x, from.y, to.x, to.y);
   if (!entry.placed || block != blocks_[id]) {
     if (entry.placed) grid_.erase(id, blocks_[id]);
     grid_.insert(id, block);

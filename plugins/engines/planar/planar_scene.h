@@ -19,6 +19,7 @@
 
 #include "level_rays.h"
 #include "plane.h"
+#include "ray_cast.h"
 #include "scene_body.h"
 #include "sensor_shape.h"
 
@@ -64,7 +65,8 @@ class PlanarScene {
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const;
   /// As Engine::cast_rays().
-  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const;
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::span<Surface> surfaces,
+                 std::size_t except) const;
   bool anything_in(const Pyramid& pyramid, std::size_t except) const;
 
  private:
@@ -85,7 +87,8 @@ class PlanarScene {
     bool pulls = false;        // the robot has segments, which may meet each other
   };
 
-  base::Grid::Block block_of(const SceneBody& entry) const;
+  class View;
+  Reach reach_of(const SceneBody& entry) const;
   void place(Id id);
   static bool is_of(const SceneBody& entry, std::size_t robot) {
     return entry.kind == BodyKind::robot && entry.index == robot;
@@ -116,6 +119,8 @@ class PlanarScene {
   double distance_past_circle(const SceneBody& entry, Id id, const Vector3& origin,
                               const Vector3& direction, double range) const;
   const NeighborList* neighbors_of(std::size_t robot, const Vector2& middle, double radius) const;
+  void cast_level(const View& view, const Frame& within, std::span<RayQuery> rays,
+                  std::size_t except) const;
   bool cast_together(std::span<RayQuery> rays, LevelRays& level, std::size_t except) const;
 
   base::Grid grid_;

@@ -61,6 +61,49 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
   return {frame_at(at, 0.0, mover.ahead()), {at.x, at.y, mover.heading_rad()}, hinge.yaw_rad, 0.0};
 }
 
+/// Of the origin, in the world.
+MotionWatch::Velocity PlanarEngine::velocity_of(std::size_t robot, std::size_t vehicle) const {
+  const Mover& mover = movers_[robots_.at(robot).first() + vehicle];
+  const Twist velocity = mover.ahead().turn(mover.velocity_of_origin());
+  return {{velocity.x, velocity.y, 0.0}, {0.0, 0.0, velocity.turn}};
+}
+
+Motion PlanarEngine::segment_motion(std::size_t robot, std::size_t segment) const {
+  robots_.at(robot).hinge(segment);  // there is one
+  return motion_watch_.motion(robot, segment + 1, velocity_of(robot, segment + 1));
+}
+
+void PlanarEngine::note_contacts() {
+  for (const Contact& contact : pipeline_.contacts()) {
+    if (contact.gap > kTouching && contact.normal_impulse <= 0.0) continue;
+    const Body &a = colliders_[contact.collider_a].body, &b = colliders_[contact.collider_b].body;
+    if (a == b) continue;
+    if (contact_watch_.watches(a)) note_contact(contact, true);
+    if (contact_watch_.watches(b)) note_contact(contact, false);
+  }
+}
+
+void PlanarEngine::note_contact(const Contact& contact, bool of_a) {
+  const Collider& a = colliders_[contact.collider_a];
+  const Collider& b = colliders_[contact.collider_b];
+  const Outline& first = (*a.solids)[contact.key.solid_of_a()].outline;
+  const Outline& second = (*b.solids)[contact.key.solid_of_b()].outline;
+  // Prisms meet all the way up.
+  const double height =
+      0.5 * (std::max(first.bottom, second.bottom) + std::min(first.top, second.top));
+  const Vector2& normal = contact.normal;
+  const double pressing = contact.normal_impulse, rubbing = contact.friction_impulse;
+  const double side = of_a ? 1.0 : -1.0;
+  const Collider &own = of_a ? a : b, &other = of_a ? b : a;
+  contact_watch_.note(own.body.index, {contact.key.a, contact.key.b, contact.key.feature},
+                      {own.vehicle,
+                       other.body,
+                       {contact.at.x, contact.at.y, height},
+                       {side * normal.x, side * normal.y, 0.0},
+                       {side * (pressing * normal.x - rubbing * normal.y),
+                        side * (pressing * normal.y + rubbing * normal.x), 0.0}});
+}
+
 Frame PlanarEngine::obstacle(std::size_t box) const {
   const BoxBody& asked = boxes_.at(box);
   const Collider& collider = colliders_[asked.collider];
@@ -124,6 +167,11 @@ void PlanarEngine::step() {
   fastest_.resize(pool_->threads());
   start_moving_boxes();
   pipeline_.forget_touches();
+  contact_watch_.begin_step();
+  const auto velocity = [this](std::size_t robot, std::size_t vehicle) {
+    return velocity_of(robot, vehicle);
+  };
+  motion_watch_.begin_step(velocity);
   const double from = time_;
   for (int part = 1; part <= parts_; ++part) {
     time_ = from + part * physics_.step;
@@ -131,6 +179,8 @@ void PlanarEngine::step() {
   }
   stop_moving_boxes();
   scene_.settle(moves_);
+  if (contact_watch_.is_used()) contact_watch_.end_step();
+  motion_watch_.end_step(parts_ * physics_.step, velocity);
 }
 
 /// A part of the step.
@@ -142,6 +192,7 @@ void PlanarEngine::move_on() {
   }
   pipeline_.find(moving_, begin_movers(), *pool_);
   pipeline_.solve(hinges_, *pool_);
+  if (contact_watch_.is_used()) note_contacts();
   settle();
   fail_if_pressed();
 }

@@ -6,9 +6,14 @@
 
 #include "planar_scene.h"
 #include "ray_cast.h"
+#include "ray_fan.h"
+#include "surface_normals.h"
 
 namespace elsie::physics {
 namespace {
+
+// Fewer rays from one point are cast as rays from different points are.
+constexpr std::size_t kLeastFan = 64;
 
 /// A part of a body in the world's frame.
 class Placing {
@@ -105,24 +110,62 @@ double PlanarScene::distance_past_circle(const SceneBody& entry, Id id, const Ve
                               sensor_shape.solid, sensor_shape.wheels, sensor_shape.wheels_top);
 }
 
+/// See ray_cast.h.
+class PlanarScene::View {
+ public:
+  View(const PlanarScene& scene, std::size_t except) : scene_(scene), except_(except) {}
+
+  bool sees(Id id) const { return is_seen(scene_.entries_[id], except_); }
+  double distance_to(Id id, const Ray& ray, double range) const {
+    return scene_.distance_to(id, ray, range);
+  }
+  Vector3 normal_of(Id id, const Ray& ray) const;
+  Body body_of(Id id) const { return scene_.entries_[id].body(); }
+  const base::Grid& grid() const { return scene_.grid_; }
+  base::Grid::Block block_of(Id id) const { return scene_.blocks_[id]; }
+  Reach reach_of(Id id) const { return scene_.reach_of(scene_.entries_[id]); }
+
+ private:
+  const PlanarScene& scene_;
+  std::size_t except_;
+};
+
+Vector3 PlanarScene::View::normal_of(Id id, const Ray& ray) const {
+  const SceneBody& entry = scene_.entries_[id];
+  const Vector3 &origin = ray.origin, &direction = ray.direction;
+  const Vector2 from =
+      entry.ahead.turn_back(Vector2{origin.x - entry.place.x, origin.y - entry.place.y});
+  const Vector2 along = entry.ahead.turn_back(Vector2{direction.x, direction.y});
+  const SensorShape& shape = *scene_.sensor_shapes_[id];
+  const Ray own({from.x, from.y, origin.z}, {along.x, along.y, direction.z});
+  return Placing(entry.place, entry.ahead)
+      .direction(physics::normal_of(own, shape.solid, shape.wheels, shape.wheels_top));
+}
+
 std::optional<RayHit> PlanarScene::cast_ray(const Vector3& origin, const Vector3& direction,
                                             double max_range, std::size_t except) const {
-  const auto distance = [&](Id id, const Ray& ray, double range) {
-    return is_seen(entries_[id], except) ? distance_to(id, ray, range) : kMiss;
-  };
-  return physics::cast_ray(grid_, origin, direction, max_range, distance,
-                           [&](Id id) { return entries_[id].body(); });
+  return physics::cast_ray(View(*this, except), origin, direction, max_range);
 }
 
 void PlanarScene::cast_rays(const Frame& within, std::span<RayQuery> rays,
-                            std::size_t except) const {
+                            std::span<Surface> surfaces, std::size_t except) const {
+  check_surfaces(rays, surfaces);
+  const View view(*this, except);
+  cast_fans(view, within, rays, surfaces, kLeastFan,
+            [&](std::span<RayQuery> others, std::span<Surface> of_them) {
+              if (!of_them.empty()) return cast_each(view, within, others, of_them);
+              cast_level(view, within, others, except);
+            });
+}
+
+/// Rays from different points: those that run level several at a time.
+void PlanarScene::cast_level(const View& view, const Frame& within, std::span<RayQuery> rays,
+                             std::size_t except) const {
   for (; !rays.empty(); rays = rays.subspan(std::min(LevelRays::kMost, rays.size()))) {
     const auto some = rays.first(std::min(LevelRays::kMost, rays.size()));
     LevelRays level;
     if (level.set(within, some) && cast_together(some, level, except)) continue;
-    cast_each(within, some, [&](const Vector3& origin, const Vector3& direction, double range) {
-      return cast_ray(origin, direction, range, except);
-    });
+    cast_each(view, within, some, {});
   }
 }
 

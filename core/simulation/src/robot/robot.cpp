@@ -216,6 +216,8 @@ void Robot::group_sensors() {
   together_.clear();
   sensor_cost_.reset();
   may_share_threads_ = true;
+  feels_contacts_ = std::any_of(sensors_.begin(), sensors_.end(),
+                                [](const auto& slot) { return slot->declaration->feels_contacts; });
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const SensorSlot& slot = *sensors_[i];
     if (i > 0 && slot.declaration == sensors_[i - 1]->declaration &&
@@ -245,6 +247,7 @@ void Robot::reset(std::uint64_t seed) {
   command({});
   perceived_events_.clear();
   raised_.clear();
+  contacts_.clear();
   logged_ = 0;
   charge_asked_ = false;
   empty_ = false;
@@ -253,7 +256,10 @@ void Robot::reset(std::uint64_t seed) {
 }
 
 void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
-  if (empty_) return;
+  if (empty_) {
+    contacts_.clear();
+    return;
+  }
   guard_.begin_step(now.step, now.time_s);
   for (const Together& group : together_) {
     SensorSlot& first = *sensors_[group.first];
@@ -276,6 +282,20 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
       slot.disturbed->update(slot.object(), now.time_s, now.period_s);
       sensed_[slot.sensed].age_s = slot.disturbed->age_s();
     }
+  }
+  contacts_.clear();
+}
+
+void Robot::touched(std::span<const physics::BodyContact> contacts) {
+  for (const physics::BodyContact& each : contacts) {
+    const auto kind = each.other.kind == physics::BodyKind::robot      ? Surface::Kind::robot
+                      : each.other.kind == physics::BodyKind::obstacle ? Surface::Kind::obstacle
+                                                                       : Surface::Kind::wall;
+    contacts_.push_back({each.vehicle,
+                         {kind, each.other.index, each.normal},
+                         each.point,
+                         each.normal,
+                         each.pressing()});
   }
 }
 

@@ -179,6 +179,11 @@ class Robot final : private RobotRequests {
   const Tally& tally() const { return tally_; }
   /// Returns whether all its plugins may be called while other threads call those of other robots.
   bool may_share_threads() const { return may_share_threads_; }
+  /// Whether one of its sensors asks for contacts.
+  bool feels_contacts() const { return feels_contacts_; }
+  /// Notes its contacts in a step, for its sensors.
+  void touched(std::span<const physics::BodyContact> contacts);
+  std::span<const Contact> contacts() const { return contacts_; }
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const {
@@ -251,6 +256,7 @@ class Robot final : private RobotRequests {
   // a step, when the robot has moved, needs what is up to state_.
   const world::Robot* description_;
   bool may_share_threads_ = true;
+  bool feels_contacts_ = false;
   bool charge_asked_ = false;
   bool empty_ = false;
   std::uint32_t joint_count_ = 0;     // that can be set
@@ -274,6 +280,7 @@ class Robot final : private RobotRequests {
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
   TeamState team_;
   std::vector<TeamMate> mates_;
+  std::vector<Contact> contacts_;  // since sensors were last updated
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
   std::size_t logged_ = 0;                // number of them that the log has

@@ -11,6 +11,7 @@
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
 #include "elsie/physics/engine.h"
+#include "elsie/world/things.h"
 
 #include "robot/robot.h"
 #include "step/neighbours.h"
@@ -37,22 +38,46 @@ struct SensingMemory {
 
 class RobotSurroundings final : public Surroundings {
  public:
-  RobotSurroundings(const physics::Engine& engine, Robots robots, const Neighbours& neighbours,
-                    std::size_t robot, SensingMemory& memory)
-      : engine_(engine), robots_(robots), neighbours_(neighbours), robot_(robot), memory_(memory) {}
+  RobotSurroundings(const physics::Engine& engine, const world::Things& things, Robots robots,
+                    const Neighbours& neighbours, std::size_t robot, SensingMemory& memory)
+      : engine_(engine),
+        things_(things),
+        robots_(robots),
+        neighbours_(neighbours),
+        robot_(robot),
+        memory_(memory) {}
 
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override {
     const auto hit = engine_.cast_ray(origin, direction, max_range_m, robot_);
     return hit ? std::optional(hit->distance) : std::nullopt;
   }
-  void cast_rays(const Frame& within, std::span<RayQuery> rays) const override {
-    engine_.cast_rays(within, rays, robot_);
+  void cast_rays(const Frame& within, std::span<RayQuery> rays,
+                 std::span<Surface> surfaces) const override {
+    engine_.cast_rays(within, rays, surfaces, robot_);
   }
   bool anything_in(const Pyramid& pyramid) const override {
     return engine_.anything_in(pyramid, robot_);
   }
+  Thing thing(const Surface& surface) const override { return things_.of(surface); }
   Pose pose() const override { return robots_[robot_]->truth().pose; }
+  const OwnState& self() const override { return robots_[robot_]->state(); }
+  std::span<const JointSetting> joints() const override { return robots_[robot_]->joints(); }
+  std::span<const Contact> contacts() const override { return robots_[robot_]->contacts(); }
+  BodyMotion motion() const override {
+    const physics::Motion motion = engine_.motion(robot_);
+    return {motion.velocity, motion.turning};
+  }
+  Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
+  std::span<const LampView> lamps() const override { return things_.lamps(); }
+  void things_within(double radius_m, std::vector<NearThing>& things) const override {
+    things_.within(
+        pose(), radius_m, [this](std::size_t i) { return engine_.has_obstacle(i); }, things);
+    const Pose here = pose();
+    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
+      if (i != robot_) things_.add_robot(i, here, robots_[i]->truth().pose, radius_m, things);
+    }
+  }
   std::optional<TeamMate> nearest_robot(double radius_m) const override {
     std::optional<TeamMate> nearest;
     for_each_within(radius_m, [&](const TeamMate& other) {
@@ -86,6 +111,7 @@ class RobotSurroundings final : public Surroundings {
   }
 
   const physics::Engine& engine_;
+  const world::Things& things_;
   Robots robots_;
   const Neighbours& neighbours_;
   std::size_t robot_;

@@ -67,7 +67,8 @@ void Simulation::Impl::control(double period_s) {
   // The other robots perceive what a robot decides now only in the next step.
   loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
     Robot& robot = *robots_[i];
-    robot.sense(RobotSurroundings(*engine_, robots_, *neighbours_, i, memory_[thread]), now);
+    robot.sense(RobotSurroundings(*engine_, *things_, robots_, *neighbours_, i, memory_[thread]),
+                now);
     update_team(i, memory_[thread].near);
     robot.decide(now);
     robot.use_energy(period_s);
@@ -91,7 +92,9 @@ void Simulation::Impl::move(bool decides) {
   }
   ++steps_;
   loop_.each(robots_, [&](std::size_t i, std::size_t) {
-    robots_[i]->moved(engine_->robot(i), engine_->joints(i), time_s(), world_.physics.step);
+    Robot& robot = *robots_[i];
+    robot.moved(engine_->robot(i), engine_->joints(i), time_s(), world_.physics.step);
+    if (robot.feels_contacts()) robot.touched(engine_->contacts(i));
   });
 }
 

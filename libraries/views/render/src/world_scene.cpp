@@ -11,8 +11,6 @@ constexpr Colour grey(std::uint8_t brightness) { return {brightness, brightness,
 // Without a hue, and darker than white in the shade (kDarkestShade).
 constexpr Colour kFloor = grey(80);
 constexpr Colour kSky = grey(140);
-constexpr Colour kWall = grey(130);
-constexpr world::BoxColours kBoxes{grey(115), grey(85), grey(70)};
 constexpr Colour kChassis = grey(120);
 constexpr Colour kTyre = grey(25);
 constexpr int kRoundPatch = 32;  // corners of a round patch
@@ -31,7 +29,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
         lamp.colour);
   }
   for (const world::Fixture& wall : world::walls_of(world.arena)) {
-    add(scene_, wall.shape, wall.frame, kWall);
+    add(scene_, wall.shape, wall.frame, world::kSeenWall);
   }
   for (const world::Charger& charger : world.chargers) {
     const world::Fixture fixture = world::fixture_of(charger);
@@ -45,7 +43,7 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
   for (const world::Obstacle& box : world.obstacles) {
     world::Fixture fixture = world::fixture_of(box);
     boxes_.push_back(add(scene_, fixture.shape, {.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}},
-                         world::box_colour(world, box, kBoxes)));
+                         world::box_colour(world, box, world::kSeenBoxes)));
     fixture.frame.origin = {box.x, box.y, box.z};
     put(scene_, boxes_.back(), fixture.frame);
   }

@@ -244,9 +244,16 @@ void Crowd::add_contact(const FoundContact& contact) {
     if (coming > surface.bounce_vel) row.target = std::max(row.target, surface.bounce * coming);
   }
   const int normal_row = solver_.add(row);
+  int last_row = normal_row;
+  const auto note_rows = [&] {
+    if (!contact.impulse) return;
+    contact.impulse->crowd = this;
+    contact.impulse->first_row = normal_row;
+    contact.impulse->last_row = last_row;
+  };
 
   const auto glides = [this](dBodyID body) { return body && places_.at(body).glides; };
-  if (glides(contact.a) || glides(contact.b)) return;
+  if (glides(contact.a) || glides(contact.b)) return note_rows();
   Vector3 first = to_vector(contact.contact.fdir1);
   if (!(surface.mode & dContactFDir1)) {
     dVector3 p, q;
@@ -259,12 +266,22 @@ void Crowd::add_contact(const FoundContact& contact) {
     friction.normal = normal_row;
     friction.mu = mu;
     friction.softness = softness / step;
-    solver_.add(friction);
+    last_row = solver_.add(friction);
   };
   const double cfm = softness_.cfm;
   add_friction(first, surface.mu, (surface.mode & dContactSlip1) ? surface.slip1 : cfm);
   add_friction(cross(normal, first), (surface.mode & dContactMu2) ? surface.mu2 : surface.mu,
                (surface.mode & dContactSlip2) ? surface.slip2 : cfm);
+  note_rows();
+}
+
+Vector3 Crowd::impulse(const ContactImpulse& of) const {
+  Vector3 sum;
+  for (int i = of.first_row; i <= of.last_row; ++i) {
+    const Row& row = solver_.rows()[static_cast<std::size_t>(i)];
+    sum = sum + row.impulse * row.linear;
+  }
+  return sum;
 }
 
 void Crowd::step(Method method) {

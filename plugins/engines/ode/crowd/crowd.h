@@ -52,6 +52,9 @@ class Crowd {
   /// A contact between two bodies that were added, or between one of them and a fixed body.
   void add_contact(const FoundContact& contact);
 
+  /// After step(): the impulse on the body `a` of a contact that was added, N s.
+  Vector3 impulse(const ContactImpulse& of) const;
+
   bool empty() const { return places_.empty(); }
   /// Sweeps suit heaps, in which everything touches everything; Newton's method suits chains.
   enum class Method { sweeps, newton };

@@ -93,8 +93,9 @@ void Islands::divide(std::span<FoundContacts> found, std::span<const OdeRobot> r
               members_[member_of(contact.a ? contact.member_a : contact.member_b)].crowd) {
         crowd->add_contact(contact);
       } else {
-        dJointAttach(dJointCreateContact(world_, joints_.get(), &contact.contact), contact.a,
-                     contact.b);
+        const dJointID joint = dJointCreateContact(world_, joints_.get(), &contact.contact);
+        dJointAttach(joint, contact.a, contact.b);
+        if (contact.impulse) dJointSetFeedback(joint, &contact.impulse->joint);
       }
     }
   }

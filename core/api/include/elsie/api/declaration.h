@@ -120,6 +120,7 @@ struct Declaration {
   std::vector<EventDeclaration> events;      // the events that it may raise
   std::vector<std::string> reacts_to;        // names of events
   std::vector<PublishedNumber> published;    // in the order of the declaration
+  bool feels_contacts = false;               // sensors: see feels_contacts()
   bool updates_all = false;                  // sensors: those of a robot are updated in one call
   /// Its objects may be called from several threads at once, each from one of them.
   bool may_share_threads = true;

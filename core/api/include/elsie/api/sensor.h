@@ -4,8 +4,8 @@
 // behaviour is asked. A sensor adds its own noise, from its own random stream.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,65 +16,14 @@
 
 #include "elsie/api/component.h"
 #include "elsie/api/disturbance.h"
-#include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/reading.h"
 #include "elsie/api/registration.h"
+#include "elsie/api/surroundings.h"
 #include "elsie/base/random.h"
 
 namespace elsie {
-
-/// A rectangular pyramid with its apex at the frame's origin and its axis along forward.
-struct Pyramid {
-  Frame frame;                    // in the world
-  double horizontal_fov_rad = 0;  // the full angle
-  double vertical_fov_rad = 0;    // the full angle
-  double range_m = 0;             // height of the pyramid, along its axis
-};
-
-/// One of several rays that are cast in one query.
-struct RayQuery {
-  static constexpr double kNothing = std::numeric_limits<double>::infinity();
-
-  const Frame* from = nullptr;  // it begins at the origin and runs forward
-  double max_range_m = 0.0;
-  double distance_m = kNothing;  // the answer: to the first surface; kNothing beyond the range
-};
-
-/// The queries that a sensor may make. They ignore the robot that carries the sensor.
-class Surroundings {
- public:
-  /// The distance in metres from `origin` to the first surface that range sensors see, along
-  /// `direction` (a unit vector), both in the world frame; none beyond `max_range_m`.
-  virtual std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
-                                         double max_range_m) const = 0;
-  /// The same for all these rays, faster: sets their distances. Their frames are given in the frame
-  /// `within`, as those of sensors in the robot's.
-  virtual void cast_rays(const Frame& within, std::span<RayQuery> rays) const {
-    for (RayQuery& ray : rays) {
-      ray.distance_m = cast_ray(within.point(ray.from->origin), within.direction(ray.from->forward),
-                                ray.max_range_m)
-                           .value_or(RayQuery::kNothing);
-    }
-  }
-  /// True if a body that proximity sensors see reaches into the volume. The floor does not count.
-  virtual bool anything_in(const Pyramid& pyramid) const = 0;
-  /// The true pose of the robot that carries the sensor.
-  virtual Pose pose() const = 0;
-  /// The nearest other robot of any team within the radius of the carrier, for radio or infra-red
-  /// beacons.
-  virtual std::optional<TeamMate> nearest_robot(double radius_m) const = 0;
-  /// Appends all other robots of any team within the radius of the carrier to `robots`, in file
-  /// order.
-  virtual void robots_within(double radius_m, std::vector<TeamMate>& robots) const = 0;
-  /// The colours of the resources that the carrier may collect, as cameras see them in full light:
-  /// each once, in file order. They do not change during a run.
-  virtual std::span<const Colour> resource_colours() const = 0;
-
- protected:
-  ~Surroundings() = default;
-};
 
 /// The instant at which a sensor is updated.
 struct SensorContext {
@@ -286,6 +235,11 @@ constexpr bool kUpdatesAll = !requires {
 };
 
 }  // namespace detail
+
+/// The sensor asks for Surroundings::contacts(), which the simulator does not compute for others.
+inline auto feels_contacts() {
+  return [](Declaration& declaration) { declaration.feels_contacts = true; };
+}
 
 /// Makes a sensor class a plugin; see ELSIE_BEHAVIOR. The kind of reading comes from its base
 /// class.

@@ -62,6 +62,27 @@ struct Touch {
   friend auto operator<=>(const Touch&, const Touch&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
+/// A place at which a robot touched another body in the last step.
+struct BodyContact {
+  std::size_t vehicle = 0;  // 0: the robot itself; then its segments, counted backwards from it
+  Body other;
+  Vector3 point;    // in the world, m
+  Vector3 normal;   // in the world, a unit vector from the other body to the robot
+  Vector3 impulse;  // in the world, N s, of the whole step on the robot, friction included
+
+  /// The part of the impulse that presses.
+  double pressing() const { return dot(impulse, normal); }
+};
+
+/// The motion of a robot's or a segment's frame (its origin), in the world. Accelerations are
+/// changes of velocity over the last step, without gravity: a robot at rest has none.
+struct Motion {
+  Vector3 velocity;              // m/s
+  Vector3 turning;               // rad/s
+  Vector3 acceleration;          // m/s2; zero unless it is watched
+  Vector3 turning_acceleration;  // rad/s2; zero unless it is watched
+};
+
 /// Steps in which the engine found no motion that satisfies all constraints: contacts, joints and
 /// motors. It has then relaxed them.
 struct GiveUps {
@@ -149,6 +170,18 @@ class Engine {
   /// Contacts of the last step.
   virtual std::span<const Touch> touches() const = 0;
 
+  /// From the next step on, contacts() has this robot's. States stay the same bit for bit. A robot
+  /// that another engine adds of this one is watched there, too, likewise by watch_motion().
+  virtual void watch_contacts(std::size_t robot) = 0;
+  /// Where a watched robot touched something other than the floor and itself in the last step: at
+  /// its beginning (to within 0.02 mm) or with an impulse. Ordered by vehicle, body and place; valid
+  /// until the next step. A surface that is met all over has a contact at each of a few points.
+  virtual std::span<const BodyContact> contacts(std::size_t robot) const = 0;
+  /// From the next step on, motion() and segment_motion() have this robot's accelerations.
+  virtual void watch_motion(std::size_t robot) = 0;
+  virtual Motion motion(std::size_t robot) const = 0;
+  virtual Motion segment_motion(std::size_t robot, std::size_t segment) const = 0;
+
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
   /// as range sensors see the world: floor (from above), walls, obstacles that are visible to them,
   /// and robots (wheels and chassis). A chassis with a flat top has a sensor deck of 2 cm on it, so
@@ -158,9 +191,15 @@ class Engine {
   virtual std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction,
                                          double max_range, std::size_t except) const = 0;
   /// The same for several rays, whose frames are given in the frame `within`: sets their distances.
-  /// Only one thread at a time may ask for a robot.
+  /// Rays that follow each other and start at one point share the search for bodies. Only one
+  /// thread at a time may ask for a robot.
+  void cast_rays(const Frame& within, std::span<RayQuery> rays, std::size_t except) const {
+    cast_rays(within, rays, {}, except);
+  }
+  /// The same, and sets what each of them hit, unless there are no `surfaces`. Throws
+  /// std::invalid_argument if they are not as many as the rays.
   virtual void cast_rays(const Frame& within, std::span<RayQuery> rays,
-                         std::size_t except) const = 0;
+                         std::span<Surface> surfaces, std::size_t except) const = 0;
   /// Returns whether a wall, a visible obstacle or a robot other than `except` reaches into the
   /// pyramid, whose far face is flat, at the distance `range_m` along its axis. Robots are seen as
   /// by rays, but with the boxes around their wheels, and around a chassis that is a ball or a
@@ -187,7 +226,7 @@ using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics&
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 5;
+  std::uint32_t version = 6;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t obstacle = sizeof(world::Obstacle);

@@ -37,6 +37,9 @@ Colour resource_colour(const World& world, const Obstacle& resource);
 struct BoxColours {
   Colour fixed, dynamic, moving;
 };
+/// What cameras and other sensors see of walls and of boxes without a colour.
+inline constexpr Colour kSeenWall{130, 130, 130};
+inline constexpr BoxColours kSeenBoxes{{115, 115, 115}, {85, 85, 85}, {70, 70, 70}};
 /// The colour of a box in full light: its own, else resource_colour() for a resource, else the
 /// colour of its kind.
 Colour box_colour(const World& world, const Obstacle& obstacle, const BoxColours& otherwise);

@@ -9,6 +9,10 @@
 #include "elsie/testing/picture.h"
 #include "elsie/world/description.h"
 
+namespace elsie::world {
+class Things;
+}
+
 namespace elsie::testing {
 
 ///   Surroundings room;
@@ -39,10 +43,37 @@ class Surroundings final : public elsie::Surroundings {
   /// The same with a body that is not the default one: round, say, or with segments.
   Surroundings& robot(const world::Robot& robot);
 
+  /// Adds a mark at which robots of any team charge.
+  Surroundings& charger(double x, double y, double radius = 0.15);
+  Surroundings& lamp(double x, double y, double z = 0.5, double intensity = 1.0,
+                     const Colour& colour = {255, 255, 255});
+  /// Paints the whole floor, or a patch on it.
+  Surroundings& floor(const Colour& colour);
+  Surroundings& patch(const world::Patch& patch);
+  /// Adds a touch of the carrier's body with the last box, wall or robot that was added.
+  Surroundings& touch(const Vector3& place, const Vector3& normal, double impulse_n_s = 0.01,
+                      std::size_t vehicle = 0);
+  Surroundings& moving(const BodyMotion& motion);
+  Surroundings& joints(std::vector<JointSetting> joints);
+
+  /// The carrier's own state, to be set.
+  OwnState carrier;
+
   std::optional<double> cast_ray(const Vector3& origin, const Vector3& direction,
                                  double max_range_m) const override;
+  using elsie::Surroundings::cast_rays;
+  void cast_rays(const Frame& within, std::span<RayQuery> rays,
+                 std::span<Surface> surfaces) const override;
   bool anything_in(const Pyramid& pyramid) const override;
+  Thing thing(const Surface& surface) const override;
   Pose pose() const override { return pose_; }
+  const OwnState& self() const override { return carrier; }
+  std::span<const JointSetting> joints() const override { return joints_; }
+  std::span<const Contact> contacts() const override { return contacts_; }
+  BodyMotion motion() const override { return motion_; }
+  Colour floor_colour(const Vector2& place) const override;
+  std::span<const LampView> lamps() const override;
+  void things_within(double radius_m, std::vector<NearThing>& things) const override;
   std::optional<TeamMate> nearest_robot(double radius_m) const override;
   void robots_within(double radius_m, std::vector<TeamMate>& robots) const override;
   std::span<const Colour> resource_colours() const override { return colours_; }
@@ -57,9 +88,14 @@ class Surroundings final : public elsie::Surroundings {
   struct Engine;
 
   Surroundings& add(const world::Obstacle& box);
+  const world::Things& things() const;
 
   Pose pose_;
   world::World world_;
+  std::vector<JointSetting> joints_;
+  std::vector<Contact> contacts_;
+  BodyMotion motion_;
+  Surface last_;  // what was added
   std::vector<Colour> colours_;
   std::unique_ptr<Engine> engine_;
 };

@@ -2,9 +2,9 @@
 // it share this header, and nothing else.
 #pragma once
 
-/// Which way the robot looks, as a magnetic compass has it.
-struct CompassReading {
-  static constexpr const char* kind = "compass";
+/// Which way the robot looks, as a gyrocompass has it.
+struct GyrocompassReading {
+  static constexpr const char* kind = "gyrocompass";
   double heading_rad = 0.0;  // counter-clockwise from east, in (-pi, pi]
 
   template <class Visitor>

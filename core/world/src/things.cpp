@@ -1,0 +1,81 @@
+#include "elsie/world/things.h"
+
+#include <cmath>
+
+#include "elsie/world/colours.h"
+
+namespace elsie::world {
+
+Things::Things(const World& world) : world_(world), floor_(world) {
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    if (world.obstacles[i].kind == ObstacleKind::resource) resources_.push_back(i);
+  }
+  for (const Charger& charger : world.chargers) {
+    if (charger.seen_by_range_sensors) boxes_.push_back(&charger);
+  }
+  for (const Lamp& lamp : world.lamps) {
+    lamps_.push_back({lamp.id, {lamp.x, lamp.y, lamp.z}, lamp.intensity, lamp.colour});
+  }
+}
+
+Thing Things::resource(const Obstacle& obstacle) const {
+  return {Thing::Kind::resource, obstacle.id, obstacle.team, resource_colour(world_, obstacle)};
+}
+
+Thing Things::charger(const Charger& charger) const {
+  return {Thing::Kind::charger, charger.id, charger.team, kChargerColour};
+}
+
+Thing Things::of(const Surface& surface) const {
+  switch (surface.kind) {
+    case Surface::Kind::nothing:
+      return {};
+    case Surface::Kind::floor:
+      return {Thing::Kind::floor, {}, {}, world_.floor.colour.value_or(kPlainFloor)};
+    case Surface::Kind::wall:
+      return {Thing::Kind::wall, {}, {}, kSeenWall};
+    case Surface::Kind::robot:
+      return robot(surface.index);
+    case Surface::Kind::obstacle:
+      break;
+  }
+  if (surface.index >= world_.obstacles.size()) {
+    return charger(*boxes_[surface.index - world_.obstacles.size()]);
+  }
+  const Obstacle& obstacle = world_.obstacles[surface.index];
+  if (obstacle.kind == ObstacleKind::resource) return resource(obstacle);
+  return {Thing::Kind::obstacle, obstacle.id, {}, box_colour(world_, obstacle, kSeenBoxes)};
+}
+
+Thing Things::robot(std::size_t index) const {
+  const Robot& robot = world_.robots[index];
+  return {Thing::Kind::robot, robot.id, robot.team, team_colour(world_, robot.team)};
+}
+
+void Things::add_robot(std::size_t index, const Pose& from, const Pose& place, double radius_m,
+                       std::vector<NearThing>& things) const {
+  if (const double far = distance(from, place); far <= radius_m) {
+    things.push_back({robot(index), {place.x, place.y}, far, bearing(from, place.x, place.y)});
+  }
+}
+
+void Things::within(const Pose& from, double radius_m,
+                    const std::function<bool(std::size_t)>& is_there,
+                    std::vector<NearThing>& things) const {
+  const auto add = [&](const Thing& thing, double x, double y) {
+    if (const double far = std::hypot(x - from.x, y - from.y); far <= radius_m) {
+      things.push_back({thing, {x, y}, far, bearing(from, x, y)});
+    }
+  };
+  for (const std::size_t i : resources_) {
+    const Obstacle& obstacle = world_.obstacles[i];
+    if (std::abs(obstacle.x - from.x) <= radius_m && is_there(i)) {
+      add(resource(obstacle), obstacle.x, obstacle.y);
+    }
+  }
+  for (const Charger& each : world_.chargers) {
+    add(charger(each), each.x, each.y);
+  }
+}
+
+}  // namespace elsie::world
