@@ -101,8 +101,8 @@ void MainWindow::make_docks() {
   };
   show_numbers();
   connect(past_, &Past::numbers_changed, this, show_numbers);
-  connect(past_, &Past::named, this, [this](const QStringList& names) {
-    plots_->set_names(names);
+  connect(past_, &Past::named, this, [this](const QStringList& names, const QHash<QString, QString>& units) {
+    plots_->set_names(names, units);
     request_past();
   });
 }

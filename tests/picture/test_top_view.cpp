@@ -224,7 +224,8 @@ TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
   Sketch sketch(Frame{});
   add_beam(sketch, {}, {1.5, 0.5, 0}, true);
   add_beam(sketch, {}, {1.5, -1.5, 0}, false);
-  scene.view.robots = {{"r", {}, {}, {sketch}, {}}};
+  const RobotTrack track{"r", {}, {}, {sketch}, {}};
+  scene.view.robots = {track};
   const Bitmap image = scene.image();
   const auto ochre = [](const Pixel& p) { return p.red > p.blue + 90 && p.green > p.blue + 40; };
   CHECK(image.count(scene.place(1.5, 0.5), 2, ochre) >= 15);

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -32,6 +34,9 @@ class Numbers {
 
   static constexpr std::string_view kMeasures = "measures";  // before the slash
 
+  /// By the names of numbers that have one.
+  using Units = std::map<std::string, std::string, std::less<>>;
+
   explicit Numbers(std::size_t most = std::size_t{200} << 20) : samples_(most) {}
 
   /// Begins a new run. The first sample must be added at once.
@@ -54,6 +59,7 @@ class Numbers {
   /// The present names, and the number of this list, which changes with it.
   const std::vector<std::string>& names() const { return names_->names(); }
   std::uint64_t layout() const { return layout_; }
+  const Units& units() const { return units_; }
   /// The values of these numbers in some samples: all of the first number, all of the second, ...
   static std::vector<float> values(std::span<const std::string> names,
                                    std::span<const Sample> samples);
@@ -77,6 +83,7 @@ class Numbers {
 
   Samples<Sample> samples_;
   SharedNames names_;
+  Units units_;
   std::unordered_map<std::string, std::size_t> further_;  // places of measures and fuzzy values
   std::size_t fixed_ = 0;                                 // the number of names before them
   std::uint64_t layout_ = 0;
