@@ -293,18 +293,16 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       }
       for (std::size_t s = 0; options_.images && s < simulation.sensors(r); ++s) {
         const SensorView sensor = simulation.sensor(r, s);
-        if (!sensor.camera) {
-          continue;
-        }
         const std::string topic = "cameras/" + std::string(sensor.id);
-        CameraChannels camera{s, {{"raw", own(topic, image)}}};
+        CameraChannels camera{s, {}};
+        if (sensor.camera) camera.of.emplace("raw", own(topic, image));
         simulation.visit_reading(r, s, [&](const ReadingField& field) {
           const std::string name(field.name);
           if (!field.is_number() && !camera.of.contains(name)) {
-            camera.of.emplace(name, own(topic + "/" + name, image));
+            camera.of.emplace(name, own(name == "raw" ? topic : topic + "/" + name, image));
           }
         });
-        channels.cameras.push_back(std::move(camera));
+        if (!camera.of.empty()) channels.cameras.push_back(std::move(camera));
       }
       robots_.push_back(std::move(channels));
     }
