@@ -254,7 +254,7 @@ TEST_CASE("A field is of pale dots, a target a circle with a cross, a wish an ar
   CHECK(image.count(scene.place(2, -2), 1, purple) >= 3);
   CHECK(image.count(scene.place(2.95, -2), 4, purple) >= 10);  // its head
   const int drawn = image.count(scene.place(-2, -2), 10, dark);
-  CHECK(drawn > 5);   // the belief is dashed
+  CHECK(drawn > 5);  // the belief is dashed
   CHECK(drawn < 35);
   CHECK(image.count(scene.place(0, -3), 10, bluish) > 10);
 }

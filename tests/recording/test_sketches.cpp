@@ -44,8 +44,8 @@ struct DrawingHost {
   plugin::Host host{shipped_directory()};
 
   DrawingHost() {
-    Declaration drawing = declaration_of(PluginKind::behavior, "drawing",
-                                         [] { return std::make_unique<Drawing>(); });
+    Declaration drawing =
+        declaration_of(PluginKind::behavior, "drawing", [] { return std::make_unique<Drawing>(); });
     drawing.published.push_back(clearance());
     host.add(std::move(drawing));
   }
@@ -68,8 +68,8 @@ TEST_CASE("Sketches are read back from a message as they were drawn") {
   sketch.points(SketchRole::belief, std::vector<Vector3>{{1, 2, 3}, {4, 5, 6}});
   sketch.line(SketchRole::range, {0, 0, 0}, {0, 2, 0});
   const simulation::PluginSketch one{"explore/draw", PluginKind::behavior, sketch};
-  const recording::Json message = recording::sketches_message(
-      1'000'000'000, 150'000'000, "r1", std::span(&one, std::size_t{1}));
+  const recording::Json message = recording::sketches_message(1'000'000'000, 150'000'000, "r1",
+                                                              std::span(&one, std::size_t{1}));
   REQUIRE(message["entities"].size() == 1);
   CHECK(message["entities"][0]["id"] == "r1/explore/draw");
   CHECK(message["entities"][0]["frame_id"] == "world");
@@ -158,8 +158,7 @@ TEST_CASE("A localisation has a channel of what the robot believes, and columns 
   CHECK_FALSE(run.robots[1].believed);
 
   const std::vector<std::string> lines = lines_of(table.path);
-  CHECK_THAT(lines[0],
-             Catch::Contains(",believed_x_m,believed_y_m,believed_heading_rad"));
+  CHECK_THAT(lines[0], Catch::Contains(",believed_x_m,believed_y_m,believed_heading_rad"));
   CHECK_THAT(lines[2], Catch::Contains(",,,"));  // r2 knows
 }
 

@@ -95,10 +95,9 @@ std::vector<SensorsPanel::Row> SensorsPanel::rows_of(const Json& field) const {
   const auto size = static_cast<std::size_t>(std::max(integer_of(field, "size", 0), 0));
   if (size > kMostRows) {
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    const QString range = values.empty() ? QStringLiteral("-")
-                                         : tr("%1 to %2").arg(number_text(*least),
-                                                              number_text(*greatest)) +
-                                               of_unit;
+    const QString range =
+        values.empty() ? QStringLiteral("-")
+                       : tr("%1 to %2").arg(number_text(*least), number_text(*greatest)) + of_unit;
     return {{tr("%1 (%2)").arg(name).arg(values.size()), range, std::move(values)}};
   }
   std::vector<Row> rows;
@@ -136,17 +135,16 @@ QPixmap SensorsPanel::strip_of(const std::vector<double>& values) const {
   strip.fill(Qt::transparent);
   QPainter painter(&strip);
   for (std::size_t i = 0; i < columns && range > 0.0; ++i) {
-    const std::size_t begin = i * values.size() / columns,
-                      end = (i + 1) * values.size() / columns;
+    const std::size_t begin = i * values.size() / columns, end = (i + 1) * values.size() / columns;
     const double mean = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
                                         values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
                         static_cast<double>(end - begin);
     const double wide = static_cast<double>(size.width()) / static_cast<double>(columns);
     const double y = size.height() * (1.0 - (mean - least) / range);
     const double zero = size.height() * (1.0 + least / range);
-    painter.fillRect(QRectF(static_cast<double>(i) * wide, std::min(y, zero), wide,
-                            std::abs(zero - y)),
-                     palette().color(QPalette::Highlight));
+    painter.fillRect(
+        QRectF(static_cast<double>(i) * wide, std::min(y, zero), wide, std::abs(zero - y)),
+        palette().color(QPalette::Highlight));
   }
   return strip;
 }

@@ -29,9 +29,10 @@ void Marks::add_all(const std::string& whose, const List& list) {
     for (const simulation::PluginSketch& each : list()) add(each.sketch);
   } catch (const simulation::PluginFault& fault) {
     failed_.insert(whose);
-    notes_.push_back({fault.robot, fault.id,
-                      std::string("sketches are not drawn from now on, until an edit or a reset: ") +
-                          fault.what()});
+    notes_.push_back(
+        {fault.robot, fault.id,
+         std::string("sketches are not drawn from now on, until an edit or a reset: ") +
+             fault.what()});
   }
 }
 

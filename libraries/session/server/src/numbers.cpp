@@ -147,8 +147,8 @@ void Numbers::visit_published(std::string_view whose, std::pair<std::size_t, std
   std::vector<Number> numbers;
   const auto list_all = [&] {
     list([&](const simulation::PublishedValue& each) {
-      numbers.push_back({std::string(each.path) + '/' + each.number.name, each.value,
-                         each.number.facts.unit});
+      numbers.push_back(
+          {std::string(each.path) + '/' + each.number.name, each.value, each.number.facts.unit});
     });
   };
   if (!succeeds(source, list_all)) return;

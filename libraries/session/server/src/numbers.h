@@ -89,7 +89,7 @@ class Numbers {
   std::uint64_t layout_ = 0;
   std::set<std::pair<std::size_t, std::size_t>> failed_;
   std::set<std::pair<std::size_t, std::size_t>> silent_;  // they publish nothing
-  std::set<std::pair<std::string, std::string>> noted_;  // the robot and the id of a plugin
+  std::set<std::pair<std::string, std::string>> noted_;   // the robot and the id of a plugin
   std::vector<simulation::Note> notes_;
 };
 

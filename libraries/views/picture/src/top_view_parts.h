@@ -32,7 +32,7 @@ struct DrawnRobot {
 struct Scene {
   const world::World& world;
   std::vector<DrawnRobot> robots;
-  std::vector<Sketch> sketches;  // of measures
+  std::vector<Sketch> sketches;            // of measures
   std::vector<std::optional<Pose>> boxes;  // one for each box of the world
   std::string title;
   std::vector<std::string> subtitles;

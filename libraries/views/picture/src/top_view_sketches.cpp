@@ -89,8 +89,8 @@ class LinePainter {
       return;
     }
     for (const double part : {0.2, 0.4, 0.6, 0.8, 1.0}) {
-      labels_.avoid_spot({run[0].x + part * (run[1].x - run[0].x),
-                          run[0].y + part * (run[1].y - run[0].y)});
+      labels_.avoid_spot(
+          {run[0].x + part * (run[1].x - run[0].x), run[0].y + part * (run[1].y - run[0].y)});
     }
   }
 

@@ -266,7 +266,7 @@ class CsvRecorder final : public simulation::Observer {
   files::RecordFile out_;
   double rate_hz_;
   bool with_times_;
-  bool believes_ = false;  // a robot had a localisation at the start
+  bool believes_ = false;         // a robot had a localisation at the start
   std::set<std::string> robots_;  // ids; empty: all
   double flushed_at_s_ = 0.0;
   traces::Sampling sampling_;

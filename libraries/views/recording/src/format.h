@@ -31,7 +31,8 @@ constexpr const char* kPublishedTopic = "/published";
 constexpr const char* kSketchesKind = "sketches";
 constexpr const char* kBeliefKind = "belief";
 constexpr const char* kPublishedKind = "published";
-constexpr const char* kPublishedNumbers = "numbers";  // its metadata: the numbers and their units, as JSON
+constexpr const char* kPublishedNumbers =
+    "numbers";  // its metadata: the numbers and their units, as JSON
 
 /// "/robots/r1/pose"
 inline std::string robot_topic(std::string_view robot, std::string_view kind) {

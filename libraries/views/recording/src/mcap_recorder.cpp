@@ -41,9 +41,8 @@ VisitAllPublished published_of(const Simulation& simulation, std::size_t robot) 
   };
 }
 VisitAllPublished published_of_measures(const Simulation& simulation) {
-  return [&simulation](const simulation::VisitPublished& visit) {
-    simulation.visit_published(visit);
-  };
+  return
+      [&simulation](const simulation::VisitPublished& visit) { simulation.visit_published(visit); };
 }
 
 class McapRecorder final : public simulation::Observer, private files::EmergencyWriter {
@@ -428,15 +427,14 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     write(*to, time_ns, sketches_message(time_ns, lifetime_ns, whose, sketches));
   }
 
-  void write_decision(const Simulation& simulation, RobotChannels& channels,
-                      const RobotView& robot, std::uint64_t time_ns) {
+  void write_decision(const Simulation& simulation, RobotChannels& channels, const RobotView& robot,
+                      std::uint64_t time_ns) {
     const std::size_t r = channels.place;
     write_readings(simulation, channels, time_ns);
     write(channels.command, time_ns, command_message(decided_ns_, robot));
     write_sketches(channels.sketches, robot.description, simulation.sketches(r), time_ns);
     if (channels.published) {
-      write(*channels.published, time_ns,
-            published_message(time_ns, published_of(simulation, r)));
+      write(*channels.published, time_ns, published_message(time_ns, published_of(simulation, r)));
     }
     if (new_pictures_ && !channels.cameras.empty() && !blind_[r]) {
       write_pictures(simulation, channels, time_ns);

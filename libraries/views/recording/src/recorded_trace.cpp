@@ -241,8 +241,8 @@ class TraceBuilder final : public Visitor {
 
   Trace& trace_;
   double decided_s_ = -1.0;
-  std::size_t introduced_ = 0;                   // robots of the world's last message
-  std::map<std::uint16_t, std::size_t> places_;  // of robots, by the ids of their channels
+  std::size_t introduced_ = 0;                       // robots of the world's last message
+  std::map<std::uint16_t, std::size_t> places_;      // of robots, by the ids of their channels
   std::map<std::uint16_t, std::size_t> publishers_;  // likewise, by those of published numbers
   std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};

@@ -26,22 +26,23 @@ struct RoleStyle {
   double opacity;
   double diameter_m;  // of its points
 };
-constexpr std::array<RoleStyle, 6> kStyles{{{{0x9a, 0x9f, 0xa6}, 0.8, 0.015},  // range
-                                            {{0xd0, 0x30, 0x30}, 0.8, 0.02},   // hit
-                                            {{0x2f, 0x6f, 0x9f}, 0.35, 0.04},  // field
-                                            {{0x1b, 0x5f, 0xb0}, 0.9, 0.05},   // target
-                                            {{0x9c, 0x2f, 0x8a}, 0.9, 0.02},   // wish
+constexpr std::array<RoleStyle, 6> kStyles{{{{0x9a, 0x9f, 0xa6}, 0.8, 0.015},   // range
+                                            {{0xd0, 0x30, 0x30}, 0.8, 0.02},    // hit
+                                            {{0x2f, 0x6f, 0x9f}, 0.35, 0.04},   // field
+                                            {{0x1b, 0x5f, 0xb0}, 0.9, 0.05},    // target
+                                            {{0x9c, 0x2f, 0x8a}, 0.9, 0.02},    // wish
                                             {{0x5a, 0x5f, 0x6b}, 0.7, 0.03}}};  // belief
 
 const RoleStyle& style_of(SketchRole role) { return kStyles.at(static_cast<std::size_t>(role)); }
-Json colour_of(SketchRole role) { return colour_json(style_of(role).colour, style_of(role).opacity); }
+Json colour_of(SketchRole role) {
+  return colour_json(style_of(role).colour, style_of(role).opacity);
+}
 
 /// Pairs of points.
 Json line_list(SketchRole role) {
   constexpr int kPairs = 2;  // foxglove.LineType: LINE_LIST
-  return {{"type", kPairs},          {"pose", pose_json({})},
-          {"thickness", 2.0},        {"scale_invariant", true},
-          {"points", Json::array()}, {"color", colour_of(role)},
+  return {{"type", kPairs},          {"pose", pose_json({})},   {"thickness", 2.0},
+          {"scale_invariant", true}, {"points", Json::array()}, {"color", colour_of(role)},
           {"colors", Json::array()}, {"indices", Json::array()}};
 }
 
@@ -56,16 +57,13 @@ Json arrow(SketchRole role, const Vector3& from, const Vector3& to) {
   const Vector3 way = to - from;
   const double flat = std::hypot(way.x, way.y), length = std::hypot(flat, way.z);
   const Frame frame = Frame::turned(from, std::atan2(way.y, way.x), std::atan2(way.z, flat));
-  return {{"pose", pose_json(frame)},
-          {"shaft_length", 0.75 * length},
-          {"shaft_diameter", 0.01},
-          {"head_length", 0.25 * length},
-          {"head_diameter", 0.025},
-          {"color", colour_of(role)}};
+  return {{"pose", pose_json(frame)}, {"shaft_length", 0.75 * length},
+          {"shaft_diameter", 0.01},   {"head_length", 0.25 * length},
+          {"head_diameter", 0.025},   {"color", colour_of(role)}};
 }
 
 Json text(SketchRole role, const Vector3& at, const std::string& text) {
-  return {{"pose", pose_json({.origin = at})}, {"billboard", true},          {"font_size", 0.05},
+  return {{"pose", pose_json({.origin = at})}, {"billboard", true},        {"font_size", 0.05},
           {"scale_invariant", false},          {"color", colour_of(role)}, {"text", text}};
 }
 
@@ -78,7 +76,8 @@ void add_marks(const Sketch& sketch, Json& entity) {
     const auto places = sketch.places(mark);
     const SketchRole role = hits.role_of(mark);
     const auto number = static_cast<std::size_t>(role);
-    listed.push_back({kKinds[static_cast<std::size_t>(mark.kind)], kSketchRoles[number], mark.count});
+    listed.push_back(
+        {kKinds[static_cast<std::size_t>(mark.kind)], kSketchRoles[number], mark.count});
     switch (mark.kind) {
       case Sketch::Kind::points:
         for (const Vector3& at : places) entity["spheres"].push_back(sphere(role, at));

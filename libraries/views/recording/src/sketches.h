@@ -13,9 +13,9 @@
 
 namespace elsie::recording {
 
-/// An entity for each plugin, which vanishes after its lifetime if no other message renews it: lines
-/// as one list for each role, points as spheres, arrows and texts. Its metadata list the marks, so
-/// that they can be read back. `whose`: the robot, or "measures".
+/// An entity for each plugin, which vanishes after its lifetime if no other message renews it:
+/// lines as one list for each role, points as spheres, arrows and texts. Its metadata list the
+/// marks, so that they can be read back. `whose`: the robot, or "measures".
 Json sketches_message(std::uint64_t time_ns, std::uint64_t lifetime_ns, const std::string& whose,
                       std::span<const simulation::PluginSketch> sketches);
 

@@ -49,8 +49,8 @@ struct MarkState {
 struct SnapshotFacts {
   std::uint64_t epoch = 0;  // the number of the scene to which the bodies belong
   std::uint64_t steps = 0;
-  double time_s = 0.0;  // simulated
-  double pace = 0.0;    // recent simulated seconds per second on the clock
+  double time_s = 0.0;         // simulated
+  double pace = 0.0;           // recent simulated seconds per second on the clock
   std::uint64_t left_out = 0;  // marks for which a snapshot has no room
 };
 

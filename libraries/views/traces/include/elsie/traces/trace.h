@@ -56,7 +56,8 @@ struct TraceEvent {
   std::optional<events::Changed> changed{};  // the edit, for `changed`
 };
 
-/// A number that a plugin of a robot published, at the samples of the recording at which it existed.
+/// A number that a plugin of a robot published, at the samples of the recording at which it
+/// existed.
 struct TraceNumber {
   std::string path;  // of the plugin: "explore/avoid_obstacle"
   std::string name;
