@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/picture/floor_tiles.h"
+#include "elsie/picture/hits.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/description.h"
@@ -292,7 +293,9 @@ TEST_CASE("Where a robot believes it is: a dotted path and a dashed outline") {
 TEST_CASE("A touch is a small red cross") {
   Stage scene;
   scene.add_robot("r", "blue", {0, 0, 0});
-  scene.view.robots = {{"r", {}, {}, {}, {{2.5, 2.5}}}};
+  RobotTrack track{"r", {}, {}, {}, {}};
+  track.touches = {{2.5, 2.5}};
+  scene.view.robots = {track};
   const Bitmap image = scene.image();
   const Vector2 at = scene.place(2.5, 2.5);
   CHECK(image.at(at).reddish());
@@ -533,4 +536,18 @@ TEST_CASE("The tiles of an image are as few as its colours allow, and cover it")
   for (const FloorTile& tile : tiles) area += (tile.right - tile.left) * (tile.top - tile.bottom);
   CHECK(area == Approx(100.0));
   CHECK(floor_tiles(world, 10).size() <= 5);
+}
+
+TEST_CASE("A straight line of a range that ends at a hit is shown as one") {
+  Sketch sketch(Frame{});
+  sketch.line(SketchRole::range, {0, 0, 0}, {1, 0, 0});
+  sketch.line(SketchRole::range, {0, 0, 0}, {0, 1, 0});
+  sketch.line(SketchRole::range, std::vector<Vector3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}});
+  sketch.line(SketchRole::target, {0, 0, 0}, {1, 0, 0});
+  sketch.points(SketchRole::hit, std::vector<Vector3>{{3, 0, 0}, {1, 0, 0}});
+  const Hits hits(sketch);
+  std::vector<SketchRole> roles;
+  for (const Sketch::Mark& mark : sketch.marks()) roles.push_back(hits.role_of(mark));
+  CHECK(roles == std::vector{SketchRole::hit, SketchRole::range, SketchRole::range,
+                             SketchRole::target, SketchRole::hit});
 }

@@ -123,7 +123,15 @@ TEST_CASE("What a plugin draws and publishes has channels; a world without it ha
     INFO(topic);
     CHECK_FALSE(all.contains(topic));
   }
-  const mcap::Reader reader(file.path);
+  const traces::Trace trace = recording::read_trace(file.path);
+  REQUIRE(trace.robots[0].numbers.size() == 1);
+  const traces::TraceNumber& number = trace.robots[0].numbers[0];
+  CHECK(number.path == "drawing");
+  CHECK(number.name == "clearance");
+  CHECK(number.unit == "m");
+  REQUIRE(number.samples.size() > 3);
+  CHECK(number.samples.back().value == 1.5);
+  CHECK(trace.robots[1].numbers.empty());
 }
 
 TEST_CASE("A localisation has a channel of what the robot believes, and columns of a table") {

@@ -17,7 +17,7 @@ namespace elsie::desktop {
 namespace {
 
 constexpr std::size_t kMostRows = 8;  // of an array; longer ones are strips
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -83,7 +83,7 @@ std::vector<SensorsPanel::Row> SensorsPanel::rows_of(const Json& field) const {
   const QString of_unit = unit.isEmpty() ? QString() : u' ' + unit;
   std::vector<double> values;
   for (const Json& value : member(field, "values")) {
-    values.push_back(value.is_number() ? value.get<double>() : kNoValue);
+    values.push_back(value.is_number() ? value.get<double>() : kAbsent);
   }
   const auto text = [&](std::size_t i) {
     return i < values.size() && std::isfinite(values[i]) ? number_text(values[i]) + of_unit

@@ -22,7 +22,8 @@ Hits::Hits(const Sketch& sketch) : sketch_(sketch) {
 }
 
 SketchRole Hits::role_of(const Sketch::Mark& mark) const {
-  if (mark.kind != Sketch::Kind::line || mark.role != SketchRole::range) return mark.role;
+  const bool is_ray = mark.kind == Sketch::Kind::line && mark.count == 2;
+  if (!is_ray || mark.role != SketchRole::range) return mark.role;
   const bool ends_at_hit =
       std::binary_search(places_.begin(), places_.end(), sketch_.places(mark).back(), is_before);
   return ends_at_hit ? SketchRole::hit : SketchRole::range;

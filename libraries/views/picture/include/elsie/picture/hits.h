@@ -13,8 +13,8 @@ class Hits {
   /// The sketch must outlive it.
   explicit Hits(const Sketch& sketch);
 
-  /// The role by which a mark is shown. A line of role `range` that ends at a hit is shown as one:
-  /// so a beam that meets something looks unlike one that does not.
+  /// The role by which a mark is shown. A straight line of role `range` that ends at a hit is shown
+  /// as one: so a beam that meets something looks unlike one that does not.
   SketchRole role_of(const Sketch::Mark& mark) const;
 
  private:
