@@ -388,11 +388,14 @@ TEST_CASE("Positions that are not finite are left out") {
   scene.add_robot("r", "red", {0, 0, 0});
   scene.add_robot("s", "red", {2, 2, 0});
   scene.add_obstacle(world::ObstacleKind::dynamic, 1, 1, 0.3);
-  scene.view.robots = {{"r",
-                        {{0, 0, 0}, {nan, 0, 0}, {1, infinity, 0}, {1e300, 0, 0}, {1, 1, 0}},
-                        {nan, nan, nan},
-                        {{{nan, 0}, {0, infinity}, true}, {{0, 0}, {1e200, -1e200}, false}},
-                        {{nan, nan}}}};
+  Sketch far(Frame{});  // a sketch refuses places that are not finite
+  add_beam(far, {}, {1e200, -1e200, 0}, false);
+  const RobotTrack track{"r",
+                         {{0, 0, 0}, {nan, 0, 0}, {1, infinity, 0}, {1e300, 0, 0}, {1, 1, 0}},
+                         {nan, nan, nan},
+                         {far},
+                         {{nan, nan}}};
+  scene.view.robots = {track};
   scene.view.boxes = {Pose{nan, infinity, 0}};
   scene.view.path_period_s = 1.0;
   CHECK(scene.image().at(scene.place(2, 2)).reddish());
