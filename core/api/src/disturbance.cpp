@@ -51,6 +51,7 @@ ElementDeclaration declared(const ElementItem<Item>& item, std::size_t list,
   element.meaning = item.meaning;
   element.parameters = item.parameters;
   element.list = list;
+  element.is_of_kind = true;
   element.clear = [list_of](Component& object) { list_of(object).clear(); };
   element.append = [list_of, make = item.make](Component& object, const ElementValue& value) {
     list_of(object).push_back(make(value));

@@ -31,7 +31,8 @@ Describe<Patch> turned(Describe<Patch> patch) {
 ElementSpec patch(PatchShape shape) {
   const char *const east = "its middle, east", *const north = "its middle, north";
   const auto coloured = [](Describe<Patch> patch) {
-    return std::move(patch).attribute("colour", &Patch::colour, fact("by default black"));
+    return std::move(patch).attribute("colour", &Patch::colour,
+                                      fact("what sensors, cameras and pictures see"));
   };
   switch (shape) {
     case PatchShape::rectangle:
@@ -76,9 +77,10 @@ ElementSpec lamp() {
       .attribute("x", &Lamp::x, metres("its place, east"))
       .attribute("y", &Lamp::y, metres("its place, north"))
       .attribute("z", &Lamp::z, positive("m", 100, "its height"))
-      .attribute("intensity", &Lamp::intensity,
-                 positive("", 1e6, "1: the lamp for which the law of a light sensor is given"))
-      .attribute("colour", &Lamp::colour, fact("of its light; by default white"));
+      .attribute(
+          "intensity", &Lamp::intensity,
+          positive("", 1e6, "relative to the lamp for which the law of a light sensor is given"))
+      .attribute("colour", &Lamp::colour, fact("of its light"));
 }
 
 ElementSpec floor() {
@@ -90,7 +92,7 @@ ElementSpec floor() {
   };
   return Describe<Floor>("floor", "The floor below everything else, without its patches")
       .attribute("colour", &Floor::colour,
-                 fact("by default white for sensors, and as ever in pictures"))
+                 fact("by default white to sensors; pictures and cameras then have their own"))
       .attribute("image", ParameterType::file,
                  fact("a PNG or PGM image that lies on it, with north at its top"), {}, set, get)
       .attribute("image_length", &Floor::image_length,

@@ -199,6 +199,21 @@ Json plugin_json(const plugin::Host& host, const Declaration& plugin) {
   };
   json["needs"] = kinds(plugin.needs);
   json["produces"] = kinds(plugin.produces);
+  json["fields"] = Json::array();
+  for (const ReadingDeclaration& reading : plugin.produces) {
+    for (const FieldDeclaration& field : reading.fields) {
+      json["fields"].push_back({{"name", field.path()},
+                                {"unit", field.unit},
+                                {"array", field.is_array || !field.group.empty()},
+                                {"picture", field.type == FieldType::picture}});
+    }
+  }
+  json["published"] = Json::array();
+  for (const PublishedNumber& number : plugin.published) {
+    json["published"].push_back({{"name", number.name},
+                                 {"unit", number.facts.unit},
+                                 {"meaning", number.facts.meaning}});
+  }
   json["reacts_to"] = plugin.reacts_to;
   json["events"] = Json::array();
   for (const auto& event : plugin.events) {

@@ -96,10 +96,11 @@ std::string markup_of(const ElementValue& value, const ElementDeclaration& decla
 std::string list_of_elements(const Declaration& declaration, std::size_t list) {
   std::vector<const ElementDeclaration*> elements;
   for (const ElementDeclaration& element : declaration.elements) {
-    if (element.list == list) {
+    if (element.list == list && !element.is_of_kind) {
       elements.push_back(&element);
     }
   }
+  if (elements.empty()) return "";
   const bool one = elements.size() == 1;
   std::string text = one ? "\nIt may hold any number of "
                          : "\nIt may hold any number of these elements, in an order that counts:\n";
@@ -121,6 +122,18 @@ std::string list_of_elements(const Declaration& declaration, std::size_t list) {
                           : text + "\n" + none + " it is as with\n\n```xml\n" + defaults + "```\n";
 }
 
+// ": `ranges` (m, an array), `hit`"
+std::string fields_of(const ReadingDeclaration& reading) {
+  std::string text;
+  for (const FieldDeclaration& field : reading.fields) {
+    const std::string words = field.in_words();
+    const std::size_t end = words.find(' ');
+    text += (text.empty() ? ": `" : ", `") + words.substr(0, end) + "`" +
+            (end == std::string::npos ? "" : words.substr(end));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string plugin_declaration(const Declaration& declaration) {
@@ -140,7 +153,13 @@ std::string plugin_declaration(const Declaration& declaration) {
     text += "\nNeeds a sensor that makes readings of the kind `" + reading.kind + "`.\n";
   }
   for (const ReadingDeclaration& reading : declaration.produces) {
-    text += "\nMakes readings of the kind `" + reading.kind + "`.\n";
+    text += "\nMakes readings of the kind `" + reading.kind + "`" + fields_of(reading) + ".\n";
+  }
+  if (!declaration.published.empty()) {
+    text += "\nPublishes:\n\n| number | unit | meaning |\n|---|---|---|\n";
+    for (const PublishedNumber& number : declaration.published) {
+      text += table_row({"`" + number.name + "`", number.facts.unit, number.facts.meaning});
+    }
   }
   for (const std::string& event : declaration.reacts_to) {
     text += "\nReacts to the event `" + event + "`.\n";

@@ -79,6 +79,7 @@ struct ElementDeclaration {
   std::string meaning;
   std::vector<ParameterDeclaration> parameters;  // `set` and `get` are empty
   std::size_t list = 0;                          // which of the plugin's lists it belongs to
+  bool is_of_kind = false;  // every plugin of this kind has it: <noise>, <failure>
   /// Empties the list: elements in a file replace the default elements.
   std::function<void(Component&)> clear;
   std::function<void(Component&, const ElementValue&)> append;

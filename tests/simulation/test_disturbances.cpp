@@ -1,0 +1,181 @@
+// Noise and failures that a world file gives a sensor.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/simulation/simulation.h"
+
+#include "lively.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+constexpr double kPeriod = 0.01;  // s
+
+/// A robot that stands in front of a wall, 1 m from its sensor, with this in the sensor's element.
+Simulation in_front(const std::string& inside, std::uint64_t seed = 1,
+                    const std::string& more = "") {
+  return of(
+      R"(<obstacles><static_box id="wall" x="1.54" width="4" length="1" height="1"/></obstacles>)" +
+          more,
+      R"(<sensors><beam_range id="ahead" max_range="3">)" + inside + "</beam_range></sensors>",
+      {.seed = seed});
+}
+
+double reading(Simulation& simulation) { return numbers_of(simulation, 0, 0).front(); }
+
+std::vector<double> readings(Simulation simulation, int count) {
+  std::vector<double> all;
+  for (int i = 0; i < count; ++i) {
+    simulation.step();
+    all.push_back(reading(simulation));
+  }
+  return all;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+double deviation(const std::vector<double>& values) {
+  const double middle = mean(values);
+  double sum = 0.0;
+  for (const double value : values) sum += (value - middle) * (value - middle);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+std::string why_refused(const std::string& inside) {
+  return why_not([&] { in_front(inside); });
+}
+
+}  // namespace
+
+TEST_CASE("Scale and bias change a number in this order") {
+  CHECK(readings(in_front(R"(<noise on="distance_m" scale="2" bias="0.1"/>)"), 1)[0] ==
+        Approx(2.1));
+}
+
+TEST_CASE("Several noises apply one after the other") {
+  CHECK(
+      readings(in_front(R"(<noise on="distance_m" bias="0.1"/><noise on="distance_m" scale="2"/>)"),
+               1)[0] == Approx(2.2));
+}
+
+TEST_CASE("Gaussian, proportional and uniform noise have the deviations that they say") {
+  constexpr int kCount = 4000;
+  const double tolerance = 4.0 / std::sqrt(2.0 * kCount);  // four standard errors of a deviation
+  const auto gaussian = readings(in_front(R"(<noise on="distance_m" gaussian="0.02"/>)"), kCount);
+  CHECK(mean(gaussian) == Approx(1.0).margin(0.002));
+  CHECK(deviation(gaussian) == Approx(0.02).epsilon(tolerance));
+  const auto part =
+      readings(in_front(R"(<noise on="distance_m" scale="2" proportional="0.02"/>)"), kCount);
+  CHECK(deviation(part) == Approx(0.04).epsilon(tolerance));
+  const auto uniform = readings(in_front(R"(<noise on="distance_m" uniform="0.03"/>)"), kCount);
+  CHECK(deviation(uniform) == Approx(0.03 / std::sqrt(3.0)).epsilon(tolerance));
+  CHECK(*std::max_element(uniform.begin(), uniform.end()) <= 1.03);
+}
+
+TEST_CASE("A number is rounded to the resolution, then kept within the clamp") {
+  CHECK(readings(in_front(R"(<noise on="distance_m" bias="0.06" resolution="0.25"/>)"), 1)[0] ==
+        Approx(1.0));
+  CHECK(readings(in_front(R"(<noise on="distance_m" bias="5" clamp="0 1.7"/>)"), 1)[0] == 1.7);
+}
+
+TEST_CASE("Noise applies to every number of an array, each by itself") {
+  Simulation simulation = of(
+      R"(<obstacles><static_box x="1.54" width="4" length="1" height="1"/></obstacles>)",
+      R"(<sensors><lidar id="scan" rays="5" fov_deg="10"><noise on="ranges" gaussian="0.01"/></lidar></sensors>)");
+  simulation.step();
+  const std::vector<double> ranges = numbers_of(simulation, 0, 0);
+  REQUIRE(ranges.size() == 5);
+  for (std::size_t i = 1; i < ranges.size(); ++i) {
+    CHECK(ranges[i] != ranges[0]);
+    CHECK(ranges[i] == Approx(1.0).margin(0.06));
+  }
+}
+
+TEST_CASE("A reading is seen as late as its latency says") {
+  Simulation simulation = in_front(R"(<failure latency="0.05"/>)");
+  const double before = reading(simulation);
+  for (int i = 0; i < 5; ++i) {
+    simulation.step();
+    CHECK(reading(simulation) == before);  // nothing has arrived yet
+  }
+  simulation.step();
+  CHECK(reading(simulation) == Approx(1.0));
+}
+
+TEST_CASE("What is missed by dropout leaves the reading as it was, as often as said") {
+  constexpr int kCount = 2000;
+  const auto all = readings(
+      in_front(R"(<noise on="distance_m" gaussian="0.01"/><failure dropout="0.25"/>)"), kCount);
+  int missed = 0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    missed += all[i] == all[i - 1] ? 1 : 0;
+  }
+  CHECK(missed / double(kCount) == Approx(0.25).margin(4 * std::sqrt(0.25 * 0.75 / kCount)));
+}
+
+TEST_CASE("A sensor that is stuck keeps its last reading") {
+  const auto all = readings(
+      in_front(R"(<noise on="distance_m" gaussian="0.01"/><failure stuck_from="0.5"/>)"), 100);
+  CHECK(all[48] != all[49]);
+  for (std::size_t i = 51; i < all.size(); ++i) {
+    CHECK(all[i] == all[50]);
+  }
+}
+
+TEST_CASE("A new noise changes nothing that the sensor and others draw") {
+  const auto with = [](const std::string& inside) {
+    return readings(of("", R"(<sensors><proximity id="other" error="0.5"/>
+        <beam_range id="ahead" error="0.1">)" +
+                               inside + "</beam_range></sensors>"),
+                    50);
+  };
+  // The first sensor is the one that has no noise.
+  CHECK(with("") == with(R"(<noise on="distance_m" gaussian="0.1"/><failure dropout="0.5"/>)"));
+  const auto own = [](const std::string& inside) {
+    return readings(in_front(R"(<noise on="distance_m" gaussian="0.1"/>)" + inside), 50);
+  };
+  CHECK(own("") == own(R"(<failure dropout="0"/>)"));
+}
+
+TEST_CASE("Each seed has its own noise, and the same seed the same") {
+  const char* const noise = R"(<noise on="distance_m" gaussian="0.1"/>)";
+  CHECK(readings(in_front(noise, 3), 20) == readings(in_front(noise, 3), 20));
+  CHECK(readings(in_front(noise, 3), 20) != readings(in_front(noise, 4), 20));
+  Simulation simulation = in_front(noise, 3);
+  simulation.step();
+  const double first = reading(simulation);
+  simulation.reset();
+  simulation.step();
+  CHECK(reading(simulation) == first);
+}
+
+TEST_CASE("An edit sets a noise while the robot runs") {
+  Simulation simulation = in_front(R"(<noise on="distance_m" bias="0.1"/>)");
+  simulation.step();
+  CHECK(reading(simulation) == Approx(1.1));
+  simulation.edit("robot[r1]/sensor[ahead]/noise[1]/@bias", "0.3");
+  simulation.step();
+  CHECK(reading(simulation) == Approx(1.3));
+}
+
+TEST_CASE("What does not fit a sensor is refused with a sentence") {
+  CHECK_THAT(why_refused(R"(<noise on="distance" bias="1"/>)"),
+             Catch::Contains("its <noise on=\"distance\"> names no field of its reading") &&
+                 Catch::Contains("distance_m"));
+  CHECK_THAT(why_refused(R"(<noise on="hit" bias="1"/>)"), Catch::Contains("is true or false"));
+  CHECK_THAT(why_refused(R"(<noise on="distance_m" clamp="1"/>)"), Catch::Contains("clamp"));
+  CHECK_THAT(why_refused(R"(<noise on="distance_m" clamp="2 1"/>)"), Catch::Contains("clamp"));
+  CHECK_THAT(why_refused(R"(<noise on="distance_m" gaussian="-1"/>)"),
+             Catch::Contains("at least 0"));
+  CHECK_THAT(why_refused(R"(<noise bias="1"/>)"), Catch::Contains("lacks the attribute 'on'"));
+  CHECK_THAT(why_refused(R"(<failure dropout="2"/>)"), Catch::Contains("dropout"));
+}
