@@ -229,8 +229,7 @@ void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolB
     made->setChecked(scene_->overlays().*which);
   };
   overlay("show_trails", tr("Tra&jectories"), &SceneView::Overlays::trails);
-  overlay("show_beams", tr("&Beams"), &SceneView::Overlays::beams);
-  overlay("show_views", tr("Fields of &view"), &SceneView::Overlays::views);
+  overlay("show_sketches", tr("S&ketches of plugins"), &SceneView::Overlays::sketches);
   overlay("show_names", tr("Nam&es"), &SceneView::Overlays::names);
   overlay("show_grid", tr("&Grid"), &SceneView::Overlays::grid);
   command(menu, with_world_, "clear_trails", tr("&Clear trajectories"), {},

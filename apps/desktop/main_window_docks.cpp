@@ -101,10 +101,11 @@ void MainWindow::make_docks() {
   };
   show_numbers();
   connect(past_, &Past::numbers_changed, this, show_numbers);
-  connect(past_, &Past::named, this, [this](const QStringList& names) {
-    plots_->set_names(names);
-    request_past();
-  });
+  connect(past_, &Past::named, this,
+          [this](const QStringList& names, const QHash<QString, QString>& units) {
+            plots_->set_names(names, units);
+            request_past();
+          });
 }
 
 void MainWindow::arrange(const QString& layout) {

@@ -55,8 +55,8 @@ TEST_CASE("Menus: file, edit, view, simulation and help, each with what it names
         "quit"}},
       {"Edit", {"undo", "redo", "cut", "copy", "paste", "duplicate", "delete", "edit", "rename"}},
       {"View",
-       {"view_all", "view_top", "follow", "measure", "show_trails", "show_beams", "layout_author",
-        "layout_reset"}},
+       {"view_all", "view_top", "follow", "measure", "show_trails", "show_sketches",
+        "layout_author", "layout_reset"}},
       {"Simulation", {"run", "step", "reset", "physics", "arena", "limits", "stop_engine"}},
       {"Help", {"commands", "keys", "shortcuts", "about"}}};
   QStringList titles;

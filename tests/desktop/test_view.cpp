@@ -94,18 +94,18 @@ TEST_CASE("The camera follows a robot") {
 }
 
 TEST_CASE(
-    "Trajectories, beams, pyramids, fields of view, names and grid are drawn and can be hidden; "
+    "Trajectories, sketches of plugins, names and grid are drawn and can be hidden; "
     "no robot's camera sees them") {
   Room window(kSeeing);
   window->arrange("watch");
   SceneView& scene = window->scene();
   auto* vision = window->findChild<VisionPanel*>();
   window.run_past(2.0);
-  REQUIRE(scene.stage().beams().size() == 9);  // one ray, eight edges
+  REQUIRE(scene.stage().marks().size() >= 17);  // one ray, eight edges each of two pyramids
   REQUIRE(wait_for([&] { return !vision->picture("r1/eye raw").isNull(); }));
   const QImage with = scene.picture();
   const QImage seen = vision->picture("r1/eye raw");
-  for (const char* name : {"show_trails", "show_beams", "show_views", "show_names", "show_grid"}) {
+  for (const char* name : {"show_trails", "show_sketches", "show_names", "show_grid"}) {
     INFO(name);
     window.act(name);
     CHECK(scene.picture() != with);
@@ -119,7 +119,7 @@ TEST_CASE(
   other.open(other.file(kSeeing));
   other->arrange("watch");
   auto* other_vision = other->findChild<VisionPanel*>();
-  for (const char* name : {"show_trails", "show_beams", "show_views", "show_names", "show_grid"}) {
+  for (const char* name : {"show_trails", "show_sketches", "show_names", "show_grid"}) {
     other.act(name);
   }
   while (other.bench().time_s() < time_s) {
@@ -136,8 +136,7 @@ TEST_CASE(
 TEST_CASE("Lines behind robots are the same painted bit by bit and at once") {
   Room window(kSeeing);
   SceneView& scene = window->scene();
-  scene.overlays() = {
-      .trails = true, .beams = false, .views = false, .names = false, .grid = false};
+  scene.overlays() = {.trails = true, .sketches = false, .names = false, .grid = false};
   window.run_past(3.0);
   const QImage bit_by_bit = scene.picture().convertToFormat(QImage::Format_Grayscale8);
   scene.follow({});
@@ -265,7 +264,7 @@ TEST_CASE("What is locked is marked in the trees and in the view, and can be unl
   REQUIRE(wait_for([&] { return scene.stage().body_of("robot[r1]") != nullptr; }));
   auto* tree = window.get<WorldTree>("world_tree");
   auto* team = window.get<WorldTree>("team_tree_red");
-  scene.overlays() = {false, false, false, false, false};
+  scene.overlays() = {false, false, false, false};
   window.choose("robot[r1]");
   const QAction* lock = window.get<QAction>("lock");
   CHECK(lock->text().remove('&') == "Lock against the mouse");

@@ -66,13 +66,26 @@ Json state(double time, double share) {
        {{{"id", "r1"},
          {"members", {outer, member, idle}},
          {"sensors",
-          {{{"id", "left"}, {"plugin", "beam_range"}, {"names", {"range"}}, {"values", {0.25}}},
-           {{"id", "gps"}, {"plugin", "gps"}, {"names", {"x", "y"}}, {"values", {1.5, nullptr}}}}},
+          {{{"id", "left"},
+            {"plugin", "beam_range"},
+            {"fields", {{{"name", "range"}, {"unit", "m"}, {"values", {0.25}}}}}},
+           {{"id", "gps"},
+            {"plugin", "gps"},
+            {"fields", {{{"name", "at"}, {"unit", ""}, {"size", 2}, {"values", {1.5, nullptr}}}}}},
+           {{"id", "scan"},
+            {"plugin", "lidar"},
+            {"fields",
+             {{{"name", "ranges"},
+               {"unit", "m"},
+               {"size", 9},
+               {"values", {1, 2, 3, 4, 5, 6, 7, 8, 9}}}}}}}},
          {"cameras",
           {{{"id", "eye"},
-            {"width", 8},
-            {"height", 6},
-            {"raw", raw.toBase64().toStdString()}}}}}}}};
+            {"pictures",
+             {{{"name", "raw"},
+               {"width", 8},
+               {"height", 6},
+               {"pixels", raw.toBase64().toStdString()}}}}}}}}}}};
 }
 
 /// Members of one decision with these weights and shares.
@@ -271,13 +284,40 @@ TEST_CASE("sensors: readings, and a filter") {
   panel.set_robot(QStringLiteral("r1"));
   panel.add(state(0.1, 0.5));
   auto* table = panel.findChild<QTreeWidget*>(QStringLiteral("sensors_table"));
-  REQUIRE(table->topLevelItemCount() == 3);
-  CHECK(table->topLevelItem(0)->text(3) == QStringLiteral("0.25"));
+  REQUIRE(table->topLevelItemCount() == 4);
+  CHECK(table->topLevelItem(0)->text(3) == QStringLiteral("0.25 m"));
+  CHECK(table->topLevelItem(1)->text(2) == QStringLiteral("at.0"));
   CHECK(table->topLevelItem(2)->text(3) == QStringLiteral("-"));
   QTest::keyClicks(panel.findChild<QLineEdit*>(QStringLiteral("sensors_filter")),
                    QStringLiteral("GPS"));
   CHECK(table->topLevelItem(0)->isHidden());
   CHECK(!table->topLevelItem(1)->isHidden());
+}
+
+TEST_CASE("sensors: a long array is a strip of bars with its range") {
+  SensorsPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  panel.add(state(0.1, 0.5));
+  auto* table = panel.findChild<QTreeWidget*>(QStringLiteral("sensors_table"));
+  const QTreeWidgetItem* scan = table->topLevelItem(3);
+  CHECK(scan->text(2) == QStringLiteral("ranges (9)"));
+  CHECK(scan->text(3) == QStringLiteral("1 to 9 m"));
+  const QImage strip = scan->data(3, Qt::DecorationRole).value<QPixmap>().toImage();
+  REQUIRE(strip.width() > 20);
+  CHECK(qAlpha(strip.pixel(1, 1)) == 0);                 // the first number is small
+  CHECK(qAlpha(strip.pixel(strip.width() - 2, 1)) > 0);  // the last one is not
+}
+
+TEST_CASE("plots: numbers of one unit share an axis, whatever they are called") {
+  PlotsPanel panel;
+  const QString near = QStringLiteral("r1/scan/ranges.0"), far = QStringLiteral("r1/gps/y");
+  panel.set_names({near, far}, {{near, QStringLiteral("m")}, {far, QStringLiteral("m")}});
+  panel.choose(near, true);
+  panel.choose(far, true);
+  const Figures figures = panel.figures();
+  REQUIRE(figures.rows.size() == 2);
+  CHECK(figures.rows[0][0] == QStringLiteral("r1/gps/y [m]"));
+  CHECK(figures.rows[1][0] == QStringLiteral("r1/scan/ranges.0 [m]"));
 }
 
 TEST_CASE("vision: pictures as they come, chosen by name") {

@@ -42,7 +42,11 @@ TopView busy_view(const world::World& world) {
   track.id = "r1";
   for (int i = 0; i < 500; ++i) track.path.push_back({0.005 * i, std::sin(0.02 * i), 0});
   track.now = track.path.back();
-  track.beams = {{{0, 0}, {1, 1}, true}, {{0, 0}, {1, -1}, false}};
+  Sketch sketch(Frame{});
+  sketch.line(SketchRole::range, {0, 0, 0}, {1, 1, 0});
+  sketch.point(SketchRole::hit, {1, 1, 0});
+  sketch.line(SketchRole::range, {0, 0, 0}, {1, -1, 0});
+  track.sketches = {sketch};
   track.touches = {{2, 2}};
   view.robots = {track};
   view.boxes = {Pose{-2, 1, 0}, Pose{-1, 1, 1}, Pose{0, 1, 0}, std::nullopt};

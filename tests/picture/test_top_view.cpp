@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/picture/floor_tiles.h"
+#include "elsie/picture/hits.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/description.h"
@@ -209,11 +210,23 @@ TEST_CASE("Between the poses where a robot was put elsewhere there is no line") 
   CHECK_FALSE(scene.image().at(scene.place(0, 0)).light());
 }
 
+namespace {
+
+void add_beam(Sketch& sketch, const Vector3& from, const Vector3& to, bool hit) {
+  sketch.line(SketchRole::range, from, to);
+  if (hit) sketch.point(SketchRole::hit, to);
+}
+
+}  // namespace
+
 TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
   Stage scene;
   scene.add_robot("r", "blue", {0, 0, 0});
-  scene.view.robots = {
-      {"r", {}, {}, {{{0, 0}, {1.5, 0.5}, true}, {{0, 0}, {1.5, -1.5}, false}}, {}}};
+  Sketch sketch(Frame{});
+  add_beam(sketch, {}, {1.5, 0.5, 0}, true);
+  add_beam(sketch, {}, {1.5, -1.5, 0}, false);
+  const RobotTrack track{"r", {}, {}, {sketch}, {}};
+  scene.view.robots = {track};
   const Bitmap image = scene.image();
   const auto ochre = [](const Pixel& p) { return p.red > p.blue + 90 && p.green > p.blue + 40; };
   CHECK(image.count(scene.place(1.5, 0.5), 2, ochre) >= 15);
@@ -221,10 +234,68 @@ TEST_CASE("A beam that hits ends in a dot; one that does not, does not") {
   CHECK(image.count(scene.place(0.75, 0.25), 2, ochre) >= 3);
 }
 
+TEST_CASE("A field is of pale dots, a target a circle with a cross, a wish an arrow") {
+  Stage scene;
+  scene.add_robot("r", "blue", {0, 0, 0});
+  Sketch sketch(Frame{});
+  sketch.point(SketchRole::field, {-2, 2, 0});
+  sketch.point(SketchRole::target, {2, 2, 0});
+  sketch.arrow(SketchRole::wish, {1, -2, 0}, {3, -2, 0});
+  sketch.line(SketchRole::belief, {-3, -2, 0}, {-1, -2, 0});
+  sketch.text(SketchRole::target, {0, -3, 0}, "here");
+  scene.view.sketches = {sketch};
+  const Bitmap image = scene.image();
+  const auto bluish = [](const Pixel& p) { return p.blue > p.red + 20; };
+  const auto dark = [](const Pixel& p) { return !p.light(); };
+  CHECK(image.count(scene.place(-2, 2), 1, bluish) == 9);
+  const Vector2 target = scene.place(2, 2);
+  CHECK(image.count({target.x + 7, target.y}, 1, bluish) >= 3);  // the cross
+  CHECK(image.count({target.x, target.y + 5}, 1, bluish) >= 3);  // the circle
+  const auto purple = [](const Pixel& p) { return p.red > p.green + 60 && p.blue > p.green + 60; };
+  CHECK(image.count(scene.place(2, -2), 1, purple) >= 3);
+  CHECK(image.count(scene.place(2.95, -2), 4, purple) >= 10);  // its head
+  const int drawn = image.count(scene.place(-2, -2), 10, dark);
+  CHECK(drawn > 5);  // the belief is dashed
+  CHECK(drawn < 35);
+  CHECK(image.count(scene.place(0, -3), 10, bluish) > 10);
+}
+
+TEST_CASE("Edges of a volume that coincide from above are drawn once") {
+  Stage scene;
+  scene.add_robot("r", "blue", {0, 0, 0});
+  Sketch one(Frame{}), twice(Frame{});
+  one.line(SketchRole::range, {0, 0, 0}, {2, 1, 0});
+  twice.line(SketchRole::range, std::vector<Vector3>{{0, 0, 0}, {2, 1, 0}, {2, 1, 1}, {0, 0, 1}});
+  scene.view.sketches = {one};
+  scene.image();
+  const std::string once_drawn = bytes_of(scene.folder / "view.png");
+  scene.view.sketches = {twice};
+  scene.image();
+  CHECK(bytes_of(scene.folder / "view.png") == once_drawn);
+}
+
+TEST_CASE("Where a robot believes it is: a dotted path and a dashed outline") {
+  Stage scene;
+  scene.add_robot("r", "red", {0, 0, 0});
+  RobotTrack track{"r", {}, {-3, 0, 0}, {}, {}};
+  track.believed = Pose{3, 2, 0};
+  for (int i = 0; i <= 60; ++i) track.believed_path.push_back({0.05 * i, 2, 0});
+  scene.view.robots = {track};
+  const Bitmap image = scene.image();
+  const int dots = image.count(scene.place(1.5, 2), 10, kReddish);
+  CHECK(dots > 5);
+  CHECK(dots < 60);
+  const Vector2 ghost = scene.place(3, 2);
+  CHECK(image.count(ghost, 14, kReddish) > 15);
+  CHECK(image.at({ghost.x - 3, ghost.y - 3}).light());  // it is an outline
+}
+
 TEST_CASE("A touch is a small red cross") {
   Stage scene;
   scene.add_robot("r", "blue", {0, 0, 0});
-  scene.view.robots = {{"r", {}, {}, {}, {{2.5, 2.5}}}};
+  RobotTrack track{"r", {}, {}, {}, {}};
+  track.touches = {{2.5, 2.5}};
+  scene.view.robots = {track};
   const Bitmap image = scene.image();
   const Vector2 at = scene.place(2.5, 2.5);
   CHECK(image.at(at).reddish());
@@ -317,11 +388,14 @@ TEST_CASE("Positions that are not finite are left out") {
   scene.add_robot("r", "red", {0, 0, 0});
   scene.add_robot("s", "red", {2, 2, 0});
   scene.add_obstacle(world::ObstacleKind::dynamic, 1, 1, 0.3);
-  scene.view.robots = {{"r",
-                        {{0, 0, 0}, {nan, 0, 0}, {1, infinity, 0}, {1e300, 0, 0}, {1, 1, 0}},
-                        {nan, nan, nan},
-                        {{{nan, 0}, {0, infinity}, true}, {{0, 0}, {1e200, -1e200}, false}},
-                        {{nan, nan}}}};
+  Sketch far(Frame{});  // a sketch refuses places that are not finite
+  add_beam(far, {}, {1e200, -1e200, 0}, false);
+  const RobotTrack track{"r",
+                         {{0, 0, 0}, {nan, 0, 0}, {1, infinity, 0}, {1e300, 0, 0}, {1, 1, 0}},
+                         {nan, nan, nan},
+                         {far},
+                         {{nan, nan}}};
+  scene.view.robots = {track};
   scene.view.boxes = {Pose{nan, infinity, 0}};
   scene.view.path_period_s = 1.0;
   CHECK(scene.image().at(scene.place(2, 2)).reddish());
@@ -395,7 +469,8 @@ TEST_CASE("A crowd is dots on thin paths, with room between them") {
     track.id = scene.world.robots.back().id;
     track.path = {{pose.x - 0.1, pose.y, 0.0}, pose};
     track.now = pose;
-    track.beams = {{{pose.x, pose.y}, {pose.x, pose.y + 0.3}, true}};
+    track.sketches.emplace_back(Frame{});
+    add_beam(track.sketches[0], {pose.x, pose.y, 0}, {pose.x, pose.y + 0.3, 0}, true);
     scene.view.robots.push_back(track);
   }
   const Bitmap image = scene.image();
@@ -464,4 +539,18 @@ TEST_CASE("The tiles of an image are as few as its colours allow, and cover it")
   for (const FloorTile& tile : tiles) area += (tile.right - tile.left) * (tile.top - tile.bottom);
   CHECK(area == Approx(100.0));
   CHECK(floor_tiles(world, 10).size() <= 5);
+}
+
+TEST_CASE("A straight line of a range that ends at a hit is shown as one") {
+  Sketch sketch(Frame{});
+  sketch.line(SketchRole::range, {0, 0, 0}, {1, 0, 0});
+  sketch.line(SketchRole::range, {0, 0, 0}, {0, 1, 0});
+  sketch.line(SketchRole::range, std::vector<Vector3>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}});
+  sketch.line(SketchRole::target, {0, 0, 0}, {1, 0, 0});
+  sketch.points(SketchRole::hit, std::vector<Vector3>{{3, 0, 0}, {1, 0, 0}});
+  const Hits hits(sketch);
+  std::vector<SketchRole> roles;
+  for (const Sketch::Mark& mark : sketch.marks()) roles.push_back(hits.role_of(mark));
+  CHECK(roles == std::vector{SketchRole::hit, SketchRole::range, SketchRole::range,
+                             SketchRole::target, SketchRole::hit});
 }

@@ -300,3 +300,23 @@ TEST_CASE("The plugin can go while threads that looked through it still run") {
   }).join();
   CHECK(true);  // the thread's end calls OpenCV, which must still be loaded
 }
+
+TEST_CASE("A camera draws what it looks at, and the direction of what it has found") {
+  Scout scout({{"fov_deg", 40.0}});
+  scout.mount.x = 0.0;
+  const auto sketch_now = [&] {
+    scout.look();
+    Sketch sketch(Frame{});
+    scout.watcher().sensor().sketch(sketch);
+    return sketch;
+  };
+  for (const Sketch::Mark& mark : sketch_now().marks()) CHECK(mark.role == SketchRole::range);
+  const double bearing = radians(8.0);
+  scout.world.obstacles = {resource(2.0 * std::cos(bearing), 2.0 * std::sin(bearing))};
+  const Sketch sketch = sketch_now();
+  const Sketch::Mark& found = sketch.marks().back();
+  CHECK(found.role == SketchRole::hit);
+  REQUIRE(found.count == 2);
+  const Vector3& end = sketch.places(found)[1];
+  CHECK(std::atan2(end.y, end.x) == Approx(bearing).margin(0.01));
+}

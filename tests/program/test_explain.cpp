@@ -42,6 +42,25 @@ TEST_CASE("explain tells who silenced whom") {
   CHECK_THAT(explained.out, Catch::Contains("avoid_obstacle  share 1, weight 1: highest priority"));
 }
 
+TEST_CASE("explain lists the numbers that plugins published in the time that it shows") {
+  Workplace here;
+  here.write("w.xml",
+             "<world format='1'><robots><robot id='r1'><localisation><beacon period='1'/>"
+             "</localisation><behaviors><wander/></behaviors>"
+             "<coordinator><arbiter_suppression/></coordinator></robot></robots></world>");
+  here.elsie("run w.xml --duration 5 --record run.mcap --quiet");
+  const auto explained = here.elsie("explain run.mcap");
+  CHECK_THAT(explained.out, Catch::Contains("published numbers\n  number        mean  least"));
+  CHECK_THAT(explained.out, Catch::Contains("\n  beacon.fixes "));
+  const json told = json::parse(here.elsie("explain run.mcap --from 3 --json").out);
+  const json& number = told.at("robots")[0].at("numbers")[0];
+  CHECK(number.at("path") == "beacon");
+  CHECK(number.at("name") == "fixes");
+  CHECK(number.at("samples") == 21);
+  CHECK(number.at("least").get<double>() >= 2);
+  CHECK(number.at("last") == number.at("largest"));
+}
+
 TEST_CASE("explain --json tells everything, episodes unabridged; words shorten them on request") {
   Workplace here;
   here.elsie(

@@ -1,6 +1,5 @@
 #include <catch2/catch.hpp>
 
-#include "elsie/recording/beams.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/traces/tracks.h"
 
@@ -21,9 +20,9 @@ void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
     const traces::Track& track = tracks.tracks()[r];
     picture::RobotTrack drawn{robot.description->id, track.path, robot.pose,   {},
                               track.touches,         {},         track.placed, track.from_s};
-    for (const auto& beam : recording::range_beams(simulation, r)) {
-      drawn.beams.push_back({{beam.from.x, beam.from.y}, {beam.to.x, beam.to.y}, beam.hit});
-    }
+    for (const auto& each : simulation.sketches(r)) drawn.sketches.push_back(each.sketch);
+    if (robot.description->localisation) drawn.believed = robot.state->pose;
+    drawn.believed_path = track.believed;
     for (std::size_t k = 0; k < robot.description->segments.size(); ++k) {
       drawn.segments.push_back(simulation.segment(r, k).pose);
     }
@@ -32,6 +31,7 @@ void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
   for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
     view.boxes.push_back(simulation.obstacle(i));
   }
+  for (const auto& each : simulation.sketches()) view.sketches.push_back(each.sketch);
   view.subtitles = {"end"};
   view.path_period_s = tracks.period_s();
   picture::save_top_view(view, file, {600, 0});
@@ -39,7 +39,7 @@ void draw(const Simulation& simulation, const traces::TrackRecorder& tracks,
 
 }  // namespace
 
-// Collected and pushed boxes, moving ones, chargers, segments, teams, collisions, beams.
+// Collected and pushed boxes, moving ones, chargers, segments, teams, collisions, sketches.
 TEST_CASE("The picture from a recording alone is that of the run itself, byte for byte") {
   for (const char* name :
        {"four_resources.xml", "pushing.xml", "clutter_moving.xml", "train.xml", "recharge.xml",

@@ -125,7 +125,7 @@ TEST_CASE("A message that is not as Elsie writes it is an error that names chann
        {std::pair{"/robots/r1/state", R"({"x_m": "here"})"},
         {"/robots/r1/state", "{"},
         {"/robots/r1/state", R"({"x_m": 1e999, "y_m": 0, "heading_rad": 0})"},
-        {"/robots/r1/beams", R"({"entities": []})"},
+        {"/robots/r1/sketches", R"({"entities": [{"id": "r1/eye"}]})"},
         {"/tf", "[]"},
         {"/scene", R"({"a": 1})"},
         {"/events", R"({"name": 7})"},

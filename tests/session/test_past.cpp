@@ -303,3 +303,25 @@ TEST_CASE("A sensor that fails to list its numbers loses only these, and a note 
   session.ask({{"do", "ping"}});
   CHECK_FALSE(session.has_event("note"));
 }
+
+TEST_CASE("The names of numbers come with their units, and with what plugins publish") {
+  Session session;
+  session.open(R"(<world format="1">
+  <robots>
+    <robot id="r1">
+      <localisation><beacon/></localisation>
+      <sensors><beam_range id="ahead"/></sensors>
+      <behaviors><turn_left/></behaviors>
+      <coordinator><arbiter_suppression/></coordinator>
+    </robot>
+  </robots>
+</world>)");
+  session.ask({{"do", "step"}});
+  const Json answer = session.ask({{"do", "numbers"}, {"names", {"r1/beacon/fixes"}}});
+  const auto names = answer["names"].get<std::vector<std::string>>();
+  CHECK(std::find(names.begin(), names.end(), "r1/beacon/fixes") != names.end());
+  CHECK(answer["units"]["r1/ahead/distance_m"] == "m");
+  CHECK(answer["units"]["r1/speed"] == "m/s");
+  CHECK_FALSE(answer["units"].contains("r1/ahead/hit"));
+  CHECK_FALSE(unpacked<float>(answer["values"]).empty());
+}

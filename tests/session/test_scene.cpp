@@ -26,35 +26,45 @@ constexpr const char* kSeeing = R"(<world format="1">
 
 }  // namespace
 
-TEST_CASE("A scene says what each camera sees, from the body that carries it") {
-  test::Session session;
-  const test::Json views = session.open(kSeeing)["scene"]["views"];
-  REQUIRE(views.size() == 1);
-  CHECK(views[0]["body"] == 1);
-  CHECK(views[0]["sensor"] == "eye");
-  CHECK(views[0]["width"] == 60);
-  CHECK(views[0]["height"] == 30);
-  CHECK(views[0]["fov_rad"].get<double>() == Approx(40.0 * M_PI / 180.0));
-  const test::Json forward = views[0]["frame"][1];
-  CHECK(forward[0].get<double>() == Approx(0.0).margin(1e-12));
-  CHECK(forward[1].get<double>() == Approx(1.0));
-}
-
-TEST_CASE("A snapshot has the edges of what a proximity sensor watches") {
+TEST_CASE("A snapshot has what plugins draw: the edges of what sensors watch") {
   test::Session session;
   session.open(kSeeing);
   session.ask({{"do", "step"}});
   const auto snapshot = session.connection().snapshots().take();
   REQUIRE(snapshot);
-  REQUIRE(snapshot->beams.size() == 8);
-  const double half = 0.5 * std::tan(20.0 * M_PI / 180.0);
-  double widest = 0.0;
-  for (const snapshots::BeamState& edge : snapshot->beams) {
-    CHECK(edge.robot == 1);
-    CHECK(edge.hit == 1);
-    widest = std::max(widest, std::abs(static_cast<double>(edge.to[1])));
+  CHECK(snapshot->facts.left_out == 0);
+  REQUIRE(snapshot->marks.size() == 16);
+  double widest = 0.0, highest = 0.0;
+  for (std::size_t i = 0; i < snapshot->marks.size(); ++i) {
+    const snapshots::MarkState& edge = snapshot->marks[i];
+    CHECK(edge.kind == Sketch::Kind::line);
+    CHECK(edge.role == (i < 8 ? SketchRole::range : SketchRole::hit));
+    if (i < 8) {
+      highest = std::max(highest, edge.end().y);  // the camera looks to the left
+    } else {
+      widest = std::max(widest, std::abs(edge.end().y));
+    }
   }
-  CHECK(widest == Approx(half).epsilon(1e-4));
+  CHECK(highest > 0.25);
+  CHECK(widest == Approx(0.5 * std::tan(20.0 * M_PI / 180.0)).epsilon(1e-4));
+}
+
+TEST_CASE("A snapshot has the outline of a robot where it believes to be") {
+  test::Session session;
+  session.open(R"(<world format="1">
+  <arena length="4" width="4"/>
+  <robots>
+    <robot id="r1" x="1"><localisation><exact/></localisation><behaviors><turn_left/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+    <robot id="r2" x="-1"><behaviors><turn_left/></behaviors><coordinator><arbiter_suppression/></coordinator></robot>
+  </robots>
+</world>)");
+  const auto snapshot = session.connection().snapshots().take();
+  REQUIRE(snapshot);
+  REQUIRE(snapshot->marks.size() == 5);  // four edges, and a line ahead
+  for (const snapshots::MarkState& mark : snapshot->marks) {
+    CHECK(mark.role == SketchRole::belief);
+    CHECK(mark.begin().x == Approx(1.0).margin(0.2));
+  }
 }
 
 TEST_CASE("A scene has the floor, patches in their own frames, and lamps") {

@@ -28,8 +28,11 @@ TEST_CASE("A snapshot is read as it was written, once") {
 
   CHECK_FALSE(reader.take());
   CHECK(writer.taken());
-  const std::vector<BeamState> beams{{{1.0F, 2.0F, 3.0F}, {4.0F, 5.0F, 6.0F}, 7, 1}};
-  REQUIRE(writer.write({3, 200, 2.0, 0.9}, bodies(2, 1.5), beams));
+  const std::vector<MarkState> marks{
+      MarkState::of(Sketch::Kind::line, SketchRole::hit, {1, 2, 3}, {4, 5, 6}),
+      MarkState::of(Sketch::Kind::text, SketchRole::target, {7, 8, 9}, {7, 8, 9},
+                    "a text that is longer than there is room for it")};
+  REQUIRE(writer.write({3, 200, 2.0, 0.9, 5}, bodies(2, 1.5), marks));
   CHECK_FALSE(writer.taken());
 
   const auto snapshot = reader.take();
@@ -39,11 +42,14 @@ TEST_CASE("A snapshot is read as it was written, once") {
   CHECK(snapshot->facts.steps == 200);
   CHECK(snapshot->facts.time_s == 2.0);
   CHECK(snapshot->facts.pace == 0.9);
+  CHECK(snapshot->facts.left_out == 5);
   REQUIRE(snapshot->bodies.size() == 2);
   CHECK(snapshot->bodies[1].frame().origin == Vector3{1.5, 3.0, 0.5});
-  REQUIRE(snapshot->beams.size() == 1);
-  CHECK(snapshot->beams[0].to[2] == 6.0F);
-  CHECK(snapshot->beams[0].robot == 7);
+  REQUIRE(snapshot->marks.size() == 2);
+  CHECK(snapshot->marks[0].end() == Vector3{4, 5, 6});
+  CHECK(snapshot->marks[0].role == SketchRole::hit);
+  CHECK(snapshot->marks[1].begin() == Vector3{7, 8, 9});
+  CHECK(snapshot->marks[1].text == std::string("a text that is longer than ther"));
   CHECK_FALSE(reader.take());
 }
 

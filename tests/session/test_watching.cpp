@@ -59,8 +59,9 @@ TEST_CASE("Watching begins at once, and shows what robots decide and sense") {
   CHECK(std::any_of(robot["members"].begin(), robot["members"].end(),
                     [](const Json& each) { return each["asked"] == true; }));
   const Json& sensor = robot["sensors"][0];
-  CHECK(sensor["names"][0] == "distance_m");
-  CHECK(sensor["values"][0].get<double>() > 0.0);
+  CHECK(sensor["fields"][0]["name"] == "distance_m");
+  CHECK(sensor["fields"][0]["unit"] == "m");
+  CHECK(sensor["fields"][0]["values"][0].get<double>() > 0.0);
   CHECK_FALSE(robot.contains("cameras"));
   CHECK_FALSE(robot.contains("fuzzy"));
 }
@@ -85,13 +86,17 @@ TEST_CASE("Camera pictures come raw and processed, as RGB bytes in base64") {
   Session session;
   open_shipped(session, "find_resource.xml");
   watch(session, {"cameras"});
-  CHECK_FALSE(session.event("state")["robots"][0]["cameras"][0].contains("raw"));
+  CHECK(session.event("state")["robots"][0]["cameras"].empty());
   const Json state = step(session);
-  const Json& camera = state["robots"][0]["cameras"][0];
-  const std::size_t bytes =
-      3 * camera["width"].get<std::size_t>() * camera["height"].get<std::size_t>();
-  CHECK(camera["raw"].get<std::string>().size() == (bytes + 2) / 3 * 4);
-  CHECK(camera["processed"].get<std::string>().size() == (bytes + 2) / 3 * 4);
+  const Json& pictures = state["robots"][0]["cameras"][0]["pictures"];
+  REQUIRE(pictures.size() == 2);
+  CHECK(pictures[0]["name"] == "raw");
+  CHECK(pictures[1]["name"] == "processed");
+  for (const Json& picture : pictures) {
+    const std::size_t bytes =
+        3 * picture["width"].get<std::size_t>() * picture["height"].get<std::size_t>();
+    CHECK(picture["pixels"].get<std::string>().size() == (bytes + 2) / 3 * 4);
+  }
 }
 
 TEST_CASE("Fuzzy models come with their file and the numbers of this instant") {
@@ -104,8 +109,9 @@ TEST_CASE("Fuzzy models come with their file and the numbers of this instant") {
   REQUIRE(robot["fuzzy"].size() == 2);  // a wheel each
   double nearest = 1e9;
   for (const Json& sensor : robot["sensors"]) {
-    if (sensor["names"][0] == "distance_m") {
-      nearest = std::min(nearest, sensor["values"][0].get<double>());
+    const Json& field = sensor["fields"][0];
+    if (field["name"] == "distance_m") {
+      nearest = std::min(nearest, field["values"][0].get<double>());
     }
   }
   for (const Json& model : robot["fuzzy"]) {

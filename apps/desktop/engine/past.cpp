@@ -235,7 +235,13 @@ void Past::take_numbers(const Json& answer) {
     for (const Json& each : answer["names"]) {
       if (each.is_string()) names << QString::fromStdString(each.get<std::string>());
     }
-    Q_EMIT named(names);
+    QHash<QString, QString> units;
+    for (const auto& [name, unit] : member(answer, "units").items()) {
+      if (unit.is_string()) {
+        units[QString::fromStdString(name)] = QString::fromStdString(unit.get<std::string>());
+      }
+    }
+    Q_EMIT named(names, units);
   }
   Q_EMIT numbers_changed();
 }

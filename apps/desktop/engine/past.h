@@ -1,6 +1,7 @@
 // The stored past of the run, as far as the window has asked the engine for it.
 #pragma once
 
+#include <QHash>
 #include <QObject>
 #include <QStringList>
 #include <map>
@@ -71,8 +72,8 @@ class Past : public QObject {
  Q_SIGNALS:
   void paths_changed();
   void numbers_changed();
-  /// The names of all numbers of the requested robots.
-  void named(const QStringList& names);
+  /// The names of all numbers of the requested robots, and the units of those that have one.
+  void named(const QStringList& names, const QHash<QString, QString>& units);
 
  private:
   struct Part {

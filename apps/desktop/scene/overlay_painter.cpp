@@ -1,5 +1,6 @@
 #include "scene/overlay_painter.h"
 
+#include <QLineF>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,15 +10,29 @@
 namespace elsie::desktop {
 namespace {
 
-constexpr double kViewRange = 0.5;  // m: how far a field of view is drawn
-constexpr double kNear = 0.02;      // m, from the camera
+constexpr double kNear = 0.02;  // m, from the camera
 
-const QColor kBeam(0x2a, 0x7a, 0xb8, 110);
-const QColor kHit(0xc0, 0x30, 0x30, 210);
 const QColor kGrid(0, 0, 0, 28);
-const QColor kView(0x80, 0x60, 0xb0, 110);
 const QColor kPaper(255, 255, 255, 215);
 const QColor kInk(25, 25, 25);
+
+struct RoleStyle {
+  QColor colour;
+  double width;
+  Qt::PenStyle line = Qt::SolidLine;
+};
+
+const RoleStyle& style_of(SketchRole role) {
+  static const std::array<RoleStyle, 6> styles{
+      {{QColor(0x2a, 0x7a, 0xb8, 110), 1.0},                 // range
+       {QColor(0xc0, 0x30, 0x30, 210), 1.2, Qt::DashLine},   // hit
+       {QColor(0x2f, 0x6f, 0x9f, 80), 1.0},                  // field
+       {QColor(0x1b, 0x5f, 0xb0, 230), 1.4},                 // target
+       {QColor(0x9c, 0x2f, 0x8a, 230), 1.8},                 // wish
+       {QColor(0x5a, 0x5f, 0x6b, 220), 1.4, Qt::DotLine}}};  // belief
+  // The memory is shared with a process that runs plugins.
+  return styles[std::min(static_cast<std::size_t>(role), styles.size() - 1)];
+}
 
 }  // namespace
 
@@ -61,31 +76,62 @@ void OverlayPainter::grid() const {
   }
 }
 
-void OverlayPainter::beams() const {
-  const QPen free(kBeam, 1.0), hit(kHit, 1.2, Qt::DashLine);
-  for (const snapshots::BeamState& beam : stage_.beams()) {
-    painter_.setPen(beam.hit ? hit : free);
-    line({beam.from[0], beam.from[1], beam.from[2]}, {beam.to[0], beam.to[1], beam.to[2]});
+void OverlayPainter::sketches() const {
+  for (const snapshots::MarkState& mark : stage_.marks()) {
+    const RoleStyle& style = style_of(mark.role);
+    painter_.setPen(QPen(style.colour, style.width, style.line));
+    switch (mark.kind) {
+      case Sketch::Kind::points:
+        point(mark.begin(), mark.role);
+        break;
+      case Sketch::Kind::line:
+        line(mark.begin(), mark.end());
+        break;
+      case Sketch::Kind::arrow:
+        line(mark.begin(), mark.end());
+        arrow_head(mark.begin(), mark.end());
+        break;
+      case Sketch::Kind::text:
+        if (const auto at = camera_.project(mark.begin(), size_)) {
+          painter_.drawText(*at, QString::fromUtf8(mark.text));
+        }
+        break;
+    }
   }
 }
 
-void OverlayPainter::views() const {
-  painter_.setPen(QPen(kView, 1.0));
-  for (const Stage::View& view : stage_.views()) {
-    const Stage::Body& body = stage_.bodies()[view.body];
-    if (!body.is_present) {
-      continue;
-    }
-    const Frame frame = body.frame.frame(view.frame);
-    const double aside = kViewRange * std::tan(0.5 * view.fov_rad);
-    const double above = aside * view.aspect;
-    const std::array<Vector3, 4> corners{
-        frame.point({kViewRange, aside, above}), frame.point({kViewRange, -aside, above}),
-        frame.point({kViewRange, -aside, -above}), frame.point({kViewRange, aside, -above})};
-    for (std::size_t i = 0; i < 4; ++i) {
-      line(frame.origin, corners[i]);
-      line(corners[i], corners[(i + 1) % 4]);
-    }
+void OverlayPainter::arrow_head(const Vector3& from, const Vector3& to) const {
+  const auto begin = camera_.project(from, size_), end = camera_.project(to, size_);
+  if (!begin || !end) {
+    return;
+  }
+  const QLineF shaft(*end, *begin);
+  constexpr double kLength = 8.0, kAngle = 25.0;  // pixels, degrees
+  for (const double angle : {-kAngle, kAngle}) {
+    QLineF side = shaft;
+    side.setLength(std::min(kLength, shaft.length()));
+    side.setAngle(shaft.angle() + angle);
+    painter_.drawLine(side);
+  }
+}
+
+void OverlayPainter::point(const Vector3& place, SketchRole role) const {
+  const auto at = camera_.project(place, size_);
+  if (!at) {
+    return;
+  }
+  constexpr double kDot = 2.5, kRing = 5.0, kArm = 8.0;  // pixels
+  if (role == SketchRole::target) {
+    painter_.drawEllipse(*at, kRing, kRing);
+    painter_.drawLine(*at - QPointF(kArm, 0.0), *at + QPointF(kArm, 0.0));
+    painter_.drawLine(*at - QPointF(0.0, kArm), *at + QPointF(0.0, kArm));
+  } else if (role == SketchRole::belief) {
+    painter_.drawEllipse(*at, kDot, kDot);
+  } else {
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(style_of(role).colour);
+    painter_.drawEllipse(*at, kDot, kDot);
+    painter_.setBrush(Qt::NoBrush);
   }
 }
 

@@ -1,4 +1,4 @@
-// What is drawn over the solids: grid, beams, fields of view, names.
+// What is drawn over the solids: grid, sketches of plugins, names.
 #pragma once
 
 #include <QPainter>
@@ -22,10 +22,8 @@ class OverlayPainter {
   /// Draws outlines in place of solids, without OpenGL.
   void outlines() const;
   void grid() const;
-  /// Draws beams; those that hit something are dashed.
-  void beams() const;
-  /// Draws the pyramids that cameras see.
-  void views() const;
+  /// Draws what plugins draw, in a style for each role.
+  void sketches() const;
   /// Draws the names of robots.
   void names() const;
   /// Draws a box with a text; its lower left corner is `at`.
@@ -33,6 +31,8 @@ class OverlayPainter {
 
  private:
   void note(const Label& label) const;
+  void arrow_head(const Vector3& from, const Vector3& to) const;
+  void point(const Vector3& at, SketchRole role) const;
 
   QPainter& painter_;
   const Stage& stage_;

@@ -234,8 +234,7 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
   if (overlays_.trails) {
     trails_.paint(painter, stage_, camera_, size(), devicePixelRatioF());
   }
-  if (overlays_.views) over.views();
-  if (overlays_.beams) over.beams();
+  if (overlays_.sketches) over.sketches();
   if (overlays_.names) over.names();
   if (with_handles) {
     paint_locks(painter);
@@ -245,9 +244,11 @@ void SceneView::paint(QPainter& painter, bool with_handles) {
     if (typed_.is_on()) {
       over.note({8.0, height() - line}, tr("%1   (Enter: apply, Esc: cancel)").arg(typed_.text()));
     } else if (stage_.is_past()) {
-      over.note(
-          {8.0, height() - line},
-          tr("Looking back at %1 s: places only, without beams").arg(stage_.time_s(), 0, 'f', 2));
+      over.note({8.0, height() - line}, tr("Looking back at %1 s: places only, without sketches")
+                                            .arg(stage_.time_s(), 0, 'f', 2));
+    } else if (overlays_.sketches && stage_.left_out() > 0) {
+      over.note({8.0, height() - line}, tr("%1 parts of sketches are not drawn: there are too many")
+                                            .arg(qulonglong(stage_.left_out())));
     }
   }
 }

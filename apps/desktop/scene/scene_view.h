@@ -39,8 +39,7 @@ class SceneView : public QWidget {
   /// What is drawn over the solids.
   struct Overlays {
     bool trails = true;
-    bool beams = true;
-    bool views = true;  // of cameras
+    bool sketches = true;  // of plugins
     bool names = true;
     bool grid = true;
   };

@@ -120,8 +120,7 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   epoch_ = epoch;
   bodies_.clear();
   solids_.clear();
-  views_.clear();
-  beams_.clear();
+  marks_.clear();
   if (!scene.is_object()) {
     return false;
   }
@@ -137,7 +136,6 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   image_ = std::move(whole.image_);
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
-  views_ = std::move(whole.views_);
   latest_s_ = 0.0;
   place();
   return true;
@@ -173,21 +171,12 @@ void Stage::read(const Json& scene) {
     }
     solids_.push_back(std::move(solid));
   }
-  for (const Json& each : member(scene, "views")) {
-    View view;
-    view.body = each.at("body").get<std::size_t>();
-    view.frame = frame_from(each.at("frame"));
-    view.fov_rad = each.at("fov_rad").get<double>();
-    view.aspect = each.at("height").get<double>() / each.at("width").get<double>();
-    static_cast<void>(bodies_.at(view.body));
-    views_.push_back(view);
-  }
 }
 
 bool Stage::take(const snapshots::Snapshot& snapshot) {
   facts_ = snapshot.facts;
   states_.assign(snapshot.bodies.begin(), snapshot.bodies.end());
-  states_of_beams_.assign(snapshot.beams.begin(), snapshot.beams.end());
+  states_of_marks_.assign(snapshot.marks.begin(), snapshot.marks.end());
   if (facts_.epoch != epoch_) {
     return false;
   }
@@ -203,7 +192,7 @@ void Stage::place() {
     bodies_[i].frame = states_[i].frame();
     bodies_[i].is_present = states_[i].present > 0.0F;
   }
-  beams_ = states_of_beams_;
+  marks_ = states_of_marks_;
   time_s_ = facts_.time_s;
   latest_s_ = std::max(latest_s_, time_s_);
 }

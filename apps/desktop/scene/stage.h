@@ -36,14 +36,6 @@ class Stage {
     QString path;
   };
 
-  /// What a camera sees: a pyramid.
-  struct View {
-    std::size_t body = 0;
-    Frame frame;           // in the body's
-    double fov_rad = 0.0;  // horizontal
-    double aspect = 1.0;   // height by width
-  };
-
   /// Reads a scene; an invalid one leaves the stage empty. Returns whether it was valid.
   bool set_scene(const Json& scene, std::uint64_t epoch);
   /// Takes a snapshot, and keeps it until its scene is there. Returns whether the bodies moved.
@@ -61,9 +53,11 @@ class Stage {
   /// Whether the shown time is earlier than the latest one.
   bool is_past() const { return time_s_ < latest_s_; }
   const std::vector<Body>& bodies() const { return bodies_; }
-  const std::vector<snapshots::BeamState>& beams() const { return beams_; }
+  /// What plugins draw.
+  const std::vector<snapshots::MarkState>& marks() const { return marks_; }
+  /// Marks for which the snapshot had no room.
+  std::uint64_t left_out() const { return facts_.left_out; }
   const std::vector<Solid>& solids() const { return solids_; }
-  const std::vector<View>& views() const { return views_; }
   /// The frame of a solid in the world.
   Frame frame_of(const Solid& solid) const;
   /// The first body of the element; null if it has none.
@@ -93,12 +87,11 @@ class Stage {
   double latest_s_ = 0.0;  // the latest time that was shown
   std::vector<Body> bodies_;
   std::vector<Solid> solids_;
-  std::vector<View> views_;
-  std::vector<snapshots::BeamState> beams_;
+  std::vector<snapshots::MarkState> marks_;
   // The last snapshot, perhaps of the next scene.
   snapshots::SnapshotFacts facts_;
   std::vector<snapshots::BodyState> states_;
-  std::vector<snapshots::BeamState> states_of_beams_;
+  std::vector<snapshots::MarkState> states_of_marks_;
 };
 
 double heading_rad(const Frame& frame);

@@ -52,18 +52,6 @@ class Plot : public QWidget, public ShowsFigures {
   const PlotsPanel* panel_;
 };
 
-/// The unit of a number, from the last part of its name; "" if it has none, or if it is unknown.
-QString unit_of(const QString& name) {
-  const QString last = name.section(u'/', -1);
-  if (last == u"speed" || last == u"forward" || last == u"lateral") {
-    return QStringLiteral("m/s");
-  }
-  if (last == u"turn") {
-    return QStringLiteral("rad/s");
-  }
-  return last == u"distance" ? QStringLiteral("m") : QString();
-}
-
 /// The number with the fewest digits that is this value in single precision.
 double shortest(float value) {
   std::array<char, 64> digits;
@@ -71,11 +59,6 @@ double shortest(float value) {
   double number = 0.0;
   std::from_chars(digits.data(), end, number);
   return number;
-}
-
-QString title_of(const QString& name) {
-  const QString unit = unit_of(name);
-  return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
 }
 
 }  // namespace
@@ -135,7 +118,8 @@ void PlotsPanel::set_samples(const Samples& samples) {
   plot_->update();
 }
 
-void PlotsPanel::set_names(const QStringList& names) {
+void PlotsPanel::set_names(const QStringList& names, const QHash<QString, QString>& units) {
+  units_ = units;
   const std::set<QString> all(names.begin(), names.end());
   if (!std::includes(all.begin(), all.end(), names_.begin(), names_.end())) {
     const QSignalBlocker quiet(tree_);
@@ -199,11 +183,16 @@ void PlotsPanel::add_item(const QString& name) {
     }
     parent = item;
   }
-  const QString unit = unit_of(name);
+  const QString unit = units_.value(name);
   parent->setToolTip(0, unit.isEmpty() ? name : tr("%1, in %2").arg(name, unit));
   parent->setFlags(parent->flags() | Qt::ItemIsUserCheckable);
   parent->setData(0, kName, name);
   parent->setCheckState(0, chosen_.contains(name) ? Qt::Checked : Qt::Unchecked);
+}
+
+QString PlotsPanel::title_of(const QString& name) const {
+  const QString unit = units_.value(name);
+  return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
 }
 
 QStringList PlotsPanel::names() const { return {names_.begin(), names_.end()}; }
@@ -244,7 +233,7 @@ void PlotsPanel::choose(const QString& name, bool on) {
 std::vector<PlotsPanel::Strip> PlotsPanel::strips() const {
   std::vector<Strip> all;
   for (const QString& name : chosen()) {
-    const QString unit = unit_of(name);
+    const QString unit = units_.value(name);
     const QString title =
         unit.isEmpty() ? name.section(u'/', -1) : QStringLiteral("[%1]").arg(unit);
     const auto found = std::find_if(all.begin(), all.end(),
@@ -335,7 +324,7 @@ std::vector<picture::LineChart> PlotsPanel::charts(double width) const {
       chart.x.low = x.low;
       chart.x.high = x.high;
     }
-    chart.y.unit = unit_of(strip.names.front()).toStdString();
+    chart.y.unit = units_.value(strip.names.front()).toStdString();
     chart.y.label = chart.y.unit.empty() ? strip.title.toStdString() : std::string();
     for (const QString& name : strip.names) {
       picture::Series& series = chart.series.emplace_back();

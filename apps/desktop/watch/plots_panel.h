@@ -1,6 +1,7 @@
 // Live plots of any number of a run.
 #pragma once
 
+#include <QHash>
 #include <QWidget>
 #include <map>
 #include <set>
@@ -32,8 +33,9 @@ class PlotsPanel : public QWidget {
   /// The samples of the chosen numbers, which must outlive the panel. Call it again when they have
   /// changed.
   void set_samples(const Samples& samples);
-  /// The numbers that exist. The choice stays, for numbers of the same names.
-  void set_names(const QStringList& names);
+  /// The numbers that exist, and the units of those that have one. The choice stays, for numbers of
+  /// the same names.
+  void set_names(const QStringList& names, const QHash<QString, QString>& units = {});
 
   /// The numbers known, such as "r1/speed" or "r1/explore/avoid/share", sorted.
   QStringList names() const;
@@ -66,6 +68,8 @@ class PlotsPanel : public QWidget {
   template <class See>
   void visit(const QString& name, const See& see) const;
   void add_item(const QString& name);
+  /// "r1/speed [m/s]"
+  QString title_of(const QString& name) const;
   /// The chosen numbers that share an axis.
   struct Strip {
     QString title;  // the unit, or what it is of those without
@@ -79,6 +83,7 @@ class PlotsPanel : public QWidget {
 
   std::set<QString> chosen_;
   std::set<QString> names_;
+  QHash<QString, QString> units_;
   const Samples* samples_ = nullptr;
   std::map<QString, QTreeWidgetItem*> items_;
   QTreeWidget* tree_;

@@ -2,13 +2,24 @@
 
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QPainter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "paint/axes.h"
 #include "watch/state.h"
 
 namespace elsie::desktop {
+namespace {
+
+constexpr std::size_t kMostRows = 8;  // of an array; longer ones are strips
+constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 SensorsPanel::SensorsPanel(QWidget* parent)
     : QWidget(parent), filter_(new QLineEdit(this)), table_(new QTreeWidget(this)) {
@@ -19,7 +30,7 @@ SensorsPanel::SensorsPanel(QWidget* parent)
   setFocusProxy(filter_);
   table_->setObjectName(QStringLiteral("sensors_table"));
   table_->setAccessibleName(tr("Sensors and their readings"));
-  table_->setToolTip(tr("Readings are in SI units: m, m/s, rad, rad/s"));
+  table_->setIconSize({96, fontMetrics().height()});
   table_->setHeaderLabels({tr("Sensor"), tr("Kind"), tr("Reading"), tr("Value")});
   table_->setRootIsDecorated(false);
   table_->header()->moveSection(1, 3);  // the column that is cut off first
@@ -50,26 +61,9 @@ void SensorsPanel::add(const Json& state) {
   int row = 0;
   bool is_new = false;
   for (const Json& sensor : member(robot, "sensors")) {
-    const Json& names = member(sensor, "names");
-    const Json& values = member(sensor, "values");
-    for (std::size_t i = 0; i < values.size(); ++i, ++row) {
-      auto* item = table_->topLevelItem(row);
-      if (item == nullptr) {
-        item = new QTreeWidgetItem(table_);
-        item->setTextAlignment(3, Qt::AlignRight | Qt::AlignVCenter);
-        is_new = true;
-      }
-      const QString name = i < names.size() && names[i].is_string()
-                               ? QString::fromStdString(names[i].get<std::string>())
-                               : QString::number(i + 1);
-      const QStringList cells{
-          text_of(sensor, "id"), text_of(sensor, "plugin"), name,
-          values[i].is_number() ? number_text(values[i].get<double>()) : QStringLiteral("-")};
-      for (int cell = 0; cell < cells.size(); ++cell) {
-        if (item->text(cell) != cells[cell]) {
-          item->setText(cell, cells[cell]);
-          is_new = is_new || cell < 3;
-        }
+    for (const Json& field : member(sensor, "fields")) {
+      for (const Row& each : rows_of(field)) {
+        is_new |= show(row++, {text_of(sensor, "id"), text_of(sensor, "plugin"), each.name}, each);
       }
     }
   }
@@ -82,6 +76,77 @@ void SensorsPanel::add(const Json& state) {
     }
     filter();
   }
+}
+
+std::vector<SensorsPanel::Row> SensorsPanel::rows_of(const Json& field) const {
+  const QString name = text_of(field, "name"), unit = text_of(field, "unit");
+  const QString of_unit = unit.isEmpty() ? QString() : u' ' + unit;
+  std::vector<double> values;
+  for (const Json& value : member(field, "values")) {
+    values.push_back(value.is_number() ? value.get<double>() : kAbsent);
+  }
+  const auto text = [&](std::size_t i) {
+    return i < values.size() && std::isfinite(values[i]) ? number_text(values[i]) + of_unit
+                                                         : QStringLiteral("-");
+  };
+  if (!field.contains("size")) {
+    return {{name, text(0), {}}};
+  }
+  const auto size = static_cast<std::size_t>(std::max(integer_of(field, "size", 0), 0));
+  if (size > kMostRows) {
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    const QString range =
+        values.empty() ? QStringLiteral("-")
+                       : tr("%1 to %2").arg(number_text(*least), number_text(*greatest)) + of_unit;
+    return {{tr("%1 (%2)").arg(name).arg(values.size()), range, std::move(values)}};
+  }
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < size; ++i) {
+    rows.push_back({name + u'.' + QString::number(i), text(i), {}});
+  }
+  return rows;
+}
+
+bool SensorsPanel::show(int row, const QStringList& of, const Row& what) {
+  auto* item = table_->topLevelItem(row);
+  bool is_new = item == nullptr;
+  if (is_new) {
+    item = new QTreeWidgetItem(table_);
+    item->setTextAlignment(3, Qt::AlignRight | Qt::AlignVCenter);
+  }
+  const QStringList cells = of + QStringList{what.text};
+  for (int cell = 0; cell < cells.size(); ++cell) {
+    if (item->text(cell) != cells[cell]) {
+      item->setText(cell, cells[cell]);
+      is_new = is_new || cell < 3;
+    }
+  }
+  item->setData(3, Qt::DecorationRole, what.strip.empty() ? QVariant() : strip_of(what.strip));
+  return is_new;
+}
+
+/// A bar for each number, or for the mean of those that share a column of pixels.
+QPixmap SensorsPanel::strip_of(const std::vector<double>& values) const {
+  const QSize size = table_->iconSize();
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double least = std::min(*low, 0.0), range = std::max(*high, 0.0) - least;
+  const auto columns = std::min(values.size(), static_cast<std::size_t>(size.width()));
+  QPixmap strip(size);
+  strip.fill(Qt::transparent);
+  QPainter painter(&strip);
+  for (std::size_t i = 0; i < columns && range > 0.0; ++i) {
+    const std::size_t begin = i * values.size() / columns, end = (i + 1) * values.size() / columns;
+    const double mean = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+                        static_cast<double>(end - begin);
+    const double wide = static_cast<double>(size.width()) / static_cast<double>(columns);
+    const double y = size.height() * (1.0 - (mean - least) / range);
+    const double zero = size.height() * (1.0 + least / range);
+    painter.fillRect(
+        QRectF(static_cast<double>(i) * wide, std::min(y, zero), wide, std::abs(zero - y)),
+        palette().color(QPalette::Highlight));
+  }
+  return strip;
 }
 
 void SensorsPanel::filter() {

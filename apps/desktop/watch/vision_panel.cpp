@@ -31,17 +31,17 @@ void VisionPanel::add(const Json& state) {
   for (const Json& robot : member(state, "robots")) {
     for (const Json& camera : member(robot, "cameras")) {
       const QString name = text_of(robot, "id") + u'/' + text_of(camera, "id");
-      take(name + QStringLiteral(" raw"), camera, "raw");
-      take(name + QStringLiteral(" processed"), camera, "processed");
+      for (const Json& picture : member(camera, "pictures")) {
+        take(name + u' ' + text_of(picture, "name"), picture);
+      }
     }
   }
   update();
 }
 
-void VisionPanel::take(const QString& name, const Json& camera, const char* field) {
-  const int width = member(camera, "width").is_number() ? member(camera, "width").get<int>() : 0;
-  const int height = member(camera, "height").is_number() ? member(camera, "height").get<int>() : 0;
-  const QByteArray bytes = QByteArray::fromBase64(text_of(camera, field).toLatin1());
+void VisionPanel::take(const QString& name, const Json& picture) {
+  const int width = integer_of(picture, "width", 0), height = integer_of(picture, "height", 0);
+  const QByteArray bytes = QByteArray::fromBase64(text_of(picture, "pixels").toLatin1());
   if (width < 1 || height < 1 || bytes.size() != qsizetype{3} * width * height) {
     return;
   }

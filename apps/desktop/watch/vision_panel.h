@@ -43,7 +43,7 @@ class VisionPanel : public QWidget, public ShowsFigures {
 
   QStringList shown() const;
   QRect cell(int n, int count) const;
-  void take(const QString& name, const Json& camera, const char* field);
+  void take(const QString& name, const Json& picture);
 
   std::map<QString, Picture> pictures_;
   QToolButton* choose_;

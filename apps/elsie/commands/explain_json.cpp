@@ -83,6 +83,20 @@ Json coordinator(const Trace& trace, const TraceRobot& robot,
   return object;
 }
 
+Json published(const traces::TraceNumber& number, const NumberAccount& account) {
+  const auto if_any = [&](double value) {
+    return account.samples > 0 ? Json(tidy(value)) : Json(nullptr);
+  };
+  return {{"path", number.path},
+          {"name", number.name},
+          {"unit", number.unit},
+          {"samples", account.samples},
+          {"mean", if_any(account.mean)},
+          {"least", if_any(account.least)},
+          {"largest", if_any(account.largest)},
+          {"last", if_any(account.last)}};
+}
+
 }  // namespace
 
 std::string json(const Trace& trace, const traces::TimeSpan& span,
@@ -108,6 +122,10 @@ std::string json(const Trace& trace, const traces::TimeSpan& span,
     entry["coordinators"] = Json::array();
     for (const auto& account : explained.account.coordinators) {
       entry["coordinators"].push_back(coordinator(trace, robot, account));
+    }
+    entry["numbers"] = Json::array();
+    for (const auto& number : robot.numbers) {
+      entry["numbers"].push_back(published(number, account(number, explained.account.span)));
     }
     entry["events"] = Json::array();
     for (const auto& event : robot.events) {

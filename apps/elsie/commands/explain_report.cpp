@@ -176,6 +176,20 @@ std::string events(const ExplainedRobot& explained) {
   return lines.empty() ? "" : "\nevents\n" + lines;
 }
 
+std::string numbers(const ExplainedRobot& explained) {
+  std::vector<std::vector<std::string>> rows{{"  number", "mean", "least", "largest", "last", ""}};
+  for (const traces::TraceNumber& number : explained.robot->numbers) {
+    const NumberAccount account = program::account(number, explained.account.span);
+    std::vector<std::string> row{"  " + number.path + "." + number.name};
+    for (const double value : {account.mean, account.least, account.largest, account.last}) {
+      row.push_back(account.samples > 0 ? short_number(value) : "-");
+    }
+    row.push_back(number.unit);
+    rows.push_back(std::move(row));
+  }
+  return rows.size() == 1 ? "" : "\npublished numbers\n" + process::laid_out(rows, 1);
+}
+
 /// "avoid_obstacle"; "avoid_obstacle but for 0.12 s, 4 changes"; or "avoid_obstacle 62.0 %, wander
 /// 38.0 %, 14 changes".
 std::string who(const TraceRobot& robot, const Episode& episode) {
@@ -258,6 +272,21 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
 
 }  // namespace
 
+NumberAccount account(const traces::TraceNumber& number, const traces::TimeSpan& span) {
+  NumberAccount account;
+  double sum = 0.0;
+  for (const auto& [time_s, value] : number.samples) {
+    if (time_s < span.from_s || time_s > span.to_s) continue;
+    account.least = account.samples == 0 ? value : std::min(account.least, value);
+    account.largest = account.samples == 0 ? value : std::max(account.largest, value);
+    account.last = value;
+    sum += value;
+    ++account.samples;
+  }
+  account.mean = account.samples > 0 ? sum / static_cast<double>(account.samples) : 0.0;
+  return account;
+}
+
 std::string ending(const Trace& trace) {
   const std::string time = base::fixed_text(trace.end_s, 1) + " s";
   if (trace.outcome.empty()) {
@@ -291,7 +320,7 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
                     seconds(account.span.from_s) + " to " + seconds(account.span.to_s) +
                     " s, a decision every " + short_number(trace.period_s) + " s\n\n";
   if (robot.members.empty()) {
-    return out + "It has no behaviours.\n" + events(explained);
+    return out + "It has no behaviours.\n" + numbers(explained) + events(explained);
   }
   out += table(explained);
   const CoordinatorAccount& own = account.coordinators.front();
@@ -301,7 +330,7 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
       out += seconds(time_s) + " s (" + per_cent(time_s, own.asked_s) + "): " + what + '\n';
     }
   }
-  out += inhibitions(explained) + events(explained);
+  out += inhibitions(explained) + numbers(explained) + events(explained);
   for (const CoordinatorAccount& coordinator : account.coordinators) {
     out += episodes(trace, robot, coordinator, most_episodes);
   }

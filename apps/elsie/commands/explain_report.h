@@ -18,6 +18,14 @@ struct ExplainedRobot {
   traces::RobotAccount account;
 };
 
+/// What a published number was during a time.
+struct NumberAccount {
+  std::size_t samples = 0;  // of the recording; if 0, the rest means nothing
+  double mean = 0.0, least = 0.0, largest = 0.0;
+  double last = 0.0;
+};
+NumberAccount account(const traces::TraceNumber& number, const traces::TimeSpan& span);
+
 /// The run and the length of its trace: one line, and more when the end is missing.
 std::string headlines(const traces::Trace& trace);
 

@@ -1,20 +1,49 @@
 #include "top_view.h"
 
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <spdlog/spdlog.h>
 
 #include "elsie/picture/top_view.h"
-#include "elsie/recording/beams.h"
+#include "elsie/simulation/fault.h"
 
 namespace elsie::program {
-
 namespace {
 
-std::vector<picture::Beam> beams(const simulation::Simulation& simulation, std::size_t robot) {
-  std::vector<picture::Beam> beams;
-  for (const auto& beam : recording::range_beams(simulation, robot)) {
-    beams.push_back({{beam.from.x, beam.from.y}, {beam.to.x, beam.to.y}, beam.hit});
+/// The sketches of a robot or of measures. The picture is no part of the run: if a plugin fails to
+/// draw, it lacks these sketches.
+template <class List>
+std::vector<Sketch> sketches_of(const List& list) {
+  std::vector<Sketch> sketches;
+  try {
+    for (simulation::PluginSketch& each : list()) sketches.push_back(std::move(each.sketch));
+  } catch (const simulation::PluginFault& fault) {
+    spdlog::warn(std::string("the picture lacks sketches: ") + fault.what());
   }
-  return beams;
+  return sketches;
+}
+
+picture::RobotTrack track_of(const simulation::Simulation& simulation, std::size_t i,
+                             const traces::TrackRecorder* tracks) {
+  const simulation::RobotView robot = simulation.robot(i);
+  picture::RobotTrack track;
+  track.id = robot.description->id;
+  track.now = robot.pose;
+  if (robot.description->localisation) track.believed = robot.state->pose;
+  for (std::size_t k = 0; k < simulation.segments(i); ++k) {
+    track.segments.push_back(simulation.segment(i, k).pose);
+  }
+  if (tracks) {
+    const traces::Track& driven = tracks->tracks()[i];
+    track.path = driven.path;
+    track.touches = driven.touches;
+    track.placed = driven.placed;
+    track.from_s = driven.from_s;
+    track.believed_path = driven.believed;
+  }
+  return track;
 }
 
 }  // namespace
@@ -25,22 +54,10 @@ void draw(const simulation::Simulation& simulation, const traces::TrackRecorder*
   picture::TopView view{simulation.world()};
   view.bare = bare;
   for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    const simulation::RobotView robot = simulation.robot(i);
-    picture::RobotTrack track;
-    track.id = robot.description->id;
-    track.now = robot.pose;
-    for (std::size_t k = 0; k < simulation.segments(i); ++k) {
-      track.segments.push_back(simulation.segment(i, k).pose);
-    }
-    track.beams = beams(simulation, i);
-    if (tracks) {
-      track.path = tracks->tracks()[i].path;
-      track.touches = tracks->tracks()[i].touches;
-      track.placed = tracks->tracks()[i].placed;
-      track.from_s = tracks->tracks()[i].from_s;
-    }
-    view.robots.push_back(std::move(track));
+    view.robots.push_back(track_of(simulation, i, tracks));
+    view.robots.back().sketches = sketches_of([&] { return simulation.sketches(i); });
   }
+  view.sketches = sketches_of([&] { return simulation.sketches(); });
   for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
     view.boxes.push_back(simulation.obstacle(i));
   }

@@ -11,8 +11,9 @@
 
 namespace elsie::program {
 
-/// Draws the world in its current state, the robots with the beams of their range sensors and, with
-/// `tracks`, their paths so far; `bare`: see picture::TopView. Throws as picture::save_top_view().
+/// Draws the world in its current state with what its plugins draw and, with `tracks`, the robots'
+/// paths so far; `bare`: see picture::TopView. Warns of a plugin that fails to draw, and leaves out
+/// the sketches of its robot. Throws as picture::save_top_view().
 void draw(const simulation::Simulation& simulation, const traces::TrackRecorder* tracks,
           const std::vector<std::string>& subtitles, const std::filesystem::path& file, int width,
           const picture::PathChoice& paths = {}, bool bare = false);

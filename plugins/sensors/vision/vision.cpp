@@ -51,6 +51,19 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
     reading.horizontal_fov_rad = elsie::radians(fov_deg);
   }
 
+  void sketch(elsie::Sketch& sketch) const override {
+    using elsie::SketchRole;
+    constexpr double kDrawn = 0.3;  // m: how far ahead
+    const double across = std::tan(0.5 * elsie::radians(fov_deg));
+    const double down = across * height / width;
+    sketch.pyramid(SketchRole::range, elsie::radians(fov_deg), 2.0 * std::atan(down), kDrawn);
+    const elsie::VisionReading& seen = current();
+    if (!seen.found) return;
+    const double left = across * (1.0 - 2.0 * seen.column / seen.width);
+    const double up = down * (1.0 - 2.0 * seen.row / seen.height);
+    sketch.line(SketchRole::hit, {}, elsie::Vector3{kDrawn, kDrawn * left, kDrawn * up});
+  }
+
  private:
   /// Normal noise for every channel of every pixel. Ten cameras need more than 100,000 numbers, so
   /// the noise is the number of ones among 64 random bits, with mean 32 and standard deviation 4.

@@ -175,6 +175,7 @@ void Server::Impl::change_run(const std::vector<std::string>& edits_there,
   simulation_->edit(edits_of(edits_there));
   ++epoch_;
   past_.replaced(*simulation_);
+  marks_.forget_failures();
   repetition_.add(simulation_->time_s(), simulation_->world().physics.step, edits);
   if (!running_) {
     show();

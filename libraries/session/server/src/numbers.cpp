@@ -15,8 +15,9 @@ using simulation::Simulation;
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-// Sources that are no sensors: the fuzzy models of a robot, and the measures.
+// Sources that are no sensors: the fuzzy models of a robot, what its plugins publish, and measures.
 constexpr std::size_t kNoSensor = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kPublished = kNoSensor - 1;
 constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
 
 /// Takes the values, in the order of the names.
@@ -24,7 +25,7 @@ class Values {
  public:
   explicit Values(std::vector<float>& values) : values_(values) {}
   void begin(std::string_view /*prefix*/, std::string_view /*path*/ = {}) {}
-  void see(std::string_view /*name*/, double value) {
+  void see(std::string_view /*name*/, double value, std::string_view /*unit*/ = {}) {
     values_.push_back(static_cast<float>(value));
   }
   void see(const ReadingField& /*field*/, std::size_t /*i*/, double value) { see({}, value); }
@@ -38,33 +39,35 @@ class Values {
   std::vector<float>& values_;
 };
 
-/// Takes the names.
+/// Takes the names, and the units of those that have one.
 class Names {
  public:
-  explicit Names(std::vector<std::string>& names) : names_(names) {}
+  Names(std::vector<std::string>& names, Numbers::Units& units) : names_(names), units_(units) {}
   void begin(std::string_view robot, std::string_view path = {}) {
     prefix_ = std::string(robot) + '/';
     prefix_ += path;
     prefix_ += path.empty() ? "" : "/";
   }
-  void see(std::string_view name, double /*value*/) {
+  void see(std::string_view name, double /*value*/, std::string_view unit = {}) {
     names_.push_back(prefix_ + std::string(name));
+    if (!unit.empty()) units_.emplace(names_.back(), unit);
   }
   void see(const ReadingField& field, std::size_t i, double value) {
-    see(field.column(i), value);
+    see(field.column(i), value, field.unit);
   }
   void see_joints(const RobotView& robot) {
     std::size_t place = 0;
     for (const Part& part : world::plan_of(*robot.description).parts) {
       if (can_be_set(part.joint) && place < robot.joints.size()) {
         begin(robot.description->id, part.name);
-        see("rate", robot.joints[place++].rate_rad_s);
+        see("rate", robot.joints[place++].rate_rad_s, "rad/s");
       }
     }
   }
 
  private:
   std::vector<std::string>& names_;
+  Numbers::Units& units_;
   std::string prefix_;
 };
 
@@ -77,15 +80,15 @@ void visit(const Simulation& simulation, std::size_t index, bool has_decided, Vi
   const auto if_decided = [has_decided](double value) { return has_decided ? value : kNone; };
   visitor.begin(id);
   visitor.see("energy", state.capacity > 0.0 ? state.energy : kNone);
-  visitor.see("distance", robot.distance_m);
-  visitor.see("speed", state.moving.forward);
+  visitor.see("distance", robot.distance_m, "m");
+  visitor.see("speed", state.moving.forward, "m/s");
   visitor.see("collisions", robot.collisions);
-  visitor.see("asked/forward", robot.asked.forward);
-  visitor.see("asked/lateral", robot.asked.lateral);
-  visitor.see("asked/turn", robot.asked.turn);
-  visitor.see("possible/forward", robot.command.forward);
-  visitor.see("possible/lateral", robot.command.lateral);
-  visitor.see("possible/turn", robot.command.turn);
+  visitor.see("asked/forward", robot.asked.forward, "m/s");
+  visitor.see("asked/lateral", robot.asked.lateral, "m/s");
+  visitor.see("asked/turn", robot.asked.turn, "rad/s");
+  visitor.see("possible/forward", robot.command.forward, "m/s");
+  visitor.see("possible/lateral", robot.command.lateral, "m/s");
+  visitor.see("possible/turn", robot.command.turn, "rad/s");
   visitor.see_joints(robot);
   for (const simulation::TracedMember& member : robot.trace) {
     const TraceRow& row = member.member->trace;
@@ -96,9 +99,9 @@ void visit(const Simulation& simulation, std::size_t index, bool has_decided, Vi
     visitor.see("strength", if_decided(row.strength));
     visitor.see("weight", if_decided(row.weight));
     visitor.see("share", if_decided(row.share));
-    visitor.see("command/forward", if_decided(row.command.forward));
-    visitor.see("command/lateral", if_decided(row.command.lateral));
-    visitor.see("command/turn", if_decided(row.command.turn));
+    visitor.see("command/forward", if_decided(row.command.forward), "m/s");
+    visitor.see("command/lateral", if_decided(row.command.lateral), "m/s");
+    visitor.see("command/turn", if_decided(row.command.turn), "rad/s");
   }
 }
 
@@ -122,8 +125,38 @@ bool Numbers::visit_all(const Simulation& simulation, Visitor visitor) {
         }
       });
     }
+    visit_published(
+        simulation.robot(robot).description->id, {robot, kPublished},
+        [&](const auto& visit) { simulation.visit_published(robot, visit); }, has_decided, visitor);
   }
+  visit_published(
+      kMeasures, {kNoRobot, kPublished},
+      [&](const auto& visit) { simulation.visit_published(visit); }, has_decided, visitor);
   return failed_.size() == failed;
+}
+
+template <class List, class Visitor>
+void Numbers::visit_published(std::string_view whose, std::pair<std::size_t, std::size_t> source,
+                              const List& list, bool has_decided, Visitor& visitor) {
+  if (silent_.contains(source)) return;
+  struct Number {
+    std::string name;
+    double value;
+    std::string_view unit;
+  };
+  std::vector<Number> numbers;
+  const auto list_all = [&] {
+    list([&](const simulation::PublishedValue& each) {
+      numbers.push_back(
+          {std::string(each.path) + '/' + each.number.name, each.value, each.number.facts.unit});
+    });
+  };
+  if (!succeeds(source, list_all)) return;
+  if (numbers.empty()) silent_.insert(source);
+  visitor.begin(whose);
+  for (const Number& each : numbers) {
+    visitor.see(each.name, has_decided ? each.value : kNone, each.unit);
+  }
 }
 
 template <class Call>
@@ -155,12 +188,14 @@ void Numbers::begin(const Simulation& simulation, double period_s) {
 
 void Numbers::lay_out(const Simulation& simulation) {
   failed_.clear();
+  silent_.clear();
   list_names(simulation);
 }
 
 void Numbers::list_names(const Simulation& simulation) {
   std::vector<std::string> names;
-  visit_all(simulation, Names(names));
+  units_.clear();
+  visit_all(simulation, Names(names, units_));
   if (names_ && names.size() == fixed_ &&
       std::equal(names.begin(), names.end(), names_->names().begin())) {
     return;
@@ -217,7 +252,9 @@ void Numbers::add_further(const Simulation& simulation, bool with_measures, bool
     std::vector<simulation::MeasuredValue> all;
     succeeds({kNoRobot, kNoSensor}, [&] { all = simulation.measures(); });
     for (const simulation::MeasuredValue& measure : all) {
-      put(std::string(kMeasures) + '/' + measure.name, measure.value.value_or(kNone));
+      const std::string name = std::string(kMeasures) + '/' + measure.name;
+      if (!measure.unit.empty()) units_.emplace(name, measure.unit);
+      put(name, measure.value.value_or(kNone));
     }
   }
   if (!fresh.empty()) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -32,6 +34,9 @@ class Numbers {
 
   static constexpr std::string_view kMeasures = "measures";  // before the slash
 
+  /// By the names of numbers that have one.
+  using Units = std::map<std::string, std::string, std::less<>>;
+
   explicit Numbers(std::size_t most = std::size_t{200} << 20) : samples_(most) {}
 
   /// Begins a new run. The first sample must be added at once.
@@ -54,6 +59,7 @@ class Numbers {
   /// The present names, and the number of this list, which changes with it.
   const std::vector<std::string>& names() const { return names_->names(); }
   std::uint64_t layout() const { return layout_; }
+  const Units& units() const { return units_; }
   /// The values of these numbers in some samples: all of the first number, all of the second, ...
   static std::vector<float> values(std::span<const std::string> names,
                                    std::span<const Sample> samples);
@@ -62,6 +68,10 @@ class Numbers {
   /// Visits the numbers of all robots except what has failed. Returns whether nothing new failed.
   template <class Visitor>
   bool visit_all(const simulation::Simulation& simulation, Visitor visitor);
+  /// Visits the numbers that `list` lists for its visitor, if it succeeds.
+  template <class List, class Visitor>
+  void visit_published(std::string_view whose, std::pair<std::size_t, std::size_t> source,
+                       const List& list, bool has_decided, Visitor& visitor);
   /// Calls plugins of this source, a robot and a sensor, unless they have failed. Returns whether
   /// they have succeeded.
   template <class Call>
@@ -73,11 +83,13 @@ class Numbers {
 
   Samples<Sample> samples_;
   SharedNames names_;
+  Units units_;
   std::unordered_map<std::string, std::size_t> further_;  // places of measures and fuzzy values
   std::size_t fixed_ = 0;                                 // the number of names before them
   std::uint64_t layout_ = 0;
   std::set<std::pair<std::size_t, std::size_t>> failed_;
-  std::set<std::pair<std::string, std::string>> noted_;  // the robot and the id of a plugin
+  std::set<std::pair<std::size_t, std::size_t>> silent_;  // they publish nothing
+  std::set<std::pair<std::string, std::string>> noted_;   // the robot and the id of a plugin
   std::vector<simulation::Note> notes_;
 };
 

@@ -154,13 +154,17 @@ void Past::tell_numbers(const Request& request, Json& answer) const {
     return;
   }
   const Robots robots(request.robots.begin(), request.robots.end());
-  Json& names = answer["names"] = Json::array();
+  Json names = Json::array(), units = Json::object();
   for (const std::string& name : numbers_.names()) {
     const std::string_view robot = std::string_view(name).substr(0, name.find('/'));
     if (robots.empty() || robots.contains(robot) || robot == Numbers::kMeasures) {
       names.push_back(name);
+      const auto unit = numbers_.units().find(name);
+      if (unit != numbers_.units().end()) units[name] = unit->second;
     }
   }
+  answer["names"] = std::move(names);
+  answer["units"] = std::move(units);
 }
 
 }  // namespace elsie::server

@@ -65,6 +65,7 @@ void Server::Impl::use(const plugin::Host& host, Json& event) {
     event["problems"].push_back(note);
   }
   past_.replaced(*simulation_);
+  marks_.forget_failures();
   document_ = std::move(document);
 }
 

@@ -21,11 +21,12 @@ void Server::Impl::show() {
   answer_past();
   const Clock::time_point now = Clock::now();
   place_bodies(*simulation_, bodies_);
-  list_beams(*simulation_, beams_);
+  marks_.list(*simulation_);
   const double clock_s = seconds(now - shown_);
   const double time_s = simulation_->time_s();
   const double pace = running_ && clock_s > 0.0 ? (time_s - shown_s_) / clock_s : 0.0;
-  writer_.write({epoch_, simulation_->steps(), time_s, pace}, bodies_, beams_);
+  writer_.write({epoch_, simulation_->steps(), time_s, pace, marks_.left_out()}, bodies_,
+                marks_.listed());
   shown_ = now;
   shown_s_ = time_s;
   is_state_due_ = !running_;
@@ -47,7 +48,7 @@ void Server::Impl::look_back(const Json& message, Json& answer) {
   if (message.contains("time_s") && message["time_s"].get<double>() < time_s) {
     const History::Sample sample = past_.poses().at(message["time_s"].get<double>());
     time_s = sample.time_s;
-    writer_.write({epoch_, sample.steps, time_s, 0.0}, sample.bodies, {});
+    writer_.write({epoch_, sample.steps, time_s}, sample.bodies, {});
   } else {
     show();
   }
@@ -118,6 +119,9 @@ void Server::Impl::report_news() {
                 {"detail", event.detail()}});
   }
   for (const simulation::Note& note : past_.take_notes()) {
+    report_note(note);
+  }
+  for (const simulation::Note& note : marks_.take_notes()) {
     report_note(note);
   }
   const auto notes = simulation_->notes();

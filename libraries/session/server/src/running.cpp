@@ -68,6 +68,7 @@ void Server::Impl::take_next() {
   repetition_.begin(document_->file(), document_->text(), seed_);
   told_events_ = told_notes_ = 0;
   past_.begin(*simulation_);
+  marks_.forget_failures();
   show();
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "elsie/recording/beams.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
@@ -77,28 +76,11 @@ void list_patch(const world::Patch& patch, Json& shapes) {
   }
 }
 
-/// The views of the cameras on a body, as pyramids with their apexes at the frames' origins.
-void list_views(const simulation::Simulation& simulation, std::size_t robot, int body,
-                Json& views) {
-  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
-    const simulation::SensorView sensor = simulation.sensor(robot, i);
-    if (sensor.camera) {
-      const Mounting& at = *sensor.mounting;
-      views.push_back({{"body", body},
-                       {"sensor", sensor.id},
-                       {"frame", json(Frame::turned(at.position, at.azimuth_rad, at.pitch_rad))},
-                       {"width", sensor.camera->width},
-                       {"height", sensor.camera->height},
-                       {"fov_rad", sensor.camera->horizontal_fov_rad}});
-    }
-  }
-}
-
 }  // namespace
 
 Json scene_json(const simulation::Simulation& simulation) {
   const world::World& world = simulation.world();
-  Json bodies = Json::array(), shapes = Json::array(), views = Json::array();
+  Json bodies = Json::array(), shapes = Json::array();
   int body = -1;
   for (const world::Patch& patch : world.patches) list_patch(patch, shapes);
   for (const world::Lamp& lamp : world.lamps) {
@@ -117,7 +99,6 @@ Json scene_json(const simulation::Simulation& simulation) {
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const world::Robot& robot = world.robots[i];
     const BodyPlan plan = world::plan_of(robot);
-    list_views(simulation, i, body + 1, views);
     const Colour colour = world::team_colour(world, robot.team);
     for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
       ++body;
@@ -137,8 +118,7 @@ Json scene_json(const simulation::Simulation& simulation) {
   return {{"arena", {world.arena.length, world.arena.width}},
           {"floor", floor_json(world)},
           {"bodies", std::move(bodies)},
-          {"shapes", std::move(shapes)},
-          {"views", std::move(views)}};
+          {"shapes", std::move(shapes)}};
 }
 
 std::vector<std::string> body_names(const world::World& world) {
@@ -174,16 +154,6 @@ void place_bodies(const simulation::Simulation& simulation,
           Frame::turned({pose->x, pose->y, obstacles[i].z}, pose->heading_rad, 0.0));
     }
     bodies.back().present = pose ? 1.0F : 0.0F;
-  }
-}
-
-void list_beams(const simulation::Simulation& simulation,
-                std::vector<snapshots::BeamState>& beams) {
-  beams.clear();
-  for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    for (const recording::RangeBeam& beam : recording::range_beams(simulation, i)) {
-      beams.push_back(snapshots::BeamState::of(beam.from, beam.to, i, beam.hit));
-    }
   }
 }
 

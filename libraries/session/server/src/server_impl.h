@@ -20,6 +20,7 @@
 #include "elsie/snapshots/snapshots.h"
 
 #include "link.h"
+#include "marks.h"
 #include "past.h"
 #include "recording.h"
 #include "repetition.h"
@@ -185,7 +186,7 @@ class Server::Impl {
   Clock::time_point heard_, shown_, stated_;
   double shown_s_ = 0.0;
   std::vector<snapshots::BodyState> bodies_;
-  std::vector<snapshots::BeamState> beams_;
+  Marks marks_;
 };
 
 }  // namespace elsie::server

@@ -52,23 +52,28 @@ Json members_json(const RobotView& robot) {
   return members;
 }
 
+/// "distance_m", or "blobs.2.distance" in a list.
+std::string name_of(const ReadingField& field) {
+  std::string name(field.group);
+  if (!name.empty()) name += '.' + std::to_string(field.item) + '.';
+  return name += field.name;
+}
+
 Json sensors_json(const Simulation& simulation, std::size_t robot) {
   Json sensors = Json::array();
   for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
     const SensorView sensor = simulation.sensor(robot, i);
-    Json names = Json::array(), units = Json::array(), numbers = Json::array();
+    Json fields = Json::array();
     simulation.visit_reading(robot, i, [&](const ReadingField& field) {
-      for (std::size_t k = 0; field.is_number() && k < field.size; ++k) {
-        names.push_back(field.column(k));
-        units.push_back(field.unit);
-        numbers.push_back(k < field.count ? number(field.number(k)) : Json());
-      }
+      if (!field.is_number()) return;
+      Json values = Json::array();
+      for (std::size_t k = 0; k < field.count; ++k) values.push_back(number(field.number(k)));
+      fields.push_back({{"name", name_of(field)}, {"unit", field.unit}});
+      if (field.is_array) fields.back()["size"] = field.size;
+      fields.back()["values"] = std::move(values);
     });
-    sensors.push_back({{"id", sensor.id},
-                       {"plugin", sensor.plugin},
-                       {"names", std::move(names)},
-                       {"units", std::move(units)},
-                       {"values", std::move(numbers)}});
+    sensors.push_back(
+        {{"id", sensor.id}, {"plugin", sensor.plugin}, {"fields", std::move(fields)}});
   }
   return sensors;
 }
@@ -88,19 +93,21 @@ std::string rgb_text(const Image& image) {
   return files::base64(pixels);
 }
 
+/// The sensors that have taken a picture, or whose readings have one.
 Json cameras_json(const Simulation& simulation, std::size_t robot) {
   Json cameras = Json::array();
   for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
-    const SensorView sensor = simulation.sensor(robot, i);
-    if (!sensor.camera) {
-      continue;
-    }
-    Json camera = {
-        {"id", sensor.id}, {"width", sensor.camera->width}, {"height", sensor.camera->height}};
+    Json pictures = Json::array();
     recording::visit_pictures(simulation, robot, i, [&](std::string_view name, const Image& image) {
-      camera[std::string(name)] = rgb_text(image);
+      pictures.push_back({{"name", name},
+                          {"width", image.width},
+                          {"height", image.height},
+                          {"pixels", rgb_text(image)}});
     });
-    cameras.push_back(std::move(camera));
+    if (!pictures.empty()) {
+      cameras.push_back(
+          {{"id", simulation.sensor(robot, i).id}, {"pictures", std::move(pictures)}});
+    }
   }
   return cameras;
 }

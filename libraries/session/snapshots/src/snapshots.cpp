@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <sys/mman.h>
@@ -16,7 +17,7 @@
 namespace elsie::snapshots {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x656c73696530310a;
+constexpr std::uint64_t kMagic = 0x656c73696530320a;
 constexpr std::uint32_t kBuffers = 3;
 constexpr std::uint32_t kFresh = 4;  // a flag that is added to the number of the ready buffer
 constexpr std::size_t kPage = 4096;
@@ -32,14 +33,14 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free && sizeof(Head) <=
 /// The head of a buffer.
 struct Sizes {
   std::uint64_t bodies = 0;
-  std::uint64_t beams = 0;
+  std::uint64_t marks = 0;
   SnapshotFacts facts;
 };
 
 /// Whether a buffer of `most` bytes has room for these numbers. No product overflows.
-bool fits(std::size_t bodies, std::size_t beams, std::size_t most) {
-  return bodies <= most / sizeof(BodyState) && beams <= most / sizeof(BeamState) &&
-         sizeof(Sizes) + bodies * sizeof(BodyState) + beams * sizeof(BeamState) <= most;
+bool fits(std::size_t bodies, std::size_t marks, std::size_t most) {
+  return bodies <= most / sizeof(BodyState) && marks <= most / sizeof(MarkState) &&
+         sizeof(Sizes) + bodies * sizeof(BodyState) + marks * sizeof(MarkState) <= most;
 }
 
 [[noreturn]] void fail(const std::string& what) {
@@ -68,13 +69,15 @@ BodyState BodyState::of(const Frame& frame) {
   return state;
 }
 
-BeamState BeamState::of(const Vector3& from, const Vector3& to, std::size_t robot, bool hit) {
-  BeamState beam;
-  put(beam.from, from);
-  put(beam.to, to);
-  beam.robot = static_cast<std::uint32_t>(robot);
-  beam.hit = hit ? 1 : 0;
-  return beam;
+MarkState MarkState::of(Sketch::Kind kind, SketchRole role, const Vector3& from, const Vector3& to,
+                        std::string_view text) {
+  MarkState mark;
+  put(mark.from, from);
+  put(mark.to, to);
+  mark.kind = kind;
+  mark.role = role;
+  text.copy(mark.text, kMostText);
+  return mark;
 }
 
 Frame BodyState::frame() const {
@@ -154,17 +157,17 @@ bool Writer::taken() const {
 }
 
 bool Writer::write(const SnapshotFacts& facts, std::span<const BodyState> bodies,
-                   std::span<const BeamState> beams) {
+                   std::span<const MarkState> marks) {
   Head& head = head_of(memory_.begin_);
-  if (!fits(bodies.size(), beams.size(), memory_.most())) {
+  if (!fits(bodies.size(), marks.size(), memory_.most())) {
     return false;
   }
   std::byte* to = buffer_of(memory_.begin_, mine_, memory_.most());
-  const Sizes sizes{bodies.size(), beams.size(), facts};
+  const Sizes sizes{bodies.size(), marks.size(), facts};
   std::memcpy(to, &sizes, sizeof(sizes));
   to += sizeof(sizes);
   std::copy(bodies.begin(), bodies.end(), reinterpret_cast<BodyState*>(to));
-  std::copy(beams.begin(), beams.end(), reinterpret_cast<BeamState*>(to + bodies.size_bytes()));
+  std::copy(marks.begin(), marks.end(), reinterpret_cast<MarkState*>(to + bodies.size_bytes()));
   mine_ = head.ready.exchange(mine_ | kFresh, std::memory_order_acq_rel) % kFresh % kBuffers;
   return true;
 }
@@ -180,12 +183,12 @@ std::optional<Snapshot> Reader::take() {
   const std::byte* from = buffer_of(memory_.begin_, mine_, memory_.most());
   Sizes sizes;
   std::memcpy(&sizes, from, sizeof(sizes));
-  if (!fits(sizes.bodies, sizes.beams, memory_.most())) {
+  if (!fits(sizes.bodies, sizes.marks, memory_.most())) {
     return std::nullopt;  // the writer has written invalid data
   }
   const auto* bodies = reinterpret_cast<const BodyState*>(from + sizeof(sizes));
-  const auto* beams = reinterpret_cast<const BeamState*>(bodies + sizes.bodies);
-  return Snapshot{sizes.facts, {bodies, sizes.bodies}, {beams, sizes.beams}};
+  const auto* marks = reinterpret_cast<const MarkState*>(bodies + sizes.bodies);
+  return Snapshot{sizes.facts, {bodies, sizes.bodies}, {marks, sizes.marks}};
 }
 
 }  // namespace elsie::snapshots

@@ -50,12 +50,20 @@ DrawnRobot drawn(RobotTrack track, const world::Robot& known) {
   return robot;
 }
 
+void keep_part(std::vector<Pose>& path, std::size_t first, std::size_t end) {
+  end = std::min(end, path.size());
+  first = std::min(first, end);
+  path = std::vector<Pose>(path.begin() + static_cast<std::ptrdiff_t>(first),
+                           path.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
 // Reduces a path to the chosen part. Touches have no times: those on that part stay.
 void choose_path(const TopView& view, RobotTrack& track) {
   const PathChoice& choice = view.paths;
   if (!choice.robots.empty() &&
       std::find(choice.robots.begin(), choice.robots.end(), track.id) == choice.robots.end()) {
     track.path.clear();
+    track.believed_path.clear();
     track.placed.clear();
     track.touches.clear();
     return;
@@ -71,10 +79,8 @@ void choose_path(const TopView& view, RobotTrack& track) {
   const auto end =
       last_pose < 0.0 ? first : static_cast<std::size_t>(std::min(last_pose, last)) + 1;
   if (first == 0 && end == track.path.size()) return;
-  track.path = first < end
-                   ? std::vector<Pose>(track.path.begin() + static_cast<std::ptrdiff_t>(first),
-                                       track.path.begin() + static_cast<std::ptrdiff_t>(end))
-                   : std::vector<Pose>();
+  keep_part(track.path, first, end);
+  keep_part(track.believed_path, first, end);
   std::vector<std::size_t> placed;
   for (const std::size_t place : track.placed) {
     if (place >= first && place < end) placed.push_back(place - first);
@@ -116,8 +122,8 @@ Ink resource_ink(const world::World& world, const world::Obstacle& resource) {
 }
 
 Scene complete(const TopView& view) {
-  Scene scene{view.world,         {},  view.boxes, view.title, view.subtitles,
-              view.path_period_s, 0.0, view.paths, view.bare};
+  Scene scene{view.world,         {},  view.sketches, view.boxes, view.title, view.subtitles,
+              view.path_period_s, 0.0, view.paths,    view.bare};
   std::unordered_map<std::string_view, const world::Robot*> robots;
   std::unordered_set<std::string_view> tracked;
   for (const world::Robot& robot : view.world.robots) robots.emplace(robot.id, &robot);
@@ -173,8 +179,9 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
       draw_crowd(canvas, scene, layout);
     } else {
       draw_paths(canvas, scene, layout, labels);
-      draw_beams(canvas, scene, layout, labels);
+      draw_sketches(canvas, scene, layout, labels);
       draw_robots(canvas, scene, layout, labels);
+      draw_beliefs(canvas, scene, layout);
       draw_touches(canvas, scene, layout);
     }
     draw_lamps(canvas, scene, layout);

@@ -1,4 +1,4 @@
-// Robots that are too many for rings, names and beams: dots on thin paths.
+// Robots that are too many for rings, names and sketches: dots on thin paths.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -93,23 +93,14 @@ void add_robots(const Scene& scene, std::vector<LegendEntry>& entries) {
                          canvas.stroke(colour, {.width = 1.5});
                        }});
   }
-  const auto beams = [&](bool hit) {
-    return !crowd && any_robot(scene, [&](const RobotTrack& track) {
-      return std::any_of(track.beams.begin(), track.beams.end(),
-                         [&](const Beam& beam) { return beam.hit == hit; });
-    });
-  };
-  if (beams(true)) {
-    entries.push_back({"beam that hits", 30, [](Canvas& canvas, const Vector2& at) {
-                         canvas.line({at.x - 14, at.y}, {at.x + 12, at.y});
-                         canvas.stroke(kBeam, {.width = 1.2});
-                         canvas.circle({at.x + 12, at.y}, 2.6).fill(kBeam);
-                       }});
-  }
-  if (beams(false)) {
-    entries.push_back({"beam without a hit", 30, [](Canvas& canvas, const Vector2& at) {
-                         canvas.line({at.x - 14, at.y}, {at.x + 14, at.y});
-                         canvas.stroke(kBeam.with_alpha(0.7), {.width = 1, .dash = {4, 3}});
+  add_sketches(scene, entries);
+  if (any_robot(scene, [](const RobotTrack& track) { return track.believed.has_value(); })) {
+    entries.push_back({"where a robot believes it is", 34,
+                       [colour = scene.robots.front().team](Canvas& canvas, const Vector2& at) {
+                         canvas.line({at.x - 15, at.y}, {at.x - 4, at.y});
+                         canvas.stroke(colour, {.width = 1.6, .dash = {0.1, 4}, .round = true});
+                         canvas.circle({at.x + 6, at.y}, 7.5);
+                         canvas.stroke(colour, {.width = 1.4, .dash = {3, 2}});
                        }});
   }
   if (any_robot(scene, [](const RobotTrack& track) { return !track.touches.empty(); })) {

@@ -1,7 +1,7 @@
 // The parts of the top view: its layout and the functions that draw it.
 //
 // Drawing runs from the floor upwards: grid, image and patches of the floor, marks (goals,
-// chargers), boxes, paths, beams, robots, touches, walls, lamps, labels.
+// chargers), boxes, paths, sketches, robots, touches, walls, lamps, labels.
 #pragma once
 
 #include <cmath>
@@ -32,6 +32,7 @@ struct DrawnRobot {
 struct Scene {
   const world::World& world;
   std::vector<DrawnRobot> robots;
+  std::vector<Sketch> sketches;            // of measures
   std::vector<std::optional<Pose>> boxes;  // one for each box of the world
   std::string title;
   std::vector<std::string> subtitles;
@@ -41,7 +42,7 @@ struct Scene {
   PathChoice paths{};
   bool bare = false;
 
-  /// Whether there are too many robots for rings, names, beams and marks on their paths.
+  /// Whether there are too many robots for rings, names, sketches and marks on their paths.
   bool is_crowd() const { return robots.size() > kMostInDetail; }
   static constexpr std::size_t kMostInDetail = 400;
 };
@@ -58,6 +59,9 @@ Ink resource_ink(const world::World& world, const world::Obstacle& resource);
 
 /// What the picture needs to explain.
 std::vector<LegendEntry> legend_of(const Scene& scene);
+
+/// Adds what plugins draw.
+void add_sketches(const Scene& scene, std::vector<LegendEntry>& entries);
 
 /// The layout in units of the drawing.
 struct Layout {
@@ -101,7 +105,9 @@ void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_chargers(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
 void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
-void draw_beams(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
+void draw_sketches(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
+/// Where robots take themselves to be: the path as a dotted line, the body with a dashed outline.
+void draw_beliefs(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_robots(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels);
 void draw_touches(Canvas& canvas, const Scene& scene, const Layout& layout);
 /// All robots of a crowd with their paths and touches.

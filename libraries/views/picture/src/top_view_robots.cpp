@@ -235,28 +235,26 @@ void draw_paths(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
   }
 }
 
-void draw_beams(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
-  const double dot = std::clamp(0.035 * layout.map.scale_x, 1.7, 2.6);
+void draw_beliefs(Canvas& canvas, const Scene& scene, const Layout& layout) {
   for (const DrawnRobot& robot : scene.robots) {
-    for (const Beam& beam : robot.track.beams) {
-      const Vector2 from = layout.map.pixel(beam.from), to = layout.map.pixel(beam.to);
-      for (const double part : {0.2, 0.4, 0.6, 0.8, 1.0}) {
-        labels.avoid_spot({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
-      }
-      canvas.line(from, to);
-      if (beam.hit) {
-        canvas.stroke(kBeam.with_alpha(0.9), {.width = 1.1});
-      } else {
-        canvas.stroke(kBeam.with_alpha(0.55), {.width = 0.9, .dash = {4, 3}});
-      }
+    std::vector<Vector2> points;
+    for (const Pose& pose : robot.track.believed_path) {
+      if (finite(pose)) points.push_back(at(layout, pose));
     }
-  }
-  for (const DrawnRobot& robot : scene.robots) {
-    for (const Beam& beam : robot.track.beams) {
-      if (!beam.hit) continue;
-      canvas.circle(layout.map.pixel(beam.to), dot + 0.8).fill(kPaper.with_alpha(0.9));
-      canvas.circle(layout.map.pixel(beam.to), dot).fill(kBeam);
+    if (points.size() > 1) {
+      canvas.polyline(points).stroke(robot.ink, {.width = 1.6, .dash = {0.1, 4}, .round = true});
     }
+    if (!robot.track.believed || !finite(*robot.track.believed)) continue;
+    const Pose& pose = *robot.track.believed;
+    const Shape& chassis = chassis_of(robot).shape;
+    const Pen pen{.width = 1.4, .dash = {3, 2}};
+    if (chassis_size(robot, layout) < kLegibleChassis) {
+      canvas.circle(at(layout, pose), kRing).stroke(robot.ink, pen);
+    } else {
+      canvas.polygon(pixels(layout.map, pose, outline_of(chassis, 24))).stroke(robot.ink, pen);
+    }
+    canvas.line(at(layout, pose), layout.map.pixel(point_of(pose, {0.5 * chassis.size.x, 0.0})));
+    canvas.stroke(robot.ink, pen);
   }
 }
 

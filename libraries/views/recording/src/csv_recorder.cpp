@@ -24,6 +24,7 @@ constexpr const char* kBodyColumns =
     "time_s,robot,x_m,y_m,heading_rad,forward_m_s,lateral_m_s,turn_rad_s,distance_m,energy,"
     "asked_forward_m_s,asked_lateral_m_s,asked_turn_rad_s,"
     "command_forward_m_s,command_lateral_m_s,command_turn_rad_s";
+constexpr const char* kBeliefColumns = ",believed_x_m,believed_y_m,believed_heading_rad";
 constexpr double kFlushEvery = 1.0;  // s, simulated: the time that a killed program may lose
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kTraceColumns = 10;
@@ -59,7 +60,9 @@ class CsvRecorder final : public simulation::Observer {
         traces::Sampling(static_cast<double>(traces::steps_in(1.0 / rate_hz_, step)) * step);
     sampling_.is_due(simulation.time_s());
     lay_out(simulation);
+    believes_ = believes(simulation);
     std::string all = kBodyColumns;
+    if (believes_) all += kBeliefColumns;
     for (const std::string& name : reading_columns_) {
       all += ',' + quoted(name);
     }
@@ -70,6 +73,9 @@ class CsvRecorder final : public simulation::Observer {
       if (with_times_) {
         all += ',' + quoted("behavior[" + behavior + "].time_s");
       }
+    }
+    for (const std::string& name : published_columns_) {
+      all += ',' + quoted(name);
     }
     out_.line(all);
     sample(simulation);
@@ -89,7 +95,7 @@ class CsvRecorder final : public simulation::Observer {
 
   /// The heading line is written already: new numbers get no column.
   void replaced(const simulation::Simulation& simulation) override {
-    const auto readings = reading_columns_, behaviors = behaviors_;
+    const auto readings = reading_columns_, behaviors = behaviors_, published = published_columns_;
     lay_out(simulation);
     const auto find_again = [](std::vector<std::size_t>& places,
                                const std::vector<std::string>& now,
@@ -102,9 +108,11 @@ class CsvRecorder final : public simulation::Observer {
     for (Places& places : places_) {
       find_again(places.readings, reading_columns_, readings);
       find_again(places.behaviors, behaviors_, behaviors);
+      find_again(places.published, published_columns_, published);
     }
     reading_columns_ = readings;
     behaviors_ = behaviors;
+    published_columns_ = published;
   }
 
  private:
@@ -113,7 +121,21 @@ class CsvRecorder final : public simulation::Observer {
     std::size_t robot = 0;               // its own place in the simulation
     std::vector<std::size_t> readings;   // of each number, sensors in order
     std::vector<std::size_t> behaviors;  // of each member
+    std::vector<std::size_t> published;  // of each number of the robot, then of measures
   };
+
+  static bool believes(const simulation::Simulation& simulation) {
+    const auto& robots = simulation.world().robots;
+    return std::any_of(robots.begin(), robots.end(),
+                       [](const world::Robot& robot) { return robot.localisation.has_value(); });
+  }
+
+  /// The numbers that the plugins of a robot publish, then those of measures.
+  static void visit_published(const simulation::Simulation& simulation, std::size_t robot,
+                              const simulation::VisitPublished& visit) {
+    simulation.visit_published(robot, visit);
+    simulation.visit_published(visit);
+  }
 
   static std::string quoted(const std::string& name) {
     files::CsvLine line;
@@ -125,6 +147,7 @@ class CsvRecorder final : public simulation::Observer {
     places_.clear();
     reading_columns_.clear();
     behaviors_.clear();
+    published_columns_.clear();
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       if (!robots_.empty() && !robots_.contains(simulation.robot(r).description->id)) {
         continue;
@@ -143,6 +166,10 @@ class CsvRecorder final : public simulation::Observer {
       for (const simulation::TracedMember& member : simulation.robot(r).trace) {
         places.behaviors.push_back(place_of(behaviors_, member.path));
       }
+      visit_published(simulation, r, [&](const simulation::PublishedValue& each) {
+        places.published.push_back(
+            place_of(published_columns_, std::string(each.path) + "." + each.number.name));
+      });
       places_.push_back(std::move(places));
     }
   }
@@ -159,9 +186,18 @@ class CsvRecorder final : public simulation::Observer {
             robot.command.lateral, robot.command.turn}) {
         line_.number(value);
       }
+      if (believes_) write_belief(robot);
       write_readings(simulation, places);
       write_trace(robot, places, simulation.steps() > 0);
+      write_published(simulation, places);
       out_.line(line_.take());
+    }
+  }
+
+  void write_belief(const simulation::RobotView& robot) {
+    const Pose& pose = robot.state->pose;
+    for (const double value : {pose.x, pose.y, pose.heading_rad}) {
+      robot.description->localisation ? line_.number(value) : line_.empty();
     }
   }
 
@@ -176,6 +212,22 @@ class CsvRecorder final : public simulation::Observer {
         }
       });
     }
+    write_row();
+  }
+
+  void write_published(const simulation::Simulation& simulation, const Places& places) {
+    row_.assign(published_columns_.size() + 1, kNone);  // the last: numbers without a column
+    const bool decided = simulation.steps() > 0;
+    auto place = places.published.begin();
+    const auto take = [&](const simulation::PublishedValue& each) {
+      row_[*place++] = decided ? each.value : kNone;
+    };
+    if (!places.published.empty()) visit_published(simulation, places.robot, take);
+    write_row();
+  }
+
+  /// Writes all numbers of the row but the last.
+  void write_row() {
     row_.pop_back();
     for (const double value : row_) {
       std::isnan(value) ? line_.empty() : line_.number(value);
@@ -214,13 +266,15 @@ class CsvRecorder final : public simulation::Observer {
   files::RecordFile out_;
   double rate_hz_;
   bool with_times_;
+  bool believes_ = false;         // a robot had a localisation at the start
   std::set<std::string> robots_;  // ids; empty: all
   double flushed_at_s_ = 0.0;
   traces::Sampling sampling_;
   std::vector<std::string> reading_columns_;
   std::vector<std::string> behaviors_;
+  std::vector<std::string> published_columns_;
   std::vector<Places> places_;
-  std::vector<double> row_;  // numbers of readings; kNone: there is none
+  std::vector<double> row_;  // numbers; kNone: there is none
   std::vector<const simulation::TracedMember*> trace_;
   files::CsvLine line_;
 };

@@ -23,6 +23,16 @@ constexpr const char* kSceneTopic = "/scene";
 constexpr const char* kTransformsTopic = "/tf";
 constexpr const char* kEventsTopic = "/events";
 constexpr const char* kCrowdTopic = "/crowd";
+// Of measures.
+constexpr const char* kSketchesTopic = "/sketches";
+constexpr const char* kPublishedTopic = "/published";
+
+// Kinds of a robot's channels.
+constexpr const char* kSketchesKind = "sketches";
+constexpr const char* kBeliefKind = "belief";
+constexpr const char* kPublishedKind = "published";
+constexpr const char* kPublishedNumbers =
+    "numbers";  // its metadata: the numbers and their units, as JSON
 
 /// "/robots/r1/pose"
 inline std::string robot_topic(std::string_view robot, std::string_view kind) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -22,8 +23,10 @@
 #include "crowd.h"
 #include "format.h"
 #include "messages.h"
+#include "published.h"
 #include "scene.h"
 #include "schemas.h"
+#include "sketches.h"
 
 namespace elsie::recording {
 namespace {
@@ -32,13 +35,14 @@ using simulation::RobotView;
 using simulation::SensorView;
 using simulation::Simulation;
 
-bool sees_ranges(const Simulation& simulation, std::size_t robot) {
-  for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
-    if (simulation.sensor(robot, i).sensor->kind() == ReadingKind::of<RangeReading>()) {
-      return true;
-    }
-  }
-  return false;
+VisitAllPublished published_of(const Simulation& simulation, std::size_t robot) {
+  return [&simulation, robot](const simulation::VisitPublished& visit) {
+    simulation.visit_published(robot, visit);
+  };
+}
+VisitAllPublished published_of_measures(const Simulation& simulation) {
+  return
+      [&simulation](const simulation::VisitPublished& visit) { simulation.visit_published(visit); };
 }
 
 class McapRecorder final : public simulation::Observer, private files::EmergencyWriter {
@@ -127,7 +131,8 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   struct RobotChannels {
     std::size_t place;  // in the simulation
     std::uint16_t pose, state, readings, command, trace;
-    std::optional<std::uint16_t> beams;
+    std::optional<std::uint16_t> belief, published;
+    std::optional<std::uint16_t> sketches;  // from the first on
     std::vector<CameraChannels> cameras;
     TraceTexts texts;
     std::string kind;
@@ -199,6 +204,11 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     scene_ = channel(kSceneTopic, schema("foxglove.SceneUpdate"));
     transforms_ = channel(kTransformsTopic, schema("foxglove.FrameTransforms"));
     events_ = channel(kEventsTopic, schema("foxglove.Log"));
+    const std::string title = "elsie.Published";
+    if (const auto text = published_schema(title, published_of_measures(simulation));
+        !text.empty()) {
+      published_ = channel(kPublishedTopic, schema(title, text));
+    }
     add_robots(simulation);
   }
 
@@ -217,6 +227,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       kind += "|" + member.path + " " + std::string(member.plugin) + " " +
               std::string(member.coordinator);
     }
+    kind += simulation.robot(r).description->localisation ? "|believes" : "";
+    simulation.visit_published(r, [&](const simulation::PublishedValue& each) {
+      kind += "|" + std::string(each.path) + "." + each.number.name;
+    });
     return kind;
   }
 
@@ -233,7 +247,6 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
     places_.clear();
     crowd_.clear();
-    const auto scene = schema("foxglove.SceneUpdate");
     const auto pose = schema("foxglove.PoseInFrame");
     const auto state = schema("elsie.State");
     const auto command = schema("elsie.Command");
@@ -264,26 +277,31 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
           own("command", command),
           channel(robot_topic(robot.id, kTraceKind), trace, trace_metadata(simulation.robot(r))),
           std::nullopt,
+          std::nullopt,
+          std::nullopt,
           {},
           TraceTexts(simulation.robot(r)),
           cast};
-      if (sees_ranges(simulation, r)) {
-        channels.beams = own("beams", scene);
+      if (robot.localisation) channels.belief = own(kBeliefKind, pose);
+      const std::string title = "elsie.Published." + robot.id;
+      if (const auto text = published_schema(title, published_of(simulation, r)); !text.empty()) {
+        auto metadata = who;
+        metadata[kPublishedNumbers] = numbers_text(published_of(simulation, r));
+        channels.published = channel(robot_topic(robot.id, kPublishedKind), schema(title, text),
+                                     std::move(metadata));
       }
       for (std::size_t s = 0; options_.images && s < simulation.sensors(r); ++s) {
         const SensorView sensor = simulation.sensor(r, s);
-        if (!sensor.camera) {
-          continue;
-        }
         const std::string topic = "cameras/" + std::string(sensor.id);
-        CameraChannels camera{s, {{"raw", own(topic, image)}}};
+        CameraChannels camera{s, {}};
+        if (sensor.camera) camera.of.emplace("raw", own(topic, image));
         simulation.visit_reading(r, s, [&](const ReadingField& field) {
           const std::string name(field.name);
           if (!field.is_number() && !camera.of.contains(name)) {
-            camera.of.emplace(name, own(topic + "/" + name, image));
+            camera.of.emplace(name, own(name == "raw" ? topic : topic + "/" + name, image));
           }
         });
-        channels.cameras.push_back(std::move(camera));
+        if (!camera.of.empty()) channels.cameras.push_back(std::move(camera));
       }
       robots_.push_back(std::move(channels));
     }
@@ -360,16 +378,25 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     sampled_ = simulation.steps();
     const std::uint64_t time_ns = now(simulation);
     write(transforms_, time_ns, transforms_message(time_ns, simulation, places_seen()));
-    for (const RobotChannels& channels : robots_) {
+    for (RobotChannels& channels : robots_) {
       const RobotView robot = simulation.robot(channels.place);
       write(channels.pose, time_ns, pose_message(time_ns, robot.pose));
       write(channels.state, time_ns, state_message(time_ns, robot));
+      if (channels.belief) {
+        write(*channels.belief, time_ns, pose_message(time_ns, robot.state->pose));
+      }
       if (decided) {
         write_decision(simulation, channels, robot, time_ns);
       }
     }
     if (!crowd_.empty()) {
       out_.write(crowd_channel_, time_ns, crowd_text(time_ns, simulation, crowd_));
+    }
+    if (decided) {
+      write_sketches(sketches_, nullptr, simulation.sketches(), time_ns);
+      if (published_) {
+        write(*published_, time_ns, published_message(time_ns, published_of_measures(simulation)));
+      }
     }
     new_pictures_ = new_pictures_ && !decided;
   }
@@ -385,13 +412,29 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
   }
 
-  void write_decision(const Simulation& simulation, const RobotChannels& channels,
-                      const RobotView& robot, std::uint64_t time_ns) {
+  /// `robot`: null for measures. Plugins that have never drawn anything get no channel.
+  void write_sketches(std::optional<std::uint16_t>& to, const world::Robot* robot,
+                      std::span<const simulation::PluginSketch> sketches, std::uint64_t time_ns) {
+    if (!to && sketches.empty()) return;
+    if (!to) {
+      const std::uint16_t scene = schema("foxglove.SceneUpdate");
+      to = robot ? channel(robot_topic(robot->id, kSketchesKind), scene,
+                           {{"robot", robot->id}, {"team", robot->team}})
+                 : channel(kSketchesTopic, scene);
+    }
+    const std::string whose = robot ? robot->id : "measures";
+    const auto lifetime_ns = static_cast<std::uint64_t>(1.5 * sampling_.period_s() * 1e9);
+    write(*to, time_ns, sketches_message(time_ns, lifetime_ns, whose, sketches));
+  }
+
+  void write_decision(const Simulation& simulation, RobotChannels& channels, const RobotView& robot,
+                      std::uint64_t time_ns) {
     const std::size_t r = channels.place;
     write_readings(simulation, channels, time_ns);
     write(channels.command, time_ns, command_message(decided_ns_, robot));
-    if (channels.beams) {
-      write(*channels.beams, time_ns, beams_message(time_ns, range_beams(simulation, r)));
+    write_sketches(channels.sketches, robot.description, simulation.sketches(r), time_ns);
+    if (channels.published) {
+      write(*channels.published, time_ns, published_message(time_ns, published_of(simulation, r)));
     }
     if (new_pictures_ && !channels.cameras.empty() && !blind_[r]) {
       write_pictures(simulation, channels, time_ns);
@@ -430,6 +473,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   std::uint64_t control_steps_ = 1;               // from one decision to the next
   std::map<std::string, std::uint16_t> schemas_;  // by name and text
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0, crowd_channel_ = 0;
+  std::optional<std::uint16_t> sketches_, published_;  // of measures
   std::vector<RobotChannels> robots_;
   std::vector<std::size_t> crowd_;                       // places of the robots without channels
   std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation

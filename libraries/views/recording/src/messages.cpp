@@ -139,16 +139,15 @@ Json pose_message(std::uint64_t time_ns, const Pose& pose) {
 }
 
 Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot) {
-  const OwnState& state = *robot.state;
   return {{"timestamp", time_json(time_ns)},
-          {"x_m", state.pose.x},
-          {"y_m", state.pose.y},
-          {"heading_rad", state.pose.heading_rad},
-          {"forward_m_s", state.moving.forward},
-          {"lateral_m_s", state.moving.lateral},
-          {"turn_rad_s", state.moving.turn},
+          {"x_m", robot.pose.x},
+          {"y_m", robot.pose.y},
+          {"heading_rad", robot.pose.heading_rad},
+          {"forward_m_s", robot.moving.forward},
+          {"lateral_m_s", robot.moving.lateral},
+          {"turn_rad_s", robot.moving.turn},
           {"distance_m", robot.distance_m},
-          {"energy", state.energy},
+          {"energy", robot.state->energy},
           {"collisions", robot.collisions}};
 }
 

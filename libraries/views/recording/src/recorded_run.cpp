@@ -1,6 +1,7 @@
 #include "elsie/recording/recorded_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "crowd.h"
 #include "format.h"
 #include "reading.h"
+#include "sketches.h"
 
 namespace elsie::recording {
 namespace {
@@ -31,8 +33,12 @@ class Follower final : public Visitor {
     const auto json = [&] { return Json::parse(message.data); };
     if (kind == "state") {
       read_state(track_of(robot), json(), message.log_time_ns);
-    } else if (kind == "beams") {
-      read_beams(track_of(robot), json());
+    } else if (kind == kBeliefKind) {
+      read_belief(track_of(robot), json());
+    } else if (kind == kSketchesKind) {
+      track_of(robot).sketches = sketches_of(json());
+    } else if (channel.topic == kSketchesTopic) {
+      run_.sketches = sketches_of(json());
     } else if (channel.topic == kTransformsTopic) {
       read_transforms(json());
     } else if (channel.topic == kSceneTopic) {
@@ -55,7 +61,7 @@ class Follower final : public Visitor {
   picture::RobotTrack& track_of(const std::string& robot) {
     const auto [known, is_new] = places_.try_emplace(robot, run_.robots.size());
     if (is_new) {
-      run_.robots.push_back({.id = robot, .path = {}, .now = {}, .beams = {}, .touches = {}});
+      run_.robots.push_back({.id = robot, .path = {}, .now = {}, .sketches = {}, .touches = {}});
     }
     return run_.robots[known->second];
   }
@@ -115,21 +121,13 @@ class Follower final : public Visitor {
     }
   }
 
-  static void read_beams(picture::RobotTrack& track, const Json& scene) {
-    const Json& entity = scene.at("entities").at(0);
-    const std::string hits = entity.at("metadata").at(0).at("value").get<std::string>();
-    std::size_t next[2] = {0, 0};  // point, of those that are free and of those that hit
-    track.beams.clear();
-    for (const char digit : hits) {
-      const bool hit = digit == '1';
-      const Json& points = entity.at("lines").at(hit ? 1 : 0).at("points");
-      const auto take = [&] {
-        const Json& point = points.at(next[hit]++);
-        return Vector2{number(point, "x"), number(point, "y")};
-      };
-      const Vector2 from = take();
-      track.beams.push_back({from, take(), hit});
-    }
+  void read_belief(picture::RobotTrack& track, const Json& message) {
+    const Json& at = message.at("pose").at("position");
+    const Json& turn = message.at("pose").at("orientation");
+    const double heading_rad = 2.0 * std::atan2(number(turn, "z"), number(turn, "w"));
+    track.believed = Pose{number(at, "x"), number(at, "y"), heading_rad};
+    // The state at the same time was read before.
+    if (is_due_) track.believed_path.push_back(*track.believed);
   }
 
   void read_transforms(const Json& message) {
@@ -204,6 +202,7 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
   const world::World world = picture::bodies_of(run.world_xml, run.world_file, drives);
   picture::TopView view{world};
   view.robots = run.robots;
+  view.sketches = run.sketches;
   // A recording has the robots by name; a picture colours them in the order of the world.
   std::unordered_map<std::string_view, std::size_t> places;
   for (std::size_t i = 0; i < world.robots.size(); ++i) {

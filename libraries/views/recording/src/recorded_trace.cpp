@@ -52,6 +52,9 @@ class TraceBuilder final : public Visitor {
 
   void channel(const mcap::Channel& channel) override {
     const auto [id, kind] = robot_and_kind(channel);
+    if (kind == kPublishedKind) {
+      add_numbers(channel, id);
+    }
     if (kind != kTraceKind) {
       return;
     }
@@ -97,6 +100,9 @@ class TraceBuilder final : public Visitor {
       }
       decided_s_ = time_s;
       read_decision(trace_.robots[robot->second], Json::parse(message.data), time_s);
+    } else if (const auto publisher = publishers_.find(channel.id);
+               publisher != publishers_.end()) {
+      read_numbers(trace_.robots[publisher->second], Json::parse(message.data), time_s);
     }
   }
 
@@ -111,6 +117,41 @@ class TraceBuilder final : public Visitor {
                        "'; an older Elsie may have written it");
     }
     return at->second;
+  }
+
+  /// The channel of a robot's decisions comes before that of what its plugins publish.
+  void add_numbers(const mcap::Channel& channel, const std::string& id) {
+    const auto known = by_id_.find(id);
+    if (known == by_id_.end()) {
+      throw Unexpected("it is about a robot without decisions, '" + one_line(id) + "'");
+    }
+    TraceRobot& robot = trace_.robots[known->second.back()];
+    publishers_[channel.id] = known->second.back();
+    for (const Json& number : Json::parse(text(channel, kPublishedNumbers))) {
+      traces::TraceNumber added{number.at("path").get<std::string>(),
+                                number.at("name").get<std::string>(),
+                                one_line(number.at("unit").get<std::string>()),
+                                {}};
+      if (!number_of(robot, added.path, added.name)) robot.numbers.push_back(std::move(added));
+    }
+  }
+
+  static traces::TraceNumber* number_of(TraceRobot& robot, std::string_view path,
+                                        std::string_view name) {
+    const auto found = std::find_if(
+        robot.numbers.begin(), robot.numbers.end(),
+        [&](const traces::TraceNumber& each) { return each.path == path && each.name == name; });
+    return found == robot.numbers.end() ? nullptr : &*found;
+  }
+
+  static void read_numbers(TraceRobot& robot, const Json& message, double time_s) {
+    for (const auto& [path, numbers] : message.at("plugins").items()) {
+      for (const auto& [name, value] : numbers.items()) {
+        traces::TraceNumber* const number = number_of(robot, path, name);
+        if (!number) throw Unexpected("it has an unknown number '" + one_line(name) + "'");
+        number->samples.push_back({time_s, value.get<double>()});
+      }
+    }
   }
 
   static bool is_there(const TraceRobot& robot) { return std::isinf(robot.to_s); }
@@ -200,8 +241,9 @@ class TraceBuilder final : public Visitor {
 
   Trace& trace_;
   double decided_s_ = -1.0;
-  std::size_t introduced_ = 0;                   // robots of the world's last message
-  std::map<std::uint16_t, std::size_t> places_;  // of robots, by the ids of their channels
+  std::size_t introduced_ = 0;                       // robots of the world's last message
+  std::map<std::uint16_t, std::size_t> places_;      // of robots, by the ids of their channels
+  std::map<std::uint16_t, std::size_t> publishers_;  // likewise, by those of published numbers
   std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};
 };

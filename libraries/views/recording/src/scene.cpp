@@ -8,6 +8,7 @@
 #include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
 
+#include "entity.h"
 #include "messages.h"
 
 namespace elsie::recording {
@@ -20,20 +21,7 @@ constexpr Colour kWall{0x9a, 0x9f, 0xa6};
 constexpr world::BoxColours kBoxes{{0x8a, 0x8f, 0x98}, {0xb0, 0x8d, 0x57}, {0x7a, 0x5c, 0xa8}};
 constexpr Colour kTyre{0x20, 0x20, 0x20};
 constexpr Colour kInk{0x20, 0x24, 0x28};
-constexpr Colour kHit{0xd0, 0x30, 0x30};
-constexpr Colour kFree{0x9a, 0x9f, 0xa6};
 constexpr double kSheet = 0.002;  // m, the drawn thickness of floor and marks
-
-Json colour_json(const Colour& colour, double opacity = 1.0) {
-  return {{"r", colour.red / 255.0},
-          {"g", colour.green / 255.0},
-          {"b", colour.blue / 255.0},
-          {"a", opacity}};
-}
-
-Json pose_json(const Frame& frame) {
-  return {{"position", position_json(frame.origin)}, {"orientation", rotation_json(frame)}};
-}
 
 /// The corners of a prism: of each side of its outline the lower and the upper one.
 Json corners(const Shape& prism) {
@@ -87,20 +75,6 @@ void add_shape(Json& entity, const Shape& shape, const Frame& middle, const Colo
                                             : "spheres"]
         .push_back(std::move(made));
   }
-}
-
-/// An entity to which primitives are added.
-Json entity(std::uint64_t time_ns, const std::string& id, const std::string& frame) {
-  Json made{{"timestamp", time_json(time_ns)},
-            {"frame_id", frame},
-            {"id", id},
-            {"lifetime", time_json(0)},  // for ever
-            {"frame_locked", true}};
-  for (const char* list : {"metadata", "arrows", "cubes", "spheres", "cylinders", "lines",
-                           "triangles", "texts", "models"}) {
-    made[list] = Json::array();
-  }
-  return made;
 }
 
 Json arena(std::uint64_t time_ns, const World& world) {
@@ -278,32 +252,6 @@ Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& sim
     }
   }
   return {{"transforms", std::move(transforms)}};
-}
-
-Json beams_message(std::uint64_t time_ns, std::span<const RangeBeam> beams) {
-  std::string hits;
-  Json lines[2];  // free beams, beams that hit
-  for (const bool hit : {false, true}) {
-    constexpr int kPairs = 2;  // foxglove.LineType: LINE_LIST
-    lines[hit] = {{"type", kPairs},          {"pose", pose_json({})},
-                  {"thickness", 2.0},        {"scale_invariant", true},
-                  {"points", Json::array()}, {"color", colour_json(hit ? kHit : kFree, 0.8)},
-                  {"colors", Json::array()}, {"indices", Json::array()}};
-  }
-  for (const RangeBeam& beam : beams) {
-    hits += beam.hit ? '1' : '0';
-    Json& points = lines[beam.hit]["points"];
-    points.push_back(position_json(beam.from));
-    points.push_back(position_json(beam.to));
-  }
-  Json made = entity(time_ns, "beams", kWorldFrame);
-  made["metadata"].push_back({{"key", kHits}, {"value", hits}});
-  for (Json& line : lines) {
-    made["lines"].push_back(std::move(line));
-  }
-  Json entities = Json::array();
-  entities.push_back(std::move(made));
-  return {{"deletions", Json::array()}, {"entities", std::move(entities)}};
 }
 
 }  // namespace elsie::recording

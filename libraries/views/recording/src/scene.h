@@ -3,9 +3,7 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "elsie/recording/beams.h"
 #include "elsie/simulation/simulation.h"
 
 #include "format.h"
@@ -24,10 +22,5 @@ Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulati
 /// The places of their frames.
 Json transforms_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
                         std::span<const std::size_t> robots);
-
-/// Beams as two lists of lines: free ones, and red ones that hit. The entity's metadata have a
-/// digit for each beam, in their order: 1 if it hit.
-Json beams_message(std::uint64_t time_ns, std::span<const RangeBeam> beams);
-constexpr const char* kHits = "hits";
 
 }  // namespace elsie::recording

@@ -57,7 +57,9 @@ void TrackRecorder::sample(const simulation::Simulation& simulation) {
       track.placed.push_back(track.path.size());
       was_placed_[i] = false;
     }
-    track.path.push_back(simulation.robot(i).pose);
+    const simulation::RobotView robot = simulation.robot(i);
+    if (robot.description->localisation) track.believed.push_back(robot.state->pose);
+    track.path.push_back(robot.pose);
   }
 }
 

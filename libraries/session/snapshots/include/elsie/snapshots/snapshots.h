@@ -10,8 +10,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "elsie/api/geometry.h"
+#include "elsie/api/sketch.h"
 
 namespace elsie::snapshots {
 
@@ -26,29 +28,37 @@ struct BodyState {
   Frame frame() const;
 };
 
-/// A ray of a range sensor, in the world, m.
-struct BeamState {
-  float from[3];
-  float to[3];
-  std::uint32_t robot = 0;  // its index in the world
-  std::uint32_t hit = 0;
+/// A part of what a plugin draws, in the world, m: a point, a piece of a line, an arrow or a text.
+struct MarkState {
+  static constexpr std::size_t kMostText = 31;  // bytes
 
-  static BeamState of(const Vector3& from, const Vector3& to, std::size_t robot, bool hit);
+  float from[3];
+  float to[3];  // of a point and a text: from
+  Sketch::Kind kind = Sketch::Kind::points;
+  SketchRole role = SketchRole::range;
+  std::uint16_t unused = 0;
+  char text[kMostText + 1] = {};  // ends with 0
+
+  static MarkState of(Sketch::Kind kind, SketchRole role, const Vector3& from, const Vector3& to,
+                      std::string_view text = {});
+  Vector3 begin() const { return {from[0], from[1], from[2]}; }
+  Vector3 end() const { return {to[0], to[1], to[2]}; }
 };
 
 /// The data of a snapshot before its lists.
 struct SnapshotFacts {
   std::uint64_t epoch = 0;  // the number of the scene to which the bodies belong
   std::uint64_t steps = 0;
-  double time_s = 0.0;  // simulated
-  double pace = 0.0;    // recent simulated seconds per second on the clock
+  double time_s = 0.0;         // simulated
+  double pace = 0.0;           // recent simulated seconds per second on the clock
+  std::uint64_t left_out = 0;  // marks for which a snapshot has no room
 };
 
 /// A snapshot in the shared memory.
 struct Snapshot {
   SnapshotFacts facts;
   std::span<const BodyState> bodies;
-  std::span<const BeamState> beams;
+  std::span<const MarkState> marks;
 };
 
 /// Memory that two processes share by a file descriptor. It only occupies pages that were written.
@@ -86,7 +96,7 @@ class Writer {
   bool taken() const;
   /// Writes a snapshot. Returns false and does nothing if the memory is too small.
   bool write(const SnapshotFacts& facts, std::span<const BodyState> bodies,
-             std::span<const BeamState> beams);
+             std::span<const MarkState> marks);
 
  private:
   SharedMemory& memory_;

@@ -1,5 +1,5 @@
 // A picture of a world from above: the arena to scale, with its objects, the paths of the robots,
-// and what their sensors saw.
+// and what plugins draw.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/api/sketch.h"
 #include "elsie/picture/axis.h"
 #include "elsie/picture/size.h"
 
@@ -19,24 +20,19 @@ struct World;
 
 namespace elsie::picture {
 
-/// A ray of a sensor, in the world's frame.
-struct Beam {
-  Vector2 from;
-  Vector2 to;  // the point that it hit, or the end of its range
-  bool hit = false;
-};
-
 /// A robot during a run. Body and team are those of the robot with this id in the world; for an
 /// unknown id, the defaults.
 struct RobotTrack {
   std::string id;
   std::vector<Pose> path;  // oldest first, TopView::path_period_s apart; may be empty
   Pose now;
-  std::vector<Beam> beams;
+  std::vector<Sketch> sketches;       // of its plugins
   std::vector<Vector2> touches;       // its positions when it collided
   std::vector<Pose> segments{};       // poses of its segments; missing ones stand in line
   std::vector<std::size_t> placed{};  // indices of poses to which it did not drive, ascending
   double from_s = 0.0;                // time of the first pose of the path
+  std::optional<Pose> believed{};     // where it takes itself to be; none: it knows
+  std::vector<Pose> believed_path{};  // likewise, for each pose of the path; empty: it knows
 };
 
 /// The parts of the paths to draw. The long paths of many robots hide each other.
@@ -54,6 +50,8 @@ struct TopView {
   const world::World& world;
   /// Robots of the world that are not listed are drawn at their start.
   std::vector<RobotTrack> robots{};
+  /// What measures draw.
+  std::vector<Sketch> sketches{};
   /// The current poses of the world's boxes, in the world's order; nullopt: removed (a collected
   /// resource). Boxes beyond the end of the list are at their start.
   std::vector<std::optional<Pose>> boxes{};

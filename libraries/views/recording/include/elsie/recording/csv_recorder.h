@@ -14,10 +14,14 @@ namespace elsie::recording {
 /// - time_s, robot, x_m, y_m, heading_rad, distance_m, energy;
 /// - forward_m_s, lateral_m_s, turn_rad_s: the measured motion; with asked_ in front, the
 ///   motion that the coordinator asked for; with command_ in front, what the drive can make of it;
+/// - believed_x_m, believed_y_m, believed_heading_rad: where the robot takes itself to be; only in
+///   worlds that have a <localisation> at the start, and empty for robots without one;
 /// - sensor[ID].VALUE for each number of each sensor's reading;
 /// - behavior[ID].asked, .forward_m_s, .lateral_m_s, .turn_rad_s, .activation, .strength, .weight,
 ///   .share, .inhibited_by, .reason (and .time_s when time is measured): the coordinator's trace of
-///   its last decision.
+///   its last decision;
+/// - PATH.NAME for each number that a plugin of a robot or a measure publishes, as in
+///   simulation::PublishedValue; empty where there is none now.
 ///
 /// Poses are those at time_s; readings, commands and traces are those of the decision that led
 /// there, and empty in the first row, before any decision. Columns for what a robot does not have

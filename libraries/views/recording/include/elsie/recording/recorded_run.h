@@ -66,6 +66,7 @@ struct RecordedRun {
   // The state at the requested time.
   double shown_s = 0.0;                     // of the last sample until then
   std::vector<picture::RobotTrack> robots;  // their paths until then
+  std::vector<Sketch> sketches;             // of measures
   std::map<std::string, Pose> moved;        // boxes that may move, by their ids
   std::set<std::string> standing;           // ids of the boxes that were not yet collected
 };

@@ -56,6 +56,19 @@ struct TraceEvent {
   std::optional<events::Changed> changed{};  // the edit, for `changed`
 };
 
+/// A number that a plugin of a robot published, at the samples of the recording at which it
+/// existed.
+struct TraceNumber {
+  std::string path;  // of the plugin: "explore/avoid_obstacle"
+  std::string name;
+  std::string unit;  // may be empty
+  struct Sample {
+    double time_s = 0.0;
+    double value = 0.0;
+  };
+  std::vector<Sample> samples;  // ascending in time
+};
+
 /// A robot with its behaviours during a time. If an edit changes the behaviours, another TraceRobot
 /// with the same id begins.
 struct TraceRobot {
@@ -64,6 +77,7 @@ struct TraceRobot {
   std::string coordinator;           // its own, the outermost
   std::vector<TraceMember> members;  // each before those inside it, in file order
   std::vector<TraceEvent> events;
+  std::vector<TraceNumber> numbers{};
   /// The time during which it is in the world with these behaviours, s.
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();

@@ -34,6 +34,8 @@ struct Track {
   /// `path`, ascending.
   std::vector<std::size_t> placed{};
   double from_s = 0.0;  // time of the first pose; later than 0 for a robot that an edit added
+  /// Where it took itself to be at each pose of the path; empty: it has no localisation.
+  std::vector<Pose> believed{};
 };
 
 /// Keeps the path of every robot.
