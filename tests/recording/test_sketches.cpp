@@ -164,6 +164,9 @@ TEST_CASE("A localisation has a channel of what the robot believes, and columns 
   CHECK(run.robots[0].believed->heading_rad == Approx(wrap_angle(believed.heading_rad)));
   CHECK(run.robots[0].believed_path.size() == run.robots[0].path.size());
   CHECK_FALSE(run.robots[1].believed);
+  const Folder folder;
+  recording::save_picture(run, shipped(), {}, folder.file("replayed.png"), {300, 0});
+  CHECK(folder.read("replayed.png").size() > 1000);
 
   const std::vector<std::string> lines = lines_of(table.path);
   CHECK_THAT(lines[0], Catch::Contains(",believed_x_m,believed_y_m,believed_heading_rad"));

@@ -70,8 +70,13 @@ class LinePainter {
  private:
   using Place = std::pair<double, double>;
 
+  /// To a hundredth of a pixel: an upper and a lower edge differ by rounding errors.
+  static Place place_of(const Vector2& at) {
+    return {std::round(100.0 * at.x), std::round(100.0 * at.y)};
+  }
+
   bool is_new(const Vector2& a, const Vector2& b) {
-    const Place one{a.x, a.y}, other{b.x, b.y};
+    const Place one = place_of(a), other = place_of(b);
     return one != other && drawn_.insert(std::minmax(one, other)).second;
   }
 
@@ -208,15 +213,15 @@ void draw_sketches(Canvas& canvas, const Scene& scene, const Layout& layout, Lab
 
 void add_sketches(const Scene& scene, std::vector<LegendEntry>& entries) {
   if (scene.is_crowd()) return;
-  if (has(scene, Sketch::Kind::line, SketchRole::hit)) {
-    entries.push_back({"beam that hits", 30, [](Canvas& canvas, const Vector2& at) {
+  if (has_any(scene, SketchRole::hit)) {
+    entries.push_back({"hit of a sensor", 30, [](Canvas& canvas, const Vector2& at) {
                          canvas.line({at.x - 14, at.y}, {at.x + 12, at.y});
                          canvas.stroke(kBeam, {.width = 1.2});
                          canvas.circle({at.x + 12, at.y}, 2.6).fill(kBeam);
                        }});
   }
-  if (has(scene, Sketch::Kind::line, SketchRole::range)) {
-    entries.push_back({"beam without a hit", 30, [](Canvas& canvas, const Vector2& at) {
+  if (has_any(scene, SketchRole::range)) {
+    entries.push_back({"range of a sensor", 30, [](Canvas& canvas, const Vector2& at) {
                          canvas.line({at.x - 14, at.y}, {at.x + 14, at.y});
                          canvas.stroke(kBeam.with_alpha(0.7), {.width = 1, .dash = {4, 3}});
                        }});
