@@ -1,5 +1,3 @@
-#include "elsie/api/reading.h"
-
 #include <array>
 #include <limits>
 #include <span>
@@ -9,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/api/perception.h"
+#include "elsie/api/reading.h"
 #include "elsie/api/sensor.h"
 #include "elsie/base/error.h"
 
@@ -125,11 +124,10 @@ TEST_CASE("A reading lists numbers, arrays, lists and pictures, each number in a
   reading.heard = {7};
   reading.blobs = {{5.0, {8.0F, 9.0F}}};
   CHECK(columns(reading) ==
-        std::vector<std::string>{"ranges.0=1", "ranges.1=2", "ranges.2=3", "mode=3", "is_on=1",
-                                 "doubled=6", "heard.0=7", "heard.1", "heard.2",
-                                 "blobs.0.distance=5", "blobs.0.place.0=8", "blobs.0.place.1=9",
-                                 "blobs.1.distance", "blobs.1.place.0", "blobs.1.place.1",
-                                 "picture"});
+        std::vector<std::string>{
+            "ranges.0=1", "ranges.1=2", "ranges.2=3", "mode=3", "is_on=1", "doubled=6", "heard.0=7",
+            "heard.1", "heard.2", "blobs.0.distance=5", "blobs.0.place.0=8", "blobs.0.place.1=9",
+            "blobs.1.distance", "blobs.1.place.0", "blobs.1.place.1", "picture"});
 }
 
 TEST_CASE("A field has its unit, and knows whether it is part of the reading") {
@@ -178,7 +176,8 @@ TEST_CASE("A list is no longer than it may be") {
   reading.blobs.resize(2);
   CHECK(refusal(reading).empty());
   reading.heard.push_back(4);
-  CHECK_THAT(refusal(reading), Contains("'heard' of its reading has 4 numbers; expected at most 3"));
+  CHECK_THAT(refusal(reading),
+             Contains("'heard' of its reading has 4 numbers; expected at most 3"));
   reading.heard.clear();
   reading.blobs.resize(3);
   CHECK_THAT(refusal(reading), Contains("the list 'blobs' of its reading is longer than it may"));

@@ -134,7 +134,8 @@ std::string faults_of_sensor() {
 
 }  // namespace
 
-TEST_CASE("The fields of a reading have plain names of their own, and are there from the beginning") {
+TEST_CASE(
+    "The fields of a reading have plain names of their own, and are there from the beginning") {
   CHECK(faults_of_sensor<ScanReading<std::array<double, 3>>>().empty());
   CHECK(faults_of_sensor<ScanReading<ThreeByDefault>>().empty());
   CHECK(faults_of_sensor<NumberedReading>().empty());

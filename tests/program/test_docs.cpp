@@ -359,8 +359,9 @@ TEST_CASE(
        {"tests/testing/test_snippets.cpp", "tests/testing/without_framework.cpp",
         "examples/01-first-behavior/test_shy.cpp", "examples/01-first-behavior/CMakeLists.txt",
         "examples/02-coordinator/fusion_activity.cpp",
-        "examples/02-coordinator/test_fusion_activity.cpp", "examples/03-new-sensor/gyrocompass.cpp",
-        "examples/03-new-sensor/gyrocompass_reading.h", "examples/03-new-sensor/test_gyrocompass.cpp"}) {
+        "examples/02-coordinator/test_fusion_activity.cpp",
+        "examples/03-new-sensor/gyrocompass.cpp", "examples/03-new-sensor/gyrocompass_reading.h",
+        "examples/03-new-sensor/test_gyrocompass.cpp"}) {
     run += plain(read(source / file));
   }
   std::size_t shown = 0;

@@ -108,8 +108,7 @@ TEST_CASE("A measure of one file is compiled and run; one that fails ends the ru
 TEST_CASE("Measures are listed, described and tried like other plugins") {
   Workplace here;
   CHECK_THAT(here.elsie("plugins").out, Contains("\nmeasures\n  collected "));
-  CHECK_THAT(here.elsie("describe measure place_reached").out,
-             Contains("A measure, version 1.0."));
+  CHECK_THAT(here.elsie("describe measure place_reached").out, Contains("A measure, version 1.0."));
   CHECK_THAT(here.elsie("describe behavior place_reached").err,
              Contains("there is no behavior 'place_reached'"));
   const auto tried = here.elsie("test-plugin path_length place_reached --set robot=r1");

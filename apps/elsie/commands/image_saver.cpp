@@ -102,11 +102,10 @@ void ImageSaver::save(const Simulation& simulation, std::uint64_t step) const {
       // Ids contain no '+'.
       const std::string base = std::string(number) + "_" + simulation.robot(robot).description->id +
                                "+" + std::string(sensor.id);
-      recording::visit_pictures(simulation, robot, i,
-                                [&](std::string_view name, const elsie::Image& image) {
-                                  picture::write_png(
-                                      image, folder_ / (base + "_" + std::string(name) + ".png"));
-                                });
+      recording::visit_pictures(
+          simulation, robot, i, [&](std::string_view name, const elsie::Image& image) {
+            picture::write_png(image, folder_ / (base + "_" + std::string(name) + ".png"));
+          });
     }
   }
 }

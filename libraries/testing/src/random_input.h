@@ -44,7 +44,8 @@ struct Input {
   /// For measures: the start and the instants after it, and the boxes that are removed by the end.
   std::vector<Scene> watched;
   std::vector<std::string> gone;
-  /// For drives and localisations: the chassis above, the motions that are asked for, and the limit of rim speeds.
+  /// For drives and localisations: the chassis above, the motions that are asked for, and the limit
+  /// of rim speeds.
   Chassis chassis;
   std::vector<Motion> asked;
   double max_speed = 0.5;  // m/s

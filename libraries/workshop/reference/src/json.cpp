@@ -210,9 +210,8 @@ Json plugin_json(const plugin::Host& host, const Declaration& plugin) {
   }
   json["published"] = Json::array();
   for (const PublishedNumber& number : plugin.published) {
-    json["published"].push_back({{"name", number.name},
-                                 {"unit", number.facts.unit},
-                                 {"meaning", number.facts.meaning}});
+    json["published"].push_back(
+        {{"name", number.name}, {"unit", number.facts.unit}, {"meaning", number.facts.meaning}});
   }
   json["reacts_to"] = plugin.reacts_to;
   json["events"] = Json::array();
