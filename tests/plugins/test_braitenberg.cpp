@@ -47,6 +47,8 @@ TEST_CASE("Weights that do not fit the robot's sensors are refused before the ru
       vehicle({{"weights", std::vector<double>{1, 2, 3}}})->equipped(now.perception()),
       "weights has 3 numbers, but the robot's 2 sensors need two each, left and right: 4");
   Situation blind;
-  CHECK_THROWS_WITH(vehicle()->equipped(blind.perception()),
-                    "it is wired to range and proximity sensors, and the robot has none; add one");
+  CHECK_THROWS_WITH(
+      vehicle()->equipped(blind.perception()),
+      "it is wired to range, proximity and infra-red sensors, and the robot has none; add "
+      "one");
 }
