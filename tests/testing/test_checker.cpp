@@ -90,7 +90,7 @@ const Fault kFaults[] = {
     {kCoordinator, "divides", "which is no finite number"},
     {kCoordinator, "remembers", "reset() must forget"},
     {kSensor, "infinite", "it throws: the number 'value' of its reading is inf"},
-    {kSensor, "varying", "lists 1 numbers, and 2 before"},
+    {kSensor, "varying", "lists 1 names, and 2 before"},
     {kSensor, "radio", "it answers differently while the behavior 'gossip' of its library works"},
     {kSensor, "shared_noise", "two objects answer the same input differently"},
 };

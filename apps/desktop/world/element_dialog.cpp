@@ -30,6 +30,14 @@ QString attributes_text(const std::map<QString, QString>& values) {
   return text;
 }
 
+/// The row of the kind to begin with: the first, but of sensors the first that most behaviours
+/// need.
+int usual_row(const std::vector<Kind>& kinds) {
+  const auto ranges = std::find_if(
+      kinds.begin(), kinds.end(), [](const Kind& kind) { return kind.produces.contains("range"); });
+  return ranges == kinds.end() ? 0 : static_cast<int>(ranges - kinds.begin());
+}
+
 }  // namespace
 
 ElementDialog::ElementDialog(Workbench& workbench, QWidget* parent)
@@ -95,7 +103,7 @@ ElementDialog* ElementDialog::make(Workbench& workbench, const QString& holder, 
         tr("%1 of %2").arg(member_word(list), title_at(workbench.tree(), holder)));
   }
   if (!present.element || !dialog->choose(name_of(*present.element))) {
-    dialog->choice_->setCurrentRow(0);
+    dialog->choice_->setCurrentRow(usual_row(dialog->kinds_));
   }
   return dialog;
 }

@@ -22,11 +22,16 @@ class Findings {
       check(parameter, "parameter '" + parameter.name + "'");
     }
     for (const ElementDeclaration& element : declaration_.elements) {
+      if (element.is_of_kind) continue;  // Elsie's own
       const std::string subject = "element '" + element.name + "'";
       require_meaning(element.meaning, subject, "give elsie::element() one");
       for (const ParameterDeclaration& parameter : element.parameters) {
         check(parameter, "parameter '" + parameter.name + "' of " + subject);
       }
+    }
+    for (const PublishedNumber& number : declaration_.published) {
+      require_meaning(number.facts.meaning, "published number '" + number.name + "'",
+                      "give elsie::publishes() one");
     }
     for (const EventDeclaration& event : declaration_.events) {
       require_meaning(event.meaning, "event '" + event.name + "'", "give elsie::raises() one");

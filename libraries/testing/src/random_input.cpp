@@ -232,18 +232,22 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
                                "tested; put the sensor's library into the plugin path, or give the "
                                "checker add_readings");
     }
-    // A sensor for each instant, so that its reading stays in place.
-    const auto sensor = std::make_shared<Sensor>(plugins_, (*maker)->name);
-    sensor->reset(random.bits());
-    Surroundings around = random_surroundings(random_colour(random), false, random);
-    around.at(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-180, 180));
-    if (const auto camera = (*sensor)->camera()) {
-      const Image picture = random_picture(camera->width, camera->height, random);
-      sensor->update(around, &picture);
-    } else {
-      sensor->update(around, nullptr);
+    // Two beside each other, new ones for each instant, so that their readings stay in place.
+    for (const double side : {1.0, -1.0}) {
+      const Mounting mounting{{0.03, 0.02 * side, 0.05}, 0.3 * side, 0.0};
+      const auto sensor = std::make_shared<Sensor>(plugins_, (*maker)->name);
+      sensor->mounted(mounting);
+      sensor->reset(random.bits());
+      Surroundings around = random_surroundings(random_colour(random), false, random);
+      around.at(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-180, 180));
+      if (const auto camera = (*sensor)->camera()) {
+        const Image picture = random_picture(camera->width, camera->height, random);
+        sensor->update(around, &picture);
+      } else {
+        sensor->update(around, nullptr);
+      }
+      now.sensed((*sensor)->kind(), {sensor, (*sensor)->reading()}, mounting);
     }
-    now.sensed((*sensor)->kind(), {sensor, (*sensor)->reading()}, Mounting{});
   }
 }
 

@@ -78,8 +78,7 @@ ELSIE_SENSOR(
                      {.unit = "px", .min = 1, .max = 320, .meaning = "columns", .live = false}),
     elsie::parameter("height", &Depth::height,
                      {.unit = "px", .min = 1, .max = 240, .meaning = "rows", .live = false}),
-    elsie::parameter(
-        "fov_deg", &Depth::fov_deg,
-        {.unit = "deg", .above = 0, .max = 170, .meaning = "horizontal field of view"}),
+    elsie::parameter("fov_deg", &Depth::fov_deg,
+                     {.unit = "deg", .min = 1, .max = 170, .meaning = "horizontal field of view"}),
     elsie::parameter("max_range", &Depth::max_range,
                      {.unit = "m", .above = 0, .meaning = "range; also the depth of nothing"}));
