@@ -64,8 +64,8 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
         "elsie: 'notes' exists already; choose another name, or --folder");
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
-        "elsie: 'robot' is not a plugin kind; there are behavior, coordinator, sensor, measure and "
-        "drive");
+        "elsie: 'robot' is not a plugin kind; there are behavior, coordinator, sensor, measure, "
+        "drive and localisation");
   CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is not a name for a plugin"));
   CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is not a name for a plugin"));
   CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is not a name for a plugin"));
@@ -79,7 +79,7 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
   CHECK_THAT(refused("behavior wander"), Contains("there is a behavior 'wander' already"));
   CHECK(refused("drive differential") ==
         "elsie: there is a drive 'differential' already (built in); choose another name");
-  CHECK_THAT(refused("sensor light --folder notes/light"), Contains("cannot be made"));
+  CHECK_THAT(refused("sensor sonar --folder notes/sonar"), Contains("cannot be made"));
   CHECK(refused("sensor") == "elsie: NAME is missing");
   for (const auto& entry : std::filesystem::directory_iterator(here.file(""))) {
     CHECK_FALSE(entry.path().extension() == ".new");

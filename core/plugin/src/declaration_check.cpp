@@ -212,7 +212,9 @@ class Checker {
     }
     if (!is_sensor && produced != 0) fault("only a sensor produces readings");
     const bool perceives = kind == PluginKind::behavior || kind == PluginKind::coordinator;
-    if (!perceives && !declaration_.needs.empty()) {
+    const bool is_known =
+        std::find(kPluginKinds.begin(), kPluginKinds.end(), kind) != kPluginKinds.end();
+    if (is_known && !perceives && !declaration_.needs.empty()) {
       fault("a " + std::string(kind_name(kind)) + " is not given readings, so it cannot need any");
     }
     if (kind == PluginKind::measure && !declaration_.events.empty()) {
