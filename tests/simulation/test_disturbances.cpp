@@ -50,9 +50,9 @@ double deviation(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-std::string why_refused(const std::string& inside) {
+std::string why_refused(const std::string& inside, const std::string& more = "") {
   try {
-    in_front(inside);
+    in_front(inside, 1, more);
   } catch (const world::WorldError& refused) {
     return refused.what();
   }
@@ -172,6 +172,34 @@ TEST_CASE("An edit sets a noise while the robot runs") {
   CHECK(reading(simulation) == Approx(1.3));
 }
 
+TEST_CASE("An edit of something else keeps the readings under way, and the streams") {
+  const auto seen = [](bool edits) {
+    Simulation simulation = in_front(
+        R"(<noise on="distance_m" gaussian="0.1"/><failure latency="0.05" dropout="0.1"/>)");
+    std::vector<double> all;
+    for (int i = 0; i < 40; ++i) {
+      if (edits && i == 20) {
+        simulation.edit("robot[r1]/sensor[+]", R"(<beam_range id="other" yaw_deg="90"/>)");
+        // Refused, and undone.
+        CHECK_FALSE(refusal(simulation, "robot[r1]/sensor[ahead]/noise[1]/@on", "hit").empty());
+      }
+      simulation.step();
+      all.push_back(reading(simulation));
+    }
+    return all;
+  };
+  CHECK(seen(true) == seen(false));
+}
+
+TEST_CASE("A sensor with late readings may get other arrays by an edit") {
+  Simulation simulation =
+      of("", R"(<sensors><lidar id="scan" rays="5"><failure latency="0.05"/></lidar></sensors>)");
+  advance(simulation, 10);
+  simulation.edit("robot[r1]/sensor[scan]/@rays", "9");
+  advance(simulation, 10);
+  CHECK(numbers_of(simulation, 0, 0).size() == 9);
+}
+
 TEST_CASE("What does not fit a sensor is refused with a sentence") {
   CHECK_THAT(why_refused(R"(<noise on="distance" bias="1"/>)"),
              Catch::Contains("its <noise on=\"distance\"> names no field of its reading") &&
@@ -182,5 +210,10 @@ TEST_CASE("What does not fit a sensor is refused with a sentence") {
   CHECK_THAT(why_refused(R"(<noise on="distance_m" gaussian="-1"/>)"),
              Catch::Contains("at least 0"));
   CHECK_THAT(why_refused(R"(<noise bias="1"/>)"), Catch::Contains("lacks the attribute 'on'"));
+  CHECK_THAT(why_refused(R"(<failure latency="60"/>)"),
+             Catch::Contains("no reading arrives before the run ends, at 60 s; expected less"));
+  CHECK_THAT(why_refused(R"(<failure latency="1"/>)", R"(<physics step="1e-6"/>)"),
+             Catch::Contains("more than 100,000 readings would be under way") &&
+                 Catch::Contains("expected at most 0.1 s"));
   CHECK_THAT(why_refused(R"(<failure dropout="2"/>)"), Catch::Contains("dropout"));
 }

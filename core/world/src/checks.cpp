@@ -228,6 +228,27 @@ void check_segments(const Robot& robot, Problems& problems) {
   }
 }
 
+// Checks that the readings of a sensor arrive before the run ends, and that those under way fit
+// into memory.
+void check_latency(const ElementUse& failure, const World& world, Problems& problems) {
+  const auto given = failure.parameters.find("latency");
+  if (failure.element != "failure" || given == failure.parameters.end()) return;
+  constexpr double kMostUnderWay = 100'000;
+  const double latency = std::get<double>(given->second);
+  const double period = world.physics.step * world.physics.control_steps;
+  const std::string what = "latency=\"" + number_text(latency) + "\" of <failure>: ";
+  if (latency >= world.limits.time) {
+    problems.add(failure.location, what + "no reading arrives before the run ends, at " +
+                                       number_text(world.limits.time) + " s; expected less");
+  } else if (latency > kMostUnderWay * period) {
+    problems.add(failure.location,
+                 what +
+                     "more than 100,000 readings would be under way, one in each control period; "
+                     "expected at most " +
+                     number_text(kMostUnderWay * period, 6) + " s");
+  }
+}
+
 void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
                  bool is_running, Problems& problems) {
   const Robot& robot = reading.world.robots[index];
@@ -245,6 +266,11 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
                                        number_text(body.length) + " m long and " +
                                        number_text(body.width) +
                                        " m wide; expected its diameter as both");
+    }
+  }
+  for (const SensorUse& sensor : robot.sensors) {
+    for (const ElementUse& element : sensor.elements) {
+      check_latency(element, reading.world, problems);
     }
   }
   if (reading.sound_with_segments(robot)) check_segments(robot, problems);

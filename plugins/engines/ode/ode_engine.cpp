@@ -92,15 +92,7 @@ class OdeEngine final : public Engine {
     bodies_.robots.at(robot);
     return contact_watch_.of(robot);
   }
-  void watch_motion(std::size_t robot) override {
-    motion_watch_.watch(robot, bodies_.robots.at(robot).vehicles().size());
-  }
-  BodyMotion motion(std::size_t robot) const override {
-    return motion_watch_.motion(robot, 0, velocity_of(robot, 0));
-  }
-  BodyMotion segment_motion(std::size_t robot, std::size_t segment) const override {
-    return motion_watch_.motion(robot, segment + 1, velocity_of(robot, segment + 1));
-  }
+  BodyMotion motion(std::size_t robot) const override;
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
     return bodies_.scene.cast_ray(origin, direction, max_range, except);
@@ -127,7 +119,6 @@ class OdeEngine final : public Engine {
                           const world::Fixture& fixture, double mass, bool sensed);
   std::size_t enter_robot(double top);
   void take_watches(const OdeEngine& other, std::size_t robot);
-  MotionWatch::Velocity velocity_of(std::size_t robot, std::size_t vehicle) const;
   void take_step();
   template <class Work>
   void for_each_robot(const Work& work);
@@ -158,7 +149,6 @@ class OdeEngine final : public Engine {
   Islands islands_;
   Bounds bounds_;
   ContactWatch contact_watch_;
-  MotionWatch motion_watch_;
   GiveUps give_ups_;
   std::vector<bool> stay_within_;  // within the arena's walls: each robot
 };
@@ -217,7 +207,6 @@ std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot) {
 void OdeEngine::take_watches(const OdeEngine& other, std::size_t robot) {
   const std::size_t index = bodies_.robots.size() - 1;
   if (other.contact_watch_.watches(robot)) contact_watch_.watch(index);
-  motion_watch_.take(index, other.motion_watch_, robot, bodies_.robots[index].vehicles().size());
 }
 
 std::size_t OdeEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,
@@ -347,11 +336,7 @@ void OdeEngine::step() {
 }
 
 void OdeEngine::take_step() {
-  const auto velocity = [this](std::size_t robot, std::size_t vehicle) {
-    return velocity_of(robot, vehicle);
-  };
   contact_watch_.begin_step();
-  motion_watch_.begin_step(velocity);
   start_moving_boxes();
   begin();
   bool solved = false;
@@ -377,7 +362,6 @@ void OdeEngine::take_step() {
   }
   time_ += physics_.step;
   settle();
-  motion_watch_.end_step(physics_.step, velocity);
 }
 
 /// Calls work(robot, share) for all robots; the pool does several shares at once.
@@ -417,9 +401,8 @@ void OdeEngine::find_contacts(Islands::OdeTakes takes) {
   islands_.divide(finder_.found(), bodies_.robots, takes);
 }
 
-/// Of the origin, in the world.
-MotionWatch::Velocity OdeEngine::velocity_of(std::size_t robot, std::size_t vehicle) const {
-  const OdeVehicle& of = bodies_.robots.at(robot).vehicles().at(vehicle);
+BodyMotion OdeEngine::motion(std::size_t robot) const {
+  const OdeVehicle& of = bodies_.robots.at(robot).vehicles().front();
   const Vector3 from_middle = of.frame().origin - of.solids().chassis.shape.center;
   return {of.velocity() + cross(of.turning(), from_middle), of.turning()};
 }

@@ -123,7 +123,6 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot) {
 void PlanarEngine::take_watches(const PlanarEngine& other, std::size_t robot) {
   const std::size_t index = robots_.size() - 1;
   if (other.contact_watch_.watches(robot)) contact_watch_.watch(index);
-  motion_watch_.take(index, other.motion_watch_, robot, robots_[index].vehicles());
 }
 
 std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, const BodyPlan& plan,

@@ -62,13 +62,7 @@ class PlanarEngine final : public Engine {
     robots_.at(robot);
     return contact_watch_.of(robot);
   }
-  void watch_motion(std::size_t robot) override {
-    motion_watch_.watch(robot, robots_.at(robot).vehicles());
-  }
-  BodyMotion motion(std::size_t robot) const override {
-    return motion_watch_.motion(robot, 0, velocity_of(robot, 0));
-  }
-  BodyMotion segment_motion(std::size_t robot, std::size_t segment) const override;
+  BodyMotion motion(std::size_t robot) const override;
   std::optional<RayHit> cast_ray(const Vector3& origin, const Vector3& direction, double max_range,
                                  std::size_t except) const override {
     return scene_.cast_ray(origin, direction, max_range, except);
@@ -122,7 +116,6 @@ class PlanarEngine final : public Engine {
   void fail_if_pressed() const;
   void note_contacts();
   void note_contact(const Contact& contact, bool of_a);
-  MotionWatch::Velocity velocity_of(std::size_t robot, std::size_t vehicle) const;
 
   const int parts_;         // of a step
   world::Physics physics_;  // with the length of a part as its step
@@ -140,7 +133,6 @@ class PlanarEngine final : public Engine {
   CollisionPipeline pipeline_;
   Bounds bounds_;
   ContactWatch contact_watch_;
-  MotionWatch motion_watch_;
   std::vector<std::uint32_t> jointed_;  // robots with steering or segments
   std::vector<Hinge*> hinges_;          // of all robots, in each step
   base::ThreadPool alone_;

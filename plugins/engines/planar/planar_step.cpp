@@ -61,16 +61,10 @@ SegmentState PlanarEngine::segment(std::size_t robot, std::size_t segment) const
   return {frame_at(at, 0.0, mover.ahead()), {at.x, at.y, mover.heading_rad()}, hinge.yaw_rad, 0.0};
 }
 
-/// Of the origin, in the world.
-MotionWatch::Velocity PlanarEngine::velocity_of(std::size_t robot, std::size_t vehicle) const {
-  const Mover& mover = movers_[robots_.at(robot).first() + vehicle];
+BodyMotion PlanarEngine::motion(std::size_t robot) const {
+  const Mover& mover = movers_[robots_.at(robot).first()];
   const Twist velocity = mover.ahead().turn(mover.velocity_of_origin());
   return {{velocity.x, velocity.y, 0.0}, {0.0, 0.0, velocity.turn}};
-}
-
-BodyMotion PlanarEngine::segment_motion(std::size_t robot, std::size_t segment) const {
-  robots_.at(robot).hinge(segment);  // there is one
-  return motion_watch_.motion(robot, segment + 1, velocity_of(robot, segment + 1));
 }
 
 void PlanarEngine::note_contacts() {
@@ -168,10 +162,6 @@ void PlanarEngine::step() {
   start_moving_boxes();
   pipeline_.forget_touches();
   contact_watch_.begin_step();
-  const auto velocity = [this](std::size_t robot, std::size_t vehicle) {
-    return velocity_of(robot, vehicle);
-  };
-  motion_watch_.begin_step(velocity);
   const double from = time_;
   for (int part = 1; part <= parts_; ++part) {
     time_ = from + part * physics_.step;
@@ -180,7 +170,6 @@ void PlanarEngine::step() {
   stop_moving_boxes();
   scene_.settle(moves_);
   if (contact_watch_.is_used()) contact_watch_.end_step();
-  motion_watch_.end_step(parts_ * physics_.step, velocity);
 }
 
 /// A part of the step.

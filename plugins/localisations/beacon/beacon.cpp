@@ -1,4 +1,4 @@
-// Dead reckoning that a beacon corrects: every so often, within its range, it tells the pose.
+// Dead reckoning that a beacon corrects: at intervals, within its range, it tells the pose.
 #include <cmath>
 
 #include "dead_reckoning.h"
@@ -49,7 +49,7 @@ class Beacon final : public elsie::Localisation, public OdometryErrors {
 }  // namespace
 
 ELSIE_LOCALISATION(
-    Beacon, "beacon", "Adds up the turns of the wheels, and is told its pose every so often",
+    Beacon, "beacon", "Adds up the turns of the wheels; a beacon corrects the pose at intervals",
     elsie::parameter("period", &Beacon::period,
                      {.unit = "s", .above = 0, .meaning = "least time from one fix to the next"}),
     elsie::parameter("position_error", &Beacon::position_error,

@@ -49,9 +49,8 @@ class Lidar final : public elsie::SensorOf<elsie::LidarReading> {
     const elsie::LidarReading& reading = current();
     std::vector<elsie::Vector3> ends, hits;
     for (std::size_t i = 0; i < reading.ranges_m.size() && i < frames_.size(); ++i) {
-      const double range = reading.ranges_m[i];
-      ends.push_back(frames_[i].point({range, 0.0, 0.0}));
-      if (range < max_range) hits.push_back(ends.back());
+      ends.push_back(frames_[i].point({reading.ranges_m[i], 0.0, 0.0}));
+      if (queries_[i].distance_m <= max_range) hits.push_back(ends.back());  // not its noise alone
     }
     if (ends.size() > 1) sketch.line(elsie::SketchRole::range, ends);
     sketch.points(elsie::SketchRole::hit, hits);

@@ -71,7 +71,6 @@ inline std::vector<std::uint64_t> history(const std::string& engine, const Bustl
       context.obstacle(world::ObstacleKind::moving, first, y, {0.1, 0.1, 0.1});
   for (std::size_t robot = 0; after_each_step && robot <= robots; ++robot) {
     context.engine->watch_contacts(robot);
-    context.engine->watch_motion(robot);
   }
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < steps; ++i) {

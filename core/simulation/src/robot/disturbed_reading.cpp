@@ -59,47 +59,48 @@ void DisturbedReading::check(const Sensor& sensor) {
   }
 }
 
-void DisturbedReading::fit(const Sensor& sensor) {
-  const auto noises = std::exchange(noises_, {});
-  const auto failures = std::exchange(failures_, {});
+void DisturbedReading::fit(const Sensor& sensor, bool has_other_sizes) {
+  noises_.clear();
+  failures_.clear();
   latency_s_ = 0.0;
   stuck_from_s_ = kNever;
   for (const Disturbance& each : sensor.disturbances()) {
     if (const auto* noise = std::get_if<Noise>(&each)) {
-      const std::size_t number = noises_.size();
-      Target target{
-          *noise, {}, number < noises.size() ? noises[number].random : stream("noise", number)};
+      Target& target = noises_.emplace_back(Target{*noise, {}});
       std::size_t place = 0;
       sensor.visit_fields(sensor.reading(), [&](const ReadingField& field) {
         if (field.path() == noise->on) target.fields.push_back(place);
         ++place;
       });
-      noises_.push_back(std::move(target));
     } else {
-      const auto& failure = std::get<UpdateFailure>(each);
-      const std::size_t number = failures_.size();
-      failures_.push_back({failure, number < failures.size() ? failures[number].random
-                                                             : stream("failure", number)});
+      const auto& failure = failures_.emplace_back(std::get<UpdateFailure>(each));
       latency_s_ += failure.latency;
       if (failure.stuck_from >= 0.0) stuck_from_s_ = std::min(stuck_from_s_, failure.stuck_from);
     }
   }
-  spare_.clear();  // another reading may have other sizes
+  begin(noise_streams_, "noise", noises_.size());
+  begin(failure_streams_, "failure", failures_.size());
+  if (has_other_sizes) {
+    samples_.clear();
+    spare_.clear();
+  }
 }
 
-Random DisturbedReading::stream(const char* element, std::size_t place) const {
-  return Random(seed_, path_ + "/" + element + "[" + std::to_string(place + 1) + "]");
+void DisturbedReading::begin(std::vector<Random>& streams, const char* element,
+                             std::size_t count) const {
+  while (streams.size() < count) {
+    streams.emplace_back(seed_,
+                         path_ + "/" + element + "[" + std::to_string(streams.size() + 1) + "]");
+  }
 }
 
 void DisturbedReading::reset(std::uint64_t seed, const std::string& path) {
   seed_ = seed;
   path_ = path;
-  for (std::size_t i = 0; i < noises_.size(); ++i) {
-    noises_[i].random = stream("noise", i);
-  }
-  for (std::size_t i = 0; i < failures_.size(); ++i) {
-    failures_[i].random = stream("failure", i);
-  }
+  noise_streams_.clear();
+  failure_streams_.clear();
+  begin(noise_streams_, "noise", noises_.size());
+  begin(failure_streams_, "failure", failures_.size());
   samples_.clear();
   age_s_ = kNever;
 }
@@ -113,9 +114,9 @@ std::shared_ptr<void> DisturbedReading::memory(const Sensor& sensor) {
 
 void DisturbedReading::update(Sensor& sensor, double time_s, double period_s) {
   bool is_missed = false;
-  for (Failing& failing : failures_) {
+  for (std::size_t i = 0; i < failures_.size(); ++i) {
     // Always drawn, so that one update missed more does not change the others.
-    is_missed |= failing.random.chance(failing.failure.dropout);
+    is_missed |= failure_streams_[i].chance(failures_[i].dropout);
   }
   const double slack = 1e-6 * period_s;
   if (time_s >= stuck_from_s_ - slack) {
@@ -140,13 +141,14 @@ void DisturbedReading::update(Sensor& sensor, double time_s, double period_s) {
 }
 
 void DisturbedReading::add_noise(Sensor& sensor, const void* reading) {
-  for (Target& target : noises_) {
-    const Noise& noise = target.noise;
-    Random& random = target.random;
+  for (std::size_t k = 0; k < noises_.size(); ++k) {
+    const Noise& noise = noises_[k].noise;
+    const std::vector<std::size_t>& fields = noises_[k].fields;
+    Random& random = noise_streams_[k];
     std::size_t place = 0;
     std::size_t next = 0;
     sensor.visit_fields(reading, [&](const ReadingField& field) {
-      if (next == target.fields.size() || place++ != target.fields[next]) return;
+      if (next == fields.size() || place++ != fields[next]) return;
       ++next;
       for (std::size_t i = 0; i < field.count; ++i) {
         double value = field.number(i) * noise.scale + noise.bias;

@@ -22,8 +22,9 @@ class DisturbedReading {
   /// Throws std::invalid_argument with a sentence if a disturbance does not fit the sensor.
   static void check(const Sensor& sensor);
 
-  /// Takes over the sensor's disturbances; random streams go on. Requires check().
-  void fit(const Sensor& sensor);
+  /// Takes over the sensor's disturbances; random streams go on. `has_other_sizes`: see
+  /// Sensor::fit_reading(). Requires check().
+  void fit(const Sensor& sensor, bool has_other_sizes);
   /// Called before a run; `path` is the sensor's.
   void reset(std::uint64_t seed, const std::string& path);
   /// Called after each update of the sensor: changes its current reading.
@@ -36,11 +37,6 @@ class DisturbedReading {
   struct Target {
     Noise noise;
     std::vector<std::size_t> fields;  // their places in visit()
-    Random random;
-  };
-  struct Failing {
-    UpdateFailure failure;
-    Random random;
   };
   struct Sample {
     double time_s = 0.0;
@@ -50,11 +46,13 @@ class DisturbedReading {
   void add_noise(Sensor& sensor, const void* reading);
   /// The memory for another sample.
   std::shared_ptr<void> memory(const Sensor& sensor);
-  /// The stream of an element of its own, so that a new one changes nothing else.
-  Random stream(const char* element, std::size_t place) const;
+  /// Begins the streams of so many elements that have none yet. Each has one of its own, so that a
+  /// new element changes nothing else; it stays when the element goes, for an edit that is undone.
+  void begin(std::vector<Random>& streams, const char* element, std::size_t count) const;
 
   std::vector<Target> noises_;
-  std::vector<Failing> failures_;
+  std::vector<UpdateFailure> failures_;
+  std::vector<Random> noise_streams_, failure_streams_;
   double latency_s_ = 0.0;
   double stuck_from_s_ = 0.0;   // infinite: never
   std::deque<Sample> samples_;  // measured and not seen yet, the first of them last seen

@@ -139,18 +139,15 @@ void Robot::make_localisation(const plugin::Host& host, std::vector<base::Proble
 void Robot::SensorSlot::equip(Component& object, const Example& example) const {
   auto& sensor = static_cast<Sensor&>(object);
   sensor.equipped({&place->mounting, example.resource_colours});
-  sensor.fit_reading();
+  const bool has_other_sizes = sensor.fit_reading();
   DisturbedReading::check(sensor);
   if (&object != held.get()) return;  // it is only tried
-  if (sensor.disturbances().empty()) {
-    disturbed.reset();
-    return;
-  }
   if (!disturbed) {
+    if (sensor.disturbances().empty()) return;
     disturbed = std::make_unique<DisturbedReading>();
     disturbed->reset(robot.seed_, "robot[" + robot.description_->id + "]/sensor[" + use->id + "]");
   }
-  disturbed->fit(sensor);
+  disturbed->fit(sensor, has_other_sizes);
 }
 
 void Robot::command(const Motion& asked) {

@@ -64,10 +64,7 @@ class RobotSurroundings final : public Surroundings {
   const OwnState& self() const override { return robots_[robot_]->state(); }
   std::span<const JointSetting> joints() const override { return robots_[robot_]->joints(); }
   std::span<const Contact> contacts() const override { return robots_[robot_]->contacts(); }
-  BodyMotion motion() const override {
-    const physics::BodyMotion motion = engine_.motion(robot_);
-    return {motion.velocity, motion.turning};
-  }
+  BodyMotion motion() const override { return engine_.motion(robot_); }
   Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
   std::span<const LampView> lamps() const override { return things_.lamps(); }
   void things_within(double radius_m, std::vector<NearThing>& things) const override {

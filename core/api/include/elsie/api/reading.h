@@ -130,7 +130,7 @@ struct ReadingField {
   std::size_t item = 0;      // the struct's place in that list
   bool in_list = true;       // false: the list is shorter now, and there is no such struct
   std::string_view name;
-  std::string_view unit{};  // "m"; empty: none is told
+  std::string_view unit{};  // "m"; empty: visit() gives none
   FieldType type = FieldType::real64;
   bool is_array = false;
   bool varies = false;       // an array whose length changes

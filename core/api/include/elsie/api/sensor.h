@@ -113,9 +113,10 @@ class Sensor : public Component {
   virtual void* own_reading() = 0;
   /// Forgets the current reading: it is blank. The simulator calls this before each run.
   virtual void forget() = 0;
-  /// Forgets the current reading if its arrays have other sizes than those of a blank one; begins
-  /// or ends to keep apart what is measured. The simulator calls this after equipped().
-  virtual void fit_reading() = 0;
+  /// Forgets the current reading if its arrays have other sizes than those of a blank one, and
+  /// returns whether they had; begins or ends to keep apart what is measured. The simulator calls
+  /// this after equipped().
+  virtual bool fit_reading() = 0;
 
   // Readings without their type. `reading` is one of this sensor's kind.
 
@@ -169,13 +170,15 @@ class SensorOf : public Sensor {
     if (measured_) *measured_ = blank();
     sizes_ = checked(reading_).sizes;
   }
-  void fit_reading() final {
+  bool fit_reading() final {
     if (disturbances().empty()) {
       measured_.reset();
     } else if (!measured_) {
       measured_ = std::make_unique<Reading>(reading_);
     }
-    if (checked(blank()).sizes != sizes_) forget();
+    const bool has_other_sizes = checked(blank()).sizes != sizes_;
+    if (has_other_sizes) forget();
+    return has_other_sizes;
   }
   void visit_fields(const void* reading, const FieldVisit& visit) const final {
     elsie::visit_fields(*static_cast<const Reading*>(reading), visit);

@@ -76,15 +76,6 @@ struct BodyContact {
   friend bool operator==(const BodyContact&, const BodyContact&) = default;
 };
 
-/// The motion of a robot's or a segment's frame (its origin), in the world. Accelerations are
-/// changes of velocity over the last step, without gravity: a robot at rest has none.
-struct BodyMotion {
-  Vector3 velocity;              // m/s
-  Vector3 turning;               // rad/s
-  Vector3 acceleration;          // m/s2; zero unless it is watched
-  Vector3 turning_acceleration;  // rad/s2; zero unless it is watched
-};
-
 /// Steps in which the engine found no motion that satisfies all constraints: contacts, joints and
 /// motors. It has then relaxed them.
 struct GiveUps {
@@ -173,17 +164,15 @@ class Engine {
   virtual std::span<const Touch> touches() const = 0;
 
   /// From the next step on, contacts() has this robot's. States stay the same bit for bit. A robot
-  /// that another engine adds of this one is watched there, too, likewise by watch_motion().
+  /// that another engine adds of this one is watched there, too.
   virtual void watch_contacts(std::size_t robot) = 0;
   /// Where a watched robot touched something other than the floor and itself in the last step: at
   /// its beginning (to within 0.02 mm) or with an impulse. Ordered by vehicle, body and place;
   /// valid until the next step. A surface that is met all over has a contact at each of a few
   /// points.
   virtual std::span<const BodyContact> contacts(std::size_t robot) const = 0;
-  /// From the next step on, motion() and segment_motion() have this robot's accelerations.
-  virtual void watch_motion(std::size_t robot) = 0;
+  /// The motion of a robot's body in space.
   virtual BodyMotion motion(std::size_t robot) const = 0;
-  virtual BodyMotion segment_motion(std::size_t robot, std::size_t segment) const = 0;
 
   /// The first surface along a ray (`direction` a unit vector), no further away than `max_range`,
   /// as range sensors see the world: floor (from above), walls, obstacles that are visible to them,
