@@ -336,52 +336,6 @@ void Robot::ask(Statements& said) {
   });
 }
 
-void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
-  const SensorSlot& slot = *sensors_[sensor];
-  guard_.look(*slot.use, [&] {
-    const std::vector<FieldDeclaration>& declared = slot.declaration->produces.front().fields;
-    auto expected = declared.begin();
-    slot.object().visit_fields(slot.object().reading(), [&](const ReadingField& field) {
-      if (field.item == 0 && (expected == declared.end() || expected->name != field.name ||
-                              (expected++)->group != field.group)) {
-        guard_.fail(*slot.use, "its reading lists '" + field.path() +
-                                   "' in visit() in another place than a new one; every reading "
-                                   "must list the same names in the same order");
-      }
-      visit(field);
-    });
-    if (expected != declared.end()) {
-      guard_.fail(*slot.use, "its reading does not list '" + expected->name +
-                                 "' in visit(), as a new one does; every reading must list the "
-                                 "same names in the same order");
-    }
-  });
-}
-
-void Robot::visit_published(const VisitPublished& visit) const {
-  for_each(Order::outer_first,
-           [&](PluginObject& each, const std::string&, const std::string& within) {
-             list_published(each, within, guard_, visit);
-           });
-}
-
-std::vector<PluginSketch> Robot::sketches() const {
-  std::vector<PluginSketch> sketches;
-  const auto add = [&](PluginObject& each, const std::string& within, const Frame& frame) {
-    add_sketch(each, within, frame, guard_, sketches);
-  };
-  const Pose& pose = truth_.pose;
-  const Frame heading = Frame::turned({pose.x, pose.y, 0.0}, pose.heading_rad, 0.0);
-  for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    add(*sensors_[i], "", sensor_frame(i));
-  }
-  for_each(Order::outer_first,
-           [&](PluginObject& each, const std::string&, const std::string& within) {
-             if (each.kind != PluginKind::sensor) add(each, within, heading);
-           });
-  return sketches;
-}
-
 void Robot::use_energy(double period_s) {
   if (!empty_) {
     if (!sensor_cost_) {
@@ -540,18 +494,6 @@ void Robot::take_log(double time_s, std::vector<EventRecord>& log) {
   for (; logged_ < raised_.size(); ++logged_) {
     log.push_back({time_s, description_->id, raised_[logged_]});
   }
-}
-
-SensorView Robot::sensor(std::size_t index) const {
-  const SensorSlot& slot = *sensors_[index];
-  const PluginObject::Extras& extras = slot.extras();
-  return {
-      slot.use->id,
-      slot.use->plugin,
-      &slot.object(),
-      &slot.place->mounting,
-      extras.camera ? &*extras.camera : nullptr,
-      extras.camera && extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr};
 }
 
 }  // namespace elsie::simulation
