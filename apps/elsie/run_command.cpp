@@ -14,6 +14,7 @@
 #include "elsie/process/crash_report.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
+#include "elsie/world/tree.h"
 
 #include "arguments.h"
 #include "command.h"
@@ -76,11 +77,12 @@ simulation::TimedEdit change_of(const std::string& text) {
   if (!time) {
     fail("'" + text.substr(0, colon) + "' is not a time in seconds");
   }
-  const std::size_t equals = text.find('=', colon);
+  const std::string edit = text.substr(colon + 1);
+  const std::size_t equals = world::end_of_path(edit);
   if (equals == std::string::npos) {
     fail("there is no '=' after a path");
   }
-  return {*time, {text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)}};
+  return {*time, {edit.substr(0, equals), edit.substr(equals + 1)}};
 }
 
 std::vector<simulation::TimedEdit> edits_of(const RunOptions& options) {

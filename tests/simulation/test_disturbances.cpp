@@ -202,7 +202,7 @@ TEST_CASE("A sensor with late readings may get other arrays by an edit") {
 
 TEST_CASE("What does not fit a sensor is refused with a sentence") {
   CHECK_THAT(why_refused(R"(<noise on="distance" bias="1"/>)"),
-             Catch::Contains("its <noise on=\"distance\"> names no field of its reading") &&
+             Catch::Contains("its <noise on=\"distance\"> names no number of its reading") &&
                  Catch::Contains("distance_m"));
   CHECK_THAT(why_refused(R"(<noise on="hit" bias="1"/>)"), Catch::Contains("is true or false"));
   CHECK_THAT(why_refused(R"(<noise on="distance_m" clamp="1"/>)"), Catch::Contains("clamp"));
@@ -216,4 +216,126 @@ TEST_CASE("What does not fit a sensor is refused with a sentence") {
              Catch::Contains("more than 100,000 readings would be under way") &&
                  Catch::Contains("expected at most 0.1 s"));
   CHECK_THAT(why_refused(R"(<failure dropout="2"/>)"), Catch::Contains("dropout"));
+}
+
+namespace {
+
+/// A robot on this drive that wants to drive ahead at 0.1 m/s; wheels of 0.02 m.
+Simulation driving(const std::string& drive, const simulation::Options& options = {}) {
+  return of(
+      R"(<physics engine="planar"/>)",
+      R"(<body wheel_torque="1"/><drive>)" + drive +
+          R"(</drive><sensors><beam_range/></sensors><behaviors><braitenberg base="5" weights="0 0"/></behaviors>
+                   <coordinator><arbiter_suppression/></coordinator>)",
+      options);
+}
+
+Simulation driving_with(const std::string& inside, const simulation::Options& options = {}) {
+  return driving("<differential>" + inside + "</differential>", options);
+}
+
+double rate(const Simulation& simulation, std::size_t joint = 0) {
+  return simulation.robot(0).joints[joint].rate_rad_s;
+}
+
+/// The rates of the first robot's wheels after each of so many steps, rad/s.
+std::vector<double> wheels(Simulation simulation, int steps, std::size_t joint = 0) {
+  std::vector<double> all;
+  for (int i = 0; i < steps; ++i) {
+    simulation.step();
+    all.push_back(rate(simulation, joint));
+  }
+  return all;
+}
+
+std::string why_no_drive(const std::string& drive) {
+  try {
+    driving(drive);
+  } catch (const world::WorldError& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("Noise of a drive applies to the set points of its joints") {
+  CHECK(wheels(driving_with(R"(<noise on="left_wheel.rate" scale="0.5"/>)"), 1)[0] == Approx(2.5));
+  CHECK(wheels(driving_with(R"(<noise on="left_wheel.rate" scale="0.5"/>)"), 1, 1)[0] ==
+        Approx(5.0));
+  const auto noisy = wheels(driving_with(R"(<noise on="left_wheel.rate" gaussian="0.3"/>)"), 2000);
+  CHECK(deviation(noisy) == Approx(0.3).epsilon(0.07));
+  CHECK(mean(noisy) == Approx(5.0).margin(0.03));
+}
+
+TEST_CASE("A robot with a dead wheel turns about it, and its command stays what it wants") {
+  Simulation simulation = driving_with(R"(<noise on="left_wheel.rate" scale="0"/>)");
+  for (int i = 0; i < 100; ++i) simulation.step();
+  const simulation::RobotView robot = simulation.robot(0);
+  CHECK(robot.moving.turn > 0.9);  // 0.1 m/s over the 0.09 m between the wheels is 1.1 rad/s
+  CHECK(robot.command.forward == Approx(0.1));
+}
+
+TEST_CASE("Commands of a drive come late, are missed or stay") {
+  const auto late = wheels(driving_with(R"(<failure latency="0.03"/>)"), 5);
+  CHECK(late[2] == 0.0);
+  CHECK(late[3] == Approx(5.0));
+  CHECK(wheels(driving_with(R"(<failure dropout="1"/>)"), 9).back() == 0.0);
+  CHECK(wheels(driving_with(R"(<failure stuck_from="0"/>)"), 9).back() == 0.0);
+  Simulation simulation = driving_with(R"(<failure stuck_from="0.05"/>)");
+  for (int i = 0; i < 5; ++i) simulation.step();
+  simulation.edit("robot[r1]/behavior[braitenberg]/@base", "1");
+  for (int i = 0; i < 5; ++i) simulation.step();
+  CHECK(rate(simulation) == Approx(5.0));
+  CHECK(simulation.robot(0).command.forward == Approx(0.02));
+}
+
+TEST_CASE("A steered angle with noise stays within the limit of its joint") {
+  Simulation simulation = driving(
+      R"(<tricycle max_steer_deg="30"><noise on="front_wheel.angle" bias="2"/></tricycle>)");
+  for (int i = 0; i < 50; ++i) simulation.step();
+  CHECK(simulation.robot(0).joints[0].angle_rad == Approx(radians(30.0)));
+}
+
+TEST_CASE("Noise of a drive is edited in place, and its stream goes on") {
+  const std::string noise = R"(<noise on="left_wheel.rate" gaussian="0.3"/>)";
+  Simulation plain = driving_with(noise);
+  Simulation edited = driving_with(noise);
+  for (int i = 0; i < 10; ++i) {
+    plain.step();
+    edited.step();
+  }
+  edited.edit("robot[r1]/drive/noise[1]/@gaussian", "0.6");
+  plain.step();
+  edited.step();
+  CHECK(rate(edited) - 5.0 == Approx(2.0 * (rate(plain) - 5.0)));
+  edited.edit("robot[r1]/@max_speed", "0.3");  // what is under way stays
+  CHECK(rate(edited) - 5.0 == Approx(2.0 * (rate(plain) - 5.0)));
+}
+
+TEST_CASE("Another noise of a drive changes nothing else, and a reset repeats the run") {
+  const std::string left = R"(<noise on="left_wheel.rate" gaussian="0.3"/>)";
+  const std::string right = R"(<noise on="right_wheel.rate" uniform="0.3"/>)";
+  CHECK(wheels(driving_with(left + right), 50) == wheels(driving_with(left), 50));
+  Simulation simulation = driving_with(left + right + "<failure dropout=\"0.3\"/>", {.seed = 3});
+  const auto run = [&] {
+    for (int i = 0; i < 50; ++i) simulation.step();
+    return simulation.state_hash();
+  };
+  const auto first = run();
+  simulation.reset(3);
+  CHECK(run() == first);
+}
+
+TEST_CASE("A disturbance that does not fit a drive is refused with what there is") {
+  CHECK_THAT(why_no_drive(R"(<differential><noise on="left.rate"/></differential>)"),
+             Catch::Contains("its <noise on=\"left.rate\"> names no number of its joints") &&
+                 Catch::Contains("left_wheel.rate") && Catch::Contains("small.xml:1"));
+  CHECK_THAT(why_no_drive(R"(<differential><noise on="left_wheel.angle"/></differential>)"),
+             Catch::Contains("names no number of its joints"));
+  CHECK_THAT(why_no_drive(R"(<differential><failure latency="1e9"/></differential>)"),
+             Catch::Contains("no command arrives before the run ends"));
+  CHECK_THAT(
+      why_no_drive(R"(<differential><noise on="left_wheel.rate" clamp="1"/></differential>)"),
+      Catch::Contains("a clamp that is no range"));
 }

@@ -66,6 +66,44 @@ TEST_CASE("An element is added at the end of a list or before a member") {
   CHECK(std::get<world::EndureGoal>(edited({"goal[+1]=<endure time=\"1\"/>"}).goals[0]).time == 1);
 }
 
+TEST_CASE("A step selects by an attribute's value or by a plugin: none, one or several") {
+  const char* const content = R"(<robots>
+    <robot id="r1" team="blue" x="1"><sensors><beam/><eye/></sensors></robot>
+    <robot id="r2"><sensors><beam id="left"/><beam id="right" yaw_deg="5"/></sensors></robot>
+    <robot id="r3" team="red" x="-1"/></robots>)";
+  const auto robots = [&](const std::string& edit) { return read(content, {edit}).robots; };
+  const auto speeds = [&](const std::string& edit) {
+    std::vector<double> all;
+    for (const world::Robot& robot : robots(edit)) all.push_back(robot.max_speed);
+    return all;
+  };
+  const double usual = world::Robot().max_speed;
+  // The team of r2 is the default.
+  CHECK(speeds("robot[team=red]/@max_speed=0.7") == std::vector{usual, 0.7, 0.7});
+  CHECK(speeds("robot[team=blue]/@max_speed=0.7") == std::vector{0.7, usual, usual});
+  CHECK(speeds("robot[team=green]/@max_speed=0.7") == std::vector{usual, usual, usual});
+  CHECK(speeds("robot[max_speed=0.5]/@max_speed=0.7") == std::vector{0.7, 0.7, 0.7});
+
+  const auto yaws = [&](const std::string& edit) {
+    std::vector<double> all;
+    for (const world::Robot& robot : robots(edit)) {
+      for (const auto& sensor : robot.sensors) all.push_back(sensor.yaw_deg);
+    }
+    return all;
+  };
+  CHECK(yaws("sensor[plugin=beam]/@yaw_deg=9") == std::vector<double>{9, 0, 9, 9});
+  CHECK(yaws("robot[*]/sensor[plugin=eye]/@yaw_deg=9") == std::vector<double>{0, 9, 0, 5});
+  CHECK(yaws("robot[team=red]/sensor[yaw_deg=5]/@yaw_deg=9") == std::vector<double>{0, 0, 0, 9});
+  CHECK(yaws("sensor[plugin=sonar]/@yaw_deg=9") == std::vector<double>{0, 0, 0, 5});
+
+  CHECK(robots("robot[team=red]/@remove=true").size() == 1);
+  CHECK(robots("robot[team=green]/@remove=true").size() == 3);
+  CHECK(robots("robot[team=red]/sensor[+]=<eye/>")[2].sensors.size() == 1);
+  CHECK(problems(content, {"robot[tame=red]/@x=1"}) ==
+        "--set robot[tame=red]/@x=1: robot[tame=red]: no robot has an attribute 'tame'");
+  CHECK_THAT(problems(content, {"robto[team=red]/@x=1"}), Catch::Contains("there is no 'robto'"));
+}
+
 TEST_CASE("A list or an element that is missing is made") {
   CHECK(edited({"charger[+]=<charger x=\"1\"/>"}).chargers.at(0).x == 1);
   CHECK(edited({"team[+]=<team id=\"crew\"/>"}).teams.size() == 3);

@@ -1,7 +1,6 @@
 #include "elsie/api/disturbance.h"
 
-#include <iterator>
-
+#include "elsie/api/drive.h"
 #include "elsie/api/sensor.h"
 
 namespace elsie {
@@ -9,10 +8,13 @@ namespace {
 
 ElementItem<Noise> noise() {
   return element<Noise>(
-      "noise", "noise on a number of its readings, or on each number of an array",
-      parameter(
-          "on", &Noise::on,
-          {.meaning = "the name of the number, as the plugin's page lists it", .required = true}),
+      "noise",
+      "noise on a number of a sensor's readings, on each number of an array, or on a set point of "
+      "a drive's joints",
+      parameter("on", &Noise::on,
+                {.meaning = "the name of the number: of a reading as the sensor's page lists it, "
+                            "of a joint as in left_wheel.rate or front_wheel.angle",
+                 .required = true}),
       parameter("scale", &Noise::scale, {.meaning = "first, a factor"}),
       parameter("bias", &Noise::bias, {.meaning = "then a constant, in the unit of the number"}),
       parameter("proportional", &Noise::proportional,
@@ -30,17 +32,17 @@ ElementItem<Noise> noise() {
 
 ElementItem<UpdateFailure> failure() {
   return element<UpdateFailure>(
-      "failure", "when it does not renew its reading",
+      "failure", "when a sensor does not renew its reading, or a drive's joints their set points",
       parameter("dropout", &UpdateFailure::dropout,
                 {.min = 0,
                  .max = 1,
-                 .meaning = "probability that an update is missed, so that the reading stays"}),
+                 .meaning = "probability that an update is missed, so that the last one holds"}),
       parameter("latency", &UpdateFailure::latency,
-                {.unit = "s", .min = 0, .meaning = "how much later a reading is seen"}),
+                {.unit = "s", .min = 0, .meaning = "how much later an update takes effect"}),
       parameter("stuck_from", &UpdateFailure::stuck_from,
                 {.unit = "s",
                  .min = -1,
-                 .meaning = "the time from which on the reading stays; negative: never"}));
+                 .meaning = "the time from which on nothing is renewed; negative: never"}));
 }
 
 template <class Item>
@@ -61,19 +63,23 @@ ElementDeclaration declared(const ElementItem<Item>& item, std::size_t list,
 
 }  // namespace
 
-std::vector<ElementDeclaration> disturbance_elements(
-    std::vector<Disturbance>& (*list_of)(Component&), std::size_t list) {
-  return {declared(noise(), list, list_of), declared(failure(), list, list_of)};
+void declare_disturbances(Declaration& declaration,
+                          std::vector<Disturbance>& (*list_of)(Component&)) {
+  const std::size_t list = declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
+  declaration.elements.push_back(declared(noise(), list, list_of));
+  declaration.elements.push_back(declared(failure(), list, list_of));
 }
 
 void Sensor::declare_for_all(Declaration& declaration) {
-  const std::size_t list = declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
-  auto elements = disturbance_elements(
-      [](Component& sensor) -> std::vector<Disturbance>& {
-        return static_cast<Sensor&>(sensor).disturbances_;
-      },
-      list);
-  std::move(elements.begin(), elements.end(), std::back_inserter(declaration.elements));
+  declare_disturbances(declaration, [](Component& sensor) -> std::vector<Disturbance>& {
+    return static_cast<Sensor&>(sensor).disturbances_;
+  });
+}
+
+void Drive::declare_for_all(Declaration& declaration) {
+  declare_disturbances(declaration, [](Component& drive) -> std::vector<Disturbance>& {
+    return static_cast<Drive&>(drive).disturbances_;
+  });
 }
 
 }  // namespace elsie

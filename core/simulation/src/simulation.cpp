@@ -65,6 +65,7 @@ void Simulation::Impl::reset(std::uint64_t seed) {
     engine_->add_robot(world::plan_of(d), {d.x, d.y, wrap_angle(radians(d.heading_deg))}, d.z);
     robots_[i]->reset(seed);
     robots_[i]->set_body(engine_->robot(i), engine_->joints(i), Arrival::started);
+    robots_[i]->take_segments(*engine_, i);
   }
   take_stock();
   wall_s_ = 0.0;
@@ -222,6 +223,7 @@ RunResult Simulation::result() const {
   // A step that ended with a fault is not counted in steps().
   note_give_ups(world(), give_ups, std::max(steps(), give_ups.steps), result.notes);
   result.curves = impl_->said_.curves;
+  impl_->measuring_->list_curves(result.curves);
   return result;
 }
 

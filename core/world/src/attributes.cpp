@@ -13,16 +13,23 @@ namespace elsie::world {
 
 namespace {
 
-// The parameters that the plugin declares for its element, or for a nested element.
-std::vector<ParameterDeclaration> parameters(const WorldTree::Meaning& meaning,
-                                             const plugin::Host& host) {
+// The parameters that the plugin declares for its element, or for a nested element, as fields.
+std::vector<Field> declared_fields(const WorldTree::Meaning& meaning, const plugin::Host& host) {
+  std::vector<Field> fields;
   const Declaration* plugin = meaning.use ? host.find(*meaning.kind, meaning.use->plugin) : nullptr;
-  if (!plugin || !meaning.nested) {
-    return plugin ? plugin->parameters : std::vector<ParameterDeclaration>();
-  }
+  if (!plugin) return fields;
   const auto* element =
-      plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element);
-  return element ? element->parameters : std::vector<ParameterDeclaration>();
+      meaning.nested
+          ? plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element)
+          : nullptr;
+  if (meaning.nested && !element) return fields;
+  const bool is_fixed = meaning.kind == PluginKind::measure ||
+                        (meaning.kind == PluginKind::drive && !(element && element->is_of_kind));
+  for (const ParameterDeclaration& parameter : element ? element->parameters : plugin->parameters) {
+    fields.push_back(field_of(parameter));
+    if (is_fixed) fields.back().cost = Cost::object;
+  }
+  return fields;
 }
 
 }  // namespace
@@ -51,13 +58,7 @@ std::vector<AttributeTarget> Attributes::find(std::string_view text) const {
 
 AttributeTarget Attributes::target(const Element& element, const std::string& name) const {
   const WorldTree::Meaning& meaning = tree_->meaning(element);
-  std::vector<Field> fields;
-  for (const ParameterDeclaration& parameter : parameters(meaning, host_)) {
-    fields.push_back(field_of(parameter));
-    if (meaning.kind == PluginKind::measure || meaning.kind == PluginKind::drive) {
-      fields.back().cost = Cost::object;
-    }
-  }
+  std::vector<Field> fields = declared_fields(meaning, host_);
   if (meaning.spec) {
     fields.insert(fields.end(), meaning.spec->attributes.begin(), meaning.spec->attributes.end());
   }

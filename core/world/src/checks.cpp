@@ -228,9 +228,10 @@ void check_segments(const Robot& robot, Problems& problems) {
   }
 }
 
-// Checks that the readings of a sensor arrive before the run ends, and that those under way fit
-// into memory.
-void check_latency(const ElementUse& failure, const World& world, Problems& problems) {
+// Checks that the readings of a sensor, or the commands of a drive, arrive before the run ends, and
+// that those under way fit into memory. `one`: "reading".
+void check_latency(const ElementUse& failure, const std::string& one, const World& world,
+                   Problems& problems) {
   const auto given = failure.parameters.find("latency");
   if (failure.element != "failure" || given == failure.parameters.end()) return;
   constexpr double kMostUnderWay = 100'000;
@@ -238,15 +239,26 @@ void check_latency(const ElementUse& failure, const World& world, Problems& prob
   const double period = world.physics.step * world.physics.control_steps;
   const std::string what = "latency=\"" + number_text(latency) + "\" of <failure>: ";
   if (latency >= world.limits.time) {
-    problems.add(failure.location, what + "no reading arrives before the run ends, at " +
+    problems.add(failure.location, what + "no " + one + " arrives before the run ends, at " +
                                        number_text(world.limits.time) + " s; expected less");
   } else if (latency > kMostUnderWay * period) {
     problems.add(failure.location,
-                 what +
-                     "more than 100,000 readings would be under way, one in each control period; "
-                     "expected at most " +
+                 what + "more than 100,000 " + one +
+                     "s would be under way, one in each control period; expected at most " +
                      number_text(kMostUnderWay * period, 6) + " s");
   }
+}
+
+void check_place(const SensorUse& sensor, const Robot& robot, Problems& problems) {
+  if (sensor.segment.empty()) return;
+  std::vector<std::string> ids;
+  for (const Segment& segment : robot.segments) ids.push_back(segment.id);
+  if (std::find(ids.begin(), ids.end(), sensor.segment) != ids.end()) return;
+  problems.add(sensor.location,
+               "the sensor '" + sensor.id + "' is mounted on the segment '" + sensor.segment +
+                   "', and " + in_words(robot) + " pulls none of that name" +
+                   (ids.empty() ? "; it pulls none at all"
+                                : base::near_or_all(sensor.segment, ids, "it pulls")));
 }
 
 void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
@@ -269,8 +281,14 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
     }
   }
   for (const SensorUse& sensor : robot.sensors) {
+    check_place(sensor, robot, problems);
     for (const ElementUse& element : sensor.elements) {
-      check_latency(element, reading.world, problems);
+      check_latency(element, "reading", reading.world, problems);
+    }
+  }
+  if (robot.drive) {
+    for (const ElementUse& element : robot.drive->elements) {
+      check_latency(element, "command", reading.world, problems);
     }
   }
   if (reading.sound_with_segments(robot)) check_segments(robot, problems);

@@ -139,9 +139,20 @@ void take_out(const std::vector<Node>& nodes, const std::string& attribute,
 }
 }  // namespace
 
+std::size_t end_of_path(std::string_view edit) {
+  std::size_t from = 0;
+  while (true) {
+    const std::size_t found = edit.find_first_of("[=", from);
+    if (found == std::string_view::npos || edit[found] == '=') return found;
+    const std::size_t close = edit.find(']', found);
+    if (close == std::string_view::npos) return edit.find('=');
+    from = close;
+  }
+}
+
 Concern concern_of(const std::string& edit) {
   try {
-    const Path path = parse_path(std::string_view(edit).substr(0, edit.find('=')));
+    const Path path = parse_path(std::string_view(edit).substr(0, end_of_path(edit)));
     const std::string last = path.steps.empty() ? "" : path.steps.back().name;
     if (last == "robot" || last == "robots") {
       return path.attribute.empty()         ? Concern::robots
@@ -177,7 +188,7 @@ std::pair<std::vector<Element*>, std::string> elements_at(Element& world, const 
 void apply_edit(Element& world, const std::string& edit, bool is_running, Problems& problems) {
   const Location where{"--set " + edit, 0};
   try {
-    const std::size_t equals = edit.find('=');
+    const std::size_t equals = end_of_path(edit);
     if (equals == std::string::npos) fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
     const Path path = parse_path(std::string_view(edit).substr(0, equals));
     const std::string value = edit.substr(equals + 1);

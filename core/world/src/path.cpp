@@ -110,9 +110,39 @@ std::string text_of(const PathStep& step) {
   return step.key.empty() ? step.name : step.name + "[" + step.key + "]";
 }
 
+// What a node's attribute has as its value; "plugin" is a plugin's name. Of plugins' elements only
+// what is set is known. None: there is no such attribute.
+std::optional<std::string> value_at(const Node& node, const std::string& attribute) {
+  const Attribute* const set = completed(*node.element).find(attribute);
+  if (set) return set->value;
+  if (attribute == "plugin" && node.spec->plugins) return node.element->name;
+  if (node.spec->plugins || node.spec == &nested_element()) return "";
+  const AttributeSpec* const spec = node.spec->attribute(attribute);
+  if (!spec) return std::nullopt;
+  return spec->default_value ? plugin::format_value(*spec->default_value) : "";
+}
+
+// The nodes whose attribute has a value: none, one or several.
+std::vector<Node> with_value(const std::vector<Node>& nodes, const PathStep& step) {
+  const std::size_t equals = step.key.find('=');
+  const std::string attribute = step.key.substr(0, equals), value = step.key.substr(equals + 1);
+  std::vector<Node> found;
+  bool is_known = false;
+  for (const Node& node : nodes) {
+    const std::optional<std::string> has = value_at(node, attribute);
+    is_known |= has.has_value();
+    if (has == value) found.push_back(node);
+  }
+  if (!is_known) {
+    refuse_path(text_of(step) + ": no " + step.name + " has an attribute '" + attribute + "'");
+  }
+  return found;
+}
+
 // The nodes that the key of the step selects.
 std::vector<Node> chosen(const std::vector<Node>& nodes, const PathStep& step) {
   if (step.key == "*") return nodes;
+  if (step.selects_by_value()) return with_value(nodes, step);
   std::vector<std::string> ids;
   for (const Node& node : nodes) {
     const Attribute* id = node.element->find("id");
@@ -149,10 +179,16 @@ Element empty_element(const std::string& name, const Node& parent) {
   return made;
 }
 
-std::vector<Node> step_from(const Node& node, const PathStep& step) {
+// `is_there` becomes true if there is something of that name, whether it is selected or not.
+std::vector<Node> step_from(const Node& node, const PathStep& step, bool& is_there) {
   std::vector<Node> found = children(node, step.name);
-  if (node.spec->root && step.key == "*") add_scattered(node, step.name, found);
-  if (!found.empty()) return chosen(found, step);
+  if (node.spec->root && (step.key == "*" || step.selects_by_value())) {
+    add_scattered(node, step.name, found);
+  }
+  if (!found.empty()) {
+    is_there = true;
+    return chosen(found, step);
+  }
   for (const ElementSpec& spec : node.spec->below()) {
     if (spec.name == step.name && spec.name != spec.members && !spec.plugins && spec.at_most == 1 &&
         step.key.empty()) {
@@ -170,12 +206,12 @@ std::string way_to_add(const Path& path, const PathStep& step) {
 }
 
 // A first step that names a part of a robot means that part of every robot.
-std::vector<Node> step_from_robots(const Node& world, const PathStep& step) {
+std::vector<Node> step_from_robots(const Node& world, const PathStep& step, bool& is_there) {
   std::vector<Node> result;
   std::vector<Node> robots = children(world, "robot");
   add_scattered(world, "robot", robots);
   for (const Node& robot : robots) {
-    const auto found = step_from(robot, step);
+    const auto found = step_from(robot, step, is_there);
     result.insert(result.end(), found.begin(), found.end());
   }
   return result;
@@ -364,13 +400,15 @@ std::vector<Node> find_nodes(Element& world, const Path& path) {
           "an element that is added stands at the end of a path, as in robot[+]=<robot .../>");
     }
     std::vector<Node> next;
+    bool is_there = false;
     for (const Node& node : nodes) {
-      const auto found = step_from(node, step);
+      const auto found = step_from(node, step, is_there);
       next.insert(next.end(), found.begin(), found.end());
     }
     if (next.empty() && nodes.front().spec == &vocabulary()) {
-      next = step_from_robots(nodes.front(), step);
+      next = step_from_robots(nodes.front(), step, is_there);
     }
+    if (next.empty() && is_there) return {};
     if (next.empty() && lacks_a_template(nodes)) {
       return {};
     }

@@ -10,13 +10,14 @@
 
 namespace elsie::world {
 
-/// A step of a path: NAME, NAME[ID], NAME[NUMBER] (from 1) or NAME[*]. The last step may also be
-/// NAME[+] or NAME[+NUMBER], for an element that is to be added.
+/// A step of a path: NAME, NAME[ID], NAME[NUMBER] (from 1), NAME[*] or NAME[ATTRIBUTE=VALUE]. The
+/// last step may also be NAME[+] or NAME[+NUMBER], for an element that is to be added.
 struct PathStep {
   std::string name;
   std::string key;  // "" when there is none
 
   bool adds() const { return key.starts_with('+'); }
+  bool selects_by_value() const { return key.find('=') != std::string::npos; }
 };
 
 struct Path {
@@ -44,7 +45,8 @@ Element& add_in_order(const Node& parent, Element child);
 /// to. Creates a missing list. Throws std::invalid_argument with a sentence.
 void add_element(Element& world, const Path& path, const Element& given);
 
-/// The elements that a path leads to: at least one, unless a robot's template could not be read.
+/// The elements that a path leads to: at least one, unless a step selects by an attribute's value,
+/// or a robot's template could not be read.
 ///
 /// Groups may be left out: a step names a member by its element or by the group's word for its
 /// members ("sensor" for any child of <sensors>, "obstacle", "goal" ...); "coordinator" is the one

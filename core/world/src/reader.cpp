@@ -105,7 +105,7 @@ World read_edited(Element& root, const std::string& file, const plugin::Host& ho
   if (drawn) problems.raise<WorldError>(file);  // what follows would be about what was not drawn
   // The last edit decides: those after one that had to wait are made again, unless they add.
   for (std::size_t i = of_drawn.empty() ? edits.size() : *of_drawn.begin(); i < edits.size(); ++i) {
-    const std::string path = edits[i].substr(0, edits[i].find('='));
+    const std::string path = edits[i].substr(0, end_of_path(edits[i]));
     if (of_drawn.contains(i)) {
       apply(i);
     } else if (concern_of(path) <= Concern::removed_robots && path.find("[+") == path.npos) {

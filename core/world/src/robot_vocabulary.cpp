@@ -71,6 +71,9 @@ ElementSpec sensor() {
       plugin_use<SensorUse>("sensor", "A sensor", PluginKind::sensor, Cost::object,
                             "its name on this robot; by default the plugin's, with a number if "
                             "there are several")
+          .attribute(
+              "segment", &SensorUse::segment,
+              fact("the segment of the robot that it is mounted on; by default on the robot"))
           .attribute("x", &SensorUse::x,
                      metres("where it is mounted, ahead; by default the chassis' front"))
           .attribute("y", &SensorUse::y,

@@ -39,7 +39,7 @@ std::vector<std::pair<std::string, const Element*>> drawn_paths(const Element& l
 
 const Element* layout_that_draws(Element& tree, const std::string& edit) {
   const Element* const layouts = tree.child("layouts");
-  if (!layouts || edit.substr(0, edit.find('=')).find('@') == std::string::npos) {
+  if (!layouts || edit.substr(0, world::end_of_path(edit)).find('@') == std::string::npos) {
     return nullptr;
   }
   for (const auto& [path, layout] : drawn_paths(*layouts)) {

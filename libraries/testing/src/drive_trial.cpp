@@ -56,7 +56,7 @@ class DriveTrial final : public Trial {
   void step(std::size_t step, Answer& answer) override {
     const Motion& asked = input_.asked[step % input_.asked.size()];
     const std::vector<JointSetting> before = joints_;
-    const DriveState now{before, input_.max_speed, kDrivePeriod};
+    const DriveState now{before, input_.max_speed, kDrivePeriod, &random_};
     const Motion possible = drive_->command(asked, now, joints_);
     answer.clear();
     add("forward", possible.forward, answer);

@@ -1,6 +1,7 @@
 // The part of InputMaker for measures.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@
 namespace elsie::testing {
 namespace {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 /// Robots r1, r2...; usually r1 is the leader.
 Scene random_world(int number, Random& random) {
   Scene made;
@@ -21,6 +24,7 @@ Scene random_world(int number, Random& random) {
     made.robot("r" + std::to_string(i + 1), random.uniform(-4, 4), random.uniform(-4, 4),
                number == 1 && i % 2 == 1 ? "blue" : "red", random.uniform(-180, 180));
     made.leads(i == 0 && number != 3);
+    made.publishes("explore.known", "m2");
     if (number != 2) {
       made.behaves("avoid_obstacle");
       made.behaves("explore");
@@ -59,11 +63,12 @@ void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
   }
 }
 
-/// A robot's behaviours by their paths in the scene.
+/// A robot's behaviours by their paths in the scene, and its published numbers.
 struct Cast {
   std::string robot;
   std::vector<std::string> behaviors;
   std::vector<int> parents;
+  std::vector<std::string> numbers;
 };
 
 /// Gives shares to some behaviours at each level; the shares add up to 1 or 0.
@@ -92,6 +97,9 @@ std::vector<Cast> casts_of(const Observation& now) {
     for (const ObservedBehavior& behavior : robot.behaviors) {
       cast.behaviors.emplace_back(behavior.path);
       cast.parents.push_back(behavior.parent);
+    }
+    for (const ObservedNumber& number : robot.published) {
+      cast.numbers.emplace_back(number.name);
     }
   }
   return casts;
@@ -126,6 +134,9 @@ Input InputMaker::make_watched(int number, Random& random) const {
       move(now[cast.robot], step_s, decides, random);
       if (decides) {
         decide(now, cast, now[cast.robot].command, random);
+      }
+      for (const std::string& name : cast.numbers) {
+        now.number(cast.robot, name) = random.chance(0.9) ? random.uniform(-10, 10) : kNone;
       }
     }
     if (const std::string box = some_resource(now.observation(), random);

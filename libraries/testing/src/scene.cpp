@@ -1,6 +1,7 @@
 #include "elsie/testing/scene.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace elsie::testing {
@@ -41,6 +42,7 @@ Scene& Scene::robot(const std::string& id, double x, double y, const std::string
   made.pose = {x, y, wrap_angle(radians(heading_deg))};
   made.energy = made.capacity = 5000.0;
   behaviors_.emplace_back();
+  numbers_.emplace_back();
   return *this;
 }
 
@@ -67,6 +69,13 @@ Scene& Scene::behaves(const std::string& path, const std::string& plugin) {
   made.plugin =
       plugin.empty() ? keep(path.substr(slash == std::string::npos ? 0 : slash + 1)) : keep(plugin);
   all.push_back(made);
+  return *this;
+}
+
+Scene& Scene::publishes(const std::string& name, const std::string& unit) {
+  Numbers& numbers = numbers_.at(numbers_.size() - 1);
+  numbers.names.push_back({keep(name), keep(unit)});
+  numbers.values.push_back(std::numeric_limits<double>::quiet_NaN());
   return *this;
 }
 
@@ -103,6 +112,14 @@ ObservedBehavior& Scene::behavior(const std::string& robot, const std::string& p
   return *found;
 }
 
+double& Scene::number(const std::string& robot, const std::string& name) {
+  Numbers& numbers = numbers_[index_of(robot)];
+  for (std::size_t i = 0; i < numbers.names.size(); ++i) {
+    if (numbers.names[i].name == name) return numbers.values[i];
+  }
+  throw std::invalid_argument("the robot '" + robot + "' publishes no '" + name + "'");
+}
+
 Scene& Scene::step() { return at_step(steps_ + 1); }
 
 Scene& Scene::at_step(int steps) {
@@ -116,6 +133,7 @@ Scene& Scene::at_step(int steps) {
 const Observation& Scene::observation() const {
   seen_ = robots_;
   seen_behaviors_ = behaviors_;
+  seen_numbers_ = numbers_;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     std::vector<ObservedBehavior>& behaviors = seen_behaviors_[i];
     for (ObservedBehavior& behavior : behaviors) {
@@ -125,6 +143,8 @@ const Observation& Scene::observation() const {
                                 : behaviors[static_cast<std::size_t>(behavior.parent)].robot_share);
     }
     seen_[i].behaviors = behaviors;
+    seen_[i].published = seen_numbers_[i].names;
+    seen_[i].numbers = &seen_numbers_[i];
   }
   view_ = now_;
   view_.period_s = now_.step_s * static_cast<double>(control_steps_);

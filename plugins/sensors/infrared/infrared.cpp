@@ -50,15 +50,16 @@ class Infrared final : public elsie::SensorOf<elsie::InfraredReading> {
     all.world->cast_rays(all.robot, all.rays);
     for (std::size_t i = 0; i < all.sensors.size(); ++i) {
       Infrared& sensor = self(all.sensors[i]);
+      sensor.queries_.front().distance_m = all.rays[i].distance_m;
       sensor.set_reading(sensor.reading_of(sensor.value_at(all.rays[i].distance_m)));
     }
   }
 
   void sketch(elsie::Sketch& sketch) const override {
-    const bool sees = current().value > 0.0;
-    for (const elsie::Frame& frame : frames_) {
-      sketch.line(sees ? elsie::SketchRole::hit : elsie::SketchRole::range, {},
-                  frame.point({law_->max_range_m, 0.0, 0.0}));
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      const double reach_m = std::min(queries_[i].distance_m, law_->max_range_m);
+      sketch.line(reach_m < law_->max_range_m ? elsie::SketchRole::hit : elsie::SketchRole::range,
+                  {}, frames_[i].point({reach_m, 0.0, 0.0}));
     }
   }
 

@@ -100,6 +100,9 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     transaction.may_cause_warnings |= old.max_speed != robot.max_speed;
   }
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, transaction));
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    robots_[i]->take_segments(*engine_, i);
+  }
   become_measures(was, transaction);
   become_goals(was);
   bool has_cameras = !cameras_->empty();

@@ -79,6 +79,7 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
     engine_->place_robot(placed.robot, placed.pose, placed.z);
     robots_[placed.robot]->set_body(engine_->robot(placed.robot), engine_->joints(placed.robot),
                                     Arrival::placed);
+    robots_[placed.robot]->take_segments(*engine_, placed.robot);
   }
   take_stock();
   log_events();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "elsie/simulation/robot_share.h"
 
@@ -60,7 +61,29 @@ void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavi
 
 }  // namespace
 
-Lookout::Lookout(const world::World& world) {
+std::span<const double> Lookout::Numbers::now() const {
+  if (!is_read) {
+    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+    std::size_t next = 0;  // they are mostly in this order
+    robot->visit_published([&](const PublishedValue& published) {
+      const auto is_it = [&](const ObservedNumber& each) {
+        const std::string_view path = published.path, name = published.number.name;
+        return each.name.size() == path.size() + 1 + name.size() && each.name.starts_with(path) &&
+               each.name.ends_with(name);
+      };
+      for (std::size_t tried = 0; tried < names.size(); ++tried, ++next) {
+        if (next >= names.size()) next = 0;
+        if (!is_it(names[next])) continue;
+        values[next++] = published.value;
+        break;
+      }
+    });
+    is_read = true;
+  }
+  return values;
+}
+
+Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(host) {
   for (const world::Team& team : world.teams) {
     add_team(team.id);
   }
@@ -96,7 +119,14 @@ void Lookout::add_team(std::string_view team) {
 void Lookout::describe(const world::Robot& robot) {
   add_team(robot.team);
   std::vector<ObservedBehavior>& behaviors = behaviors_.emplace_back();
+  Numbers& numbers = numbers_.emplace_back();
+  for (const world::SensorUse& sensor : robot.sensors) {
+    list_published(PluginKind::sensor, sensor, "");
+  }
+  if (robot.drive) list_published(PluginKind::drive, *robot.drive, "");
+  if (robot.localisation) list_published(PluginKind::localisation, *robot.localisation, "");
   describe(robot, "", -1, behaviors);
+  numbers.values.resize(numbers.names.size());
   ObservedRobot& seen = robots_.emplace_back();
   seen.id = robot.id;
   seen.team = robot.team;
@@ -106,6 +136,18 @@ void Lookout::describe(const world::Robot& robot) {
   seen.is_leader = robot.leader;
   seen.empty = seen.energy <= 0.0;
   seen.behaviors = behaviors;
+  seen.published = numbers.names;
+}
+
+// Of a plugin of the last robot.
+void Lookout::list_published(PluginKind kind, const world::PluginUse& use,
+                             const std::string& within) {
+  const Declaration* const declaration = host_.find(kind, use.plugin);
+  if (!declaration) return;
+  for (const PublishedNumber& number : declaration->published) {
+    numbers_.back().names.push_back(
+        {paths_.emplace_back(within + use.id + "." + number.name), number.facts.unit});
+  }
 }
 
 // In the order of Robot::trace(): each behaviour before those inside it.
@@ -118,9 +160,13 @@ void Lookout::describe(const world::Coordination& coordination, const std::strin
     behavior.plugin = use.plugin;
     behavior.parent = parent;
     const int own_index = static_cast<int>(behaviors.size()) - 1;
+    list_published(PluginKind::behavior, use, path);
     for (const world::Coordination& inside : use.inside) {
       describe(inside, own + "/", own_index, behaviors);
     }
+  }
+  if (coordination.coordinator) {
+    list_published(PluginKind::coordinator, *coordination.coordinator, path);
   }
 }
 
@@ -132,7 +178,9 @@ bool Lookout::has_cast_of(const Lookout& other) const {
     return a.path == b.path && a.plugin == b.plugin;
   };
   const auto same_robot = [&](const ObservedRobot& a, const ObservedRobot& b) {
-    return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior);
+    return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior) &&
+           same(a.published, b.published,
+                [](const auto& one, const auto& two) { return one.name == two.name; });
   };
   return same(robots_, other.robots_, same_robot) &&
          same(all_obstacles_, other.all_obstacles_,
@@ -145,6 +193,9 @@ void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, 
                    bool is_start) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     take_over(*robots[i], robots_[i], behaviors_[i]);
+    numbers_[i].robot = robots[i].get();
+    numbers_[i].is_read = false;
+    robots_[i].numbers = &numbers_[i];
   }
   obstacles_.clear();
   for (std::size_t i = 0; i < all_obstacles_.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "elsie/api/measure.h"
 #include "elsie/physics/engine.h"
+#include "elsie/plugin/host.h"
 #include "elsie/world/description.h"
 
 #include "robot/robot_surroundings.h"
@@ -17,7 +18,7 @@ namespace elsie::simulation {
 class Lookout {
  public:
   /// The world must outlive this object and must not move: ids are views of it.
-  explicit Lookout(const world::World& world);
+  Lookout(const world::World& world, const plugin::Host& host);
   Lookout(const Lookout&) = delete;
   Lookout& operator=(const Lookout&) = delete;
 
@@ -33,13 +34,27 @@ class Lookout {
             bool is_start);
 
  private:
+  /// The numbers of one robot, read when a measure asks for them.
+  class Numbers final : public ObservedNumbers {
+   public:
+    std::span<const double> now() const override;
+
+    std::vector<ObservedNumber> names;
+    const Robot* robot = nullptr;  // null: not looked at yet
+    mutable bool is_read = false;
+    mutable std::vector<double> values;
+  };
+
   void describe(const world::Robot& robot);
+  void list_published(PluginKind kind, const world::PluginUse& use, const std::string& within);
   void describe(const world::Coordination& coordination, const std::string& path, int parent,
                 std::vector<ObservedBehavior>& behaviors);
   void add_team(std::string_view team);
 
   Observation now_;
-  std::deque<std::string> paths_;  // of behaviours
+  const plugin::Host& host_;
+  std::deque<std::string> paths_;  // of behaviours and numbers
+  std::deque<Numbers> numbers_;
   std::vector<std::vector<ObservedBehavior>> behaviors_;
   std::vector<ObservedRobot> robots_;
   std::vector<ObservedObstacle> all_obstacles_;  // at the start

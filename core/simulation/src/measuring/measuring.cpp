@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -82,7 +83,7 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
                      std::vector<base::Problem>& problems)
     : guard_("", budget) {
-  if (!world.measures.empty()) lookout_.emplace(world);
+  if (!world.measures.empty()) lookout_.emplace(world, host);
   for (const world::PluginUse& use : world.measures) {
     Slot& slot = *slots_.emplace_back(std::make_shared<Slot>(use, host));
     slot.make(host, problems);
@@ -139,8 +140,15 @@ void Measuring::reset(std::uint64_t seed) {
 
 void Measuring::ask(Statements& said) {
   for (const auto& slot : slots_) {
-    said.ask(*slot, "", guard_);
+    said.ask_notes(*slot, guard_);
   }
+}
+
+void Measuring::list_curves(std::vector<LearningCurve>& curves) const {
+  if (has_failed_) return;
+  Statements said;
+  for (const auto& slot : slots_) said.ask_curves(*slot, "", guard_);
+  std::move(said.curves.begin(), said.curves.end(), std::back_inserter(curves));
 }
 
 void Measuring::take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo) {
@@ -163,7 +171,7 @@ void Measuring::reset_new(std::uint64_t seed, const std::string& time, Statement
   for (const auto& slot : slots_) {
     if (slot->is_new) {
       guard_.run(*slot->use, [&] { slot->reset(seed, "measure[" + slot->use->id + "]"); });
-      said.ask(*slot, "", guard_);
+      said.ask_notes(*slot, guard_);
       said.notes.push_back(
           {"", slot->use->id, "it measures from an edit of the world at " + time + " on"});
     }

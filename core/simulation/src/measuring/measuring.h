@@ -31,7 +31,7 @@ class Measuring {
   std::vector<Quantity> quantities() const;
 
   void reset(std::uint64_t seed);
-  /// Collects the notes and curves of the measures after a reset.
+  /// Collects the notes of the measures after a reset.
   void ask(Statements& said);
   /// Appends notes on what the measures changed in the program since the run began.
   void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
@@ -39,7 +39,7 @@ class Measuring {
   /// Takes over the measures of `before` whose descriptions are unchanged, if robots and obstacles
   /// are the same; `was` has the old descriptions.
   void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
-  /// Resets the measures that were not taken over, and collects their notes and curves.
+  /// Resets the measures that were not taken over, and collects their notes.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);
 
   /// Returns whether all measures have had their first observation.
@@ -51,6 +51,9 @@ class Measuring {
   /// Appends the values so far. Throws PluginFault; after a failure all values are none, and
   /// measures are not called any more.
   void report(const RunEnd& end, std::vector<MeasuredValue>& values);
+
+  /// Appends the curves so far. Throws PluginFault.
+  void list_curves(std::vector<LearningCurve>& curves) const;
 
   /// See Simulation.
   void visit_published(const VisitPublished& visit) const;

@@ -99,10 +99,19 @@ void add_sketch(const PluginObject& object, const std::string& within, const Fra
 }
 
 void Statements::ask(const PluginObject& object, const std::string& path, Guard& guard) {
+  ask_notes(object, guard);
+  ask_curves(object, path, guard);
+}
+
+void Statements::ask_notes(const PluginObject& object, Guard& guard) {
   const world::PluginUse& use = *object.use;
   for (std::string& note : guard.run(use, [&] { return object.held->notes(); })) {
     notes.push_back({guard.robot(), use.id, std::move(note)});
   }
+}
+
+void Statements::ask_curves(const PluginObject& object, const std::string& path, Guard& guard) {
+  const world::PluginUse& use = *object.use;
   const auto has = [&](std::size_t from, const std::string& of, const std::string* name) {
     return std::any_of(curves.begin() + static_cast<std::ptrdiff_t>(from), curves.end(),
                        [&](const LearningCurve& other) {

@@ -120,9 +120,12 @@ struct Statements {
   std::vector<Note> notes;
   std::vector<LearningCurve> curves;
 
-  /// Collects those of an object of the guard's robot, or of a measure. `path`: the prefix of the
-  /// object's id inside a behaviour, "explore/", else "". Throws PluginFault.
+  /// Collects those of an object of the guard's robot. `path`: the prefix of the object's id inside
+  /// a behaviour, "explore/", else "". Throws PluginFault.
   void ask(const PluginObject& object, const std::string& path, Guard& guard);
+  /// The same, of one kind; also of measures, whose curves are asked for at the end of a run.
+  void ask_notes(const PluginObject& object, Guard& guard);
+  void ask_curves(const PluginObject& object, const std::string& path, Guard& guard);
 };
 
 /// Calls `visit` for each number that an object publishes; `within` as in Statements::ask(). Throws

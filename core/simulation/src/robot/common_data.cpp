@@ -32,8 +32,9 @@ const std::vector<Colour>& CommonData::resource_colours(const world::World& worl
 }
 
 const SensorPlace& CommonData::place(const Mounting& mounting) {
-  const auto& [at, azimuth, pitch] = mounting;
-  const SensorPlace*& place = known_[{at.x, at.y, at.z, azimuth, pitch}];
+  const auto& [at, azimuth, pitch, segment] = mounting;
+  const SensorPlace*& place =
+      known_[{at.x, at.y, at.z, azimuth, pitch, static_cast<double>(segment)}];
   if (!place) {
     place = &places_.emplace_back(SensorPlace{mounting, Frame::turned(at, azimuth, pitch)});
   }

@@ -9,17 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/api/drive.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/image.h"
 #include "elsie/api/sensor.h"
 #include "elsie/world/description.h"
 
-#include "plugins/plugin_object.h"
+#include "robot/drive_slot.h"
 
 namespace elsie::simulation {
-
-using DriveSlot = ObjectOf<Drive, PluginKind::drive>;
 
 /// Data that robots share, so that it stays in the processor's cache. It only grows, with the
 /// places and wheels that edits try.
@@ -42,7 +39,7 @@ class CommonData {
  private:
   std::vector<int> numbers_;
   std::map<std::string, std::vector<Colour>> colours_;  // of teams that were asked for
-  std::map<std::array<double, 5>, const SensorPlace*> known_;
+  std::map<std::array<double, 6>, const SensorPlace*> known_;
   std::deque<SensorPlace> places_;
 };
 

@@ -1,15 +1,9 @@
 #include "robot/disturbed_reading.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
 #include <variant>
-
-#include "elsie/base/near_name.h"
-#include "elsie/base/number_text.h"
-#include "elsie/base/words.h"
 
 namespace elsie::simulation {
 namespace {
@@ -25,30 +19,17 @@ std::optional<std::string> fault_of(const ReadingField& field) {
 }
 
 void check_noise(const Noise& noise, const Sensor& sensor) {
-  const std::string what = "its <noise on=\"" + noise.on + "\"> ";
   std::vector<std::string> names;
-  bool found = false;
   sensor.visit_fields(sensor.reading(), [&](const ReadingField& field) {
-    const std::string path = field.path();
     const auto fault = fault_of(field);
-    if (path == noise.on) {
-      found = true;
-      if (fault) throw std::invalid_argument(what + "names a field that " + *fault);
-    } else if (!fault && field.item == 0) {
-      names.push_back(path);
+    if (!fault) {
+      if (field.item == 0) names.push_back(field.path());
+    } else if (field.path() == noise.on) {
+      throw std::invalid_argument("its <noise on=\"" + noise.on + "\"> names a field that " +
+                                  *fault);
     }
   });
-  if (!found) {
-    throw std::invalid_argument(what + "names no field of its reading" +
-                                (names.empty()
-                                     ? "; its reading lists no numbers"
-                                     : base::near_or_all("'" + noise.on + "'", names, "it has")));
-  }
-  const bool is_limited = noise.clamp.size() == 2 && noise.clamp[0] <= noise.clamp[1];
-  if (!noise.clamp.empty() && !is_limited) {
-    throw std::invalid_argument(
-        what + "has a clamp that is no range; expected two numbers, the lower one first");
-  }
+  Disturbances::check(noise, names, "its reading");
 }
 
 }  // namespace
@@ -60,47 +41,24 @@ void DisturbedReading::check(const Sensor& sensor) {
 }
 
 void DisturbedReading::fit(const Sensor& sensor, bool has_other_sizes) {
-  noises_.clear();
-  failures_.clear();
-  latency_s_ = 0.0;
-  stuck_from_s_ = kNever;
-  for (const Disturbance& each : sensor.disturbances()) {
-    if (const auto* noise = std::get_if<Noise>(&each)) {
-      Target& target = noises_.emplace_back(Target{*noise, {}});
-      std::size_t place = 0;
-      sensor.visit_fields(sensor.reading(), [&](const ReadingField& field) {
-        if (field.path() == noise->on) target.fields.push_back(place);
-        ++place;
-      });
-    } else {
-      const auto& failure = failures_.emplace_back(std::get<UpdateFailure>(each));
-      latency_s_ += failure.latency;
-      if (failure.stuck_from >= 0.0) stuck_from_s_ = std::min(stuck_from_s_, failure.stuck_from);
-    }
+  disturbances_.fit(sensor.disturbances());
+  fields_.clear();
+  for (const Noise& noise : disturbances_.noises()) {
+    std::vector<std::size_t>& fields = fields_.emplace_back();
+    std::size_t place = 0;
+    sensor.visit_fields(sensor.reading(), [&](const ReadingField& field) {
+      if (field.path() == noise.on) fields.push_back(place);
+      ++place;
+    });
   }
-  begin(noise_streams_, "noise", noises_.size());
-  begin(failure_streams_, "failure", failures_.size());
   if (has_other_sizes) {
     samples_.clear();
     spare_.clear();
   }
 }
 
-void DisturbedReading::begin(std::vector<Random>& streams, const char* element,
-                             std::size_t count) const {
-  while (streams.size() < count) {
-    streams.emplace_back(seed_,
-                         path_ + "/" + element + "[" + std::to_string(streams.size() + 1) + "]");
-  }
-}
-
 void DisturbedReading::reset(std::uint64_t seed, const std::string& path) {
-  seed_ = seed;
-  path_ = path;
-  noise_streams_.clear();
-  failure_streams_.clear();
-  begin(noise_streams_, "noise", noises_.size());
-  begin(failure_streams_, "failure", failures_.size());
+  disturbances_.reset(seed, path);
   samples_.clear();
   age_s_ = kNever;
 }
@@ -113,13 +71,9 @@ std::shared_ptr<void> DisturbedReading::memory(const Sensor& sensor) {
 }
 
 void DisturbedReading::update(Sensor& sensor, double time_s, double period_s) {
-  bool is_missed = false;
-  for (std::size_t i = 0; i < failures_.size(); ++i) {
-    // Always drawn, so that one update missed more does not change the others.
-    is_missed |= failure_streams_[i].chance(failures_[i].dropout);
-  }
+  const bool is_missed = disturbances_.misses_update();
   const double slack = 1e-6 * period_s;
-  if (time_s >= stuck_from_s_ - slack) {
+  if (disturbances_.is_stuck(time_s + slack)) {
     age_s_ += period_s;
     return;
   }
@@ -131,7 +85,8 @@ void DisturbedReading::update(Sensor& sensor, double time_s, double period_s) {
     samples_.pop_back();
   }
   age_s_ += period_s;
-  while (!samples_.empty() && samples_.front().time_s <= time_s - latency_s_ + slack) {
+  while (!samples_.empty() &&
+         samples_.front().time_s <= time_s - disturbances_.latency_s() + slack) {
     Sample& seen = samples_.front();
     sensor.copy_reading(seen.reading.get(), sensor.own_reading());
     age_s_ = time_s - seen.time_s;
@@ -141,25 +96,15 @@ void DisturbedReading::update(Sensor& sensor, double time_s, double period_s) {
 }
 
 void DisturbedReading::add_noise(Sensor& sensor, const void* reading) {
-  for (std::size_t k = 0; k < noises_.size(); ++k) {
-    const Noise& noise = noises_[k].noise;
-    const std::vector<std::size_t>& fields = noises_[k].fields;
-    Random& random = noise_streams_[k];
+  for (std::size_t noise = 0; noise < fields_.size(); ++noise) {
+    const std::vector<std::size_t>& fields = fields_[noise];
     std::size_t place = 0;
     std::size_t next = 0;
     sensor.visit_fields(reading, [&](const ReadingField& field) {
       if (next == fields.size() || place++ != fields[next]) return;
       ++next;
       for (std::size_t i = 0; i < field.count; ++i) {
-        double value = field.number(i) * noise.scale + noise.bias;
-        if (noise.proportional > 0.0) value += value * random.normal(0.0, noise.proportional);
-        if (noise.gaussian > 0.0) value += random.normal(0.0, noise.gaussian);
-        if (noise.uniform > 0.0) value += random.uniform(-noise.uniform, noise.uniform);
-        if (noise.resolution > 0.0) {
-          value = std::round(value / noise.resolution) * noise.resolution;
-        }
-        if (!noise.clamp.empty()) value = std::clamp(value, noise.clamp[0], noise.clamp[1]);
-        field.set_number(i, value);
+        field.set_number(i, disturbances_.disturbed(noise, field.number(i)));
       }
     });
   }

@@ -6,12 +6,11 @@
 #include <deque>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "elsie/api/disturbance.h"
 #include "elsie/api/sensor.h"
-#include "elsie/base/random.h"
+
+#include "robot/disturbances.h"
 
 namespace elsie::simulation {
 
@@ -33,11 +32,6 @@ class DisturbedReading {
   double age_s() const { return age_s_; }
 
  private:
-  /// Numbers that a noise applies to: the fields of this path.
-  struct Target {
-    Noise noise;
-    std::vector<std::size_t> fields;  // their places in visit()
-  };
   struct Sample {
     double time_s = 0.0;
     std::shared_ptr<void> reading;
@@ -46,20 +40,12 @@ class DisturbedReading {
   void add_noise(Sensor& sensor, const void* reading);
   /// The memory for another sample.
   std::shared_ptr<void> memory(const Sensor& sensor);
-  /// Begins the streams of so many elements that have none yet. Each has one of its own, so that a
-  /// new element changes nothing else; it stays when the element goes, for an edit that is undone.
-  void begin(std::vector<Random>& streams, const char* element, std::size_t count) const;
 
-  std::vector<Target> noises_;
-  std::vector<UpdateFailure> failures_;
-  std::vector<Random> noise_streams_, failure_streams_;
-  double latency_s_ = 0.0;
-  double stuck_from_s_ = 0.0;   // infinite: never
+  Disturbances disturbances_;
+  std::vector<std::vector<std::size_t>> fields_;  // of each noise: their places in visit()
   std::deque<Sample> samples_;  // measured and not seen yet, the first of them last seen
   std::vector<std::shared_ptr<void>> spare_;
   double age_s_ = 0.0;
-  std::uint64_t seed_ = 0;
-  std::string path_;
 };
 
 }  // namespace elsie::simulation

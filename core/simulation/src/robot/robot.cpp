@@ -19,10 +19,20 @@ void throw_if_any(const std::vector<base::Problem>& problems) {
   if (!problems.empty()) throw world::WorldError(problems);
 }
 
-Mounting mounting_of(const world::SensorUse& use, const world::RobotBody& body) {
-  return {{use.x.value_or(0.5 * body.length), use.y.value_or(0.0), use.z.value_or(body.top())},
+Mounting mounting_of(const world::SensorUse& use, const world::Robot& robot) {
+  double front = 0.5 * robot.body.length, top = robot.body.top();
+  int segment = 0;
+  if (!use.segment.empty()) {
+    const std::size_t index = index_of(robot.segments, use.segment, 0);
+    const world::Segment& carrier = robot.segments.at(index);
+    front = 0.5 * carrier.length;
+    top = carrier.clearance + carrier.height;
+    segment = static_cast<int>(index) + 1;
+  }
+  return {{use.x.value_or(front), use.y.value_or(0.0), use.z.value_or(top)},
           wrap_angle(radians(use.yaw_deg)),
-          radians(use.pitch_deg)};
+          radians(use.pitch_deg),
+          segment};
 }
 
 }  // namespace
@@ -80,7 +90,7 @@ const world::PluginUse& Robot::drive_use() const {
 void Robot::make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
                         std::vector<base::Problem>& problems) const {
   slot.make(host, problems);
-  slot.place = &common_->place(mounting_of(use, description_->body));
+  slot.place = &common_->place(mounting_of(use, *description_));
   if (!slot.held) return;
   if (const auto camera = blaming(use, problems, [&] { return slot.object().camera(); })) {
     slot.own_extras().camera = camera;
@@ -122,6 +132,7 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
     joint_count_ = static_cast<std::uint32_t>(check.joints());
     joints_.assign(2 * check.joints(), {});
     if (!description_->drive) return;
+    drive_->joints = joints_of(plan);
     drive_check_ = std::move(check);
     driven_ = std::move(plan);
   });
@@ -158,8 +169,8 @@ void Robot::command(const Motion& asked) {
 void Robot::carry_out(const Motion& motion) {
   const std::span<JointSetting> wanted = std::span(joints_).subspan(joint_count_);
   const auto command = [&] {
-    state_.commanded =
-        driver_->command(motion, {joints(), state_.max_speed_m_s, period_s_}, wanted);
+    state_.commanded = driver_->command(
+        motion, {joints(), state_.max_speed_m_s, period_s_, &drive_->random}, wanted);
   };
   if (has_default_drive_) {  // the core's own drive needs no guard
     command();
@@ -213,11 +224,16 @@ void Robot::group_sensors() {
   together_.clear();
   sensor_cost_.reset();
   may_share_threads_ = true;
+  const auto is_on_segment = [](const auto& slot) { return slot->place->mounting.segment > 0; };
+  segments_.resize(std::any_of(sensors_.begin(), sensors_.end(), is_on_segment)
+                       ? description_->segments.size()
+                       : 0);
   feels_contacts_ = std::any_of(sensors_.begin(), sensors_.end(),
                                 [](const auto& slot) { return slot->declaration->feels_contacts; });
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const SensorSlot& slot = *sensors_[i];
     if (i > 0 && slot.declaration == sensors_[i - 1]->declaration &&
+        slot.place->mounting.segment == sensors_[i - 1]->place->mounting.segment &&
         slot.declaration->updates_all && !slot.extras().camera) {
       ++together_.back().count;
     } else {
@@ -268,7 +284,7 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
       const SensorBatch all{std::span(entries_).subspan(group.first, group.count),
                             now.time_s,
                             now.period_s,
-                            body_frame_,
+                            frame_below(first),
                             &surroundings,
                             std::span(rays).first(group.count)};
       guard_.step(first, [&] { first.object().update_all(all); });
@@ -281,6 +297,13 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
     }
   }
   contacts_.clear();
+}
+
+void Robot::look_at_segments(const physics::Engine& engine, std::size_t index) {
+  const std::size_t of_drive = engine.segments(index) - segments_.size();
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    segments_[i] = engine.segment(index, of_drive + i).frame;
+  }
 }
 
 void Robot::touched(std::span<const physics::BodyContact> contacts) {
@@ -301,7 +324,7 @@ void Robot::update(SensorSlot& slot, const RobotSurroundings& surroundings, cons
   const PluginObject::Extras& extras = slot.extras();
   const SensorContext context{now.time_s,
                               now.period_s,
-                              body_frame_.frame(frame),
+                              frame_below(slot).frame(frame),
                               &mounting,
                               &surroundings,
                               &slot.random,
@@ -328,6 +351,9 @@ void Robot::decide(const Instant& now) {
   perception_.events = perceived_events_;
   team_.mates = mates_;
   command(controller_->decide(Perception(perception_, unused_random_)));
+  if (!has_default_drive_ && drive_->disturbed) {
+    drive_->disturbed->update(std::span(joints_).subspan(joint_count_), now.time_s, now.period_s);
+  }
 }
 
 void Robot::ask(Statements& said) {
@@ -361,6 +387,7 @@ void Robot::stop_when_empty() {
 
 void Robot::set_max_speed(double max_speed) {
   state_.max_speed_m_s = max_speed;
+  if (!has_default_drive_ && drive_->disturbed && drive_->disturbed->has_begun()) return;
   carry_out(state_.commanded);
 }
 
@@ -425,11 +452,11 @@ void Robot::moved(const physics::RobotState& state, std::span<const JointSetting
     state_.moving = truth_.moving;
     return;
   }
-  believe([&](Localisation& localisation) {
-    return localisation.update({state_.pose, state_.moving},
-                               {time_s, step_s, truth_, state_.odometry, this->joints(),
-                                state_.wheels, &localiser_->random});
-  });
+  believe(guard_.run(*localiser_->use, [&] {
+    return localiser_->object().update({state_.pose, state_.moving},
+                                       {time_s, step_s, truth_, state_.odometry, this->joints(),
+                                        state_.wheels, &localiser_->random});
+  }));
 }
 
 void Robot::set_body(const physics::RobotState& state, std::span<const JointSetting> joints,
@@ -439,17 +466,15 @@ void Robot::set_body(const physics::RobotState& state, std::span<const JointSett
     state_.pose = truth_.pose;
     state_.moving = truth_.moving;
   } else if (arrival != Arrival::stayed) {
-    believe([&](Localisation& localisation) {
+    believe(guard_.run(*localiser_->use, [&] {
+      Localisation& localisation = localiser_->object();
       return arrival == Arrival::placed ? localisation.placed({state_.pose, state_.moving}, truth_)
                                         : localisation.start(truth_, localiser_->random);
-    });
+    }));
   }
 }
 
-template <class Estimate>
-void Robot::believe(Estimate estimate) {
-  const Belief belief =
-      guard_.run(*localiser_->use, [&] { return estimate(localiser_->object()); });
+void Robot::believe(const Belief& belief) {
   const Pose& pose = belief.pose;
   if (!belief.moving.is_finite() || !std::isfinite(pose.x + pose.y + pose.heading_rad)) {
     guard_.fail(*localiser_->use, "it believes numbers that are not finite");

@@ -83,6 +83,11 @@ class Robot final : private RobotRequests {
   /// Copies the state of the body after a step, and adds up the distance.
   void moved(const physics::RobotState& state, std::span<const JointSetting> joints, double time_s,
              double step_s);
+  /// Takes over where its segments are, if sensors are on some; call it after set_body(), moved()
+  /// and become().
+  void take_segments(const physics::Engine& engine, std::size_t index) {
+    if (!segments_.empty()) look_at_segments(engine, index);
+  }
   /// Adds the energy of a collected resource, up to the capacity.
   void collect(double energy);
 
@@ -187,7 +192,7 @@ class Robot final : private RobotRequests {
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
   Frame sensor_frame(std::size_t index) const {
-    return body_frame_.frame(sensors_[index]->place->frame);
+    return frame_below(*sensors_[index]).frame(sensors_[index]->place->frame);
   }
   /// The camera of a sensor, if it has one.
   const std::optional<Camera>& camera(std::size_t i) const { return sensors_[i]->extras().camera; }
@@ -223,6 +228,12 @@ class Robot final : private RobotRequests {
     mutable std::unique_ptr<DisturbedReading> disturbed;  // null: neither noise nor failures
   };
 
+  void look_at_segments(const physics::Engine& engine, std::size_t index);
+  /// The frame of what a sensor is mounted on.
+  const Frame& frame_below(const SensorSlot& slot) const {
+    const int segment = slot.place->mounting.segment;
+    return segment == 0 ? body_frame_ : segments_[static_cast<std::size_t>(segment) - 1];
+  }
   void raise(const Event& event) override {
     raised_.emplace_back(events::Raised{std::string(event.name)});
   }
@@ -244,9 +255,8 @@ class Robot final : private RobotRequests {
   void make_drive(const plugin::Host& host, std::vector<base::Problem>& problems);
   void take_body(const physics::RobotState& state, std::span<const JointSetting> joints);
   void make_localisation(const plugin::Host& host, std::vector<base::Problem>& problems);
-  /// Believes what the localisation answers. Throws PluginFault.
-  template <class Estimate>
-  void believe(Estimate estimate);
+  /// Takes over what the localisation answers. Throws PluginFault.
+  void believe(const Belief& belief);
   const world::PluginUse& drive_use() const;
   void command(const Motion& asked);
   /// Commands the drive; the command is then the motion that it can make.
@@ -276,6 +286,7 @@ class Robot final : private RobotRequests {
     std::size_t count;
   };
   std::vector<Together> together_;
+  std::vector<Frame> segments_;              // if sensors are on some, else empty
   std::vector<SensorBatch::Entry> entries_;  // of the sensors
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
   TeamState team_;

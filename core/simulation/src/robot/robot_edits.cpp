@@ -30,8 +30,9 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const plugin::Call call({.robot = &next.id});
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, &next);
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
-  const bool same_sensors =
-      same_body && world::same_part(world::robot_spec(), "sensors", &was, &next);
+  const bool same_sensors = same_body &&
+                            world::same_part(world::robot_spec(), "segments", &was, &next) &&
+                            world::same_part(world::robot_spec(), "sensors", &was, &next);
   // Added first, so it is undone last.
   undo.add([this, again = transaction.begin_robot()] {
     guard_.forgive();
@@ -43,7 +44,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   });
   undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
   undo.keep(description_, body_frame_, truth_, drive_, drive_check_, joints_, joint_count_);
-  undo.keep(localisation_, localiser_);
+  undo.keep(localisation_, localiser_, segments_);
   description_ = &next;
   seed_ = transaction.seed();
   const LocalisationSlot* const had_localisation = localiser_;
@@ -95,7 +96,8 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
     state_.moving = truth_.moving;
   } else if (had_localisation != localiser_) {
     blaming(*localiser_->use, problems, [&] {
-      believe([&](Localisation& each) { return each.start(truth_, localiser_->random); });
+      believe(guard_.run(*localiser_->use,
+                         [&] { return localiser_->object().start(truth_, localiser_->random); }));
     });
   }
   take_live(!same_drive, description_->energy && (transaction.asks(next, "energy") ||
@@ -114,12 +116,14 @@ void Robot::become_sensors(const world::Robot& was, EditTransaction& transaction
   transaction.undo().keep(sensors_);
   const auto slots = sensors_;
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, description_);
+  const bool same_segments = world::same_part(world::robot_spec(), "segments", &was, description_);
   sensors_.clear();
   for (const world::SensorUse& use : description_->sensors) {
     const std::size_t former = index_of(was.sensors, use.id, 0);
     const bool is_known = former < slots.size();
-    // The default mounting depends on the body.
-    if (is_known && same_body && world::same(was.sensors[former], use, world::Cost::object) &&
+    // The default mounting depends on what it is mounted on.
+    if (is_known && (use.segment.empty() ? same_body : same_segments) &&
+        world::same(was.sensors[former], use, world::Cost::object) &&
         transaction.keeps(*slots[former], was.sensors[former], use)) {
       sensors_.push_back(slots[former]);
       continue;

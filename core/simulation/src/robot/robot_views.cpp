@@ -1,4 +1,5 @@
 // What viewers see of a robot's plugins: readings, published numbers, sketches.
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ SensorView Robot::sensor(std::size_t index) const {
 
 void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
   const SensorSlot& slot = *sensors_[sensor];
+  std::exception_ptr of_visitor;  // no fault of the plugin
   guard_.look(*slot.use, [&] {
     const std::vector<FieldDeclaration>& declared = slot.declaration->produces.front().fields;
     auto expected = declared.begin();
@@ -31,7 +33,12 @@ void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
                                    "' in visit() in another place than a new one; every reading "
                                    "must list the same names in the same order");
       }
-      visit(field);
+      if (of_visitor) return;
+      try {
+        visit(field);
+      } catch (...) {
+        of_visitor = std::current_exception();
+      }
     });
     if (expected != declared.end()) {
       guard_.fail(*slot.use, "its reading does not list '" + expected->name +
@@ -39,6 +46,7 @@ void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
                                  "same names in the same order");
     }
   });
+  if (of_visitor) std::rethrow_exception(of_visitor);
 }
 
 void Robot::visit_published(const VisitPublished& visit) const {

@@ -94,6 +94,7 @@ void Simulation::Impl::move(bool decides) {
   loop_.each(robots_, [&](std::size_t i, std::size_t) {
     Robot& robot = *robots_[i];
     robot.moved(engine_->robot(i), engine_->joints(i), time_s(), world_.physics.step);
+    robot.take_segments(*engine_, i);
     if (robot.feels_contacts()) robot.touched(engine_->contacts(i));
   });
 }

@@ -19,7 +19,7 @@ namespace {
 std::vector<simulation::Edit> edits_of(const std::vector<std::string>& edits) {
   std::vector<simulation::Edit> changes;
   for (const std::string& edit : edits) {
-    const std::size_t equals = edit.find('=');
+    const std::size_t equals = world::end_of_path(edit);
     changes.push_back({edit.substr(0, equals),
                        equals == std::string::npos ? std::string() : edit.substr(equals + 1)});
   }

@@ -8,6 +8,7 @@
 
 #include "elsie/experiment/reader.h"
 #include "elsie/experiment/split.h"
+#include "elsie/world/tree.h"
 
 #include "grid.h"
 
@@ -151,15 +152,16 @@ class FactorMaker {
       const auto more = settings_from(draft.settings, draft.changes, problems_);
       level.settings.insert(level.settings.end(), more.begin(), more.end());
     }
-    if (draft_.path && !path_used && draft_.path->find('=') == std::string::npos) {
+    if (draft_.path && !path_used && world::end_of_path(*draft_.path) == std::string::npos) {
       complain("the path of the factor '" + name_ +
                "' is not used: none of its levels has a value or an element");
     }
   }
 
   void check(const Factor& factor) {
-    if (draft_.path && draft_.path->find('=') != std::string::npos) {
-      complain("the path of the factor '" + name_ + "' holds a \"=\"; expected what to vary only");
+    if (draft_.path && world::end_of_path(*draft_.path) != std::string::npos) {
+      complain("the path of the factor '" + name_ +
+               "' holds a \"=\" outside brackets; expected what to vary only");
     }
     if (factor.levels.size() > kMostLevels) {
       complain("the factor '" + name_ + "' has " + std::to_string(factor.levels.size()) +
@@ -220,7 +222,7 @@ std::vector<Setting> settings_from(const std::vector<SettingDraft>& drafts,
     } else if (!draft.value && !draft.element) {
       problems.add(draft.location,
                    "<set> lacks what to set; expected value=\"...\", or an element in it");
-    } else if (draft.path.find('=') != std::string::npos) {
+    } else if (world::end_of_path(draft.path) != std::string::npos) {
       problems.add(draft.location, "path=\"" + draft.path +
                                        "\" of <set>: a path holds no \"=\"; the value has an "
                                        "attribute of its own");

@@ -1,4 +1,4 @@
-// Learning curves that plugins report.
+// Curves that plugins report: of learning, and of measures.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,10 +87,10 @@ CurvePanels panels_of(const Findings& findings, std::size_t cell,
   return panels;
 }
 
-// "weights of r1, error: mean square error"
-std::string subject_of(const std::string& robot, const std::string& plugin, const std::string& name,
-                       const Curve& first) {
-  return plugin + " of " + robot + ", " + name +
+// "Learning of weights of r1, error: mean square error"; of a measure "known, explore.known".
+std::string title_of(const std::string& robot, const std::string& plugin, const std::string& name,
+                     const Curve& first) {
+  return (robot.empty() ? plugin : "Learning of " + plugin + " of " + robot) + ", " + name +
          (first.y_label.empty() || first.y_label == name ? "" : ": " + first.y_label);
 }
 
@@ -106,7 +106,7 @@ std::vector<Chart> learning_charts(const Findings& findings, std::size_t cell,
     chart.y.label = files::shortened(files::one_line(all.front()->y_label), 50);
     charts.push_back({"learning-" + std::to_string(cell + 1) + "-" +
                           file_part(robot + "-" + plugin + "-" + name),
-                      "Learning of " + subject_of(robot, plugin, name, *all.front()),
+                      title_of(robot, plugin, name, *all.front()),
                       std::move(chart),
                       {counted(all.size(), "run") + (alike ? ", all alike" : "")}});
   }

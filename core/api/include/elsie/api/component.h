@@ -41,8 +41,9 @@ class Component {
   /// out. Called after reset().
   virtual std::vector<std::string> notes() const { return {}; }
 
-  /// Curves for the user, also called after reset(): the learning curve of a network that was
-  /// trained for this run. A few hundred points are enough. Names must differ.
+  /// Curves for the user: the learning curve of a network that was trained for this run, after
+  /// reset(); of a measure what it saw, at the end of the run. They may have any length; a few
+  /// hundred points are enough. Names must differ.
   virtual std::vector<Curve> curves() const { return {}; }
 
   /// Draws what it senses, thinks or wants at this instant. Called only when somebody looks,

@@ -23,9 +23,9 @@ namespace elsie {
 /// v scale + bias + v proportional n1 + gaussian n2 + uniform u, rounded to a multiple of
 /// `resolution`, within `clamp`; n1 and n2 are normal with deviation 1, u is uniform in [-1, 1).
 struct Noise {
-  std::string on;             // the field of the reading: "distance_m", "blobs.distance"
-  double scale = 1.0;         // a factor
-  double bias = 0.0;          // in the unit of the number, as the following
+  std::string on;      // a field of a reading: "blobs.distance"; of a drive: "left_wheel.rate"
+  double scale = 1.0;  // a factor
+  double bias = 0.0;   // in the unit of the number, as the following
   double proportional = 0.0;  // standard deviation as a fraction of the value
   double gaussian = 0.0;      // standard deviation
   double uniform = 0.0;       // half the width
@@ -33,17 +33,17 @@ struct Noise {
   std::vector<double> clamp;  // the least and the greatest value; empty: no limits
 };
 
-/// How a sensor fails to renew its reading.
+/// How a sensor fails to renew its reading, or a drive the set points of its joints.
 struct UpdateFailure {
-  double dropout = 0.0;      // probability of each update to be missed: the reading stays
-  double latency = 0.0;      // s: a reading is seen so much later
-  double stuck_from = -1.0;  // s: from this time on the reading stays; negative: never
+  double dropout = 0.0;      // probability of each update to be missed: the last one holds on
+  double latency = 0.0;      // s: an update takes effect so much later
+  double stuck_from = -1.0;  // s: from this time on nothing is renewed; negative: never
 };
 
 using Disturbance = std::variant<Noise, UpdateFailure>;
 
-/// The elements <noise> and <failure> of a plugin whose objects keep them in this list.
-std::vector<ElementDeclaration> disturbance_elements(
-    std::vector<Disturbance>& (*list_of)(Component&), std::size_t list);
+/// Declares the elements <noise> and <failure> for a plugin whose objects keep them in this list.
+void declare_disturbances(Declaration& declaration,
+                          std::vector<Disturbance>& (*list_of)(Component&));
 
 }  // namespace elsie

@@ -6,9 +6,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "elsie/api/body.h"
 #include "elsie/api/component.h"
+#include "elsie/api/disturbance.h"
 #include "elsie/api/motion.h"
 #include "elsie/api/registration.h"
 
@@ -35,6 +37,7 @@ struct DriveState {
   std::span<const JointSetting> joints;  // measured; only those that can be set
   double max_speed = 0.5;                // m/s, limit of any wheel's rim
   double period_s = 0.01;                // time to the next command
+  Random* random = nullptr;              // the drive's own stream
 };
 
 /// The state of a part that turns on top of a body, counter-clockwise.
@@ -68,6 +71,15 @@ class Drive : public Component {
   /// How the robot's heading and its sensors are turned relative to the body, for a body that does
   /// not turn with its direction of travel (a synchro drive).
   virtual Turret turret(std::span<const JointSetting> /*joints*/) const { return {}; }
+
+  /// The noise and the failures that its element in the world file gives it, for the simulator,
+  /// which applies them to what command() sets.
+  const std::vector<Disturbance>& disturbances() const { return disturbances_; }
+  /// Adds what every drive declares.
+  static void declare_for_all(Declaration& declaration);
+
+ private:
+  std::vector<Disturbance> disturbances_;
 };
 
 /// Makes a drive class a plugin; see ELSIE_BEHAVIOR.

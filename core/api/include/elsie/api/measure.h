@@ -11,7 +11,7 @@
 // 3. observe() after every step. Each observation describes the step before it: the motion that the
 //    drives were set to, and the trace of the decision behind it. So the integral of a quantity
 //    over time is the sum of all observations but the first, each times `step_s`;
-// 4. report(): the results.
+// 4. report() and curves(): the results.
 //
 // docs/writing-a-measure.md has a complete plugin.
 #pragma once
@@ -42,6 +42,22 @@ struct ObservedBehavior {
   double robot_share = 0.0;  // its part in the robot's command: the product of nested shares
 };
 
+/// A number that a plugin of a robot publishes; see publishes().
+struct ObservedNumber {
+  std::string_view name;  // "explore/avoid.clearance": the plugin's path, then its own
+  std::string_view unit;
+};
+
+/// Reads the numbers that the plugins of a robot publish.
+class ObservedNumbers {
+ public:
+  /// All of them at this instant, in the order of ObservedRobot::published; NaN: there is none.
+  virtual std::span<const double> now() const = 0;
+
+ protected:
+  ~ObservedNumbers() = default;
+};
+
 struct ObservedRobot {
   std::string_view id;
   std::string_view team;
@@ -63,6 +79,8 @@ struct ObservedRobot {
   bool empty = false;  // the battery is empty: the robot stops
   /// A behaviour comes before those inside it; otherwise in the order of the world file.
   std::span<const ObservedBehavior> behaviors;
+  std::span<const ObservedNumber> published;
+  const ObservedNumbers* numbers = nullptr;  // their values; null before the first observation
 
   /// The behaviour with this path, or null.
   const ObservedBehavior* behavior(std::string_view path) const;

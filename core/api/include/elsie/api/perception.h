@@ -15,12 +15,13 @@
 
 namespace elsie {
 
-/// The position and direction of a sensor in the robot's frame (origin on the floor below the
-/// middle of the axle, x forward, y left).
+/// The position and direction of a sensor in the frame of the robot, or of a segment that it pulls
+/// (origin on the floor below the middle of the axle, x forward, y left).
 struct Mounting {
   Vector3 position;          // m
   double azimuth_rad = 0.0;  // from the robot's forward axis, counter-clockwise, in (-pi, pi]
   double pitch_rad = 0.0;    // positive points up
+  int segment = 0;           // 0: the robot; then its segments, counted backwards from it
 };
 
 /// The state of the robot's own body.

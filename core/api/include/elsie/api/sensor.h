@@ -39,7 +39,7 @@ struct SensorContext {
 /// Where a sensor is on its robot.
 struct SensorPlace {
   Mounting mounting;
-  Frame frame;  // the same, in the frame of the robot
+  Frame frame;  // the same, in the frame of the robot or of its segment
 };
 
 class Sensor;
@@ -60,7 +60,7 @@ struct SensorBatch {
   std::span<const Entry> sensors;
   double time_s;
   double period_s;
-  const Frame& robot;  // in the world
+  const Frame& robot;  // in the world; of the segment, if they are on one
   const Surroundings* world;
   std::span<RayQuery> rays;  // memory for a query of each sensor, with any values
 

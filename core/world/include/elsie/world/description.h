@@ -182,7 +182,8 @@ struct PluginUse {
 };
 
 struct SensorUse : PluginUse {
-  // In the robot's frame; by default the chassis' front edge and top.
+  std::string segment;  // the id of the segment that it is on; "": on the robot
+  // In the frame of what it is on; by default the front edge and the top of that.
   std::optional<double> x, y, z;
   double yaw_deg = 0.0;
   double pitch_deg = 0.0;

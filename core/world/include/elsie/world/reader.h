@@ -29,6 +29,8 @@ struct ReadOptions {
   ///   robot[r1]/@max_speed                     of the robot with this id
   ///   robot[2]/@max_speed                      of the second one
   ///   robot[*]/@max_speed                      of all
+  ///   robot[team=red]/@max_speed               of those of this team: none, one or several
+  ///   sensor[plugin=lidar]/@max_range          of these sensors of every robot
   ///   robot[r1]/behavior[roam]/@priority       of a behaviour, by its id
   ///   robot[r1]/sensor[1]/@yaw_deg             of the first sensor
   ///   robot[r1]/coordinator/@weighted          of the one coordinator

@@ -52,6 +52,9 @@ void merge_templates(Element& world, const plugin::Host& host, const Files& file
 /// attribute that has its default may be removed, too.
 void apply_edit(Element& world, const std::string& edit, bool is_running, Problems& problems);
 
+/// Where the "=" between the path and the value of an edit stands: the first one outside brackets.
+/// npos: there is none.
+std::size_t end_of_path(std::string_view edit);
 /// Whether the path of an edit leads to layouts, or to something in them.
 bool is_about_layouts(const std::string& edit);
 /// The elements to which the path of an attribute leads, and the attribute's name. Throws

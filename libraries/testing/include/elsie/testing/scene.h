@@ -35,6 +35,9 @@ class Scene {
   /// Adds a behaviour by its path: "explore", then "explore/wander" inside of it. Throws
   /// std::invalid_argument when the outer one does not exist.
   Scene& behaves(const std::string& path, const std::string& plugin = "");
+  /// Adds a number that a plugin of the robot publishes, such as "explore.known". There is none
+  /// until number() sets it.
+  Scene& publishes(const std::string& name, const std::string& unit = "");
 
   Scene& box(const std::string& id, ObservedObstacle::Kind kind, double x, double y,
              const std::string& team = "");
@@ -47,6 +50,8 @@ class Scene {
   /// One of its behaviours by its path, to be changed. Its share in the robot's command is
   /// computed.
   ObservedBehavior& behavior(const std::string& robot, const std::string& path);
+  /// One of its published numbers, to be changed.
+  double& number(const std::string& robot, const std::string& name);
 
   /// Moves to the instant after the next step. Robots decide in it when it begins a control period.
   Scene& step();
@@ -61,12 +66,19 @@ class Scene {
   const Observation& observation() const;
 
  private:
+  struct Numbers final : ObservedNumbers {
+    std::span<const double> now() const override { return values; }
+    std::vector<ObservedNumber> names;
+    std::vector<double> values;
+  };
+
   std::string_view keep(const std::string& text);
   std::size_t index_of(const std::string& robot) const;
 
   std::shared_ptr<std::deque<std::string>> texts_;  // ids; copies share them
   std::vector<ObservedRobot> robots_;
   std::vector<std::vector<ObservedBehavior>> behaviors_;  // for each robot
+  std::vector<Numbers> numbers_;                          // for each robot
   std::vector<ObservedObstacle> boxes_;
   std::vector<std::string_view> teams_;
   int steps_ = 0;
@@ -76,6 +88,7 @@ class Scene {
   mutable Observation view_;
   mutable std::vector<ObservedRobot> seen_;
   mutable std::vector<std::vector<ObservedBehavior>> seen_behaviors_;
+  mutable std::vector<Numbers> seen_numbers_;
 };
 
 }  // namespace elsie::testing
