@@ -120,6 +120,7 @@ coverage: configure
 # The pictures of worlds in docs/.
 pictures: program
 	$(ELSIE) run worlds/drives.xml --seed 1 --quiet --picture docs/pictures/drives.png
+	scripts/sense-pictures $(BUILD)
 	scripts/layout-pictures $(BUILD)
 	scripts/report-pictures $(BUILD)
 
