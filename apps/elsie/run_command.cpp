@@ -120,6 +120,7 @@ simulation::Simulation simulation_of(const RunOptions& options, const plugin::Ho
                                      std::map<std::string, std::string>& found) {
   world::ReadOptions reading = read_options(options.edits, options.seed);
   reading.found = &found;
+  reading.time_limit_s = options.duration;
   world::World world = world::read_world(options.world, host, reading);
   simulation::Simulation simulation(std::move(world), host,
                                     {.seed = options.seed,

@@ -155,9 +155,11 @@ TEST_CASE("A path that is none is refused in words") {
         "robot[r1]/@max_speed, or an element after the \"=\", as in "
         "robot[r1]/coordinator=<arbiter_suppression/>");
   CHECK(wrong("robot[r1/@x=3") ==
-        "--set robot[r1/@x=3: expected an id, a number or * in the brackets after 'robot'");
+        "--set robot[r1/@x=3: expected an id, a number, * or ATTRIBUTE=VALUE in brackets after "
+        "'robot', which are not closed by a ]");
   CHECK(wrong("robot[]/@x=3") ==
-        "--set robot[]/@x=3: expected an id, a number or * in the brackets after 'robot'");
+        "--set robot[]/@x=3: expected an id, a number, * or ATTRIBUTE=VALUE in brackets after "
+        "'robot'");
   CHECK(wrong("robot[r1]@x=3") == "--set robot[r1]@x=3: expected \"/\" before '@x'");
   CHECK(wrong("/robot[r1]/@x=3") ==
         "--set /robot[r1]/@x=3: a step of the path is empty; a path looks like "

@@ -69,8 +69,9 @@ class Views final : public RunViews {
     require_robots(simulation.world(), record.robots, "--record-robots");
     warn_of_rate(simulation.world().physics.step);
     for (const std::string& file : record.files) {
-      add(format_of(file).recorder(file, {record.rate_hz, record.images, record.times,
-                                          record.robots, "elsie " ELSIE_VERSION}));
+      add(format_of(file).recorder(
+          file, {record.rate_hz, record.images, record.times, record.robots, "elsie " ELSIE_VERSION,
+                 [](const std::string& text) { spdlog::warn(text); }}));
       if (record.robots.empty() && format_of(file).most_robots < simulation.robots()) {
         spdlog::warn("recording '" + file + "': of " + std::to_string(simulation.robots()) +
                      " robots, only the poses are recorded beyond the first " +

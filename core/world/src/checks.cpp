@@ -31,15 +31,6 @@ std::string in_words(const Robot& robot) {
   return robot.id.empty() ? "this robot" : "the robot '" + robot.id + "'";
 }
 
-// "" for an attribute of a running world, whose text nobody has seen.
-std::string on_line(const Location& where, const Location& from) {
-  return where.is_edit()   ? " (" + where.file.text() + ")"
-         : where.line == 0 ? ""
-         : where.file == from.file
-             ? " (line " + std::to_string(where.line) + ")"
-             : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
-}
-
 template <class Objects>
 std::vector<std::string> ids_of(const Objects& objects) {
   std::vector<std::string> ids;
@@ -230,22 +221,28 @@ void check_segments(const Robot& robot, Problems& problems) {
 
 // Checks that the readings of a sensor, or the commands of a drive, arrive before the run ends, and
 // that those under way fit into memory. `one`: "reading".
-void check_latency(const ElementUse& failure, const std::string& one, const World& world,
+void check_latency(const PluginUse& use, const std::string& one, const Reading& reading,
                    Problems& problems) {
-  const auto given = failure.parameters.find("latency");
-  if (failure.element != "failure" || given == failure.parameters.end()) return;
   constexpr double kMostUnderWay = 100'000;
-  const double latency = std::get<double>(given->second);
-  const double period = world.physics.step * world.physics.control_steps;
+  double latency = 0.0;
+  const Location* where = nullptr;
+  for (const ElementUse& element : use.elements) {
+    const auto given = element.parameters.find("latency");
+    if (element.element != "failure" || given == element.parameters.end()) continue;
+    latency += std::get<double>(given->second);
+    where = &element.location;
+  }
+  if (!where) return;
+  const Physics& physics = reading.world.physics;
+  const double period = physics.step * physics.control_steps;
   const std::string what = "latency=\"" + number_text(latency) + "\" of <failure>: ";
-  if (latency >= world.limits.time) {
-    problems.add(failure.location, what + "no " + one + " arrives before the run ends, at " +
-                                       number_text(world.limits.time) + " s; expected less");
+  if (latency >= reading.time_limit_s) {
+    problems.add(*where, what + "no " + one + " arrives before the run ends, at " +
+                             number_text(reading.time_limit_s) + " s; expected less");
   } else if (latency > kMostUnderWay * period) {
-    problems.add(failure.location,
-                 what + "more than 100,000 " + one +
-                     "s would be under way, one in each control period; expected at most " +
-                     number_text(kMostUnderWay * period, 6) + " s");
+    problems.add(*where, what + "more than 100,000 " + one +
+                             "s would be under way, one in each control period; expected at most " +
+                             number_text(kMostUnderWay * period, 6) + " s");
   }
 }
 
@@ -282,15 +279,9 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
   }
   for (const SensorUse& sensor : robot.sensors) {
     check_place(sensor, robot, problems);
-    for (const ElementUse& element : sensor.elements) {
-      check_latency(element, "reading", reading.world, problems);
-    }
+    check_latency(sensor, "reading", reading, problems);
   }
-  if (robot.drive) {
-    for (const ElementUse& element : robot.drive->elements) {
-      check_latency(element, "command", reading.world, problems);
-    }
-  }
+  if (robot.drive) check_latency(*robot.drive, "command", reading, problems);
   if (reading.sound_with_segments(robot)) check_segments(robot, problems);
   if (!reading.incomplete_robots.contains(index)) CoordinationCheck(robot, host, problems).check();
 }

@@ -52,6 +52,10 @@ const Location* set_in(const Element& root) {
   return found;
 }
 
+/// Why nothing was changed: a step of a path selects by a value that nothing has.
+constexpr const char* kLeadsNowhere =
+    "the path leads to nothing in this world, and the edit has no effect";
+
 // Replaces an element. It keeps its id, unless the new element has another id or the old id was
 // only its default: then ids are completed as in a file.
 void replace(Element& element, const Element& given) {
@@ -192,24 +196,28 @@ void apply_edit(Element& world, const std::string& edit, bool is_running, Proble
     if (equals == std::string::npos) fail("expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");
     const Path path = parse_path(std::string_view(edit).substr(0, equals));
     const std::string value = edit.substr(equals + 1);
+    Path to = path;
+    if (to.adds()) to.steps.pop_back();
+    const std::vector<Node> nodes = find_nodes(world, to);
+    if (nodes.empty()) problems.remark(where, kLeadsNowhere);
     if (path.attribute == "remove" && !path.from_attribute) {
-      mark(find_nodes(world, path), value, where);
+      mark(nodes, value, where);
       return;
     }
     if (path.from_attribute) {
-      take_out(find_nodes(world, path), path.attribute, value, is_running);
+      take_out(nodes, path.attribute, value, is_running);
     } else if (path.attribute.empty()) {
       const Element given = element_of(value, where);
       if (concern_of(edit) != Concern::robots) require_without_removals(given);
       if (path.adds()) {
         add_element(world, path, given);
       } else {
-        for (const Node& node : find_nodes(world, path)) {
+        for (const Node& node : nodes) {
           replace(*node.element, given);
         }
       }
     } else {
-      for (const Node& node : find_nodes(world, path)) {
+      for (const Node& node : nodes) {
         completed(*node.element).set(path.attribute, value, where);
       }
     }

@@ -377,7 +377,8 @@ Path parse_path(std::string_view text) {
     if (text.starts_with('[')) {
       const std::size_t close = text.find(']');
       if (close == std::string_view::npos || close == 1) {
-        refuse_path("expected an id, a number or * in the brackets after '" + step.name + "'");
+        refuse_path("expected an id, a number, * or ATTRIBUTE=VALUE in brackets after '" +
+                    step.name + "'" + (close == 1 ? "" : ", which are not closed by a ]"));
       }
       step.key = text.substr(1, close - 1);
       text.remove_prefix(close + 1);
@@ -387,6 +388,9 @@ Path parse_path(std::string_view text) {
     }
     path.steps.push_back(std::move(step));
     if (text.empty()) return path;
+    if (text.starts_with('[')) {
+      refuse_path("'" + step.name + "' has more than one pair of brackets; expected one");
+    }
     if (!text.starts_with('/')) refuse_path("expected \"/\" before '" + std::string(text) + "'");
     text.remove_prefix(1);
   }

@@ -14,6 +14,7 @@
 #include "elsie/world/parts.h"
 
 #include "reading.h"
+#include "refusals.h"
 
 namespace elsie::world {
 namespace {
@@ -69,8 +70,8 @@ class PlaceCheck {
       for (const base::Grid::Id other : near(part.footprint)) {
         const Block& earlier = there_[other];
         if (!may_overlap(other) && overlap(part.footprint, earlier.footprint)) {
-          problems_.add(part.where, part.in_words + " overlaps " + earlier.in_words + " (line " +
-                                        std::to_string(earlier.where.line) + ")");
+          problems_.add(part.where, part.in_words + " overlaps " + earlier.in_words +
+                                        on_line(earlier.where, part.where));
         }
       }
     }
@@ -158,9 +159,9 @@ void check_lamp(const Lamp& lamp, const Reading& reading, bool is_running, Place
       continue;
     }
     if (overlap(area, footprint_of(obstacle))) {
-      problems.add(lamp.location, in_words + " is inside " + obstacle.in_words() + " (line " +
-                                      std::to_string(obstacle.location.line) +
-                                      "), which hides it; expected a free place");
+      problems.add(lamp.location, in_words + " is inside " + obstacle.in_words() +
+                                      on_line(obstacle.location, lamp.location) +
+                                      ", which hides it; expected a free place");
     }
   }
 }

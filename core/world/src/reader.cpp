@@ -157,8 +157,10 @@ World world_of_tree(Element root, const std::string& file, const plugin::Host& h
   std::stable_partition(
       world.obstacles.begin(), world.obstacles.end(),
       [](const Obstacle& obstacle) { return obstacle.kind != ObstacleKind::resource; });
+  reading.time_limit_s = options.time_limit_s.value_or(world.limits.time);
   check_world(reading, root, host, options.is_running, problems);
   problems.raise<WorldError>(file);
+  world.remarks = problems.remarks();
   if (options.check_plugins && !options.is_running) {
     visit_edited_worlds(world, host, options);
   }

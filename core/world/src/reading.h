@@ -26,6 +26,7 @@ struct Mention {
 
 struct Reading {
   World world;
+  double time_limit_s = 0.0;  // of the run
   std::vector<Mention> mentions;
   /// Later checks must ignore the objects of these elements.
   std::vector<Flawed> flawed;

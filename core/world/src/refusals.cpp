@@ -78,4 +78,12 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
                          : base::near_or_all("<" + child.name + ">", names, "it may hold");
 }
 
+std::string on_line(const Location& where, const Location& from) {
+  return where.is_edit()   ? " (" + where.file.text() + ")"
+         : where.line == 0 ? ""
+         : where.file == from.file
+             ? " (line " + std::to_string(where.line) + ")"
+             : " (" + where.file.text() + ":" + std::to_string(where.line) + ")";
+}
+
 }  // namespace elsie::world

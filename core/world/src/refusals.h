@@ -32,6 +32,10 @@ std::vector<std::string> tags_of(const List& list) {
   return tags;
 }
 
+/// " (line 12)", with the file or the edit if that is another one; "" for an attribute of a running
+/// world, whose text nobody has seen.
+std::string on_line(const Location& where, const Location& from);
+
 /// Explains that no plugin of this kind has this name: it is of another kind, or was not found.
 std::string explain_missing(const plugin::Host& host, PluginKind kind, const std::string& name);
 

@@ -23,7 +23,8 @@ Thing Things::resource(const Obstacle& obstacle) const {
 }
 
 Thing Things::charger(const Charger& charger) const {
-  return {Thing::Kind::charger, charger.id, charger.team, kChargerColour};
+  return {Thing::Kind::charger, charger.id, charger.team, kChargerColour,
+          !charger.seen_by_range_sensors};
 }
 
 Thing Things::of(const Surface& surface) const {

@@ -14,6 +14,9 @@ std::string Warning::text() const {
 
 std::vector<Warning> warnings(const World& world) {
   std::vector<Warning> found;
+  for (const base::Problem& remark : world.remarks) {
+    found.push_back({Warning::About::no_effect, 0, {remark.file, remark.line}, remark.message});
+  }
   const std::string& engine = world.physics.engine;
   if (std::filesystem::exists(plugin::engine_file(engine))) {
     reinterpret_cast<EngineWarnings>(plugin::engine_symbol(engine, "elsie_warn"))(world, found);

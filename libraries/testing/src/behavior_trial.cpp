@@ -102,6 +102,7 @@ class BehaviorTrial final : public Trial {
     equipping([&] { behavior_.equip(instants_.front()); });
   }
 
+  Component& object() override { return *behavior_; }
   void reset(std::uint64_t seed) override {
     behavior_.reset(seed);
     behavior_->notes();

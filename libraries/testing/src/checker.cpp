@@ -359,6 +359,8 @@ class Checker {
       plugin::Call call({.step = step, .time_s = time_of(step), .doing = doing_.c_str()});
       call.start_clock();
       trial.step(step, answers[step]);
+      Sketch sketch(Frame{});
+      trial.object().sketch(sketch);
     }
   }
 

@@ -23,6 +23,7 @@ class CoordinatorTrial final : public Trial {
     equipping([&] { coordinator_->equip(instants_.front()); });
   }
 
+  Component& object() override { return **coordinator_; }
   void reset(std::uint64_t seed) override {
     coordinator_->reset(seed);
     (*coordinator_)->notes();

@@ -29,6 +29,7 @@ class DriveTrial final : public Trial {
     build();
   }
 
+  Component& object() override { return *drive_; }
   void reset(std::uint64_t seed) override {
     random_ = Random(seed);
     drive_->reset(random_);

@@ -25,6 +25,7 @@ class LocalisationTrial final : public Trial {
     configure_again();
   }
 
+  Component& object() override { return *localisation_; }
   void reset(std::uint64_t seed) override {
     random_ = Random(seed);
     localisation_->reset(random_);

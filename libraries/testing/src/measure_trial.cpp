@@ -21,6 +21,7 @@ class MeasureTrial final : public Trial {
     equipping([&] { measure_.equip(input_.watched.front()); });
   }
 
+  Component& object() override { return *measure_; }
   void reset(std::uint64_t /*seed*/) override {
     measure_.reset();
     measure_->notes();

@@ -17,6 +17,7 @@ class NeighbourTrial final : public Trial {
         input_(std::move(input)),
         trial_(make_trial({plugins, declaration, settings_, elements_, input_})) {}
 
+  Component& object() override { return trial_->object(); }
   void reset(std::uint64_t seed) override {
     quietly([&] { trial_->reset(seed); });
   }

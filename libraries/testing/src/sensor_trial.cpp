@@ -57,6 +57,7 @@ class SensorTrial final : public Trial {
     equipping([&] { sensor_.equip(*input_.scenes.front()); });
   }
 
+  Component& object() override { return *sensor_; }
   void reset(std::uint64_t seed) override {
     sensor_.reset(seed);
     sensor_->notes();

@@ -140,8 +140,8 @@ Surroundings& Surroundings::patch(const world::Patch& patch) {
 }
 
 Surroundings& Surroundings::touch(const Vector3& place, const Vector3& normal, double impulse_n_s,
-                                  std::size_t vehicle) {
-  contacts_.push_back({vehicle, {last_.kind, last_.index, normal}, place, normal, impulse_n_s});
+                                  int segment) {
+  contacts_.push_back({segment, {last_.kind, last_.index, normal}, place, normal, impulse_n_s});
   return *this;
 }
 

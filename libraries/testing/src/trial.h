@@ -57,6 +57,8 @@ class Trial {
   /// Runs the next instant; `step` counts from 0, and the input repeats. Throws Wrong, and what the
   /// plugin throws.
   virtual void step(std::size_t step, Answer& answer) = 0;
+  /// The object, to see what it draws.
+  virtual Component& object() = 0;
   /// The number of steps in a run.
   virtual std::size_t run_length() const { return 150; }
 };

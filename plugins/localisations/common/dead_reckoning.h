@@ -46,7 +46,8 @@ struct OdometryErrors {
                        {.min = 0,                                                          \
                         .max = 0.3,                                                        \
                         .meaning = "deviation of a radius error that is drawn "            \
-                                   "for each wheel at the start of a run"}),               \
+                                   "for each wheel at the start of a run",                 \
+                        .live = false}),                                                   \
       elsie::parameter("wheel_noise", &Class::wheel_noise,                                 \
                        {.unit = "m",                                                       \
                         .min = 0,                                                          \

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <elsie/base/near_name.h>
+
 #include "chosen_robots.h"
 
 namespace {
@@ -90,10 +92,10 @@ class Published final : public elsie::Measure, public ChosenRobots {
     if (places_.empty()) {
       std::sort(there.begin(), there.end());
       there.erase(std::unique(there.begin(), there.end()), there.end());
-      std::string all;
-      for (const std::string& each : there) all += (all.empty() ? "'" : ", '") + each + "'";
       throw std::invalid_argument("no plugin of these robots publishes '" + number + "'" +
-                                  (all.empty() ? "; they publish nothing" : "; there are " + all));
+                                  (there.empty()
+                                       ? "; they publish nothing"
+                                       : elsie::base::near_or_all(number, there, "there are")));
     }
   }
   std::vector<elsie::Quantity> quantities() const override {
@@ -134,8 +136,9 @@ class Published final : public elsie::Measure, public ChosenRobots {
     if (!std::isnan(last_)) values[3] = last_;
   }
   std::vector<elsie::Curve> curves() const override {
-    return {{number, "time (s)", unit_.empty() ? number : number + " (" + unit_ + ")",
-             curve_.points()}};
+    const std::string name = number.substr(number.rfind('.') + 1);
+    return {
+        {number, "time (s)", unit_.empty() ? name : name + " (" + unit_ + ")", curve_.points()}};
   }
 
  private:

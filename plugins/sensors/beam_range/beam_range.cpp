@@ -11,6 +11,8 @@ class BeamRange final : public elsie::SensorOf<elsie::RangeReading> {
   double error = 0.0;
   double error_m = 0.0;
 
+  elsie::RangeReading blank() const override { return {max_range, max_range, false}; }
+
   elsie::RangeReading sense(const elsie::SensorContext& now) override {
     const auto distance = now.world->cast_ray(now.frame.origin, now.frame.forward, max_range);
     return reading_of(distance.value_or(elsie::RayQuery::kNothing), *now.random);

@@ -10,7 +10,6 @@ class Bumper final : public elsie::SensorOf<elsie::BumperReading> {
  public:
   double fov_deg = 180.0;
   double least_force = 0.0;
-  int vehicle = 0;
 
   elsie::BumperReading sense(const elsie::SensorContext& now) override {
     elsie::BumperReading reading;
@@ -32,12 +31,23 @@ class Bumper final : public elsie::SensorOf<elsie::BumperReading> {
 
  private:
   bool is_mine(const elsie::Contact& contact, const elsie::SensorContext& now) const {
-    if (static_cast<int>(contact.vehicle) != vehicle) return false;
-    if (vehicle > 0 || fov_deg >= 360.0) return true;
-    const elsie::Pose robot = now.world->pose();
-    const double towards = elsie::bearing(robot, contact.place.x, contact.place.y);
-    const double off = elsie::wrap_angle(towards - now.mounting->azimuth_rad);
-    return std::abs(off) <= 0.5 * elsie::radians(fov_deg) + 1e-9;
+    if (contact.segment != now.mounting->segment) return false;
+    if (fov_deg >= 360.0) return true;
+    const elsie::Mounting& at = *now.mounting;
+    const elsie::Frame& frame = now.frame;
+    // Of what it is mounted on. `left` is level, whatever the sensor's pitch.
+    elsie::Pose carrier{0.0, 0.0, std::atan2(-frame.left.x, frame.left.y) - at.azimuth_rad};
+    const elsie::Vector2 arm =
+        elsie::point_of(carrier, elsie::Vector2{at.position.x, at.position.y});
+    carrier.x = frame.origin.x - arm.x;
+    carrier.y = frame.origin.y - arm.y;
+    // A flat contact has points only at its corners; its normal says where it is.
+    const double towards = elsie::bearing(carrier, contact.place.x, contact.place.y);
+    const double outwards = std::atan2(-contact.normal.y, -contact.normal.x) - carrier.heading_rad;
+    return is_within(towards - at.azimuth_rad) || is_within(outwards - at.azimuth_rad);
+  }
+  bool is_within(double off) const {
+    return std::abs(elsie::wrap_angle(off)) <= 0.5 * elsie::radians(fov_deg) + 1e-9;
   }
 };
 
@@ -49,11 +59,7 @@ ELSIE_SENSOR(
                      {.unit = "deg",
                       .above = 0,
                       .max = 360,
-                      .meaning = "the part of the body, seen from the robot's origin, around the "
+                      .meaning = "the part of the body, seen from its origin, around the "
                                  "direction of yaw_deg"}),
     elsie::parameter("least_force", &Bumper::least_force,
-                     {.unit = "N", .min = 0, .meaning = "the force that closes the switch"}),
-    elsie::parameter("vehicle", &Bumper::vehicle,
-                     {.min = 0,
-                      .max = 1000,
-                      .meaning = "0: the robot; n: the n-th vehicle that it pulls, all around"}));
+                     {.unit = "N", .min = 0, .meaning = "the force that closes the switch"}));

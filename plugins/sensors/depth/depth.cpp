@@ -36,14 +36,19 @@ class Depth final : public elsie::SensorOf<elsie::DepthReading> {
     elsie::DepthReading reading;
     reading.width = width;
     reading.height = height;
-    reading.max_range_m = max_range;
-    reading.horizontal_fov_rad = elsie::radians(fov_deg);
+    describe(reading);
     reading.depths_m.assign(static_cast<std::size_t>(width * height), max_range);
     reading.picture = {width, height, 1, std::vector<std::uint8_t>(reading.depths_m.size(), 0)};
     return reading;
   }
 
+  void describe(elsie::DepthReading& reading) const {
+    reading.max_range_m = max_range;
+    reading.horizontal_fov_rad = elsie::radians(fov_deg);
+  }
+
   void sense_into(const elsie::SensorContext& now, elsie::DepthReading& reading) override {
+    describe(reading);
     now.world->cast_rays(now.frame, queries_);
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       const double depth = std::min(queries_[i].distance_m, max_range);

@@ -4,6 +4,7 @@
 // An accelerometer measures the change of that velocity over a control period, less gravity: in
 // free fall it reads 0, at rest g upwards.
 #include <optional>
+#include <stdexcept>
 
 #include <elsie/api/sensor.h>
 #include <elsie/readings/imu.h>
@@ -18,6 +19,12 @@ class Imu final : public elsie::SensorOf<elsie::ImuReading> {
  public:
   double gravity = 9.81;
 
+  void equipped(const elsie::Carrier& carrier) override {
+    if (carrier.mounting->segment > 0) {
+      throw std::invalid_argument(
+          "it measures the motion of the robot; expected it on the robot, not on a segment");
+    }
+  }
   void reset(elsie::Random&) override { before_.reset(); }
 
   elsie::ImuReading sense(const elsie::SensorContext& now) override {

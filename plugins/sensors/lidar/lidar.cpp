@@ -27,18 +27,22 @@ class Lidar final : public elsie::SensorOf<elsie::LidarReading> {
 
   elsie::LidarReading blank() const override {
     elsie::LidarReading reading;
-    const auto count = static_cast<std::size_t>(rays);
-    reading.ranges_m.assign(count, max_range);
+    reading.ranges_m.assign(static_cast<std::size_t>(rays), max_range);
+    describe(reading);
+    return reading;
+  }
+
+  void describe(elsie::LidarReading& reading) const {
     reading.max_range_m = max_range;
     const double fov = elsie::radians(fov_deg);
     // The first and the last ray of a full circle are neighbours, not the same.
     const bool is_round = fov_deg >= 360.0;
     reading.step_rad = is_round ? fov / rays : rays > 1 ? fov / (rays - 1) : 0.0;
     reading.first_rad = is_round ? 0.5 * (fov - reading.step_rad) : rays > 1 ? 0.5 * fov : 0.0;
-    return reading;
   }
 
   void sense_into(const elsie::SensorContext& now, elsie::LidarReading& reading) override {
+    describe(reading);
     now.world->cast_rays(now.frame, queries_);
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       reading.ranges_m[i] = std::min(queries_[i].distance_m, max_range);

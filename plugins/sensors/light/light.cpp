@@ -65,16 +65,21 @@ class Light final : public elsie::SensorOf<elsie::LightReading> {
   elsie::LightReading blank() const override {
     elsie::LightReading reading;
     reading.values.assign(static_cast<std::size_t>(cells), 0.0);
+    describe(reading);
+    return reading;
+  }
+
+  void describe(elsie::LightReading& reading) const {
     reading.dark_is_large = law == "khepera";
     reading.largest = law == "khepera" ? 500.0 : 1.0;
     const double fov = elsie::radians(fov_deg);
     const bool is_round = fov_deg >= 360.0;
     reading.step_rad = is_round ? fov / cells : cells > 1 ? fov / (cells - 1) : 0.0;
     reading.first_rad = cells == 1 ? 0.0 : is_round ? 0.5 * (fov - reading.step_rad) : 0.5 * fov;
-    return reading;
   }
 
   void sense_into(const elsie::SensorContext& now, elsie::LightReading& reading) override {
+    describe(reading);
     lights_.clear();
     for (const elsie::LampView& lamp : now.world->lamps()) {
       if (!now.world->is_open(now.frame.origin, lamp.place)) continue;

@@ -32,7 +32,7 @@ class OmnidirectionalCamera final : public elsie::SensorOf<elsie::Omnidirectiona
     // From the robot's middle; the camera may be elsewhere on it.
     now.world->things_within(max_range + reach_of(now), near_);
     for (const elsie::NearThing& near : near_) {
-      const bool is_mark = near.thing.kind == elsie::Thing::Kind::charger;
+      const bool is_mark = near.thing.is_mark;
       const elsie::Vector3 place{near.place.x, near.place.y, is_mark ? 0.0 : now.frame.origin.z};
       if (is_mark ? now.world->is_open(now.frame.origin, place) : sees(near.thing, place, now)) {
         add(place, near.thing.colour, now, reading);
@@ -59,7 +59,8 @@ class OmnidirectionalCamera final : public elsie::SensorOf<elsie::Omnidirectiona
 
  private:
   static double reach_of(const elsie::SensorContext& now) {
-    return std::hypot(now.mounting->position.x, now.mounting->position.y);
+    const elsie::Pose robot = now.world->pose();
+    return std::hypot(now.frame.origin.x - robot.x, now.frame.origin.y - robot.y);
   }
 
   /// Whether the first surface on the way to the thing's middle is the thing's own. A thing lower

@@ -1,6 +1,7 @@
 // The reading of an omnidirectional camera.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,8 +22,10 @@ struct OmnidirectionalReading {
     int blue = 0;
 
     Colour colour() const {
-      return {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
-              static_cast<std::uint8_t>(blue)};
+      const auto channel = [](int value) {
+        return static_cast<std::uint8_t>(std::clamp(value, 0, 255));  // noise may leave the range
+      };
+      return {channel(red), channel(green), channel(blue)};
     }
     template <class Visitor>
     void visit(Visitor&& visitor) const {

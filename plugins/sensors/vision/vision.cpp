@@ -29,6 +29,14 @@ class Vision final : public elsie::SensorOf<elsie::VisionReading> {
     configured();
   }
 
+  elsie::VisionReading blank() const override {
+    elsie::VisionReading reading;
+    reading.width = width;
+    reading.height = height;
+    reading.horizontal_fov_rad = elsie::radians(fov_deg);
+    return reading;
+  }
+
   std::optional<elsie::Camera> camera() const override {
     return elsie::Camera{width, height, elsie::radians(fov_deg)};
   }

@@ -73,7 +73,7 @@ TEST_CASE("Its curve covers a run of any length with at most 400 points") {
 
 TEST_CASE("A number that nobody publishes is refused with those that there are") {
   CHECK(refusal(Measure("published", {{"number", "explore.area"}}), exploring()) ==
-        "no plugin of these robots publishes 'explore.area'; there are 'explore.known'");
+        "no plugin of these robots publishes 'explore.area'; there are: explore.known");
   CHECK(
       refusal(Measure("published", {{"number", "explore.known"}, {"robot", "r3"}}), exploring()) ==
       "no plugin of these robots publishes 'explore.known'; they publish nothing");

@@ -109,7 +109,8 @@ TEST_CASE("A bumper feels what touches its part of the body") {
   CHECK_FALSE(back.sense<BumperReading>(room).pressed);
   room.at(0, 0, 180);
   CHECK(back.sense<BumperReading>(room).pressed);
-  testing::Sensor stiff("bumper", {{"least_force", 5}}), segment("bumper", {{"vehicle", 1}});
+  testing::Sensor stiff("bumper", {{"least_force", 5}}), segment("bumper", {{"fov_deg", 360}});
+  segment.mounted({{0.04, 0.0, 0.09}, 0.0, 0.0, 1});
   room.at(0, 0, 0);
   CHECK_FALSE(stiff.sense<BumperReading>(room).pressed);
   CHECK_FALSE(segment.sense<BumperReading>(room).pressed);

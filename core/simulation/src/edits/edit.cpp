@@ -66,7 +66,13 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
   if (!start_) start_ = std::make_shared<const world::World>(world_);
   std::map<std::size_t, bool> robots;  // true: its energy is set
   for (const Edit& edit : edits) {
-    for (const world::AttributeTarget& target : in_place_->targets(edit)) {
+    const std::vector<world::AttributeTarget> targets = in_place_->targets(edit);
+    if (targets.empty()) {
+      said_.notes.push_back({"", "changes",
+                             "The edit " + edit.text() + " at " + base::seconds_text(time_s()) +
+                                 " leads to nothing in this world, and has no effect."});
+    }
+    for (const world::AttributeTarget& target : targets) {
       robots[target.robot_index] |= target.attribute && target.field.name == "energy";
       own_robot(target.robot_index);
     }
@@ -191,6 +197,7 @@ world::World Simulation::Impl::edited(world::WorldTree&& from, std::span<const E
   options.check_plugins = check_plugins;
   options.edits = texts_of(edits);
   options.seed = seed_;
+  options.time_limit_s = options_.time_limit_s;
   try {
     world::World next = world::edited(std::move(from), *host_, options);
     if (next.physics.engine == was.physics.engine) return next;

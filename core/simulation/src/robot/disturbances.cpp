@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "elsie/base/error.h"
 #include "elsie/base/near_name.h"
 
 namespace elsie::simulation {
@@ -68,11 +69,17 @@ double Disturbances::disturbed(std::size_t index, double value) {
   const Noise& noise = noises_[index];
   Random& random = noise_streams_[index];
   value = value * noise.scale + noise.bias;
-  if (noise.proportional > 0.0) value += value * random.normal(0.0, noise.proportional);
-  if (noise.gaussian > 0.0) value += random.normal(0.0, noise.gaussian);
-  if (noise.uniform > 0.0) value += random.uniform(-noise.uniform, noise.uniform);
+  if (noise.proportional > 0.0 || noise.gaussian > 0.0 || noise.uniform > 0.0) {
+    // All are drawn, so that one of them more does not change the others.
+    const double part = random.normal(), normal = random.normal(), even = random.uniform(-1.0, 1.0);
+    value += value * noise.proportional * part + noise.gaussian * normal + noise.uniform * even;
+  }
   if (noise.resolution > 0.0) value = std::round(value / noise.resolution) * noise.resolution;
-  return noise.clamp.empty() ? value : std::clamp(value, noise.clamp[0], noise.clamp[1]);
+  if (!noise.clamp.empty()) value = std::clamp(value, noise.clamp[0], noise.clamp[1]);
+  if (!std::isfinite(value)) {
+    throw base::Error("its <noise on=\"" + noise.on + "\"> makes a number that is not finite");
+  }
+  return value;
 }
 
 bool Disturbances::misses_update() {

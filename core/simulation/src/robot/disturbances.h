@@ -26,7 +26,8 @@ class Disturbances {
   void reset(std::uint64_t seed, const std::string& path);
 
   const std::vector<Noise>& noises() const { return noises_; }
-  /// The value with the noise of this index. Draws from its stream.
+  /// The value with the noise of this index. Draws from its stream. Throws base::Error with a
+  /// sentence if that is not finite.
   double disturbed(std::size_t noise, double value);
   /// Whether an update is missed. Draws from the streams; call it once for each update.
   bool misses_update();

@@ -28,6 +28,8 @@ class DisturbedReading {
   void reset(std::uint64_t seed, const std::string& path);
   /// Called after each update of the sensor: changes its current reading.
   void update(Sensor& sensor, double time_s, double period_s);
+  /// Called instead while the sensor is not updated.
+  void wait(double period_s) { age_s_ += period_s; }
   /// How long ago the current reading was measured, s; infinite if nothing was measured yet.
   double age_s() const { return age_s_; }
 

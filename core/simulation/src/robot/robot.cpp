@@ -129,6 +129,7 @@ void Robot::make_drive(const plugin::Host& host, std::vector<base::Problem>& pro
     world::DriveCheck check(plan);
     state_.wheels = drive_->object().wheels(chassis);
     state_.channels = drive_->object().channels();
+    vehicles_ = plan.vehicles();
     joint_count_ = static_cast<std::uint32_t>(check.joints());
     joints_.assign(2 * check.joints(), {});
     if (!description_->drive) return;
@@ -271,6 +272,11 @@ void Robot::reset(std::uint64_t seed) {
 void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
   if (empty_) {
     contacts_.clear();
+    for (const auto& slot : sensors_) {
+      if (!slot->disturbed) continue;
+      slot->disturbed->wait(now.period_s);
+      sensed_[slot->sensed].age_s = slot->disturbed->age_s();
+    }
     return;
   }
   guard_.begin_step(now.step, now.time_s);
@@ -292,7 +298,8 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
     for (std::size_t i = group.first; i < group.first + group.count; ++i) {
       SensorSlot& slot = *sensors_[i];
       if (!slot.disturbed) continue;
-      slot.disturbed->update(slot.object(), now.time_s, now.period_s);
+      guard_.run(*slot.use,
+                 [&] { slot.disturbed->update(slot.object(), now.time_s, now.period_s); });
       sensed_[slot.sensed].age_s = slot.disturbed->age_s();
     }
   }
@@ -311,11 +318,12 @@ void Robot::touched(std::span<const physics::BodyContact> contacts) {
     const auto kind = each.other.kind == physics::BodyKind::robot      ? Surface::Kind::robot
                       : each.other.kind == physics::BodyKind::obstacle ? Surface::Kind::obstacle
                                                                        : Surface::Kind::wall;
-    contacts_.push_back({each.vehicle,
-                         {kind, each.other.index, each.normal},
-                         each.point,
-                         each.normal,
-                         each.pressing()});
+    contacts_.push_back(
+        {each.vehicle < vehicles_ ? 0 : static_cast<int>(each.vehicle - vehicles_) + 1,
+         {kind, each.other.index, each.normal},
+         each.point,
+         each.normal,
+         each.pressing()});
   }
 }
 
@@ -352,7 +360,9 @@ void Robot::decide(const Instant& now) {
   team_.mates = mates_;
   command(controller_->decide(Perception(perception_, unused_random_)));
   if (!has_default_drive_ && drive_->disturbed) {
-    drive_->disturbed->update(std::span(joints_).subspan(joint_count_), now.time_s, now.period_s);
+    guard_.run(drive_use(), [&] {
+      drive_->disturbed->update(std::span(joints_).subspan(joint_count_), now.time_s, now.period_s);
+    });
   }
 }
 

@@ -291,6 +291,7 @@ class Robot final : private RobotRequests {
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
   TeamState team_;
   std::vector<TeamMate> mates_;
+  std::size_t vehicles_ = 1;       // of its drive
   std::vector<Contact> contacts_;  // since sensors were last updated
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision

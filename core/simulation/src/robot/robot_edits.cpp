@@ -44,7 +44,7 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   });
   undo.keep(state_, team_, resource_colours_, asked_, empty_, raised_, logged_);
   undo.keep(description_, body_frame_, truth_, drive_, drive_check_, joints_, joint_count_);
-  undo.keep(localisation_, localiser_, segments_);
+  undo.keep(localisation_, localiser_, segments_, vehicles_);
   description_ = &next;
   seed_ = transaction.seed();
   const LocalisationSlot* const had_localisation = localiser_;

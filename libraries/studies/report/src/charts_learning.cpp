@@ -90,7 +90,8 @@ CurvePanels panels_of(const Findings& findings, std::size_t cell,
 // "Learning of weights of r1, error: mean square error"; of a measure "known, explore.known".
 std::string title_of(const std::string& robot, const std::string& plugin, const std::string& name,
                      const Curve& first) {
-  return (robot.empty() ? plugin : "Learning of " + plugin + " of " + robot) + ", " + name +
+  if (robot.empty()) return plugin + ", " + name;
+  return "Learning of " + plugin + " of " + robot + ", " + name +
          (first.y_label.empty() || first.y_label == name ? "" : ": " + first.y_label);
 }
 

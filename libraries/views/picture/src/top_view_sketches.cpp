@@ -58,7 +58,7 @@ class LinePainter {
     std::vector<Vector2> run{places.front()};
     for (std::size_t i = 1; i < places.size(); ++i) {
       if (is_new(places[i - 1], places[i])) {
-        run.push_back(places[i]);
+        run.push_back(within_reach(places[i - 1], places[i]));
       } else {
         end(run, role);
         run = {places[i]};
@@ -73,6 +73,15 @@ class LinePainter {
   /// To a hundredth of a pixel: an upper and a lower edge differ by rounding errors.
   static Place place_of(const Vector2& at) {
     return {std::round(100.0 * at.x), std::round(100.0 * at.y)};
+  }
+
+  /// A place far outside of the picture, moved towards the one before: so a line keeps its
+  /// direction within the limits of coordinates.
+  static Vector2 within_reach(const Vector2& before, const Vector2& place) {
+    constexpr double kMost = 2e4;  // px
+    const double length = std::hypot(place.x - before.x, place.y - before.y);
+    const double part = length > kMost ? kMost / length : 1.0;
+    return {before.x + part * (place.x - before.x), before.y + part * (place.y - before.y)};
   }
 
   bool is_new(const Vector2& a, const Vector2& b) {

@@ -16,6 +16,7 @@
 #include "elsie/files/emergency.h"
 #include "elsie/mcap/writer.h"
 #include "elsie/recording/sensor_pictures.h"
+#include "elsie/simulation/fault.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
 #include "elsie/traces/trace_rows.h"
@@ -393,7 +394,8 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       out_.write(crowd_channel_, time_ns, crowd_text(time_ns, simulation, crowd_));
     }
     if (decided) {
-      write_sketches(sketches_, nullptr, simulation.sketches(), time_ns);
+      write_sketches(
+          sketches_, nullptr, [&] { return simulation.sketches(); }, time_ns);
       if (published_) {
         write(*published_, time_ns, published_message(time_ns, published_of_measures(simulation)));
       }
@@ -413,8 +415,18 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   }
 
   /// `robot`: null for measures. Plugins that have never drawn anything get no channel.
-  void write_sketches(std::optional<std::uint16_t>& to, const world::Robot* robot,
-                      std::span<const simulation::PluginSketch> sketches, std::uint64_t time_ns) {
+  template <class List>
+  void write_sketches(std::optional<std::uint16_t>& to, const world::Robot* robot, List list,
+                      std::uint64_t time_ns) {
+    std::vector<simulation::PluginSketch> sketches;
+    try {
+      sketches = list();
+    } catch (const simulation::PluginFault& fault) {
+      if (!options_.warn) throw;
+      if (!lacks_sketches_)
+        options_.warn(std::string("the recording lacks sketches: ") + fault.what());
+      lacks_sketches_ = true;
+    }
     if (!to && sketches.empty()) return;
     if (!to) {
       const std::uint16_t scene = schema("foxglove.SceneUpdate");
@@ -432,7 +444,8 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     const std::size_t r = channels.place;
     write_readings(simulation, channels, time_ns);
     write(channels.command, time_ns, command_message(decided_ns_, robot));
-    write_sketches(channels.sketches, robot.description, simulation.sketches(r), time_ns);
+    write_sketches(
+        channels.sketches, robot.description, [&] { return simulation.sketches(r); }, time_ns);
     if (channels.published) {
       write(*channels.published, time_ns, published_message(time_ns, published_of(simulation, r)));
     }
@@ -474,6 +487,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   std::map<std::string, std::uint16_t> schemas_;  // by name and text
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0, crowd_channel_ = 0;
   std::optional<std::uint16_t> sketches_, published_;  // of measures
+  bool lacks_sketches_ = false;
   std::vector<RobotChannels> robots_;
   std::vector<std::size_t> crowd_;                       // places of the robots without channels
   std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation

@@ -149,6 +149,14 @@ std::string plugin_declaration(const Declaration& declaration) {
         "\nIt holds other behaviours: `<behaviors>` and `<coordinator>` stand in its element as in "
         "a robot's.\n";
   }
+  std::string of_kind;
+  for (const ElementDeclaration& element : declaration.elements) {
+    if (element.is_of_kind) of_kind += (of_kind.empty() ? "`<" : " and `<") + element.name + ">`";
+  }
+  if (!of_kind.empty()) {
+    text +=
+        "\nAs every " + kind + ", it may hold " + of_kind + ", which docs/worlds.md describes.\n";
+  }
   for (const ReadingDeclaration& reading : declaration.needs) {
     text += "\nNeeds a sensor that makes readings of the kind `" + reading.kind + "`.\n";
   }

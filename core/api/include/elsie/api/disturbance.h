@@ -19,9 +19,9 @@
 
 namespace elsie {
 
-/// Noise on a number, or on each number of an array. A value v becomes, in this order:
-/// v scale + bias + v proportional n1 + gaussian n2 + uniform u, rounded to a multiple of
-/// `resolution`, within `clamp`; n1 and n2 are normal with deviation 1, u is uniform in [-1, 1).
+/// Noise on a number, or on each number of an array. A value v becomes w = v scale + bias, then
+/// w + w proportional n1 + gaussian n2 + uniform u, rounded to a multiple of `resolution`, within
+/// `clamp`; n1 and n2 are normal with deviation 1, u is uniform in [-1, 1).
 struct Noise {
   std::string on;      // a field of a reading: "blobs.distance"; of a drive: "left_wheel.rate"
   double scale = 1.0;  // a factor

@@ -54,6 +54,7 @@ struct Thing {
   std::string_view id;    // of an obstacle, resource, charger or robot
   std::string_view team;  // of a robot; of a resource or charger, empty: any
   Colour colour;          // as pictures show it in full light
+  bool is_mark = false;   // a charger that is a mark on the floor, and no body
 };
 
 /// A resource, a charger or a robot near the carrier.
@@ -66,7 +67,7 @@ struct NearThing {
 
 /// A place at which the carrier's body touched something other than the floor, in one step.
 struct Contact {
-  std::size_t vehicle = 0;  // 0: the robot itself; then its segments, counted backwards
+  int segment = 0;  // 0: the robot itself; then its segments, counted backwards
   Surface other;
   Vector3 place;             // m, in the world
   Vector3 normal;            // in the world, a unit vector from the other body to the robot

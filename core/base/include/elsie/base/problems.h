@@ -68,6 +68,12 @@ class Problems {
     left_out_ += others.left_out_;
   }
 
+  /// Adds a remark on something that has no effect; it is no problem.
+  void remark(const Location& where, std::string message) {
+    remarks_.push_back({where.file.text(), where.line, std::move(message)});
+  }
+  const std::vector<Problem>& remarks() const { return remarks_; }
+
   bool empty() const { return problems_.empty() && left_out_ == 0; }
   std::size_t size() const { return problems_.size(); }
   /// The problems by line: first those of the main file, then those of the other files in the order
@@ -96,7 +102,7 @@ class Problems {
   std::string file_;
   std::size_t most_;
   std::size_t left_out_ = 0;  // problems beyond kMostKept
-  std::vector<Problem> problems_;
+  std::vector<Problem> problems_, remarks_;
   std::set<std::tuple<std::string, int, std::string>> known_;
 };
 

@@ -342,7 +342,8 @@ struct Drawn {
 struct World {
   std::string name;
   std::string description;
-  std::string file;  // the file that it was read from
+  std::string file;                    // the file that it was read from
+  std::vector<base::Problem> remarks;  // on edits without an effect; see warnings()
   Arena arena;
   Physics physics;
   std::vector<Team> teams;

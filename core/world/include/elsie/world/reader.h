@@ -19,6 +19,8 @@ namespace elsie::world {
 class WorldTree;
 
 struct ReadOptions {
+  /// s, of the run for which the world is read, if it is not that of <limits>.
+  std::optional<double> time_limit_s;
   /// Edits: attributes to set, each "PATH=VALUE", elements to replace or add, each
   /// "PATH=<element .../>", and what to remove, each "PATH/@remove=true". They are applied after
   /// templates and before all checks. Edits of the attribute `template`, and robots that are

@@ -52,7 +52,7 @@ class Surroundings final : public elsie::Surroundings {
   Surroundings& patch(const world::Patch& patch);
   /// Adds a touch of the carrier's body with the last box, wall or robot that was added.
   Surroundings& touch(const Vector3& place, const Vector3& normal, double impulse_n_s = 0.01,
-                      std::size_t vehicle = 0);
+                      int segment = 0);
   Surroundings& moving(const BodyMotion& motion);
   Surroundings& joints(std::vector<JointSetting> joints);
 

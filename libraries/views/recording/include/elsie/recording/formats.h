@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -32,6 +33,9 @@ struct RecorderOptions {
   std::vector<std::string> robots{};
   /// The program that records: "elsie 0.1.0".
   std::string program = "elsie";
+  /// Called with a sentence when a plugin fails to draw: the recording lacks its sketches, and the
+  /// run goes on. Empty: the fault ends the run.
+  std::function<void(const std::string&)> warn{};
 };
 
 struct Format {
