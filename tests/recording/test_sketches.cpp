@@ -134,6 +134,32 @@ TEST_CASE("What a plugin draws and publishes has channels; a world without it ha
   CHECK(trace.robots[1].numbers.empty());
 }
 
+TEST_CASE("A recording lacks what a plugin fails to draw, says so once, and the run is the same") {
+  class Scrawling final : public Behavior {
+    Response respond(const Perception& /*now*/) override { return Response(Motion{0.1, 0.0, 0.0}); }
+    void sketch(Sketch& sketch) const override {
+      sketch.point(SketchRole::hit, {std::numeric_limits<double>::infinity(), 0, 0});
+    }
+  };
+  plugin::Host host{shipped_directory()};
+  host.add(declaration_of(PluginKind::behavior, "scrawling",
+                          [] { return std::make_unique<Scrawling>(); }));
+  world::World world;
+  world.robots.push_back(robot("r1", 0, 0, 0, behavior("scrawling")));
+  world.limits.time = 0.5;
+  McapFile file;
+  Simulation simulation(world, host);
+  std::vector<std::string> warnings;
+  recording::RecorderOptions options;
+  options.warn = [&](const std::string& text) { warnings.push_back(text); };
+  const auto result = record(simulation, file.path, options);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0],
+             Catch::Contains("the recording lacks sketches") && Catch::Contains("'scrawling'"));
+  CHECK_FALSE(recorded(file.path).contains("/robots/r1/sketches"));
+  CHECK(result.state_hash == Simulation(world, host).run().state_hash);
+}
+
 TEST_CASE("A localisation has a channel of what the robot believes, and columns of a table") {
   world::World world;
   world.robots.push_back(robot("r1", 0, 0, 0, behavior("wander")));

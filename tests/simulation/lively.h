@@ -47,6 +47,17 @@ inline Simulation of(const std::string& content, const std::string& robot = "",
                     shipped(), options);
 }
 
+/// Why a world is refused; "" if it is not.
+template <class Make>
+std::string why_no_world(Make make) {
+  try {
+    make();
+  } catch (const world::WorldError& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
 inline std::string refusal(Simulation& simulation, const std::string& path,
                            const std::string& value) {
   return why_not([&] { simulation.edit(path, value); });

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elsie/readings/lidar.h"
 #include "elsie/simulation/simulation.h"
 
 #include "lively.h"
@@ -51,12 +52,7 @@ double deviation(const std::vector<double>& values) {
 }
 
 std::string why_refused(const std::string& inside, const std::string& more = "") {
-  try {
-    in_front(inside, 1, more);
-  } catch (const world::WorldError& refused) {
-    return refused.what();
-  }
-  return "";
+  return why_no_world([&] { in_front(inside, 1, more); });
 }
 
 }  // namespace
@@ -200,6 +196,53 @@ TEST_CASE("A sensor with late readings may get other arrays by an edit") {
   CHECK(numbers_of(simulation, 0, 0).size() == 9);
 }
 
+TEST_CASE("Noise that makes a number that is not finite ends the run and names its sensor") {
+  Simulation simulation = in_front(R"(<noise on="distance_m" scale="1e200"/>
+                                      <noise on="distance_m" scale="1e200"/>)");
+  CHECK_THROWS_WITH(simulation.step(),
+                    Catch::Contains("'ahead'") && Catch::Contains("of robot 'r1'") &&
+                        Catch::Contains("its <noise on=\"distance_m\"> makes a number that is not "
+                                        "finite"));
+}
+
+TEST_CASE("One deviation more in a noise changes no other") {
+  const auto seen = [](const std::string& more) {
+    return readings(in_front("<noise on=\"distance_m\" gaussian=\"0.01\" " + more + "/>"), 20);
+  };
+  const auto alone = seen(""), more = seen(R"(uniform="1e-12" proportional="1e-12")");
+  for (std::size_t i = 0; i < alone.size(); ++i) CHECK(more[i] == Approx(alone[i]).margin(1e-10));
+}
+
+TEST_CASE("Before its first reading arrives, a beam sees nothing within its range") {
+  Simulation simulation = in_front(R"(<failure dropout="1"/>)");
+  simulation.step();
+  CHECK(reading(simulation) == 3.0);
+}
+
+TEST_CASE("A live edit of a lidar holds for all of its next reading") {
+  const auto lidar = [](Simulation& simulation) {
+    simulation.step();
+    return *static_cast<const LidarReading*>(simulation.sensor(0, 0).sensor->reading());
+  };
+  Simulation simulation = of("", R"(<sensors><lidar id="scan" rays="5" fov_deg="90"/></sensors>)");
+  CHECK(lidar(simulation).azimuth_rad(0) == Approx(radians(45.0)));
+  simulation.edit("robot[r1]/sensor[scan]/@fov_deg", "180");
+  simulation.edit("robot[r1]/sensor[scan]/@max_range", "1.5");
+  CHECK(lidar(simulation).azimuth_rad(0) == Approx(radians(90.0)));
+  CHECK(lidar(simulation).max_range_m == 1.5);
+}
+
+TEST_CASE("An edit that leads to nothing is noted in the result") {
+  Simulation simulation = in_front("");
+  simulation.edit("robot[team=green]/@max_speed", "0.1");
+  simulation.edit("sensor[plugin=sonar]/noise[+]", R"(<noise on="x"/>)");
+  int notes = 0;
+  for (const simulation::Note& note : simulation.result().notes) {
+    notes += note.text.find("leads to nothing in this world") != std::string::npos ? 1 : 0;
+  }
+  CHECK(notes == 2);
+}
+
 TEST_CASE("What does not fit a sensor is refused with a sentence") {
   CHECK_THAT(why_refused(R"(<noise on="distance" bias="1"/>)"),
              Catch::Contains("its <noise on=\"distance\"> names no number of its reading") &&
@@ -212,6 +255,9 @@ TEST_CASE("What does not fit a sensor is refused with a sentence") {
   CHECK_THAT(why_refused(R"(<noise bias="1"/>)"), Catch::Contains("lacks the attribute 'on'"));
   CHECK_THAT(why_refused(R"(<failure latency="60"/>)"),
              Catch::Contains("no reading arrives before the run ends, at 60 s; expected less"));
+  CHECK_THAT(
+      why_refused(R"(<failure latency="30"/><failure latency="31"/>)"),
+      Catch::Contains("latency=\"61\" of <failure>: no reading arrives before the run ends"));
   CHECK_THAT(why_refused(R"(<failure latency="1"/>)", R"(<physics step="1e-6"/>)"),
              Catch::Contains("more than 100,000 readings would be under way") &&
                  Catch::Contains("expected at most 0.1 s"));
@@ -249,12 +295,7 @@ std::vector<double> wheels(Simulation simulation, int steps, std::size_t joint =
 }
 
 std::string why_no_drive(const std::string& drive) {
-  try {
-    driving(drive);
-  } catch (const world::WorldError& refused) {
-    return refused.what();
-  }
-  return "";
+  return why_no_world([&] { driving(drive); });
 }
 
 }  // namespace

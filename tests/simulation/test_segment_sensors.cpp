@@ -26,15 +26,6 @@ Simulation with(const std::string& sensors, const std::string& engine = "ode",
             kTrain + sensors + "</sensors>" + control);
 }
 
-std::string why_refused(const std::string& sensors) {
-  try {
-    with(sensors);
-  } catch (const world::WorldError& refused) {
-    return refused.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 TEST_CASE("A sensor on a segment measures from there, in either engine") {
@@ -92,7 +83,7 @@ TEST_CASE("A segment that carries a sensor is not removed alone, and sensors are
 }
 
 TEST_CASE("A segment that the robot does not pull is refused with those that it pulls") {
-  CHECK_THAT(why_refused(R"(<beam_range id="l" segment="c"/>)"),
+  CHECK_THAT(why_no_world([] { with(R"(<beam_range id="l" segment="c"/>)"); }),
              Catch::Contains("the sensor 'l' is mounted on the segment 'c', and") &&
                  Catch::Contains("pulls none of that name"));
 }

@@ -268,6 +268,16 @@ class Radio final : public elsie::SensorOf<RadioReading> {
 };
 ELSIE_SENSOR(Radio, "radio", "Hears what others say", elsie::one_thread());
 
+/// It answers soundly, and draws to infinity.
+class Scrawling final : public elsie::Behavior {
+ public:
+  elsie::Response respond(const Perception& /*now*/) override { return Motion{0.1, 0.0, 0.0}; }
+  void sketch(elsie::Sketch& sketch) const override {
+    sketch.line(elsie::SketchRole::range, {}, {std::numeric_limits<double>::infinity(), 0.0, 0.0});
+  }
+};
+ELSIE_BEHAVIOR(Scrawling, "scrawling", "Draws to infinity");
+
 /// It answers soundly: the fault is that of the sensor, which lets it in.
 class Gossip final : public elsie::Behavior {
  public:

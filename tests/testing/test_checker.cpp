@@ -89,6 +89,7 @@ const Fault kFaults[] = {
     {kCoordinator, "too_much", "the shares in its trace add up to"},
     {kCoordinator, "divides", "which is no finite number"},
     {kCoordinator, "remembers", "reset() must forget"},
+    {kBehavior, "scrawling", "it throws: it draws a place that is not finite"},
     {kSensor, "infinite", "it throws: the number 'value' of its reading is inf"},
     {kSensor, "varying", "lists 1 names, and 2 before"},
     {kSensor, "radio", "it answers differently while the behavior 'gossip' of its library works"},

@@ -99,6 +99,18 @@ TEST_CASE("A step selects by an attribute's value or by a plugin: none, one or s
   CHECK(robots("robot[team=red]/@remove=true").size() == 1);
   CHECK(robots("robot[team=green]/@remove=true").size() == 3);
   CHECK(robots("robot[team=red]/sensor[+]=<eye/>")[2].sensors.size() == 1);
+  CHECK(read(content, {"robot[team=red]/@max_speed=0.7"}).remarks.empty());
+  for (const std::string edit :
+       {"robot[team=green]/@x=1", "sensor[plugin=sonar]/@yaw_deg=9",
+        "robot[team=green]/@remove=true", "robot[team=green]/sensor[+]=<eye/>",
+        "robot[team=green]=<robot/>"}) {
+    CAPTURE(edit);
+    const auto remarks = read(content, {edit}).remarks;
+    REQUIRE(remarks.size() == 1);
+    CHECK(remarks[0].text() == "--set " + edit +
+                                   ": the path leads to nothing in this world, and the edit has no "
+                                   "effect");
+  }
   CHECK(problems(content, {"robot[tame=red]/@x=1"}) ==
         "--set robot[tame=red]/@x=1: robot[tame=red]: no robot has an attribute 'tame'");
   CHECK_THAT(problems(content, {"robto[team=red]/@x=1"}), Catch::Contains("there is no 'robto'"));

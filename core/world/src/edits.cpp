@@ -210,7 +210,7 @@ void apply_edit(Element& world, const std::string& edit, bool is_running, Proble
       const Element given = element_of(value, where);
       if (concern_of(edit) != Concern::robots) require_without_removals(given);
       if (path.adds()) {
-        add_element(world, path, given);
+        add_element(nodes, path.steps.back(), given);
       } else {
         for (const Node& node : nodes) {
           replace(*node.element, given);

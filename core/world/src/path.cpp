@@ -326,20 +326,14 @@ Element& add_in_order(const Node& parent, Element child) {
   return *children.insert(parent.spec->plugins ? children.end() : after, std::move(child));
 }
 
-void add_element(Element& world, const Path& path, const Element& given) {
-  Path parents = path;
-  parents.steps.pop_back();
-  const PathStep& step = path.steps.back();
-  std::vector<Node> nodes = find_nodes(world, parents);
-  if (nodes.empty()) {
-    return;  // a robot's template could not be read
-  }
-  const Node first = nodes.front();
+void add_element(const std::vector<Node>& parents, const PathStep& step, const Element& given) {
+  if (parents.empty()) return;
+  const Node first = parents.front();
   std::size_t added = 0;
-  for (const Node& node : nodes) {
+  for (const Node& node : parents) {
     added += add_to(node, step, given) ? 1 : 0;
   }
-  if (added == 0 && parents.steps.empty()) {  // the element is a part of every robot
+  if (added == 0 && first.spec->root) {  // the element is a part of every robot
     for (const Node& robot : children(first, "robot")) {
       added += add_to(robot, step, given) ? 1 : 0;
     }

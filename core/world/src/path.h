@@ -41,9 +41,9 @@ const ElementSpec& nested_element();
 /// Inserts an element that may occur only once into its parent, in the order of the vocabulary.
 Element& add_in_order(const Node& parent, Element child);
 
-/// Adds an element, as the last step of a path says, to each element that the steps before it lead
-/// to. Creates a missing list. Throws std::invalid_argument with a sentence.
-void add_element(Element& world, const Path& path, const Element& given);
+/// Adds an element, as the last step of a path says, to each of the elements that the steps before
+/// it lead to. Creates a missing list. Throws std::invalid_argument with a sentence.
+void add_element(const std::vector<Node>& parents, const PathStep& step, const Element& given);
 
 /// The elements that a path leads to: at least one, unless a step selects by an attribute's value,
 /// or a robot's template could not be read.

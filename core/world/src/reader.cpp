@@ -81,7 +81,8 @@ World read_edited(Element& root, const std::string& file, const plugin::Host& ho
     }
     Problems own;
     apply_edit(root, edit, options.is_running, own);
-    if (!own.empty() && root.child("layouts") && !is_about_layouts(edit)) {
+    const bool leads_nowhere = !own.empty() || !own.remarks().empty();
+    if (leads_nowhere && root.child("layouts") && !is_about_layouts(edit)) {
       of_drawn.insert(number);
       return;
     }

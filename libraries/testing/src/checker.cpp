@@ -198,6 +198,8 @@ class Checker {
         plugin::Call call({.step = step, .time_s = time_of(step), .doing = doing_.c_str()});
         call.start_clock();  // for process::Watchdog, if it is in use
         trial.step(step, answers[step]);
+        Sketch sketch(Frame{});
+        trial.object().sketch(sketch);
         look_at_process(call);
       }
       return answers;
@@ -359,8 +361,6 @@ class Checker {
       plugin::Call call({.step = step, .time_s = time_of(step), .doing = doing_.c_str()});
       call.start_clock();
       trial.step(step, answers[step]);
-      Sketch sketch(Frame{});
-      trial.object().sketch(sketch);
     }
   }
 

@@ -109,6 +109,14 @@ TEST_CASE("A bumper feels what touches its part of the body") {
   CHECK_FALSE(back.sense<BumperReading>(room).pressed);
   room.at(0, 0, 180);
   CHECK(back.sense<BumperReading>(room).pressed);
+  // A flat front that meets a wall is touched at its corners.
+  testing::Sensor narrow("bumper", {{"fov_deg", 20}});
+  narrow.turned(0);
+  testing::Surroundings wall;
+  wall.box(0.2, 0).touch({0.04, 0.04, 0.05}, {-1, 0, 0}, 0.02);
+  CHECK(narrow.sense<BumperReading>(wall).pressed);
+  narrow.turned(90);
+  CHECK_FALSE(narrow.sense<BumperReading>(wall).pressed);
   testing::Sensor stiff("bumper", {{"least_force", 5}}), segment("bumper", {{"fov_deg", 360}});
   segment.mounted({{0.04, 0.0, 0.09}, 0.0, 0.0, 1});
   room.at(0, 0, 0);

@@ -92,7 +92,7 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
   if (!transaction.problems().empty()) return;
   const bool has_new_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);
   bool is_placed = false;
-  transaction.may_cause_warnings = has_new_bodies;
+  transaction.may_cause_warnings = has_new_bodies || !world_.remarks.empty();
   for (std::size_t i = 0; i < robots_.size() && !has_new_bodies; ++i) {
     if (pairs.stays(i)) continue;
     const world::Robot &old = was.robots[pairs.former(i)], &robot = world_.robots[i];
@@ -100,14 +100,13 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     transaction.may_cause_warnings |= old.max_speed != robot.max_speed;
   }
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, transaction));
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i]->take_segments(*engine_, i);
-  }
   become_measures(was, transaction);
   become_goals(was);
   bool has_cameras = !cameras_->empty();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    has_cameras = has_cameras || (!pairs.stays(i) && robots_[i]->has_camera());
+    if (pairs.stays(i)) continue;
+    robots_[i]->take_segments(*engine_, i);
+    has_cameras = has_cameras || robots_[i]->has_camera();
   }
   if (has_cameras) {
     cameras_ = std::make_shared<Cameras>(world_, robots_, options_.cameras, transaction.problems());

@@ -65,6 +65,7 @@ class Problems {
   void add(const FileError& error) { add(error.problems()); }
   void add(const Problems& others) {
     add(others.problems_);
+    remarks_.insert(remarks_.end(), others.remarks_.begin(), others.remarks_.end());
     left_out_ += others.left_out_;
   }
 
