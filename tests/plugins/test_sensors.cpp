@@ -24,8 +24,6 @@ class OneWall final : public Surroundings {
     return pyramid.frame.origin.x + pyramid.range_m >= 0.5;
   }
   Pose pose() const override { return {}; }
-  std::optional<TeamMate> nearest_robot(double) const override { return std::nullopt; }
-  void robots_within(double, std::vector<TeamMate>&) const override {}
   std::span<const Colour> resource_colours() const override { return {}; }
   mutable Pyramid asked{};
 };

@@ -298,8 +298,9 @@ struct BeaconReading {
 class Beacon final : public SensorOf<BeaconReading> {
  public:
   BeaconReading sense(const SensorContext& now) override {
-    const auto robot = now.world->nearest_robot(0.5);
-    return {robot.has_value(), robot ? robot->distance_m : 0.0};
+    std::vector<NearThing> near;
+    now.world->things_within(0.4, near);
+    return {!near.empty(), near.empty() ? 0.0 : near[0].distance_m};
   }
 };
 

@@ -26,8 +26,6 @@ class Colours final : public Surroundings {
   void cast_rays(const Frame&, std::span<RayQuery>, std::span<Surface>) const override {}
   bool anything_in(const Pyramid&) const override { return false; }
   Pose pose() const override { return {}; }
-  std::optional<TeamMate> nearest_robot(double) const override { return std::nullopt; }
-  void robots_within(double, std::vector<TeamMate>&) const override {}
   std::span<const Colour> resource_colours() const override { return colours; }
 };
 

@@ -73,8 +73,9 @@ struct Brightness {
 class Infinite final : public elsie::SensorOf<Brightness> {
  public:
   Brightness sense(const elsie::SensorContext& now) override {
-    const auto robot = now.world->nearest_robot(2.0);
-    return {robot ? robot->distance_m : std::numeric_limits<double>::infinity(), false};
+    std::vector<elsie::NearThing> near;
+    now.world->things_within(2.0, near);
+    return {near.empty() ? std::numeric_limits<double>::infinity() : near[0].distance_m, false};
   }
 };
 ELSIE_SENSOR(Infinite, "infinite", "Reads infinity where there is nothing");
@@ -254,17 +255,17 @@ class Radio final : public elsie::SensorOf<RadioReading> {
  public:
   RadioReading sense(const elsie::SensorContext& now) override {
     near_.clear();
-    now.world->robots_within(1.0, near_);
+    now.world->things_within(1.0, near_);
     RadioReading reading;
-    for (const elsie::TeamMate& mate : near_) {
-      reading.heard += message_board.contains(mate.id) ? 1.0 : 0.0;
+    for (const elsie::NearThing& near : near_) {
+      reading.heard += message_board.contains(near.thing.id) ? 1.0 : 0.0;
     }
     return reading;
   }
   void reset(elsie::Random&) override { message_board.clear(); }
 
  private:
-  std::vector<elsie::TeamMate> near_;
+  std::vector<elsie::NearThing> near_;
 };
 ELSIE_SENSOR(Radio, "radio", "Hears what others say", elsie::one_thread());
 

@@ -39,15 +39,11 @@ TEST_CASE("Boxes and robots are seen as in a simulation") {
 TEST_CASE("Other robots have distance and bearing") {
   Surroundings field;
   field.robot("far", 3, 0).robot("near", 0, 1, 90, true);
-  const auto nearest = field.nearest_robot(5);
-  REQUIRE(nearest);
-  CHECK(nearest->id == "near");
-  CHECK(nearest->is_leader);
-  CHECK(nearest->bearing_rad == Approx(radians(90)));
-  std::vector<TeamMate> robots;
-  field.robots_within(2, robots);
-  CHECK(robots.size() == 1);
-  CHECK_FALSE(field.nearest_robot(0.5));
+  std::vector<NearThing> robots;
+  field.things_within(2, robots);
+  REQUIRE(robots.size() == 1);
+  CHECK(robots[0].thing.id == "near");
+  CHECK(robots[0].bearing_rad == Approx(radians(90)));
 }
 
 TEST_CASE("Noise comes from the seed") {

@@ -193,27 +193,6 @@ bool Surroundings::anything_in(const Pyramid& pyramid) const {
   return engine_->bodies->anything_in(pyramid, physics::Engine::kNobody);
 }
 
-std::optional<TeamMate> Surroundings::nearest_robot(double radius_m) const {
-  std::vector<TeamMate> robots;
-  robots_within(radius_m, robots);
-  const auto nearest = std::min_element(
-      robots.begin(), robots.end(),
-      [](const TeamMate& a, const TeamMate& b) { return a.distance_m < b.distance_m; });
-  return nearest == robots.end() ? std::nullopt : std::optional(*nearest);
-}
-
-void Surroundings::robots_within(double radius_m, std::vector<TeamMate>& robots) const {
-  for (std::size_t i = 0; i < world_.robots.size(); ++i) {
-    const world::Robot& other = world_.robots[i];
-    const Pose pose{other.x, other.y, wrap_angle(radians(other.heading_deg))};
-    if (distance(pose_, pose) <= radius_m) {
-      // The carrier is the first of its team.
-      robots.push_back({other.id, pose, distance(pose_, pose), bearing(pose_, pose.x, pose.y),
-                        other.leader, static_cast<int>(i) + 1});
-    }
-  }
-}
-
 Image Surroundings::photograph(const Frame& frame, const Camera& camera) const {
   render::Renderer renderer;
   Image image;

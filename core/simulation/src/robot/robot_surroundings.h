@@ -20,14 +20,12 @@ namespace elsie::simulation {
 
 using Robots = std::span<const std::shared_ptr<Robot>>;
 
-/// A robot at `there` as another one at `here` has it.
-inline TeamMate mate_of(const Pose& here, const Pose& there, const OwnState& other) {
-  return {other.id,        there,           distance(here, there), bearing(here, there.x, there.y),
-          other.is_leader, other.team_index};
-}
 /// A mate as it tells of itself: distance and bearing follow from what both believe.
 inline TeamMate believed_by(const Robot& observer, const Robot& other) {
-  return mate_of(observer.state().pose, other.state().pose, other.state());
+  const Pose &here = observer.state().pose, &there = other.state().pose;
+  return {other.state().id,        there,
+          distance(here, there),   bearing(here, there.x, there.y),
+          other.state().is_leader, other.state().team_index};
 }
 
 /// Memory of one thread that is used again for each robot.
@@ -75,18 +73,6 @@ class RobotSurroundings final : public Surroundings {
       if (i != robot_) things_.add_robot(i, here, robots_[i]->truth().pose, radius_m, things);
     }
   }
-  std::optional<TeamMate> nearest_robot(double radius_m) const override {
-    std::optional<TeamMate> nearest;
-    for_each_within(radius_m, [&](const TeamMate& other) {
-      if (!nearest || other.distance_m < nearest->distance_m) {
-        nearest = other;
-      }
-    });
-    return nearest;
-  }
-  void robots_within(double radius_m, std::vector<TeamMate>& robots) const override {
-    for_each_within(radius_m, [&](const TeamMate& other) { robots.push_back(other); });
-  }
   std::span<const Colour> resource_colours() const override {
     return robots_[robot_]->resource_colours();
   }
@@ -94,19 +80,6 @@ class RobotSurroundings final : public Surroundings {
   SensingMemory& memory() const { return memory_; }
 
  private:
-  template <class Visit>
-  void for_each_within(double radius_m, Visit visit) const {
-    const Pose here = pose();
-    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
-      if (i != robot_) {
-        const TeamMate other = mate_of(here, robots_[i]->truth().pose, robots_[i]->state());
-        if (other.distance_m <= radius_m) {
-          visit(other);
-        }
-      }
-    }
-  }
-
   const physics::Engine& engine_;
   const world::Things& things_;
   Robots robots_;

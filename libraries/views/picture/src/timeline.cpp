@@ -38,12 +38,14 @@ struct Heights {
   double shares = 0.0;
   double weights = 0.0;  // 0: not shown
   double lane = 0.0;     // 0: not shown
+  double number = 0.0;   // that is published; 0: not shown
 
   Heights times(double stretch) const {
-    return {shares * stretch, weights * stretch, lane * stretch};
+    return {shares * stretch, weights * stretch, lane * stretch, number * stretch};
   }
   double of(const TraceRobot& robot) const {
-    return shares + weights + lane * static_cast<double>(robot.members.size());
+    return shares + weights + lane * static_cast<double>(robot.members.size()) +
+           number * static_cast<double>(robot.numbers.size());
   }
 };
 
@@ -64,7 +66,7 @@ class Sheet {
       kinds_[&robot] = event_kinds(robot, span_);
     }
     if (!(span_.from_s < span_.to_s)) span_.to_s = span_.from_s + timeline.trace.period_s;
-    natural_ = in_full_ ? Heights{104.0, 74.0, 30.0} : Heights{56.0, 0.0, 0.0};
+    natural_ = in_full_ ? Heights{104.0, 74.0, 30.0, 44.0} : Heights{56.0, 0.0, 0.0, 0.0};
   }
 
   /// The height of the parts that do not stretch.
@@ -82,7 +84,8 @@ class Sheet {
       height += kHeadline + events_height(robot) + kBand + kGap + kAxis + kBetweenRobots +
                 (in_full_ ? kGap : kLaneGap);
       if (in_full_) {
-        height += kGap + kLaneHead + kLaneGap * static_cast<double>(robot.members.size());
+        height += kGap + kLaneHead +
+                  kLaneGap * static_cast<double>(robot.members.size() + robot.numbers.size());
       }
     }
     return height;
@@ -156,6 +159,10 @@ class Sheet {
                                       14.0 * member.depth + 16.0 + kNameToPriority +
                                       canvas.text_width(priority, {.size = kTick}));
       }
+      for (const auto& number : robot.numbers) {
+        if (!in_full_) break;
+        widest = std::max(widest, canvas.text_width(name_of(number), {.size = kTick}));
+      }
     }
     return std::round((kPageMargin + std::min(widest, 0.25 * width_) + 12.0) * zoom_) / zoom_;
   }
@@ -195,6 +202,9 @@ class Sheet {
       if (!robot.members.empty()) draw_lane_head(canvas, block, y - 3);
       for (std::size_t i = 0; i < robot.members.size(); ++i) {
         draw_lane(canvas, block, i, account.members[i].robot_share, panel(heights.lane, kLaneGap));
+      }
+      for (const traces::TraceNumber& number : robot.numbers) {
+        draw_number(canvas, block, number, panel(heights.number, kLaneGap));
       }
     }
     draw_events(canvas, block, kinds_of(robot), symbols_, in_rows(robot), events_at, kKindRow, y);

@@ -70,6 +70,29 @@ std::vector<Column> columns_of(const TraceRobot& robot, const traces::TimeSpan& 
   return columns;
 }
 
+std::vector<Extent> columns_of(const traces::TraceNumber& number, const traces::TimeSpan& span,
+                               std::size_t count) {
+  std::vector<Extent> columns(count);
+  const double length = (span.to_s - span.from_s) / static_cast<double>(count);
+  for (std::size_t s = 0; s < number.samples.size(); ++s) {
+    const double begin = std::max(number.samples[s].time_s, span.from_s);
+    const double end = s + 1 < number.samples.size()
+                           ? std::min(number.samples[s + 1].time_s, span.to_s)
+                           : span.to_s;
+    const auto first = static_cast<std::size_t>(std::max(0.0, (begin - span.from_s) / length));
+    for (std::size_t i = first; i < count; ++i) {
+      const double from = span.from_s + length * static_cast<double>(i);
+      const double part = std::min(end, from + length) - std::max(begin, from);
+      if (part <= 0.0) break;
+      columns[i].add(number.samples[s].value, part);
+    }
+  }
+  for (Extent& extent : columns) {
+    if (extent.time_s > 0.0) extent.mean /= extent.time_s;
+  }
+  return columns;
+}
+
 std::vector<DeciderTime> heights_of(const Column& column, double least) {
   std::vector<DeciderTime> heights = column.deciders;
   std::sort(heights.begin(), heights.end(),

@@ -40,6 +40,10 @@ struct Column {
 std::vector<Column> columns_of(const traces::TraceRobot& robot, const traces::TimeSpan& span,
                                std::size_t count);
 
+/// A published number in such columns. A sample holds until the next one.
+std::vector<Extent> columns_of(const traces::TraceNumber& number, const traces::TimeSpan& span,
+                               std::size_t count);
+
 /// The share of each decider in a column's height: its share of the time, but at least `least` or,
 /// if several share a column, an equal part.
 std::vector<DeciderTime> heights_of(const Column& column, double least);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "elsie/picture/axis.h"
 
@@ -61,7 +62,7 @@ void draw_extents(Canvas& canvas, const TimelineBlock& block, const PlaneMap& ma
     points.push_back({to, y});
   };
   for (std::size_t i = 0; i < block.columns.size(); ++i) {
-    const Extent& extent = get(block.columns[i]);
+    const Extent& extent = get(i);
     if (extent.time_s <= 0.0) {
       if (!line.empty()) draw();
       continue;
@@ -202,8 +203,8 @@ void draw_weights(Canvas& canvas, const TimelineBlock& block, const Rect& area) 
     const double thinner =
         members.size() > 1 ? static_cast<double>(i) / static_cast<double>(members.size() - 1) : 1.0;
     draw_extents(canvas, block, map, block.inks.of(block.robot, static_cast<int>(members[i])),
-                 {.width = 3.6 - 2.2 * thinner}, [&](const Column& column) -> const Extent& {
-                   return column.members[members[i]].weight;
+                 {.width = 3.6 - 2.2 * thinner}, [&](std::size_t column) -> const Extent& {
+                   return block.columns[column].members[members[i]].weight;
                  });
   }
   draw_frame(canvas, area);
@@ -226,9 +227,10 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
   hatch(canvas, area);
   // Inside of the frame, so that an activation of 1 or 0 differs from it.
   const Rect inner{area.x, area.y + 2, area.width, area.height - 4};
-  draw_extents(
-      canvas, block, map_to(inner, {0, 1}, {0, 1}), kText, {.width = 1.3},
-      [&](const Column& column) -> const Extent& { return column.members[member].activation; });
+  draw_extents(canvas, block, map_to(inner, {0, 1}, {0, 1}), kText, {.width = 1.3},
+               [&](std::size_t column) -> const Extent& {
+                 return block.columns[column].members[member].activation;
+               });
   draw_frame(canvas, area);
 
   const double beside = area.x - kBesidePlot;
@@ -248,6 +250,36 @@ void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, d
               {indent + 16, area.centre().y}, style);
   canvas.text(tick_label(100.0 * mean_share, 1.0) + " %", {area.right() + 8, area.centre().y},
               {.size = kTick, .down = Down::middle});
+}
+
+std::string name_of(const traces::TraceNumber& number) {
+  const std::string unit = number.unit.empty() ? "" : " (" + number.unit + ")";
+  return number.path.substr(number.path.rfind('/') + 1) + "." + number.name + unit;
+}
+
+void draw_number(Canvas& canvas, const TimelineBlock& block, const traces::TraceNumber& number,
+                 const Rect& area) {
+  const std::vector<Extent> columns = columns_of(number, block.span, block.columns.size());
+  draw_time_grid(canvas, block, area);
+  std::optional<Interval> seen;
+  for (const Extent& extent : columns) {
+    if (extent.time_s <= 0.0) continue;
+    if (!seen) seen = {extent.low, extent.low};
+    seen->include(extent.low);
+    seen->include(extent.high);
+  }
+  if (seen) {
+    const double margin = seen->span() > 0.0 ? 0.06 * seen->span() : 0.5;
+    const Interval range{seen->low - margin, seen->high + margin};
+    draw_extents(canvas, block, map_to(area, {0, 1}, range), kText, {.width = 1.6},
+                 [&](std::size_t column) -> const Extent& { return columns[column]; });
+    draw_y_ticks(canvas, ticks_of({}, range, area.height, 20.0), map_to(area, {0, 1}, range),
+                 area.right() + 42.0, kFaintText);
+  }
+  draw_frame(canvas, area);
+  const TextStyle style{.size = kTick, .down = Down::middle};
+  canvas.text(canvas.fitted(name_of(number), style, area.x - kBesidePlot - 18.0),
+              {18.0, area.centre().y}, style);
 }
 
 void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y) {

@@ -98,6 +98,11 @@ void draw_weights(Canvas& canvas, const TimelineBlock& block, const Rect& area);
 /// `mean_share`: the member's mean share in the robot's command over the whole span.
 void draw_lane(Canvas& canvas, const TimelineBlock& block, std::size_t member, double mean_share,
                const Rect& area);
+/// "avoid.nearest (m)"
+std::string name_of(const traces::TraceNumber& number);
+/// A published number over time.
+void draw_number(Canvas& canvas, const TimelineBlock& block, const traces::TraceNumber& number,
+                 const Rect& area);
 /// The meaning of the numbers left of the lanes, on the line `y`.
 void draw_lane_head(Canvas& canvas, const TimelineBlock& block, double y);
 /// Marks the current path as silenced.

@@ -128,12 +128,6 @@ class Surroundings {
   /// Appends the resources that are still there, the chargers and the other robots whose middles
   /// are within the radius of the carrier, in this order, each kind in file order.
   virtual void things_within(double radius_m, std::vector<NearThing>& things) const;
-  /// The nearest other robot of any team within the radius of the carrier, for radio or infra-red
-  /// beacons.
-  virtual std::optional<TeamMate> nearest_robot(double radius_m) const = 0;
-  /// Appends all other robots of any team within the radius of the carrier to `robots`, in file
-  /// order.
-  virtual void robots_within(double radius_m, std::vector<TeamMate>& robots) const = 0;
   /// The colours of the resources that the carrier may collect, as cameras see them in full light:
   /// each once, in file order. They do not change during a run.
   virtual std::span<const Colour> resource_colours() const = 0;

@@ -74,8 +74,6 @@ class Surroundings final : public elsie::Surroundings {
   Colour floor_colour(const Vector2& place) const override;
   std::span<const LampView> lamps() const override;
   void things_within(double radius_m, std::vector<NearThing>& things) const override;
-  std::optional<TeamMate> nearest_robot(double radius_m) const override;
-  void robots_within(double radius_m, std::vector<TeamMate>& robots) const override;
   std::span<const Colour> resource_colours() const override { return colours_; }
 
   /// The picture of a camera that looks along the frame's forward axis. Needs EGL; throws

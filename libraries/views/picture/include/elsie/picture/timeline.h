@@ -4,7 +4,8 @@
 // whose command counted most; the shares of its behaviours in the command, stacked; their weights;
 // and a lane for each behaviour, with inner ones below the outer one. A lane shows the priority
 // that the user set (and since when, if it changed in the run), the share in the robot's command,
-// the activation, and when the behaviour was silenced.
+// the activation, and when the behaviour was silenced. Below them is a panel for each number that a
+// plugin of the robot published.
 #pragma once
 
 #include <cstddef>
