@@ -21,6 +21,12 @@ class @Class@ final : public elsie::SensorOf<@Class@Reading> {
     const double noise = error > 0.0 ? error * now.random->normal() : 0.0;
     return {(1.0 + noise) / (1.0 + distance * distance)};
   }
+
+  // What pictures, recordings and the window draw of it: docs/writing-a-sensor.md.
+  void sketch(elsie::Sketch& sketch) const override {
+    sketch.in_world();
+    sketch.point(elsie::SketchRole::hit, {lamp_x, lamp_y, 0.0});
+  }
 };
 
 ELSIE_SENSOR(@Class@, "@name@", "Sees how bright a lamp is",

@@ -6,7 +6,7 @@ struct @Class@Reading {
   double brightness = 0.0;  // 1 at the lamp, less with the square of the distance
 
   template <class Visitor>
-  void visit(Visitor&& visitor) const {  // its values in recordings
+  void visit(Visitor&& visitor) const {  // its values in recordings and plots; arrays, too
     visitor("brightness", brightness);
   }
 };

@@ -258,6 +258,29 @@ TEST_CASE("A priority that is changed in the run is drawn where it changes") {
   CHECK(least == Approx(0.5 * with.width()).margin(0.1 * with.width()));
 }
 
+TEST_CASE("A number that a plugin publishes has a panel, in which it holds until the next sample") {
+  const auto rises_at = [](double time_s) {
+    TraceRobot robot = in_turn({{0, 0}});
+    robot.numbers = {{"a", "load", "N", {{0, 1}, {time_s, 5}, {200, 1}}}};
+    return drawn(robot);
+  };
+  const Bitmap early = rises_at(60), late = rises_at(120);
+  CHECK(early.height() > drawn(in_turn({{0, 0}})).height() + 40);
+  REQUIRE(early.height() == late.height());
+  int least = early.width(), most = 0;
+  for (int x = 0; x < early.width(); ++x) {
+    for (int y = 0; y < early.height(); ++y) {
+      const Vector2 at{static_cast<double>(x), static_cast<double>(y)};
+      if (early.at(at).red == late.at(at).red) continue;
+      least = std::min(least, x), most = std::max(most, x);
+    }
+  }
+  // They differ in the second quarter of the time only.
+  const double width = early.width();
+  CHECK(least == Approx(0.32 * width).margin(0.08 * width));
+  CHECK(most == Approx(0.53 * width).margin(0.06 * width));
+}
+
 TEST_CASE("A part of the run fills the whole width") {
   const Trace trace = trace_of({in_turn({{0, 0}, {100, 1}, {200, 2}})});
   const Bitmap all = drawn(trace);

@@ -39,7 +39,7 @@ TEST_CASE("Boxes and robots are seen as in a simulation") {
 TEST_CASE("Other robots have distance and bearing") {
   Surroundings field;
   field.robot("far", 3, 0).robot("near", 0, 1, 90, true);
-  std::vector<NearThing> robots;
+  std::vector<elsie::NearThing> robots;
   field.things_within(2, robots);
   REQUIRE(robots.size() == 1);
   CHECK(robots[0].thing.id == "near");

@@ -271,10 +271,12 @@ void draw_number(Canvas& canvas, const TimelineBlock& block, const traces::Trace
   if (seen) {
     const double margin = seen->span() > 0.0 ? 0.06 * seen->span() : 0.5;
     const Interval range{seen->low - margin, seen->high + margin};
-    draw_extents(canvas, block, map_to(area, {0, 1}, range), kText, {.width = 1.6},
+    draw_extents(canvas, block, map_to(area, {0, 1}, range), kText, {.width = 1.3},
                  [&](std::size_t column) -> const Extent& { return columns[column]; });
-    draw_y_ticks(canvas, ticks_of({}, range, area.height, 20.0), map_to(area, {0, 1}, range),
-                 area.right() + 42.0, kFaintText);
+    TextStyle beside{.size = kTick, .ink = kFaintText, .down = Down::top};
+    canvas.text(number_text(seen->high), {area.right() + 8, area.y}, beside);
+    beside.down = Down::baseline;
+    canvas.text(number_text(seen->low), {area.right() + 8, area.bottom()}, beside);
   }
   draw_frame(canvas, area);
   const TextStyle style{.size = kTick, .down = Down::middle};
