@@ -5,9 +5,9 @@ namespace elsie {
 
 struct GpsReading {
   static constexpr const char* kind = "gps";
-  double x_m = 0.0;  // of the sensor, east
-  double y_m = 0.0;  // north
-  double z_m = 0.0;  // above the floor
+  double x_m = 0.0;        // of the sensor, east
+  double y_m = 0.0;        // north
+  double z_m = 0.0;        // above the floor
   double speed_m_s = 0.0;  // of its robot, also for one on a segment
 
   template <class Visitor>

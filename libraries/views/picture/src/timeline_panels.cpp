@@ -274,9 +274,10 @@ void draw_number(Canvas& canvas, const TimelineBlock& block, const traces::Trace
     draw_extents(canvas, block, map_to(area, {0, 1}, range), kText, {.width = 1.3},
                  [&](std::size_t column) -> const Extent& { return columns[column]; });
     TextStyle beside{.size = kTick, .ink = kFaintText, .down = Down::top};
-    canvas.text(number_text(seen->high), {area.right() + 8, area.y}, beside);
+    canvas.text(tick_label(seen->high, 0.05 * range.span()), {area.right() + 8, area.y}, beside);
     beside.down = Down::baseline;
-    canvas.text(number_text(seen->low), {area.right() + 8, area.bottom()}, beside);
+    canvas.text(tick_label(seen->low, 0.05 * range.span()), {area.right() + 8, area.bottom()},
+                beside);
   }
   draw_frame(canvas, area);
   const TextStyle style{.size = kTick, .down = Down::middle};

@@ -32,8 +32,9 @@ void draw_patch(Canvas& canvas, const Layout& layout, const world::Patch& patch)
   const double scale = layout.map.scale_x;
   if (patch.shape == world::PatchShape::line) {
     std::vector<Vector2> way;
-    for (const Vector2& point : world::points_of_line(patch))
+    for (const Vector2& point : world::points_of_line(patch)) {
       way.push_back(layout.map.pixel(point));
+    }
     canvas.polyline(way).stroke(ink(patch.colour),
                                 {.width = std::max(1.0, patch.line_width * scale), .round = true});
     return;
