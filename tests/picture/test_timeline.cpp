@@ -1,5 +1,7 @@
 #include <cstdlib>
 #include <functional>
+#include <optional>
+#include <utility>
 
 #include <catch2/catch.hpp>
 
@@ -258,27 +260,44 @@ TEST_CASE("A priority that is changed in the run is drawn where it changes") {
   CHECK(least == Approx(0.5 * with.width()).margin(0.1 * with.width()));
 }
 
-TEST_CASE("A number that a plugin publishes has a panel, in which it holds until the next sample") {
-  const auto rises_at = [](double time_s) {
+TEST_CASE("A number that a plugin publishes has a panel; where there is none, nothing is drawn") {
+  const auto with = [](auto value) {
     TraceRobot robot = in_turn({{0, 0}});
-    robot.numbers = {{"a", "load", "N", {{0, 1}, {time_s, 5}, {200, 1}}}};
+    robot.numbers = {{"a", "load", "N", {}}};
+    for (int second = 0; second < 240; ++second) {
+      const std::optional<double> now = value(second);
+      if (now) robot.numbers[0].samples.push_back({static_cast<double>(second), *now});
+    }
     return drawn(robot);
+  };
+  const auto rises_at = [&](int rise) {
+    return with(
+        [&](int second) { return std::optional(second >= rise && second < 200 ? 5.0 : 1.0); });
+  };
+  const auto differ = [](const Bitmap& a, const Bitmap& b) {  // from where to where, of the width
+    REQUIRE(a.height() == b.height());
+    int least = a.width(), most = 0;
+    for (int x = 0; x < a.width(); ++x) {
+      for (int y = 0; y < a.height(); ++y) {
+        const Vector2 at{static_cast<double>(x), static_cast<double>(y)};
+        if (a.at(at).red == b.at(at).red) continue;
+        least = std::min(least, x), most = std::max(most, x);
+      }
+    }
+    return std::pair(1.0 * least / a.width(), 1.0 * most / a.width());
   };
   const Bitmap early = rises_at(60), late = rises_at(120);
   CHECK(early.height() > drawn(in_turn({{0, 0}})).height() + 40);
-  REQUIRE(early.height() == late.height());
-  int least = early.width(), most = 0;
-  for (int x = 0; x < early.width(); ++x) {
-    for (int y = 0; y < early.height(); ++y) {
-      const Vector2 at{static_cast<double>(x), static_cast<double>(y)};
-      if (early.at(at).red == late.at(at).red) continue;
-      least = std::min(least, x), most = std::max(most, x);
-    }
-  }
-  // They differ in the second quarter of the time only.
-  const double width = early.width();
-  CHECK(least == Approx(0.32 * width).margin(0.08 * width));
-  CHECK(most == Approx(0.53 * width).margin(0.06 * width));
+  const auto [quarter, half] = differ(early, late);
+  CHECK(quarter == Approx(0.32).margin(0.08));
+  CHECK(half == Approx(0.53).margin(0.06));
+  const Bitmap gap = with([](int second) {
+    return second >= 80 && second < 160 ? std::nullopt : std::optional(second < 80 ? 1.0 : 5.0);
+  });
+  const Bitmap held = with([](int second) { return std::optional(second < 160 ? 1.0 : 5.0); });
+  const auto [third, two_thirds] = differ(gap, held);
+  CHECK(third == Approx(0.39).margin(0.06));
+  CHECK(two_thirds == Approx(0.67).margin(0.06));
 }
 
 TEST_CASE("A part of the run fills the whole width") {

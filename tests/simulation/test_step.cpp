@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "wheels.h"
@@ -299,8 +301,11 @@ class Beacon final : public SensorOf<BeaconReading> {
  public:
   BeaconReading sense(const SensorContext& now) override {
     std::vector<NearThing> near;
-    now.world->things_within(0.4, near);
-    return {!near.empty(), near.empty() ? 0.0 : near[0].distance_m};
+    now.world->things_within(0.5, near);
+    const auto nearest = std::min_element(
+        near.begin(), near.end(),
+        [](const NearThing& a, const NearThing& b) { return a.distance_m < b.distance_m; });
+    return {nearest != near.end(), nearest != near.end() ? nearest->distance_m : 0.0};
   }
 };
 

@@ -44,6 +44,10 @@ TEST_CASE("Other robots have distance and bearing") {
   REQUIRE(robots.size() == 1);
   CHECK(robots[0].thing.id == "near");
   CHECK(robots[0].bearing_rad == Approx(radians(90)));
+  CHECK(robots[0].distance_m == Approx(1));
+  robots.clear();
+  field.things_within(0.5, robots);
+  CHECK(robots.empty());
 }
 
 TEST_CASE("Noise comes from the seed") {

@@ -40,7 +40,8 @@ struct Column {
 std::vector<Column> columns_of(const traces::TraceRobot& robot, const traces::TimeSpan& span,
                                std::size_t count);
 
-/// A published number in such columns. A sample holds until the next one.
+/// A published number in such columns. A sample holds until the next one of the recording; where
+/// that one is missing, the number did not exist, and the columns are empty.
 std::vector<Extent> columns_of(const traces::TraceNumber& number, const traces::TimeSpan& span,
                                std::size_t count);
 
