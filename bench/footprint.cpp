@@ -18,13 +18,13 @@
 
 #include <malloc.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/world/reader.h"
 
+#include "apart.h"
 #include "statistics.h"
 
 namespace {
@@ -81,28 +81,6 @@ Footprint measure(const elsie::plugin::Host& host, const std::string& engine, in
   return found;
 }
 
-Footprint measure_apart(const elsie::plugin::Host& host, const std::string& engine, int robots) {
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      const Footprint found = measure(host, engine, robots);
-      _exit(write(ends[1], &found, sizeof(found)) == sizeof(found) ? 0 : 1);
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "footprint: %s\n", error.what());
-      _exit(1);
-    }
-  }
-  close(ends[1]);
-  Footprint found;
-  const bool is_whole = child > 0 && read(ends[0], &found, sizeof(found)) == sizeof(found);
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  if (!is_whole) throw std::runtime_error("the memory of a simulation could not be measured");
-  return found;
-}
-
 double median_of(const std::vector<Footprint>& all, double Footprint::*figure) {
   std::vector<double> values;
   for (const Footprint& each : all) values.push_back(each.*figure);
@@ -135,7 +113,8 @@ int main(int argc, char** argv) try {
     for (int robots = 100; robots <= most; robots *= 10) {
       if (engine == std::string("ode") && robots > kMostOnOde) continue;
       std::vector<Footprint> all;
-      for (int i = 0; i < repeats; ++i) all.push_back(measure_apart(host, engine, robots));
+      for (int i = 0; i < repeats; ++i)
+        all.push_back(elsie::bench::apart([&] { return measure(host, engine, robots); }));
       const double count = all.front().robots;
       std::printf("| `%s` | %.0f | %.1f | %.1f | %.0f | %.0f | %.0f |\n", engine, count,
                   1e3 * median_of(all, &Footprint::reading_s),
