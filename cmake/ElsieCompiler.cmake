@@ -19,15 +19,23 @@ target_compile_options(
             "$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>"
             # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
             -ffp-contract=off)
+# It links a program in a third of the time of the default linker.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold ELSIE_HAS_GOLD)
+if(ELSIE_HAS_GOLD)
+  target_link_options(elsie_compiler INTERFACE -fuse-ld=gold)
+endif()
 if(ELSIE_SANITIZE STREQUAL "thread")
-  target_compile_options(elsie_compiler INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_compile_options(elsie_compiler INTERFACE -O1 -g1 -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(elsie_compiler INTERFACE -fsanitize=thread)
 elseif(ELSIE_SANITIZE)
-  # The programs of tests are not looked at themselves: what they test is.
+  # The programs of tests are not looked at themselves: what they test is. They compile with the options of any other build, so that ccache
+  # has them already.
+  set(tested $<NOT:$<BOOL:$<TARGET_PROPERTY:ELSIE_TEST_PROGRAM>>>)
   target_compile_options(elsie_compiler INTERFACE
-    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:ELSIE_TEST_PROGRAM>>>:-fsanitize=address,undefined;-fno-omit-frame-pointer;-fno-sanitize-recover=undefined>)
-  # With the sanitizers, GCC 12 does not see that a std::variant is initialised.
-  target_compile_options(elsie_compiler INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    $<${tested}:-O1;-g1;-fsanitize=address,undefined;-fno-omit-frame-pointer;-fno-sanitize-recover=undefined>
+    # With the sanitizers, GCC 12 does not see that a std::variant is initialised.
+    $<$<AND:${tested},$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
   target_link_options(elsie_compiler INTERFACE -fsanitize=address,undefined)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # Coverage for the fuzz targets (tests/fuzz). Plugins' classes are hidden, so that their types seem to differ when they are

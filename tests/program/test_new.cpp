@@ -79,6 +79,8 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
   CHECK_THAT(refused("behavior wander"), Contains("there is a behavior 'wander' already"));
   CHECK(refused("drive differential") ==
         "elsie: there is a drive 'differential' already (built in); choose another name");
+  CHECK(refused("measure success") ==
+        "elsie: every run has a value 'success' already; choose another name for the measure");
   CHECK_THAT(refused("sensor sonar --folder notes/sonar"), Contains("cannot be made"));
   CHECK(refused("sensor") == "elsie: NAME is missing");
   for (const auto& entry : std::filesystem::directory_iterator(here.file(""))) {

@@ -68,6 +68,13 @@ TEST_CASE("Runs that a factor has no effect on are said to be copies, in every f
   CHECK_THAT(terminal_report(Made(by_factor()).findings(), "r.db"), !Contains("bit by bit"));
 }
 
+TEST_CASE("A factor whose levels made runs fail is not said to have no effect on any run") {
+  MadeExperiment study = with_noise(by_factor());
+  study.cells.back().runs.front().end_as("fault");
+  CHECK_THAT(terminal_report(Made(study).findings(), "r.db"),
+             Contains("'noise' had no effect on any run that ended normally; a run"));
+}
+
 TEST_CASE("A factor without effect changes no model, comparison or interval of the others") {
   const Findings plain = Made(mixed()).findings(), noisy = Made(with_noise(mixed())).findings();
   SECTION("a linear model") {

@@ -176,10 +176,12 @@ TEST_CASE("An element that cannot be added is refused in a sentence") {
   CHECK(refused("static_box[+]=<dynamic_box/>") ==
         "the path adds a <static_box>, but the element is a <dynamic_box>");
   CHECK(refused("robot[r1]/coordinator[+]=<pick/>") ==
-        "<coordinator> holds one element, which is there already; to replace it, leave out the "
+        "<coordinator> holds one element, which is there already, written or by default; to "
+        "replace it, leave out the "
         "brackets: coordinator=<...>");
   CHECK(refused("robot[r1]/body[+]=<body/>") ==
-        "<robot> holds one <body>, which is there already; to replace it, leave out the brackets: "
+        "<robot> holds one <body>, which is there already, written or by default; to replace it, "
+        "leave out the brackets: "
         "body=<...>");
   CHECK(
       refused("robot[+]/@x=3").starts_with("an element that is added stands at the end of a path"));

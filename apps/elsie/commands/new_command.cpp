@@ -18,6 +18,7 @@
 #include "elsie/files/scratch_folder.h"
 #include "elsie/files/write_whole.h"
 #include "elsie/plugin/kind_name.h"
+#include "elsie/simulation/measures.h"
 
 #include "command.h"
 #include "environment.h"
@@ -116,6 +117,13 @@ void check_name(const std::string& name) {
 }
 
 void check_free(const NewOptions& options) {
+  const auto known = simulation::measures_of_every_run();
+  if (options.kind == plugin::kind_name(PluginKind::measure) &&
+      std::any_of(known.begin(), known.end(),
+                  [&](const Quantity& one) { return one.name == options.name; })) {
+    throw BadInput("every run has a value '" + options.name +
+                   "' already; choose another name for the measure");
+  }
   const plugin::Host host = load_plugins(options.plugins);
   for (const PluginKind kind : plugin::kPluginKinds) {
     if (plugin::kind_name(kind) == options.kind && host.find(kind, options.name)) {

@@ -263,8 +263,9 @@ void require_name(const PathStep& step, const Element& given) {
 
 void refuse_second(const Element& there, const std::string& held, const std::string& step) {
   refuse_path("<" + there.name + "> holds one " + held +
-              ", which is there already; to replace it, " + "leave out the brackets: " + step +
-              "=<...>");
+              ", which is there already, written or by default; to replace it, leave out the "
+              "brackets: " +
+              step + "=<...>");
 }
 
 // Adds the element if the node may hold what the step names; returns whether it may.

@@ -98,6 +98,10 @@ std::string copies_in_words(const Findings& findings) {
   if (copies == 0) {
     return "";
   }
+  const std::vector<Run>& runs = findings.results.runs;
+  const bool all_ended = std::all_of(runs.begin(), runs.end(),
+                                     [](const auto& run) { return run.state == RunState::done; });
+  const std::string any_run = all_ended ? "any run" : "any run that ended normally";
   std::vector<std::string> parts;
   for (const Copies& one : copies_by_factor(findings)) {
     const std::string name = "'" + files::one_line(one.factor) + "'";
@@ -105,7 +109,7 @@ std::string copies_in_words(const Findings& findings) {
       continue;
     }
     parts.push_back(one.all_same == one.cases
-                        ? name + " had no effect on any run"
+                        ? name + " had no effect on " + any_run
                         : "levels of " + name + " gave the same run in " +
                               std::to_string(one.some_same) + " of " +
                               counted(one.cases, "combination") + " of seed and other levels");
