@@ -78,7 +78,7 @@ world::World arena_of_robots(int robots) {
     robot.battery = 1e9;
     robot.coverage = 0.0;
     for (const double azimuth : kBeamAzimuths_deg) {
-      world::SensorUse beam;
+      world::MountedUse beam;
       beam.plugin = "beam_range";
       beam.id = "beam" + std::to_string(robot.sensors.size());
       beam.yaw_deg = azimuth;

@@ -36,7 +36,7 @@ world::World swarm(int robots, const std::string& sensor) {
     robot.behaviors = {roam};
     robot.sensors.clear();
     if (sensor.empty()) continue;
-    world::SensorUse& use = robot.sensors.emplace_back();
+    world::MountedUse& use = robot.sensors.emplace_back();
     use.plugin = use.id = sensor;
     use.x = 0.04;
     use.z = 0.05;

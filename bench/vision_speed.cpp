@@ -66,7 +66,7 @@ elsie::world::World world(int robots, bool cameras) {
     robot.battery = 1e9;
     robot.coverage = 0.0;
     if (cameras) {
-      elsie::world::SensorUse& camera = robot.sensors.emplace_back();
+      elsie::world::MountedUse& camera = robot.sensors.emplace_back();
       camera.plugin = camera.id = "vision";
     }
     elsie::world::BehaviorUse& wander = robot.behaviors.emplace_back();

@@ -101,7 +101,7 @@ std::vector<std::string> columns(const RichReading& reading) {
 /// The sentence with which a sensor refuses a reading.
 std::string refusal(const RichReading& reading) {
   Rich sensor;
-  sensor.fit_reading();
+  sensor.fit_value();
   sensor.next = reading;
   try {
     sensor.update(nowhere());
@@ -196,26 +196,26 @@ TEST_CASE("A number that is not finite names its column") {
 TEST_CASE("A sensor's reading is blank until it is updated, at one address") {
   Rich sensor;
   const void* const address = sensor.reading();
-  sensor.fit_reading();
+  sensor.fit_value();
   CHECK(static_cast<const RichReading*>(address)->ranges_m.size() == 3);
   sensor.next = sound();
   sensor.update(nowhere());
   CHECK(sensor.reading() == address);
-  sensor.fit_reading();  // its parameters are the same
+  sensor.fit_value();  // its parameters are the same
   CHECK(static_cast<const RichReading*>(address)->ranges_m[0] == 1.0);
   sensor.rays = 5;
-  sensor.fit_reading();
+  sensor.fit_value();
   CHECK(static_cast<const RichReading*>(address)->ranges_m == std::vector<double>(5, 0.0));
 }
 
 TEST_CASE("A reading is copied without its type") {
   Rich sensor;
-  sensor.fit_reading();
+  sensor.fit_value();
   sensor.next = sound();
   sensor.update(nowhere());
-  const auto copy = sensor.new_reading();
+  const auto copy = sensor.new_value();
   CHECK(columns(*static_cast<const RichReading*>(copy.get()))[0] == "ranges.0=0");
-  sensor.copy_reading(sensor.reading(), copy.get());
+  sensor.copy_value(sensor.reading(), copy.get());
   CHECK(columns(*static_cast<const RichReading*>(copy.get()))[0] == "ranges.0=1");
 }
 

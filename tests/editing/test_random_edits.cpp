@@ -75,7 +75,7 @@ world::World reduced(world::World world) {
   }
   for (world::Robot& robot : world.robots) {
     reduce(robot);
-    for (world::SensorUse& sensor : robot.sensors) {
+    for (world::MountedUse& sensor : robot.sensors) {
       reduce(sensor, PluginKind::sensor);
     }
     if (robot.drive) {

@@ -21,7 +21,7 @@ inline Simulation run_of(const ScriptedHost& scripted, std::vector<world::Robot>
   world::World world;
   world.robots = std::move(robots);
   for (world::Robot& robot : world.robots) {
-    world::SensorUse sensor = beam("ahead", 0);
+    world::MountedUse sensor = beam("ahead", 0);
     sensor.energy_cost = 0;
     robot.sensors.push_back(sensor);
   }

@@ -19,8 +19,8 @@ using simulation::Simulation;
 
 namespace {
 
-world::SensorUse camera(const std::string& id, double yaw_deg = 0.0, Parameters parameters = {}) {
-  world::SensorUse use;
+world::MountedUse camera(const std::string& id, double yaw_deg = 0.0, Parameters parameters = {}) {
+  world::MountedUse use;
   use.plugin = "vision";
   use.id = id;
   use.yaw_deg = yaw_deg;
@@ -208,7 +208,7 @@ TEST_CASE("A robot looks for the resources that it may collect, by their colours
                                            [&seen] { return std::make_unique<Asking>(seen); });
   declaration.produces = {{ProximityReading::kind, sizeof(ProximityReading)}};
   asking.host.add(std::move(declaration));
-  world::SensorUse use;
+  world::MountedUse use;
   use.plugin = use.id = "asking";
   world.robots[0].sensors = {use};
   Simulation simulation(world, asking.host, {.cameras = render::world_cameras});
@@ -317,7 +317,7 @@ TEST_CASE("A camera that can take no picture is a fault at the sensor's place in
     declaration.produces = {{ProximityReading::kind, sizeof(ProximityReading)}};
     host.host.add(std::move(declaration));
     auto world = world_with({});
-    world::SensorUse use;
+    world::MountedUse use;
     use.plugin = use.id = "odd";
     use.location = {"here.xml", 17};
     world.robots[0].sensors.push_back(use);

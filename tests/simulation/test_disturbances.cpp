@@ -236,11 +236,18 @@ TEST_CASE("An edit that leads to nothing is noted in the result") {
   Simulation simulation = in_front("");
   simulation.edit("robot[team=green]/@max_speed", "0.1");
   simulation.edit("sensor[plugin=sonar]/noise[+]", R"(<noise on="x"/>)");
-  int notes = 0;
+  simulation.edit("robot[team=green]/@remove", "true");
+  std::vector<std::string> notes;
   for (const simulation::Note& note : simulation.result().notes) {
-    notes += note.text.find("leads to nothing in this world") != std::string::npos ? 1 : 0;
+    notes.push_back(note.plugin + ": " + note.text);
   }
-  CHECK(notes == 2);
+  const auto said = [](const std::string& edit) {
+    return "changes: The edit " + edit +
+           " at 0 s leads to nothing in this world, and has no effect.";
+  };
+  CHECK(notes == std::vector<std::string>{said("robot[team=green]/@max_speed=0.1"),
+                                          said(R"(sensor[plugin=sonar]/noise[+]=<noise on="x"/>)"),
+                                          said("robot[team=green]/@remove=true")});
 }
 
 TEST_CASE("What does not fit a sensor is refused with a sentence") {

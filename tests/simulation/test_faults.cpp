@@ -226,7 +226,7 @@ world::World with_light_meter(ScriptedHost& scripted) {
                                                 produces<LightReading>());
   scripted.host.add(std::move(declaration));
   world::World world = one_robot();
-  world::SensorUse sensor;
+  world::MountedUse sensor;
   sensor.plugin = sensor.id = "light_meter";
   world.robots[0].sensors.push_back(sensor);
   return world;

@@ -93,7 +93,7 @@ struct PluginHost {
 world::World with_camera() {
   world::World world = one_robot();
   world.obstacles = {box("food", world::ObstacleKind::resource, 1, 0)};
-  world::SensorUse eye;
+  world::MountedUse eye;
   eye.plugin = "vision";
   eye.id = "eye";
   world.robots[0].sensors = {eye};

@@ -40,7 +40,7 @@ simulation::Edit change_of(const std::string& edit) {
 
 bool needs_cameras(const world::World& world) {
   for (const world::Robot& robot : world.robots) {
-    for (const world::SensorUse& sensor : robot.sensors) {
+    for (const world::MountedUse& sensor : robot.sensors) {
       if (sensor.plugin == "vision") {
         return true;
       }

@@ -68,7 +68,7 @@ class Stage {
   /// A sensor of the library on each robot.
   void add_levels() {
     for (world::Robot& robot : world.robots) {
-      world::SensorUse& level = robot.sensors.emplace_back();
+      world::MountedUse& level = robot.sensors.emplace_back();
       level.plugin = level.id = "level";
     }
   }

@@ -62,8 +62,8 @@ inline world::BehaviorUse behavior(const std::string& plugin, double priority = 
   return use;
 }
 
-inline world::SensorUse beam(const std::string& id, double yaw_deg, Parameters parameters = {}) {
-  world::SensorUse use;
+inline world::MountedUse beam(const std::string& id, double yaw_deg, Parameters parameters = {}) {
+  world::MountedUse use;
   use.plugin = "beam_range";
   use.id = id;
   use.yaw_deg = yaw_deg;

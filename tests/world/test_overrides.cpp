@@ -99,7 +99,7 @@ TEST_CASE("A star leads to all, and so does what belongs to a robot when none is
   for (const world::Robot& robot : w.robots) {
     CHECK(std::get<bool>(robot.coordinator->parameters.at("weighted")));
     CHECK(robot.body.mass == 0.2);
-    for (const world::SensorUse& sensor : robot.sensors) {
+    for (const world::MountedUse& sensor : robot.sensors) {
       CHECK(sensor.energy_cost == 0);
     }
   }

@@ -1,4 +1,5 @@
 // The default answers of behaviours and coordinators: a bump around the command.
+#include <algorithm>
 #include <cmath>
 
 #include "elsie/api/behavior.h"
@@ -44,6 +45,18 @@ CommandSets Behavior::command_sets(const Perception& now, const Response& given)
 }
 
 void Coordinator::equipped(std::span<const Member>, const Perception&) {}
+
+std::size_t Coordinator::resolve(std::string_view, std::span<const ActuatorWish> wishes) {
+  return greatest_priority(wishes);
+}
+
+std::size_t greatest_priority(std::span<const ActuatorWish> wishes) {
+  const auto less = [](const ActuatorWish& a, const ActuatorWish& b) {
+    return a.member->priority() < b.member->priority();
+  };
+  return static_cast<std::size_t>(std::max_element(wishes.begin(), wishes.end(), less) -
+                                  wishes.begin());
+}
 
 void Coordinator::rate(std::span<Member>, const Perception& now, const Motion& given,
                        std::span<const Motion> candidates, std::span<double> desirability) {

@@ -70,9 +70,9 @@ void declare_disturbances(Declaration& declaration,
   declaration.elements.push_back(declared(failure(), list, list_of));
 }
 
-void Sensor::declare_for_all(Declaration& declaration) {
-  declare_disturbances(declaration, [](Component& sensor) -> std::vector<Disturbance>& {
-    return static_cast<Sensor&>(sensor).disturbances_;
+void Disturbable::declare_for_all(Declaration& declaration) {
+  declare_disturbances(declaration, [](Component& object) -> std::vector<Disturbance>& {
+    return static_cast<Disturbable&>(object).disturbances_;
   });
 }
 

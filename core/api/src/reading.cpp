@@ -129,50 +129,53 @@ namespace detail {
 namespace {
 
 /// What is wrong with the size of an array; empty: nothing, or `field` is no array.
-std::string fault_of_size(const ReadingField& field, const ReadingField& expected) {
-  const std::string name = "'" + field.path() + "' of its reading has ";
+std::string fault_of_size(const std::string& what, const ReadingField& field,
+                          const ReadingField& expected) {
+  const std::string name = "'" + field.path() + "' of its " + what + " has ";
   if (field.is_array && !field.varies && field.size != expected.size) {
     return name + std::to_string(field.size) + " numbers, and " + std::to_string(expected.size) +
-           " in a blank one; expected the same size in every reading: give arrays their full size "
+           " in a blank one; expected the same size in every " + what +
+           ": give arrays their full size "
            "in blank()";
   }
   if (field.varies && field.size != expected.size) {
     return name + "at most " + std::to_string(field.size) + " numbers, and " +
-           std::to_string(expected.size) + " in a blank one; expected the same in every reading";
+           std::to_string(expected.size) + " in a blank one; expected the same in every " + what;
   }
   if (field.varies && field.count > field.size) {
     return name + std::to_string(field.count) + " numbers; expected at most " +
            std::to_string(field.size);
   }
   if (field.in_list && !field.group.empty() && field.size == 0) {
-    return "the list '" + std::string(field.group) + "' of its reading is longer than it may be";
+    return "the list '" + std::string(field.group) + "' of its " + what +
+           " is longer than it may be";
   }
   return {};
 }
 
 }  // namespace
 
-void faulty_reading(const Sensor& sensor, const void* reading, const void* blank) {
+void faulty_value(const Disturbable& object, const void* value, const void* blank) {
+  const std::string what = object.value_name();
   std::vector<ReadingField> expected;
-  sensor.visit_fields(blank, [&](const ReadingField& field) { expected.push_back(field); });
+  object.visit_fields(blank, [&](const ReadingField& field) { expected.push_back(field); });
   std::size_t place = 0;
-  sensor.visit_fields(reading, [&](const ReadingField& field) {
+  object.visit_fields(value, [&](const ReadingField& field) {
     if (place < expected.size()) {
-      if (const std::string fault = fault_of_size(field, expected[place]); !fault.empty()) {
+      if (const std::string fault = fault_of_size(what, field, expected[place]); !fault.empty()) {
         throw base::Error(fault);
       }
     }
     ++place;
     for (std::size_t i = 0; field.is_number() && i < field.count; ++i) {
-      if (const double value = field.number(i); !std::isfinite(value)) {
-        throw base::Error("the number '" + field.column(i) + "' of its reading is " +
-                          base::number_text(value) + "; expected a finite number");
+      if (const double number = field.number(i); !std::isfinite(number)) {
+        throw base::Error("the number '" + field.column(i) + "' of its " + what + " is " +
+                          base::number_text(number) + "; expected a finite number");
       }
     }
   });
-  throw base::Error(
-      "its reading lists other fields in visit() than a blank one; every reading must list the "
-      "same names in the same order");
+  throw base::Error("its " + what + " lists other fields in visit() than a blank one; every " +
+                    what + " must list the same names in the same order");
 }
 
 }  // namespace detail

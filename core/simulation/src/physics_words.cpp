@@ -72,6 +72,7 @@ void note_warnings(const world::World& world, std::vector<Note>& notes) {
 
 void note_new_warnings(const world::World& world, double time_s, std::vector<Note>& notes) {
   for (const world::Warning& warning : world::warnings(world)) {
+    if (warning.about == world::Warning::About::no_effect) continue;
     const bool is_known = std::any_of(notes.begin(), notes.end(), [&](const Note& note) {
       return note.plugin == kPhysicsNotes && note.text.ends_with(": " + warning.message);
     });

@@ -291,6 +291,16 @@ void Simulation::visit_reading(std::size_t robot, std::size_t sensor,
                                const FieldVisit& visit) const {
   impl_->robots_[robot]->visit_reading(sensor, visit);
 }
+std::size_t Simulation::actuators(std::size_t robot) const {
+  return impl_->robots_[robot]->actuator_count();
+}
+ActuatorView Simulation::actuator(std::size_t robot, std::size_t index) const {
+  return impl_->robots_[robot]->actuator_view(index);
+}
+void Simulation::visit_command(std::size_t robot, std::size_t actuator,
+                               const FieldVisit& visit) const {
+  impl_->robots_[robot]->visit_command(actuator, visit);
+}
 void Simulation::visit_published(std::size_t robot, const VisitPublished& visit) const {
   impl_->robots_[robot]->visit_published(visit);
 }

@@ -101,6 +101,7 @@ class Simulation::Impl {
   class Pairs;
   void set_in_place(std::span<const Edit> edits);
   void own_robot(std::size_t index);
+  Note no_effect(const std::string& edit) const;
   void become(std::span<const Edit> edits, EditTransaction& transaction);
   void become(world::World next, EditTransaction& transaction);
   void become_robots(const Pairs& pairs, EditTransaction& transaction);
@@ -132,8 +133,10 @@ class Simulation::Impl {
     attention_.assign(robots_.size(), true);
     knows_calls_ = false;
     things_.emplace(world_);
+    has_actuators_ = false;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       if (robots_[i]->feels_contacts()) engine_->watch_contacts(i);
+      has_actuators_ = has_actuators_ || robots_[i]->actuator_count() > 0;
     }
   }
 
@@ -172,6 +175,7 @@ class Simulation::Impl {
                                         world_.arena};  // positions at the last control step
   double farthest_call_m_ = 0.0;                        // the largest coverage of a robot
   bool knows_calls_ = false;                            // false: a coverage may have changed
+  bool has_actuators_ = false;                          // a robot has some
   std::vector<char> attention_;  // of robots: may have events for the log, or be charging
 };
 

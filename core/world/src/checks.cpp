@@ -16,6 +16,7 @@
 #include "elsie/base/words.h"
 #include "elsie/plugin/engine_libraries.h"
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/kind_name.h"
 #include "elsie/world/engine_facts.h"
 #include "elsie/world/parts.h"
 
@@ -140,7 +141,10 @@ class CoordinationCheck {
     const Declaration* declaration = host_.find(kind, use.plugin);
     if (!declaration) return;
     for (const ReadingDeclaration& need : declaration->needs) {
-      check_need(use, need);
+      check_need(use, {PluginKind::sensor, &Declaration::produces, robot_.sensors}, need);
+    }
+    for (const ReadingDeclaration& need : declaration->commands) {
+      check_need(use, {PluginKind::actuator, &Declaration::takes, robot_.actuators}, need);
     }
     for (const std::string& event : declaration->reacts_to) {
       if (std::find(raised_.begin(), raised_.end(), event) == raised_.end()) {
@@ -152,44 +156,53 @@ class CoordinationCheck {
     }
   }
 
-  // Checks that the robot's sensors make such readings.
-  void check_need(const PluginUse& use, const ReadingDeclaration& need) {
+  // What behaviours need of sensors or of actuators.
+  struct Need {
+    PluginKind kind;  // of those that have it
+    std::vector<ReadingDeclaration> Declaration::*list;
+    const std::vector<MountedUse>& uses;  // of the robot
+
+    const ReadingDeclaration* of(const Declaration* plugin, const ReadingDeclaration& need) const {
+      if (!plugin) return nullptr;
+      const auto found = std::find_if((plugin->*list).begin(), (plugin->*list).end(),
+                                      [&](const auto& each) { return each.kind == need.kind; });
+      return found == (plugin->*list).end() ? nullptr : &*found;
+    }
+  };
+
+  // Checks that the robot's sensors make such readings, or that its actuators take such commands.
+  void check_need(const PluginUse& use, const Need& of, const ReadingDeclaration& need) {
+    const bool reads = of.kind == PluginKind::sensor;
     bool met = false;
-    const SensorUse* other_version = nullptr;
-    for (const SensorUse& sensor : robot_.sensors) {
-      const Declaration* made = host_.find(PluginKind::sensor, sensor.plugin);
-      const ReadingDeclaration* reading = made ? reading_of(*made, need) : nullptr;
-      if (reading && reading->fits(need)) {
+    const MountedUse* other_version = nullptr;
+    for (const MountedUse& mounted : of.uses) {
+      const auto* const had = of.of(host_.find(of.kind, mounted.plugin), need);
+      if (had && had->fits(need)) {
         met = true;
-      } else if (reading) {
-        other_version = &sensor;
+      } else if (had) {
+        other_version = &mounted;
       }
     }
-    const std::string what = "'" + use.plugin + "' needs readings of the kind '" + need.kind + "'";
+    const std::string kind(plugin::kind_name(of.kind));
+    const std::string what = "'" + use.plugin + "' " +
+                             (reads ? "needs readings" : "gives commands") + " of the kind '" +
+                             need.kind + "'";
     if (other_version) {
-      problems_.add(use.location, what + " as it was built with, but those of the sensor '" +
+      problems_.add(use.location, what + " as it was built with, but those of the " + kind + " '" +
                                       other_version->plugin +
                                       "' have another layout; build both plugins again with the "
                                       "same header");
     } else if (!met) {
       std::vector<std::string> makers;
-      for (const Declaration* sensor : host_.all(PluginKind::sensor)) {
-        const ReadingDeclaration* reading = reading_of(*sensor, need);
-        if (reading && reading->fits(need)) makers.push_back("<" + sensor->name + ">");
+      for (const Declaration* plugin : host_.all(of.kind)) {
+        const auto* const had = of.of(plugin, need);
+        if (had && had->fits(need)) makers.push_back("<" + plugin->name + ">");
       }
-      problems_.add(use.location, what + ", but " + in_words(robot_) +
-                                      " has no sensor that makes them" +
+      problems_.add(use.location, what + ", but " + in_words(robot_) + " has no " + kind +
+                                      (reads ? " that makes them" : " that takes them") +
                                       (makers.empty() ? "; no plugin that was found does"
                                                       : "; add " + base::joined(makers, " or ")));
     }
-  }
-
-  static const ReadingDeclaration* reading_of(const Declaration& sensor,
-                                              const ReadingDeclaration& need) {
-    const auto found =
-        std::find_if(sensor.produces.begin(), sensor.produces.end(),
-                     [&](const ReadingDeclaration& each) { return each.kind == need.kind; });
-    return found == sensor.produces.end() ? nullptr : &*found;
   }
 
   const Robot& robot_;
@@ -219,8 +232,8 @@ void check_segments(const Robot& robot, Problems& problems) {
   }
 }
 
-// Checks that the readings of a sensor, or the commands of a drive, arrive before the run ends, and
-// that those under way fit into memory. `one`: "reading".
+// Checks that the readings of a sensor, or the commands of a drive or an actuator, arrive before
+// the run ends, and that those under way fit into memory. `one`: "reading".
 void check_latency(const PluginUse& use, const std::string& one, const Reading& reading,
                    Problems& problems) {
   constexpr double kMostUnderWay = 100'000;
@@ -246,16 +259,17 @@ void check_latency(const PluginUse& use, const std::string& one, const Reading& 
   }
 }
 
-void check_place(const SensorUse& sensor, const Robot& robot, Problems& problems) {
-  if (sensor.segment.empty()) return;
+void check_place(const std::string& kind, const MountedUse& use, const Robot& robot,
+                 Problems& problems) {
+  if (use.segment.empty()) return;
   std::vector<std::string> ids;
   for (const Segment& segment : robot.segments) ids.push_back(segment.id);
-  if (std::find(ids.begin(), ids.end(), sensor.segment) != ids.end()) return;
-  problems.add(sensor.location,
-               "the sensor '" + sensor.id + "' is mounted on the segment '" + sensor.segment +
-                   "', and " + in_words(robot) + " pulls none of that name" +
-                   (ids.empty() ? "; it pulls none at all"
-                                : base::near_or_all(sensor.segment, ids, "it pulls")));
+  if (std::find(ids.begin(), ids.end(), use.segment) != ids.end()) return;
+  problems.add(use.location, "the " + kind + " '" + use.id + "' is mounted on the segment '" +
+                                 use.segment + "', and " + in_words(robot) +
+                                 " pulls none of that name" +
+                                 (ids.empty() ? "; it pulls none at all"
+                                              : base::near_or_all(use.segment, ids, "it pulls")));
 }
 
 void check_robot(const Reading& reading, std::size_t index, const plugin::Host& host,
@@ -277,9 +291,13 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
                                        " m wide; expected its diameter as both");
     }
   }
-  for (const SensorUse& sensor : robot.sensors) {
-    check_place(sensor, robot, problems);
+  for (const MountedUse& sensor : robot.sensors) {
+    check_place("sensor", sensor, robot, problems);
     check_latency(sensor, "reading", reading, problems);
+  }
+  for (const MountedUse& actuator : robot.actuators) {
+    check_place("actuator", actuator, robot, problems);
+    check_latency(actuator, "command", reading, problems);
   }
   if (robot.drive) check_latency(*robot.drive, "command", reading, problems);
   if (reading.sound_with_segments(robot)) check_segments(robot, problems);

@@ -66,23 +66,24 @@ ElementSpec segment() {
                      range("deg", 1, 80, "how far the joint bends upwards and downwards")));
 }
 
-ElementSpec sensor() {
+// A sensor or an actuator.
+ElementSpec mounted(const char* name, const char* meaning, PluginKind kind) {
   return removable(
-      plugin_use<SensorUse>("sensor", "A sensor", PluginKind::sensor, Cost::object,
-                            "its name on this robot; by default the plugin's, with a number if "
-                            "there are several")
+      plugin_use<MountedUse>(name, meaning, kind, Cost::object,
+                             "its name on this robot; by default the plugin's, with a number if "
+                             "there are several")
           .attribute(
-              "segment", &SensorUse::segment,
+              "segment", &MountedUse::segment,
               fact("the segment of the robot that it is mounted on; by default on the robot"))
-          .attribute("x", &SensorUse::x,
+          .attribute("x", &MountedUse::x,
                      metres("where it is mounted, ahead; by default the chassis' front"))
-          .attribute("y", &SensorUse::y,
+          .attribute("y", &MountedUse::y,
                      metres("where it is mounted, to the left; by default the middle"))
-          .attribute("z", &SensorUse::z,
+          .attribute("z", &MountedUse::z,
                      metres("where it is mounted, up; by default the chassis' top"))
-          .attribute("yaw_deg", &SensorUse::yaw_deg, angle("where it looks, to the left"))
-          .attribute("pitch_deg", &SensorUse::pitch_deg, angle("where it looks, upwards"))
-          .attribute("energy_cost", &SensorUse::energy_cost,
+          .attribute("yaw_deg", &MountedUse::yaw_deg, angle("where it looks, to the left"))
+          .attribute("pitch_deg", &MountedUse::pitch_deg, angle("where it looks, upwards"))
+          .attribute("energy_cost", &MountedUse::energy_cost,
                      range("units/s", 0, 1e12, "the energy that it uses"), kLive));
 }
 
@@ -150,7 +151,10 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
                            &Robot::localisation))
       .group(Describe<Robot>("segments", "The boxes that the robot pulls, from front to back")
                  .each(segment(), &Robot::segments))
-      .group(Describe<Robot>("sensors", "The robot's sensors").each(sensor(), &Robot::sensors))
+      .group(Describe<Robot>("sensors", "The robot's sensors")
+                 .each(mounted("sensor", "A sensor", PluginKind::sensor), &Robot::sensors))
+      .group(Describe<Robot>("actuators", "What the robot does besides moving")
+                 .each(mounted("actuator", "An actuator", PluginKind::actuator), &Robot::actuators))
       .group(behaviors())
       .group(coordinator());
 }

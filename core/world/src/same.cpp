@@ -79,7 +79,7 @@ bool same(const Obstacle& a, const Obstacle& b, Cost least) {
          same(*vocabulary().child(list)->child(a.element()), &a, &b, least);
 }
 
-bool same(const SensorUse& a, const SensorUse& b, Cost least) {
+bool same(const MountedUse& a, const MountedUse& b, Cost least) {
   return same_attributes(member_of(*robot_spec().child("sensors")), &a, &b, least);
 }
 

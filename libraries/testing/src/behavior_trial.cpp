@@ -156,6 +156,10 @@ class BehaviorTrial final : public Trial {
       }
       answer.events.emplace_back(event.name);
     }
+    for (const Act& act : response.acts) {
+      answer.events.push_back("command of the kind '" + std::string(act.kind().name) + "' to '" +
+                              act.actuator() + "'");
+    }
   }
 
   const Declaration& declaration_;
@@ -183,6 +187,8 @@ std::unique_ptr<Trial> make_trial(const TrialSetting& setting) {
       return make_drive_trial(setting);
     case PluginKind::localisation:
       return make_localisation_trial(setting);
+    case PluginKind::actuator:
+      return make_actuator_trial(setting);
     case PluginKind::sensor:
       break;
   }

@@ -224,7 +224,7 @@ void InputMaker::add_own_kinds(Situation& now, Random& random) const {
     const auto sensors = plugins_.host().all(PluginKind::sensor);
     const auto maker = std::find_if(sensors.begin(), sensors.end(), [&](const Declaration* sensor) {
       return !sensor->produces.empty() && sensor->produces[0].kind == need.kind &&
-             sensor->produces[0].size == need.size;
+             sensor->produces[0].fits(need);
     });
     if (maker == sensors.end()) {
       throw std::runtime_error("it needs readings of the kind '" + need.kind +

@@ -73,7 +73,7 @@ void Sensor::equip(const elsie::Surroundings& surroundings) {
   const auto colours = surroundings.resource_colours();
   colours_.emplace(colours.begin(), colours.end());
   object_->equipped({&mounting_, *colours_});
-  object_->fit_reading();
+  object_->fit_value();
 }
 
 std::vector<NamedValue> Sensor::values() const {

@@ -119,6 +119,12 @@ Surroundings& Surroundings::charger(double x, double y, double radius) {
   return *this;
 }
 
+Surroundings& Surroundings::light(const std::string& robot, const Vector3& place, double intensity,
+                                  const Colour& colour) {
+  lights_.push_back({*names_.insert(robot).first, place, intensity, colour});
+  return *this;
+}
+
 Surroundings& Surroundings::lamp(double x, double y, double z, double intensity,
                                  const Colour& colour) {
   world_.lamps.push_back(
@@ -164,6 +170,13 @@ Thing Surroundings::thing(const Surface& surface) const { return things().of(sur
 
 Colour Surroundings::floor_colour(const Vector2& place) const {
   return things().floor_colour(place);
+}
+
+void Surroundings::lights_within(double radius_m, std::vector<LampView>& lights) const {
+  std::copy_if(lights_.begin(), lights_.end(), std::back_inserter(lights),
+               [&](const LampView& light) {
+                 return std::hypot(light.place.x - pose().x, light.place.y - pose().y) <= radius_m;
+               });
 }
 
 std::span<const LampView> Surroundings::lamps() const { return things().lamps(); }

@@ -87,6 +87,7 @@ std::unique_ptr<Trial> make_sensor_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_drive_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_localisation_trial(const TrialSetting& setting);
+std::unique_ptr<Trial> make_actuator_trial(const TrialSetting& setting);
 
 /// Other sensors, behaviours and coordinators of the plugin's library; at most eight.
 std::vector<const Declaration*> neighbours_of(const Declaration& declaration,

@@ -21,7 +21,7 @@ class SeekLight final : public elsie::Behavior {
 
   elsie::Response respond(const elsie::Perception& now) override {
     // The sum of the cells' directions, each as long as it is bright.
-    double ahead = 0.0, left = 0.0;
+    double ahead = 0.0, left = 0.0, all = 0.0;
     brightest_ = 0.0;
     for (const auto& light : now.readings<elsie::LightReading>()) {
       for (std::size_t i = 0; i < light->values.size(); ++i) {
@@ -30,11 +30,14 @@ class SeekLight final : public elsie::Behavior {
         const double azimuth = light.azimuth_rad() + light->azimuth_rad(i);
         ahead += bright * std::cos(azimuth);
         left += bright * std::sin(azimuth);
+        all += bright;
         brightest_ = std::max(brightest_, bright);
       }
     }
     elsie::Response response;
-    if (brightest_ < least) {
+    // Cells all around that see the same tell no direction: what is left of the sum is rounding.
+    constexpr double kRounding = 1e-9;
+    if (brightest_ < least || std::hypot(ahead, left) < kRounding * all) {
       bearing_rad_ = std::numeric_limits<double>::quiet_NaN();
       response.activation = response.strength = 0.0;
       return response;
@@ -52,7 +55,7 @@ class SeekLight final : public elsie::Behavior {
     }
   }
 
-  double bearing_rad_ = std::numeric_limits<double>::quiet_NaN();  // of the light; NaN: dark
+  double bearing_rad_ = std::numeric_limits<double>::quiet_NaN();  // of the light; NaN: none
   double brightest_ = 0.0;
 };
 
@@ -78,7 +81,9 @@ ELSIE_BEHAVIOR(
                       .max = 1,
                       .meaning = "it stops where its brightest cell sees so "
                                  "much"}),
-    elsie::publishes("bearing", &SeekLight::bearing_rad_,
-                     {.unit = "rad", .meaning = "of the light, to the left; none: it is dark"}),
+    elsie::publishes(
+        "bearing", &SeekLight::bearing_rad_,
+        {.unit = "rad",
+         .meaning = "of the light, to the left; none: it is dark, or as bright on every side"}),
     elsie::publishes("brightest", &SeekLight::brightest_,
                      {.meaning = "what the brightest cell sees, as a fraction"}));

@@ -46,18 +46,19 @@ double footbot(double distance_m) {
 }
 
 /// Enki's Khepera; its lengths are in cm.
-double enki(double distance_m) {
+constexpr double enki(double distance_m) {
   constexpr double m = 1200.0, x0 = -0.9, c = 7.0;
   const double d = 100.0 * distance_m;
   return m * (c - x0 * x0) / (d * d - 2.0 * x0 * d + c);
 }
+constexpr double kEnkiLargest = enki(0.0);
 
 constexpr Law kLaws[] = {
     {"khepera", 1000.0, 0.1, khepera, "Khepera II, white paper: K-Team's user manual"},
     {"khepera_iv", 1.0, 0.12, khepera_iv, "Khepera IV: ARGoS"},
     {"epuck", 1.0, 0.05, epuck, "e-puck: ARGoS"},
     {"footbot", 1.0, 0.1, footbot, "foot-bot: ARGoS"},
-    {"enki", 1061.4857142857143, 0.1, enki, "Khepera: Enki"},
+    {"enki", kEnkiLargest, 0.1, enki, "Khepera: Enki"},
 };
 
 }  // namespace

@@ -1,15 +1,14 @@
-// Light cells: they see the lamps of the world, unless something hides them.
+// Light cells: they see the lamps of the world and those on other robots, unless something hides
+// them.
 //
 // d is the distance to a lamp of intensity I, theta the angle between it and the cell's axis:
 //
-// generic   sum of (I / d)^2, at most 1
-// footbot   sum of exp(-2 d / I) (1 - 2 theta / pi), of lamps with d / I <= 2.5 and theta <= pi /
-// 2:
-//           the light sensor of the foot-bot in ARGoS, which has 24 cells
-// khepera   500 in the dark, and the less the brighter: the ambient light of Khepera II with a lamp
-// of
-//           50 W (K-Team's user manual), of lamps with theta <= pi / 2. Several lamps are as one at
-//           the distance at which it is as bright as they are together.
+// - generic: the sum of (I / d)^2, at most 1
+// - footbot: the sum of exp(-2 d / I) (1 - 2 theta / pi), of lamps with d / I <= 2.5 and
+//   theta <= pi / 2: the light sensor of the foot-bot in ARGoS, which has 24 cells
+// - khepera: 500 in the dark, and the less the brighter: the ambient light of Khepera II with a
+//   lamp of 50 W (K-Team's user manual), of lamps with theta <= pi / 2. Several lamps are as one at
+//   the distance at which it is as bright as they are together.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -23,6 +22,7 @@
 namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
+constexpr double kDark = 500.0;          // of Khepera
 constexpr double kLeastDistance = 1e-3;  // m: nothing is nearer to a lamp than its own size
 
 double generic(double distance_m, double intensity) {
@@ -42,7 +42,6 @@ double khepera(double distance_m) {
     double distance_m, value;
   };
   static constexpr Point kTable[] = {{0.075, 75}, {0.1, 100}, {0.2, 250}, {0.4, 375}, {0.9, 450}};
-  constexpr double kDark = 500.0;
   if (distance_m <= kTable[0].distance_m) return kTable[0].value;
   for (std::size_t i = 1; i < std::size(kTable); ++i) {
     if (distance_m > kTable[i].distance_m) continue;
@@ -61,17 +60,18 @@ class Light final : public elsie::SensorOf<elsie::LightReading> {
   int cells = 1;
   double fov_deg = 360.0;
   std::string law = "generic";
+  double led_range = 2.0;
 
   elsie::LightReading blank() const override {
     elsie::LightReading reading;
-    reading.values.assign(static_cast<std::size_t>(cells), 0.0);
     describe(reading);
+    reading.values.assign(static_cast<std::size_t>(cells), reading.dark_is_large ? kDark : 0.0);
     return reading;
   }
 
   void describe(elsie::LightReading& reading) const {
     reading.dark_is_large = law == "khepera";
-    reading.largest = law == "khepera" ? 500.0 : 1.0;
+    reading.largest = law == "khepera" ? kDark : 1.0;
     const double fov = elsie::radians(fov_deg);
     const bool is_round = fov_deg >= 360.0;
     reading.step_rad = is_round ? fov / cells : cells > 1 ? fov / (cells - 1) : 0.0;
@@ -81,12 +81,10 @@ class Light final : public elsie::SensorOf<elsie::LightReading> {
   void sense_into(const elsie::SensorContext& now, elsie::LightReading& reading) override {
     describe(reading);
     lights_.clear();
-    for (const elsie::LampView& lamp : now.world->lamps()) {
-      if (!now.world->is_open(now.frame.origin, lamp.place)) continue;
-      const elsie::Vector3 way = lamp.place - now.frame.origin;
-      const double far = std::max(kLeastDistance, std::sqrt(elsie::dot(way, way)));
-      lights_.push_back({far, lamp.intensity, (1.0 / far) * way});
-    }
+    for (const elsie::LampView& lamp : now.world->lamps()) see(lamp, now);
+    leds_.clear();
+    if (led_range > 0.0) now.world->lights_within(led_range, leds_);
+    for (const elsie::LampView& led : leds_) see(led, now);
     for (std::size_t i = 0; i < reading.values.size(); ++i) {
       const double azimuth = reading.azimuth_rad(i);
       const elsie::Vector3 axis = now.frame.direction({std::cos(azimuth), std::sin(azimuth), 0.0});
@@ -114,6 +112,13 @@ class Light final : public elsie::SensorOf<elsie::LightReading> {
     elsie::Vector3 direction;
   };
 
+  void see(const elsie::LampView& lamp, const elsie::SensorContext& now) {
+    if (!now.world->is_open(now.frame.origin, lamp.place)) return;
+    const elsie::Vector3 way = lamp.place - now.frame.origin;
+    const double far = std::max(kLeastDistance, std::sqrt(elsie::dot(way, way)));
+    lights_.push_back({far, lamp.intensity, (1.0 / far) * way});
+  }
+
   double value_along(const elsie::Vector3& axis) const {
     double sum = 0.0;
     for (const Bright& light : lights_) {
@@ -125,16 +130,17 @@ class Light final : public elsie::SensorOf<elsie::LightReading> {
       }
     }
     if (law != "khepera") return std::min(sum, 1.0);
-    return sum > 0.0 ? khepera(1.0 / std::sqrt(sum)) : 500.0;
+    return sum > 0.0 ? khepera(1.0 / std::sqrt(sum)) : kDark;
   }
 
   std::vector<Bright> lights_;
+  std::vector<elsie::LampView> leds_;
 };
 
 }  // namespace
 
 ELSIE_SENSOR(
-    Light, "light", "Sees how bright the lamps of the world are",
+    Light, "light", "Sees how bright the lamps of the world and of other robots are",
     elsie::parameter("cells", &Light::cells,
                      {.min = 1, .max = 1000, .meaning = "number of light cells", .live = false}),
     elsie::parameter("fov_deg", &Light::fov_deg,
@@ -144,4 +150,9 @@ ELSIE_SENSOR(
                       .meaning = "from the first cell to the last; 360: evenly all around"}),
     elsie::parameter("law", &Light::law,
                      {.choices = {"generic", "footbot", "khepera"},
-                      .meaning = "value against distance and angle, of whose cells"}));
+                      .meaning = "value against distance and angle, of whose cells"}),
+    elsie::parameter("led_range", &Light::led_range,
+                     {.unit = "m",
+                      .min = 0,
+                      .max = 1000,
+                      .meaning = "lamps on robots within it count; 0: none"}));

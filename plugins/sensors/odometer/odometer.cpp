@@ -14,8 +14,7 @@ class Odometer final : public elsie::SensorOf<elsie::OdometerReading> {
 
   elsie::OdometerReading sense(const elsie::SensorContext& now) override {
     const elsie::OwnState& self = now.world->self();
-    // The joints are those at the end of the last step; before the first one they rest.
-    const elsie::Motion path = now.period_s * self.odometry;
+    const elsie::Motion path = now.world->rolled();
     const elsie::WheelRates wheels = self.wheels.wheel_rates(path);
     const double before_left = counted(left_m_), before_right = counted(right_m_);
     left_m_ += wheels.left * self.wheels.radius;

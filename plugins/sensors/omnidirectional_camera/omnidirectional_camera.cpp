@@ -38,9 +38,13 @@ class OmnidirectionalCamera final : public elsie::SensorOf<elsie::Omnidirectiona
         add(place, near.thing.colour, now, reading);
       }
     }
-    for (const elsie::LampView& lamp : now.world->lamps()) {
-      if (lamps && now.world->is_open(now.frame.origin, lamp.place)) {
-        add(lamp.place, lamp.colour, now, reading);
+    if (lamps) {
+      leds_.assign(now.world->lamps().begin(), now.world->lamps().end());
+      now.world->lights_within(max_range + reach_of(now), leds_);
+      for (const elsie::LampView& lamp : leds_) {
+        if (now.world->is_open(now.frame.origin, lamp.place)) {
+          add(lamp.place, lamp.colour, now, reading);
+        }
       }
     }
     std::stable_sort(reading.blobs.begin(), reading.blobs.end(),
@@ -95,6 +99,7 @@ class OmnidirectionalCamera final : public elsie::SensorOf<elsie::Omnidirectiona
   }
 
   std::vector<elsie::NearThing> near_;
+  std::vector<elsie::LampView> leds_;
 };
 
 }  // namespace
@@ -109,4 +114,4 @@ ELSIE_SENSOR(OmnidirectionalCamera, "omnidirectional_camera",
                                .meaning = "blobs that it lists at most; the nearest first",
                                .live = false}),
              elsie::parameter("lamps", &OmnidirectionalCamera::lamps,
-                              {.meaning = "whether it sees lamps"}));
+                              {.meaning = "whether it sees lamps, also those on robots"}));

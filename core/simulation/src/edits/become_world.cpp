@@ -92,7 +92,7 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
   if (!transaction.problems().empty()) return;
   const bool has_new_bodies = !world::same(world::vocabulary(), &was, &world_, world::Cost::body);
   bool is_placed = false;
-  transaction.may_cause_warnings = has_new_bodies || !world_.remarks.empty();
+  transaction.may_cause_warnings = has_new_bodies;
   for (std::size_t i = 0; i < robots_.size() && !has_new_bodies; ++i) {
     if (pairs.stays(i)) continue;
     const world::Robot &old = was.robots[pairs.former(i)], &robot = world_.robots[i];

@@ -68,9 +68,7 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
   for (const Edit& edit : edits) {
     const std::vector<world::AttributeTarget> targets = in_place_->targets(edit);
     if (targets.empty()) {
-      said_.notes.push_back({"", "changes",
-                             "The edit " + edit.text() + " at " + base::seconds_text(time_s()) +
-                                 " leads to nothing in this world, and has no effect."});
+      said_.notes.push_back(no_effect(edit.text()));
     }
     for (const world::AttributeTarget& target : targets) {
       robots[target.robot_index] |= target.attribute && target.field.name == "energy";
@@ -94,6 +92,12 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
                   [](const Edit& one) { return one.path.ends_with("@max_speed"); })) {
     note_new_warnings(world_, time_s(), said_.notes);
   }
+}
+
+Note Simulation::Impl::no_effect(const std::string& edit) const {
+  return {"", "changes",
+          "The edit " + edit + " at " + base::seconds_text(time_s()) +
+              " leads to nothing in this world, and has no effect."};
 }
 
 /// Copies the description of a robot, which may then change, if another world shares it.
@@ -230,6 +234,10 @@ void Simulation::Impl::become(std::span<const Edit> edits, EditTransaction& tran
     }
   }
   world::World next = edited(std::move(*in_place_->take_tree()), edits, false);
+  for (const base::Problem& remark : next.remarks) {
+    constexpr std::string_view kBefore = "--set ";
+    transaction.said().notes.push_back(no_effect(remark.file.substr(kBefore.size())));
+  }
   transaction.undo().add([this, count = events_.size()] { events_.resize(count); });
   events_.insert(events_.end(), events.begin(), events.end());
   become(std::move(next), transaction);

@@ -120,8 +120,11 @@ void Lookout::describe(const world::Robot& robot) {
   add_team(robot.team);
   std::vector<ObservedBehavior>& behaviors = behaviors_.emplace_back();
   Numbers& numbers = numbers_.emplace_back();
-  for (const world::SensorUse& sensor : robot.sensors) {
+  for (const world::MountedUse& sensor : robot.sensors) {
     list_published(PluginKind::sensor, sensor, "");
+  }
+  for (const world::MountedUse& actuator : robot.actuators) {
+    list_published(PluginKind::actuator, actuator, "");
   }
   if (robot.drive) list_published(PluginKind::drive, *robot.drive, "");
   if (robot.localisation) list_published(PluginKind::localisation, *robot.localisation, "");

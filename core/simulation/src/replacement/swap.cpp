@@ -99,7 +99,8 @@ world::World Swap::adapted(world::World world) const {
     if (all.coordinator) fit(PluginKind::coordinator, *all.coordinator);
   };
   for (world::Robot& robot : world.robots) {
-    for (world::SensorUse& use : robot.sensors) fit(PluginKind::sensor, use);
+    for (world::MountedUse& use : robot.sensors) fit(PluginKind::sensor, use);
+    for (world::MountedUse& use : robot.actuators) fit(PluginKind::actuator, use);
     fit_all(robot);
     if (robot.drive) fit(PluginKind::drive, *robot.drive);
     if (robot.localisation) fit(PluginKind::localisation, *robot.localisation);
@@ -116,6 +117,11 @@ bool Swap::exchange(PluginObject& object, const std::string& path) {
     refuse(path,
            std::string(fresh->hold ? "it holds behaviours now" : "it no longer holds behaviours") +
                "; replace its element by an edit, or start a new run");
+  }
+  if (fresh->only_acts != object.declaration->only_acts) {
+    refuse(path, std::string(fresh->only_acts ? "it only acts now, and moved the robot before"
+                                              : "it moves the robot now, and only acted before") +
+                     "; replace its element by an edit, or start a new run");
   }
   if (fresh == object.declaration) return false;
   exchanged_.push_back({&object, object.held.get()});

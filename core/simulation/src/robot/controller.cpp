@@ -50,7 +50,9 @@ Controller::Controller(const world::Coordination& description, const plugin::Hos
   slots_.reserve(description.behaviors.size());
   for (const world::BehaviorUse& use : description.behaviors) {
     slots_.push_back(make_slot(use, host, problems));
+    slots_.back()->place = slots_.size() - 1;
   }
+  sort_slots();
   list_slots();
   make_coordinator(host, problems);
 }
@@ -71,12 +73,18 @@ const world::Coordination& Controller::inside_of(const world::BehaviorUse& use) 
   return use.inside.empty() ? kNothing : use.inside.front();
 }
 
+void Controller::sort_slots() {
+  const auto actors = std::stable_partition(slots_.begin(), slots_.end(),
+                                            [](const auto& slot) { return !slot->only_acts(); });
+  movers_ = static_cast<std::size_t>(actors - slots_.begin());
+}
+
 void Controller::list_slots() {
   Member::Runner& runner = *this;
   std::vector<Member> members;
   members.reserve(slots_.size());
-  for (const world::BehaviorUse& use : description_->behaviors) {
-    members.emplace_back(use.id, use.priority, runner);
+  for (const auto& slot : slots_) {
+    members.emplace_back(use_of(*slot).id, use_of(*slot).priority, runner);
   }
   take_members(std::move(members));
 }
@@ -113,7 +121,7 @@ void Controller::begin_run() {
 void Controller::take_priorities() {
   Member::Runner& runner = *this;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    const double priority = description_->behaviors[i].priority;
+    const double priority = use_of(*slots_[i]).priority;
     if (members_[i].priority() != priority) {
       Member changed(members_[i].name(), priority, runner);
       changed.trace = members_[i].trace;
@@ -131,12 +139,13 @@ void Controller::begin_step() {
 }
 
 Motion Controller::decide(const Perception& now) {
+  now_ = now;
   if (!coordinator_) {
+    choose_acts();
     return {};
   }
-  now_ = now;
   command_ = setting_.guard.step(*coordinator_, [&] {
-    return coordinator_->object().coordinate(members_, now.with_random(coordinator_->random));
+    return coordinator_->object().coordinate(movers(), now.with_random(coordinator_->random));
   });
   setting_.guard.check();
   if (!command_.is_finite()) {
@@ -144,11 +153,60 @@ Motion Controller::decide(const Perception& now) {
                         "its command is not a finite number: " + text(command_));
   }
   check_trace();
+  choose_acts();
   return command_;
+}
+
+void Controller::choose_acts() {
+  acts_.clear();
+  for (Member& member : std::span(members_).subspan(movers_)) {
+    member.respond();
+    member.trace.reason = "only acts";
+  }
+  struct Wish : ActuatorWish {
+    std::size_t actuator;
+  };
+  std::vector<Wish> wishes;
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const TraceRow& trace = members_[i].trace;
+    if (!trace.asked || trace.inhibited_by >= 0) continue;
+    for (const Act& act : slots_[i]->response.acts) {
+      wishes.push_back({{&members_[i], &act}, setting_.requests.actuator_for(act)});
+    }
+  }
+  std::stable_sort(wishes.begin(), wishes.end(),
+                   [](const Wish& a, const Wish& b) { return a.actuator < b.actuator; });
+  std::vector<ActuatorWish> rivals;
+  for (auto first = wishes.begin(); first != wishes.end();) {
+    const std::size_t actuator = first->actuator;
+    rivals.clear();
+    for (; first != wishes.end() && first->actuator == actuator; ++first) {
+      // Of one behaviour, the last holds.
+      if (!rivals.empty() && rivals.back().member == first->member) rivals.pop_back();
+      rivals.push_back(*first);
+    }
+    const std::size_t chosen =
+        rivals.size() == 1 ? 0
+        : !coordinator_
+            ? greatest_priority(rivals)
+            : setting_.guard.step(*coordinator_, [&] {
+                return coordinator_->object().resolve(setting_.requests.actuator(actuator), rivals);
+              });
+    if (chosen > rivals.size()) {
+      setting_.guard.fail(*coordinator_->use, "resolve() chooses wish " + std::to_string(chosen) +
+                                                  " of " + std::to_string(rivals.size()));
+    }
+    if (chosen < rivals.size()) {
+      acts_.push_back({actuator, rivals[chosen].act->within(rivals[chosen].member->name())});
+    }
+  }
 }
 
 Response Controller::respond(const Perception& now) {
   Response response = decide(now);
+  for (const ChosenAct& chosen : acts_) {
+    response.acts.push_back(chosen.act);
+  }
   double shares = 0.0, activation = 0.0, strength = 0.0, speed = 0.0, lateral = 0.0, turn = 0.0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const TraceRow& trace = members_[i].trace;
@@ -181,7 +239,7 @@ void Controller::rate(std::span<const Motion> candidates, std::span<double> desi
     return;
   }
   setting_.guard.step(*coordinator_, [&] {
-    coordinator_->object().rate(members_, now_->with_random(coordinator_->random), command_,
+    coordinator_->object().rate(movers(), now_->with_random(coordinator_->random), command_,
                                 candidates, desirability);
   });
   setting_.guard.check();
@@ -193,7 +251,7 @@ CommandSets Controller::command_sets() {
     return {};
   }
   CommandSets sets = setting_.guard.step(*coordinator_, [&] {
-    return coordinator_->object().command_sets(members_, now_->with_random(coordinator_->random),
+    return coordinator_->object().command_sets(movers(), now_->with_random(coordinator_->random),
                                                command_);
   });
   setting_.guard.check();
@@ -217,6 +275,9 @@ const Response& Controller::run(Member& member) {
     setting_.requests.raise(event);
   }
   if (slot.response.charge) setting_.requests.ask_for_charge();
+  for (const Act& act : slot.response.acts) {
+    setting_.guard.run(*slot.use, [&] { setting_.requests.actuator_for(act); });
+  }
   return slot.response;
 }
 

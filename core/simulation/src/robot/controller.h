@@ -2,6 +2,7 @@
 // holds others, at any depth.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -24,11 +25,16 @@ namespace elsie::simulation {
 
 class EditTransaction;
 
-/// What behaviours request from their robot besides the command.
+/// What behaviours request from their robot besides the motion.
 class RobotRequests {
  public:
   virtual void raise(const Event& event) = 0;
   virtual void ask_for_charge() = 0;
+  /// The index of the actuator that the robot has for this act. Throws std::invalid_argument or
+  /// base::Error with a sentence when it has none, or the command does not fit it.
+  virtual std::size_t actuator_for(const Act& act) const = 0;
+  /// The actuator's id.
+  virtual std::string_view actuator(std::size_t index) const = 0;
 
  protected:
   ~RobotRequests() = default;
@@ -60,6 +66,13 @@ class Controller final : public Coordination, private Member::Runner {
   /// The command of the coordinator, checked; zero when there is none. Throws PluginFault.
   Motion decide(const Perception& now);
 
+  /// What actuators are to do by the last decision.
+  struct ChosenAct {
+    std::size_t actuator;  // its index
+    Act act;
+  };
+  std::span<const ChosenAct> acts() const { return acts_; }
+
   Response respond(const Perception& now) override;
   void rate(std::span<const Motion> candidates, std::span<double> desirability) override;
   CommandSets command_sets() override;
@@ -90,6 +103,9 @@ class Controller final : public Coordination, private Member::Runner {
     Coordination* inside_of_it() override { return inside.get(); }
     void forget() override { response = {}; }
 
+    bool only_acts() const { return declaration && declaration->only_acts; }
+
+    std::size_t place = 0;               // in the description
     std::unique_ptr<Controller> inside;  // of a behaviour that holds others
     Response response;
   };
@@ -98,7 +114,7 @@ class Controller final : public Coordination, private Member::Runner {
                     const Controller& its_controller)
         : ObjectOf(described, host), controller(its_controller) {}
     void equip(Component& object, const Example& example) const override {
-      static_cast<Coordinator&>(object).equipped(controller.members_, example.perception);
+      static_cast<Coordinator&>(object).equipped(controller.movers(), example.perception);
     }
 
     const Controller& controller;
@@ -106,6 +122,16 @@ class Controller final : public Coordination, private Member::Runner {
 
   std::shared_ptr<Slot> make_slot(const world::BehaviorUse& use, const plugin::Host& host,
                                   std::vector<base::Problem>& problems);
+  /// Behaviours that only act come last.
+  void sort_slots();
+  const world::BehaviorUse& use_of(const Slot& slot) const {
+    return description_->behaviors[slot.place];
+  }
+  /// Those that the coordinator sees.
+  std::span<Member> movers() { return std::span(members_).first(movers_); }
+  std::span<const Member> movers() const { return std::span(members_).first(movers_); }
+  /// Asks those that only act, and chooses what each actuator is to do.
+  void choose_acts();
   static const world::Coordination& inside_of(const world::BehaviorUse& use);
   void list_slots();
   std::vector<Member> copied_members();
@@ -125,8 +151,10 @@ class Controller final : public Coordination, private Member::Runner {
 
   const world::Coordination* description_;
   Setting setting_;
-  std::vector<std::shared_ptr<Slot>> slots_;
+  std::vector<std::shared_ptr<Slot>> slots_;  // as members_
   std::vector<Member> members_;
+  std::size_t movers_ = 0;                        // the first members: all but those that only act
+  std::vector<ChosenAct> acts_;                   // of the last decision
   std::shared_ptr<CoordinatorSlot> coordinator_;  // or none
   std::optional<Perception> now_;  // of the last decision: members may be asked again in a step
   Motion command_;                 // of the last decision

@@ -1,4 +1,5 @@
 // A controller becomes what an edited world describes.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -31,9 +32,9 @@ void Controller::take_members(std::vector<Member> members) {
 
 void Controller::describe(const world::Coordination& next) {
   description_ = &next;
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    slots_[i]->use = &next.behaviors[i];
-    if (slots_[i]->inside) slots_[i]->inside->describe(inside_of(next.behaviors[i]));
+  for (const auto& slot : slots_) {
+    slot->use = &use_of(*slot);
+    if (slot->inside) slot->inside->describe(inside_of(use_of(*slot)));
   }
   if (coordinator_) coordinator_->use = &*next.coordinator;
 }
@@ -45,36 +46,43 @@ void Controller::become(const world::Coordination& was, const world::Coordinatio
   // Added before the slots of the members, so it is undone after them.
   const auto members = std::make_shared<std::vector<Member>>(copied_members());
   undo.add([this, members] { take_members(std::move(*members)); });
-  undo.keep(slots_, description_, coordinator_);
+  undo.keep(slots_, movers_, description_, coordinator_);
   const auto slots = slots_;
   slots_.clear();
-  std::vector<std::size_t> formers;  // index among the old slots; their number if new
-  for (const world::BehaviorUse& use : next.behaviors) {
+  for (std::size_t place = 0; place < next.behaviors.size(); ++place) {
+    const world::BehaviorUse& use = next.behaviors[place];
     const std::size_t former = index_of(was.behaviors, use.id, 0);
-    const bool is_known = former < slots.size();
-    const bool stays = is_known && world::same(was.behaviors[former], use, world::Cost::object) &&
+    const auto known = std::find_if(slots.begin(), slots.end(),
+                                    [&](const auto& slot) { return slot->place == former; });
+    const bool stays = known != slots.end() &&
+                       world::same(was.behaviors[former], use, world::Cost::object) &&
                        was.behaviors[former].inside.empty() == use.inside.empty() &&
-                       transaction.keeps(*slots[former], was.behaviors[former], use);
-    formers.push_back(stays ? former : slots.size());
+                       transaction.keeps(**known, was.behaviors[former], use);
     if (!stays) {
       slots_.push_back(make_slot(use, transaction.host(), transaction.problems()));
-      if (is_known) {
+      if (known != slots.end()) {
         transaction.note_lost(robot, path + use.id);
       }
       continue;
     }
-    slots_.push_back(slots[former]);
-    if (const auto& inside = slots[former]->inside) {
+    slots_.push_back(*known);
+    if (const auto& inside = (*known)->inside) {
       inside->become(inside_of(was.behaviors[former]), inside_of(use), path + use.id + "/",
                      transaction);
     }
   }
+  for (std::size_t place = 0; place < slots_.size(); ++place) {
+    undo.keep(slots_[place]->place);
+    slots_[place]->place = place;
+  }
   description_ = &next;
+  sort_slots();
   list_slots();
   const bool same_members = slots_ == slots;
-  for (std::size_t i = 0; i < formers.size(); ++i) {
-    if (formers[i] < slots.size()) {
-      members_[i].trace = (*members)[formers[i]].trace;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const auto former = std::find(slots.begin(), slots.end(), slots_[i]);
+    if (former != slots.end()) {
+      members_[i].trace = (*members)[static_cast<std::size_t>(former - slots.begin())].trace;
       if (!same_members) {
         members_[i].trace.inhibited_by = -1;
       }

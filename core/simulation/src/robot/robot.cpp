@@ -19,7 +19,7 @@ void throw_if_any(const std::vector<base::Problem>& problems) {
   if (!problems.empty()) throw world::WorldError(problems);
 }
 
-Mounting mounting_of(const world::SensorUse& use, const world::Robot& robot) {
+Mounting mounting_of(const world::MountedUse& use, const world::Robot& robot) {
   double front = 0.5 * robot.body.length, top = robot.body.top();
   int segment = 0;
   if (!use.segment.empty()) {
@@ -47,12 +47,16 @@ Robot::Robot(const world::World& world, std::size_t index,
   const plugin::Call call({.robot = &description.id});
   std::vector<base::Problem> problems;
   sensors_.reserve(description.sensors.size());
-  for (const world::SensorUse& use : description.sensors) {
+  for (const world::MountedUse& use : description.sensors) {
     sensors_.push_back(std::make_shared<SensorSlot>(use, host, *this));
   }
   // One after the other, so that they are near each other in memory.
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    make_sensor(*sensors_[i], description.sensors[i], host, problems);
+    make_mounted(*sensors_[i], description.sensors[i], host, problems);
+  }
+  for (const world::MountedUse& use : description.actuators) {
+    actuators_.push_back(std::make_shared<ActuatorSlot>(use, host, *this));
+    make_mounted(*actuators_.back(), use, host, problems);
   }
   controller_.emplace(description, host, Controller::Setting{guard_, *this, options.measure_time},
                       problems);
@@ -77,6 +81,9 @@ void Robot::for_each(Order order, const Visit& visit) const {
   for (const auto& slot : sensors_) {
     visit(*slot, "sensor[" + slot->use->id + "]", "");
   }
+  for (const auto& slot : actuators_) {
+    visit(*slot, "actuator[" + slot->use->id + "]", "");
+  }
   visit(*drive_, "drive", "");
   if (localisation_) visit(*localisation_, "localisation", "");
   controller_->for_each(order, "", "", visit);
@@ -87,15 +94,20 @@ const world::PluginUse& Robot::drive_use() const {
   return description_->drive ? *description_->drive : kDefault;
 }
 
-void Robot::make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
-                        std::vector<base::Problem>& problems) const {
+template <class Slot>
+void Robot::make_mounted(Slot& slot, const world::MountedUse& use, const plugin::Host& host,
+                         std::vector<base::Problem>& problems) const {
   slot.make(host, problems);
   slot.place = &common_->place(mounting_of(use, *description_));
   if (!slot.held) return;
-  if (const auto camera = blaming(use, problems, [&] { return slot.object().camera(); })) {
+  if (const auto camera = blaming(use, problems, [&] { return slot.camera_of(slot.object()); })) {
     slot.own_extras().camera = camera;
   }
 }
+template void Robot::make_mounted(SensorSlot&, const world::MountedUse&, const plugin::Host&,
+                                  std::vector<base::Problem>&) const;
+template void Robot::make_mounted(ActuatorSlot&, const world::MountedUse&, const plugin::Host&,
+                                  std::vector<base::Problem>&) const;
 
 /// Copies what only an edit of the description changes, and data of the team: the robot's index,
 /// whether there is a charger, and the colours of the resources that it may collect.
@@ -151,15 +163,27 @@ void Robot::make_localisation(const plugin::Host& host, std::vector<base::Proble
 void Robot::SensorSlot::equip(Component& object, const Example& example) const {
   auto& sensor = static_cast<Sensor&>(object);
   sensor.equipped({&place->mounting, example.resource_colours});
-  const bool has_other_sizes = sensor.fit_reading();
-  DisturbedReading::check(sensor);
-  if (&object != held.get()) return;  // it is only tried
-  if (!disturbed) {
-    if (sensor.disturbances().empty()) return;
-    disturbed = std::make_unique<DisturbedReading>();
-    disturbed->reset(robot.seed_, "robot[" + robot.description_->id + "]/sensor[" + use->id + "]");
+  fit_disturbances(*this, sensor, "sensor");
+}
+
+void Robot::ActuatorSlot::equip(Component& object, const Example& /*example*/) const {
+  auto& actuator = static_cast<Actuator&>(object);
+  actuator.equipped(place->mounting);
+  fit_disturbances(*this, actuator, "actuator");
+}
+
+template <class Slot>
+void Robot::fit_disturbances(const Slot& slot, Disturbable& object, const char* list) {
+  const bool has_other_sizes = object.fit_value();
+  DisturbedValue::check(object);
+  if (&object != slot.held.get()) return;  // it is only tried
+  if (!slot.disturbed) {
+    if (object.disturbances().empty()) return;
+    slot.disturbed = std::make_unique<DisturbedValue>();
+    slot.disturbed->reset(slot.robot.seed_, "robot[" + slot.robot.description_->id + "]/" + list +
+                                                "[" + slot.use->id + "]");
   }
-  disturbed->fit(sensor, has_other_sizes);
+  slot.disturbed->fit(object, has_other_sizes);
 }
 
 void Robot::group_readings() {
@@ -198,7 +222,7 @@ void Robot::group_sensors() {
     entries_.push_back({&slot->object(), slot->place, &slot->random});
   }
   together_.clear();
-  sensor_cost_.reset();
+  mounted_cost_.reset();
   may_share_threads_ = true;
   const auto is_on_segment = [](const auto& slot) { return slot->place->mounting.segment > 0; };
   segments_.resize(std::any_of(sensors_.begin(), sensors_.end(), is_on_segment)
@@ -237,6 +261,11 @@ void Robot::reset(std::uint64_t seed) {
   perceived_events_.clear();
   raised_.clear();
   contacts_.clear();
+  rolled_ = {};
+  for (const auto& slot : actuators_) {
+    slot->by.clear();
+    slot->effect = slot->shown = {};
+  }
   logged_ = 0;
   charge_asked_ = false;
   empty_ = false;
@@ -265,7 +294,7 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
       const SensorBatch all{std::span(entries_).subspan(group.first, group.count),
                             now.time_s,
                             now.period_s,
-                            frame_below(first),
+                            frame_below(*first.place),
                             &surroundings,
                             std::span(rays).first(group.count)};
       guard_.step(first, [&] { first.object().update_all(all); });
@@ -279,6 +308,7 @@ void Robot::sense(const RobotSurroundings& surroundings, const Instant& now) {
     }
   }
   contacts_.clear();
+  rolled_ = {};
 }
 
 void Robot::touched(std::span<const physics::BodyContact> contacts) {
@@ -296,12 +326,11 @@ void Robot::touched(std::span<const physics::BodyContact> contacts) {
 }
 
 void Robot::update(SensorSlot& slot, const RobotSurroundings& surroundings, const Instant& now) {
-  const auto& [mounting, frame] = *slot.place;
   const PluginObject::Extras& extras = slot.extras();
   const SensorContext context{now.time_s,
                               now.period_s,
-                              frame_below(slot).frame(frame),
-                              &mounting,
+                              frame_of(*slot.place),
+                              &slot.place->mounting,
                               &surroundings,
                               &slot.random,
                               extras.camera ? extras.picture.get() : nullptr};
@@ -342,14 +371,20 @@ void Robot::ask(Statements& said) {
 
 void Robot::use_energy(double period_s) {
   if (!empty_) {
-    if (!sensor_cost_) {
-      sensor_cost_ = 0.0;
-      for (const world::SensorUse& sensor : description_->sensors) {
-        *sensor_cost_ += sensor.energy_cost;
+    if (!mounted_cost_) {
+      mounted_cost_ = 0.0;
+      for (const auto* uses : {&description_->sensors, &description_->actuators}) {
+        for (const world::MountedUse& use : *uses) {
+          *mounted_cost_ += use.energy_cost;
+        }
       }
     }
+    double power = *mounted_cost_;
+    for (const auto& slot : actuators_) {
+      power += slot->effect.power;
+    }
     const double before = state_.energy;
-    state_.energy = std::max(0.0, before - *sensor_cost_ * period_s);
+    state_.energy = std::max(0.0, before - power * period_s);
     tally_.energy_used += before - state_.energy;
     stop_when_empty();
   }

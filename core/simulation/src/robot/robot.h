@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "elsie/api/actuator.h"
 #include "elsie/api/drive.h"
 #include "elsie/api/localisation.h"
 #include "elsie/api/perception.h"
@@ -24,7 +25,7 @@
 #include "plugins/plugin_object.h"
 #include "robot/common_data.h"
 #include "robot/controller.h"
-#include "robot/disturbed_reading.h"
+#include "robot/disturbed_value.h"
 
 namespace elsie::simulation {
 
@@ -72,7 +73,15 @@ class Robot final : private RobotRequests {
   /// Asks the coordinator. Its command is then in asked(), the motion of the drive in command(),
   /// the set points of the joints in wanted_joints(). Throws PluginFault.
   void decide(const Instant& now);
-  /// Subtracts the energy that the sensors use in a control period.
+  /// Lets the actuators carry out what the decision tells them. Throws PluginFault.
+  void act(const Instant& now);
+  /// Shows to others what the actuators have done; call it when all robots have acted.
+  void show_effects() {
+    for (const auto& slot : actuators_) slot->shown = slot->effect;
+  }
+  /// Appends what its actuators shine.
+  void list_lights(std::vector<LampView>& lights) const;
+  /// Subtracts the energy that sensors and actuators use in a control period.
   void use_energy(double period_s);
   /// Charges for a control period if a behaviour asked for it, until full. `rate`: of the charger
   /// at the robot's place, units per second; 0 without one.
@@ -99,7 +108,8 @@ class Robot final : private RobotRequests {
   void set_energy(double units);
   /// Takes over attributes of the description that can be changed in place.
   void take_live(bool has_new_drive, bool has_new_energy);
-  /// Visits all its plugin objects: sensors, the drive, then behaviours and coordinators.
+  /// Visits all its plugin objects: sensors, actuators, the drive, the localisation, then
+  /// behaviours and coordinators.
   void for_each(Order order, const Visit& visit) const;
   /// The object for a use of a plugin; null when it does not belong to this robot.
   PluginObject* find_object(const world::PluginUse& use) const;
@@ -136,8 +146,13 @@ class Robot final : private RobotRequests {
     ++tally_.collisions;
     raise(std::move(collision));
   }
-  /// Appends the numbers of one sensor's reading. Throws PluginFault.
-  void visit_reading(std::size_t sensor, const FieldVisit& visit) const;
+  /// Appends the numbers of one sensor's reading, or of one actuator's command. Throws PluginFault.
+  void visit_reading(std::size_t sensor, const FieldVisit& visit) const {
+    visit_value(*sensors_[sensor], sensors_[sensor]->declaration->produces.front(), visit);
+  }
+  void visit_command(std::size_t actuator, const FieldVisit& visit) const {
+    visit_value(*actuators_[actuator], actuators_[actuator]->declaration->takes.front(), visit);
+  }
   /// Calls `visit` for each number that its plugins publish. Throws PluginFault.
   void visit_published(const VisitPublished& visit) const;
   /// The sketches of its plugins that are not empty. Throws PluginFault.
@@ -189,11 +204,12 @@ class Robot final : private RobotRequests {
   /// Notes its contacts in a step, for its sensors.
   void touched(std::span<const physics::BodyContact> contacts);
   std::span<const Contact> contacts() const { return contacts_; }
+  const Motion& rolled() const { return rolled_; }
+  std::size_t actuator_count() const { return actuators_.size(); }
+  ActuatorView actuator_view(std::size_t index) const;
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
-  Frame sensor_frame(std::size_t index) const {
-    return frame_below(*sensors_[index]).frame(sensors_[index]->place->frame);
-  }
+  Frame sensor_frame(std::size_t index) const { return frame_of(*sensors_[index]->place); }
   /// The camera of a sensor, if it has one.
   const std::optional<Camera>& camera(std::size_t i) const { return sensors_[i]->extras().camera; }
   bool has_camera() const {
@@ -209,45 +225,83 @@ class Robot final : private RobotRequests {
 
  private:
   using LocalisationSlot = ObjectOf<Localisation, PluginKind::localisation>;
-  struct SensorSlot final : ObjectOf<Sensor, PluginKind::sensor> {
-    SensorSlot(const world::SensorUse& described, const plugin::Host& host, const Robot& its_robot)
-        : ObjectOf(described, host), robot(its_robot) {}
-    void equip(Component& object, const Example& example) const override;
+  /// A sensor or an actuator.
+  template <class Object, PluginKind kKind>
+  struct MountedSlot : ObjectOf<Object, kKind> {
+    MountedSlot(const world::MountedUse& described, const plugin::Host& host,
+                const Robot& its_robot)
+        : ObjectOf<Object, kKind>(described, host), robot(its_robot) {}
     void reset(std::uint64_t seed, const std::string& path) override {
       if (disturbed) disturbed->reset(seed, path);
       PluginObject::reset(seed, path);
     }
-    std::optional<Camera> camera_of(const Component& object) const override {
-      return static_cast<const Sensor&>(object).camera();
-    }
-    void forget() override { object().forget(); }
+    void forget() override { this->object().forget(); }
 
     const SensorPlace* place = nullptr;
     const Robot& robot;
-    std::size_t sensed = 0;                               // the place of its reading in sensed_
-    mutable std::unique_ptr<DisturbedReading> disturbed;  // null: neither noise nor failures
+    mutable std::unique_ptr<DisturbedValue> disturbed;  // null: neither noise nor failures
+  };
+  struct SensorSlot final : MountedSlot<Sensor, PluginKind::sensor> {
+    using MountedSlot::MountedSlot;
+    void equip(Component& object, const Example& example) const override;
+    std::optional<Camera> camera_of(const Component& object) const override {
+      return static_cast<const Sensor&>(object).camera();
+    }
+
+    std::size_t sensed = 0;  // the place of its reading in sensed_
+  };
+  /// What an actuator does in a control period.
+  struct Effect {
+    std::optional<Colour> shine;  // none: it is dark
+    double intensity = 0.0;
+    double power = 0.0;  // units per second
+  };
+  struct ActuatorSlot final : MountedSlot<Actuator, PluginKind::actuator>, private Effects {
+    using MountedSlot::MountedSlot;
+    void equip(Component& object, const Example& example) const override;
+    void shine(const Colour& colour, double intensity) override;
+    void draw_power(double units_per_s) override;
+    Effects& effects() { return *this; }
+
+    bool is_new = false;  // it was commanded in the last decision
+    std::string by;       // Act::by() of the present command; empty: there was none
+    Effect effect, shown;
   };
 
   void look_at_segments(const physics::Engine& engine, std::size_t index);
-  /// The frame of what a sensor is mounted on.
-  const Frame& frame_below(const SensorSlot& slot) const {
-    const int segment = slot.place->mounting.segment;
+  /// The frame of what a sensor or an actuator is mounted on.
+  const Frame& frame_below(const SensorPlace& place) const {
+    const int segment = place.mounting.segment;
     return segment == 0 ? body_frame_ : segments_[static_cast<std::size_t>(segment) - 1];
   }
   void raise(const Event& event) override {
     raised_.emplace_back(events::Raised{std::string(event.name)});
   }
   void ask_for_charge() override { charge_asked_ = true; }
+  std::size_t actuator_for(const Act& act) const override;
+  std::string_view actuator(std::size_t index) const override { return actuators_[index]->use->id; }
+  Frame frame_of(const SensorPlace& place) const { return frame_below(place).frame(place.frame); }
+  template <class Slot>
+  static void fit_disturbances(const Slot& slot, Disturbable& object, const char* list);
+  /// Throws PluginFault; passes on what `visit` throws.
+  void visit_value(const PluginObject& slot, const ReadingDeclaration& declared,
+                   const FieldVisit& visit) const;
   void update(SensorSlot& slot, const RobotSurroundings& surroundings, const Instant& now);
   void replace_sensor(Swap& swap, SensorSlot& slot, const Cameras& cameras);
   void replace_drive(Swap& swap);
   /// Throws ReplacementRefused when a behaviour needs readings that no sensor produces.
   void check_needs() const;
-  void make_sensor(SensorSlot& slot, const world::SensorUse& use, const plugin::Host& host,
-                   std::vector<base::Problem>& problems) const;
+  /// Makes the object of a sensor or an actuator, and places it.
+  template <class Slot>
+  void make_mounted(Slot& slot, const world::MountedUse& use, const plugin::Host& host,
+                    std::vector<base::Problem>& problems) const;
   void take_membership(const world::World& world, std::size_t index, CommonData& common);
   void become_localised(const world::Robot& was, EditTransaction& transaction);
-  void become_sensors(const world::Robot& was, EditTransaction& transaction);
+  /// Of sensors or actuators.
+  template <class Slot>
+  void become_mounted(std::vector<std::shared_ptr<Slot>>& all, const world::Robot& was,
+                      const std::vector<world::MountedUse> world::Robot::*uses,
+                      EditTransaction& transaction);
   void group_readings();
   void group_sensors();
   Example example();
@@ -278,6 +332,7 @@ class Robot final : private RobotRequests {
   Belief truth_;
   LocalisationSlot* localiser_ = nullptr;  // null: it believes the truth
   OwnState state_;
+  Motion rolled_;           // since sensors were last updated
   double period_s_ = 0.01;  // of the last decision
   Motion asked_;
   /// Sensors that are updated in one call: one sensor, or several of one plugin.
@@ -289,6 +344,7 @@ class Robot final : private RobotRequests {
   std::vector<Frame> segments_;              // if sensors are on some, else empty
   std::vector<SensorBatch::Entry> entries_;  // of the sensors
   std::vector<std::shared_ptr<SensorSlot>> sensors_;
+  std::vector<std::shared_ptr<ActuatorSlot>> actuators_;
   TeamState team_;
   std::vector<TeamMate> mates_;
   std::size_t vehicles_ = 1;       // of its drive
@@ -296,7 +352,8 @@ class Robot final : private RobotRequests {
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
   std::size_t logged_ = 0;                // number of them that the log has
-  std::optional<double> sensor_cost_;     // of all sensors, units per second; none: not known
+  std::optional<double> mounted_cost_;    // of sensors and actuators, units per second; none: not
+                                          // known
   Perception::Data perception_;
   std::optional<Controller> controller_;
   mutable Guard guard_;  // reading a plugin's numbers can fail, too

@@ -17,6 +17,9 @@ void Robot::describe(const world::Robot& next) {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     sensors_[i]->use = &next.sensors[i];
   }
+  for (std::size_t i = 0; i < actuators_.size(); ++i) {
+    actuators_[i]->use = &next.actuators[i];
+  }
   if (next.drive) drive_->use = &*next.drive;
   if (next.localisation) localisation_->use = &*next.localisation;
   controller_->describe(next);
@@ -30,9 +33,10 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const plugin::Call call({.robot = &next.id});
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, &next);
   const bool same_drive = same_body && world::same_part(world::robot_spec(), "drive", &was, &next);
-  const bool same_sensors = same_body &&
+  const bool same_mounted = same_body &&
                             world::same_part(world::robot_spec(), "segments", &was, &next) &&
-                            world::same_part(world::robot_spec(), "sensors", &was, &next);
+                            world::same_part(world::robot_spec(), "sensors", &was, &next) &&
+                            world::same_part(world::robot_spec(), "actuators", &was, &next);
   // Added first, so it is undone last.
   undo.add([this, again = transaction.begin_robot()] {
     guard_.forgive();
@@ -52,10 +56,11 @@ void Robot::become(const world::Robot& was, const world::World& world, std::size
   const std::vector<Colour> colours = resource_colours_;
   take_membership(world, index, common);
   // Objects that stay are equipped again if they could see a difference.
-  const bool equips_all = !same_drive || !same_sensors || was.team != next.team ||
+  const bool equips_all = !same_drive || !same_mounted || was.team != next.team ||
                           had_charger != team_.charger.has_value() || colours != resource_colours_;
   state_.energy = std::min(state_.energy, state_.capacity);
-  become_sensors(was, transaction);
+  become_mounted(sensors_, was, &world::Robot::sensors, transaction);
+  become_mounted(actuators_, was, &world::Robot::actuators, transaction);
   controller_->become(was, next, "", transaction);
   if (!problems.empty()) return;
   if (same_drive) {
@@ -112,25 +117,27 @@ void Robot::become_localised(const world::Robot& was, EditTransaction& transacti
   make_localisation(transaction.host(), transaction.problems());
 }
 
-void Robot::become_sensors(const world::Robot& was, EditTransaction& transaction) {
-  transaction.undo().keep(sensors_);
-  const auto slots = sensors_;
+template <class Slot>
+void Robot::become_mounted(std::vector<std::shared_ptr<Slot>>& all, const world::Robot& was,
+                           const std::vector<world::MountedUse> world::Robot::*uses,
+                           EditTransaction& transaction) {
+  transaction.undo().keep(all);
+  const auto slots = all;
   const bool same_body = world::same_part(world::robot_spec(), "body", &was, description_);
   const bool same_segments = world::same_part(world::robot_spec(), "segments", &was, description_);
-  sensors_.clear();
-  for (const world::SensorUse& use : description_->sensors) {
-    const std::size_t former = index_of(was.sensors, use.id, 0);
+  all.clear();
+  for (const world::MountedUse& use : description_->*uses) {
+    const std::size_t former = index_of(was.*uses, use.id, 0);
     const bool is_known = former < slots.size();
     // The default mounting depends on what it is mounted on.
     if (is_known && (use.segment.empty() ? same_body : same_segments) &&
-        world::same(was.sensors[former], use, world::Cost::object) &&
-        transaction.keeps(*slots[former], was.sensors[former], use)) {
-      sensors_.push_back(slots[former]);
+        world::same((was.*uses)[former], use, world::Cost::object) &&
+        transaction.keeps(*slots[former], (was.*uses)[former], use)) {
+      all.push_back(slots[former]);
       continue;
     }
-    SensorSlot& made =
-        *sensors_.emplace_back(std::make_shared<SensorSlot>(use, transaction.host(), *this));
-    make_sensor(made, use, transaction.host(), transaction.problems());
+    Slot& made = *all.emplace_back(std::make_shared<Slot>(use, transaction.host(), *this));
+    make_mounted(made, use, transaction.host(), transaction.problems());
     if (is_known) {
       transaction.note_lost(description_->id, use.id);
     }
@@ -138,7 +145,7 @@ void Robot::become_sensors(const world::Robot& was, EditTransaction& transaction
 }
 
 void Robot::take_live(bool has_new_drive, bool has_new_energy) {
-  sensor_cost_.reset();
+  mounted_cost_.reset();
   controller_->take_priorities();
   if (has_new_drive || state_.max_speed_m_s != description_->max_speed) {
     set_max_speed(description_->max_speed);

@@ -42,6 +42,7 @@ void Robot::moved(const physics::RobotState& state, std::span<const JointSetting
                   double time_s, double step_s) {
   tally_.distance_m += distance(truth_.pose, state.pose);
   take_body(state, joints);
+  rolled_ += step_s * state_.odometry;
   if (!localiser_) {
     state_.pose = truth_.pose;
     state_.moving = truth_.moving;

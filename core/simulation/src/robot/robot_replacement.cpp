@@ -33,6 +33,16 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
   for (const auto& slot : sensors_) {
     replace_sensor(swap, *slot, cameras);
   }
+  for (const auto& slot : actuators_) {
+    const std::string path = "actuator[" + slot->use->id + "]";
+    const std::string kind = slot->object().kind().name;
+    if (swap.exchange(*slot, path) && kind != slot->object().kind().name) {
+      swap.refuse(path, "it takes commands of the kind '" +
+                            std::string(slot->object().kind().name) +
+                            "' now, and took some of the kind '" + kind +
+                            "' before; replace its element by an edit, or start a new run");
+    }
+  }
   replace_drive(swap);
   if (localisation_) swap.exchange(*localisation_, "localisation");
   controller_->for_each(
@@ -88,25 +98,30 @@ void Robot::replace_drive(Swap& swap) {
 }
 
 void Robot::check_needs() const {
+  std::vector<ReadingDeclaration> made, taken;
+  for (const auto& slot : sensors_) made.push_back(slot->declaration->produces.front());
+  for (const auto& slot : actuators_) taken.push_back(slot->declaration->takes.front());
   for_each(Order::outer_first, [&](PluginObject& each, const std::string& path, const auto&) {
     if (each.kind != PluginKind::behavior) return;
-    for (const ReadingDeclaration& need : each.declaration->needs) {
-      const auto is_kind = [&](const auto& slot) {
-        return slot->declaration->produces.front().kind == need.kind;
-      };
-      const auto fits = [&](const auto& slot) {
-        return is_kind(slot) && slot->declaration->produces.front().fits(need);
-      };
-      if (std::none_of(sensors_.begin(), sensors_.end(), fits)) {
-        const bool other = std::any_of(sensors_.begin(), sensors_.end(), is_kind);
-        throw ReplacementRefused(
-            "robot '" + description_->id + "', " + path + ": it needs readings of the kind '" +
-            need.kind + "', " +
-            (other ? "but its sensors make them with another layout; build all these plugins with "
-                     "the same header"
-                   : "which no sensor of the robot makes"));
+    const auto check = [&](const std::vector<ReadingDeclaration>& needs,
+                           const std::vector<ReadingDeclaration>& there, const char* verb,
+                           const char* none, const char* others) {
+      for (const ReadingDeclaration& need : needs) {
+        const auto is_kind = [&](const auto& one) { return one.kind == need.kind; };
+        const auto fits = [&](const auto& one) { return is_kind(one) && one.fits(need); };
+        if (std::any_of(there.begin(), there.end(), fits)) continue;
+        const bool other = std::any_of(there.begin(), there.end(), is_kind);
+        throw ReplacementRefused("robot '" + description_->id + "', " + path + ": it " + verb +
+                                 " of the kind '" + need.kind + "', " + (other ? others : none));
       }
-    }
+    };
+    check(each.declaration->needs, made, "needs readings", "which no sensor of the robot makes",
+          "but its sensors make them with another layout; build all these plugins with the same "
+          "header");
+    check(each.declaration->commands, taken, "gives commands",
+          "which no actuator of the robot takes",
+          "but its actuators take them with another layout; build all these plugins with the same "
+          "header");
   });
 }
 

@@ -63,6 +63,7 @@ class RobotSurroundings final : public Surroundings {
   std::span<const JointSetting> joints() const override { return robots_[robot_]->joints(); }
   std::span<const Contact> contacts() const override { return robots_[robot_]->contacts(); }
   BodyMotion motion() const override { return engine_.motion(robot_); }
+  Motion rolled() const override { return robots_[robot_]->rolled(); }
   Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
   std::span<const LampView> lamps() const override { return things_.lamps(); }
   void things_within(double radius_m, std::vector<NearThing>& things) const override {
@@ -71,6 +72,12 @@ class RobotSurroundings final : public Surroundings {
     const Pose here = pose();
     for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
       if (i != robot_) things_.add_robot(i, here, robots_[i]->truth().pose, radius_m, things);
+    }
+  }
+  void lights_within(double radius_m, std::vector<LampView>& lights) const override {
+    const Pose here = pose();
+    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
+      if (i != robot_) robots_[i]->list_lights(lights);
     }
   }
   std::span<const Colour> resource_colours() const override {

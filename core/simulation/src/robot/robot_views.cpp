@@ -20,18 +20,26 @@ SensorView Robot::sensor(std::size_t index) const {
       extras.camera && extras.picture && !extras.picture->empty() ? extras.picture.get() : nullptr};
 }
 
-void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
-  const SensorSlot& slot = *sensors_[sensor];
+ActuatorView Robot::actuator_view(std::size_t index) const {
+  const ActuatorSlot& slot = *actuators_[index];
+  return {slot.use->id, slot.use->plugin,      &slot.object(),
+          slot.by,      frame_of(*slot.place), slot.shown.shine};
+}
+
+void Robot::visit_value(const PluginObject& slot, const ReadingDeclaration& declared,
+                        const FieldVisit& visit) const {
+  const auto& object = static_cast<const Disturbable&>(*slot.held);
+  const std::string what = object.value_name();
   std::exception_ptr of_visitor;  // no fault of the plugin
   guard_.look(*slot.use, [&] {
-    const std::vector<FieldDeclaration>& declared = slot.declaration->produces.front().fields;
-    auto expected = declared.begin();
-    slot.object().visit_fields(slot.object().reading(), [&](const ReadingField& field) {
-      if (field.item == 0 && (expected == declared.end() || expected->name != field.name ||
-                              (expected++)->group != field.group)) {
-        guard_.fail(*slot.use, "its reading lists '" + field.path() +
-                                   "' in visit() in another place than a new one; every reading "
-                                   "must list the same names in the same order");
+    auto expected = declared.fields.begin();
+    const auto end = declared.fields.end();
+    object.visit_fields(object.value(), [&](const ReadingField& field) {
+      if (field.item == 0 &&
+          (expected == end || expected->name != field.name || (expected++)->group != field.group)) {
+        guard_.fail(*slot.use, "its " + what + " lists '" + field.path() +
+                                   "' in visit() in another place than a new one; every " + what +
+                                   " must list the same names in the same order");
       }
       if (of_visitor) return;
       try {
@@ -40,10 +48,10 @@ void Robot::visit_reading(std::size_t sensor, const FieldVisit& visit) const {
         of_visitor = std::current_exception();
       }
     });
-    if (expected != declared.end()) {
-      guard_.fail(*slot.use, "its reading does not list '" + expected->name +
-                                 "' in visit(), as a new one does; every reading must list the "
-                                 "same names in the same order");
+    if (expected != end) {
+      guard_.fail(*slot.use, "its " + what + " does not list '" + expected->name +
+                                 "' in visit(), as a new one does; every " + what +
+                                 " must list the same names in the same order");
     }
   });
   if (of_visitor) std::rethrow_exception(of_visitor);
@@ -66,9 +74,14 @@ std::vector<PluginSketch> Robot::sketches() const {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     add(*sensors_[i], "", sensor_frame(i));
   }
+  for (const auto& slot : actuators_) {
+    add(*slot, "", frame_of(*slot->place));
+  }
   for_each(Order::outer_first,
            [&](PluginObject& each, const std::string&, const std::string& within) {
-             if (each.kind != PluginKind::sensor) add(each, within, heading);
+             if (each.kind != PluginKind::sensor && each.kind != PluginKind::actuator) {
+               add(each, within, heading);
+             }
            });
   return sketches;
 }

@@ -64,17 +64,20 @@ void Simulation::Impl::control(double period_s) {
     }
     knows_calls_ = true;
   }
-  // The other robots perceive what a robot decides now only in the next step.
+  // The other robots perceive what a robot decides and does now only in the next step.
   loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
     Robot& robot = *robots_[i];
     robot.sense(RobotSurroundings(*engine_, *things_, robots_, *neighbours_, i, memory_[thread]),
                 now);
     update_team(i, memory_[thread].near);
     robot.decide(now);
+    if (robot.actuator_count() > 0) robot.act(now);
     robot.use_energy(period_s);
     engine_->set_joints(i, robot.wanted_joints());
     attention_[i] = robot.needs_attention();
   });
+  if (!has_actuators_) return;
+  for (const auto& robot : robots_) robot->show_effects();
 }
 
 void Simulation::Impl::observe(bool decided, bool is_start) {

@@ -37,7 +37,7 @@ bool has_camera(const world::PluginUse& use, const plugin::Host& host) {
 bool has_cameras(const world::World& world, const plugin::Host& host) {
   std::set<std::pair<std::string, std::map<std::string, ParameterValue>>> known;
   for (const world::Robot& robot : world.robots) {
-    for (const world::SensorUse& use : robot.sensors) {
+    for (const world::MountedUse& use : robot.sensors) {
       const bool is_new = known.emplace(use.plugin, use.parameters).second;
       if ((is_new || !use.elements.empty()) && has_camera(use, host)) return true;
     }

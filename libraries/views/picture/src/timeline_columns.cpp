@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace elsie::picture {
 namespace {
@@ -43,15 +42,6 @@ void finish(Column& column) {
   }
 }
 
-/// The time from one sample of the recording to the next, s; infinite for a single one.
-double sampling_of(const traces::TraceNumber& number) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t s = 1; s < number.samples.size(); ++s) {
-    least = std::min(least, number.samples[s].time_s - number.samples[s - 1].time_s);
-  }
-  return least;
-}
-
 }  // namespace
 
 void Extent::add(double value, double length_s) {
@@ -84,11 +74,10 @@ std::vector<Extent> columns_of(const traces::TraceNumber& number, const traces::
                                std::size_t count) {
   std::vector<Extent> columns(count);
   const double length = (span.to_s - span.from_s) / static_cast<double>(count);
-  constexpr double kNearly = 1.01;  // an edit may change the length of the steps between samples
-  const double longest = kNearly * sampling_of(number);
   for (std::size_t s = 0; s < number.samples.size(); ++s) {
+    if (std::isnan(number.samples[s].value)) continue;
     const double begin = std::max(number.samples[s].time_s, span.from_s);
-    double end = std::min(number.samples[s].time_s + longest, span.to_s);
+    double end = span.to_s;
     if (s + 1 < number.samples.size()) end = std::min(end, number.samples[s + 1].time_s);
     const auto first = static_cast<std::size_t>(std::max(0.0, (begin - span.from_s) / length));
     for (std::size_t i = first; i < count; ++i) {

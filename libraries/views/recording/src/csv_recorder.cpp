@@ -130,6 +130,20 @@ class CsvRecorder final : public simulation::Observer {
                        [](const world::Robot& robot) { return robot.localisation.has_value(); });
   }
 
+  /// The readings of sensors and the commands of actuators.
+  template <class Visit>
+  static void visit_values(const simulation::Simulation& simulation, std::size_t robot,
+                           const Visit& visit) {
+    for (std::size_t s = 0; s < simulation.sensors(robot); ++s) {
+      const std::string of = "sensor[" + std::string(simulation.sensor(robot, s).id) + "]";
+      simulation.visit_reading(robot, s, [&](const ReadingField& field) { visit(of, field); });
+    }
+    for (std::size_t a = 0; a < simulation.actuators(robot); ++a) {
+      const std::string of = "actuator[" + std::string(simulation.actuator(robot, a).id) + "]";
+      simulation.visit_command(robot, a, [&](const ReadingField& field) { visit(of, field); });
+    }
+  }
+
   /// The numbers that the plugins of a robot publish, then those of measures.
   static void visit_published(const simulation::Simulation& simulation, std::size_t robot,
                               const simulation::VisitPublished& visit) {
@@ -154,15 +168,11 @@ class CsvRecorder final : public simulation::Observer {
       }
       Places places;
       places.robot = r;
-      for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-        const simulation::SensorView sensor = simulation.sensor(r, s);
-        simulation.visit_reading(r, s, [&](const ReadingField& field) {
-          for (std::size_t i = 0; field.is_number() && i < field.size; ++i) {
-            places.readings.push_back(place_of(
-                reading_columns_, "sensor[" + std::string(sensor.id) + "]." + field.column(i)));
-          }
-        });
-      }
+      visit_values(simulation, r, [&](const std::string& of, const ReadingField& field) {
+        for (std::size_t i = 0; field.is_number() && i < field.size; ++i) {
+          places.readings.push_back(place_of(reading_columns_, of + "." + field.column(i)));
+        }
+      });
       for (const simulation::TracedMember& member : simulation.robot(r).trace) {
         places.behaviors.push_back(place_of(behaviors_, member.path));
       }
@@ -205,13 +215,12 @@ class CsvRecorder final : public simulation::Observer {
     row_.assign(reading_columns_.size() + 1, kNone);  // the last: numbers without a column
     const bool measured = simulation.steps() > 0;
     auto place = places.readings.begin();
-    for (std::size_t s = 0; measured && s < simulation.sensors(places.robot); ++s) {
-      simulation.visit_reading(places.robot, s, [&](const ReadingField& field) {
-        for (std::size_t i = 0; field.is_number() && i < field.size; ++i) {
-          row_[*place++] = i < field.count ? field.number(i) : kNone;
-        }
-      });
-    }
+    const auto take = [&](const std::string&, const ReadingField& field) {
+      for (std::size_t i = 0; field.is_number() && i < field.size; ++i) {
+        row_[*place++] = i < field.count ? field.number(i) : kNone;
+      }
+    };
+    if (measured) visit_values(simulation, places.robot, take);
     write_row();
   }
 

@@ -224,6 +224,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
         kind += " " + field.path() + (field.is_array ? std::to_string(field.size) : "");
       });
     }
+    for (std::size_t a = 0; a < simulation.actuators(r); ++a) {
+      const simulation::ActuatorView actuator = simulation.actuator(r, a);
+      kind += "|" + std::string(actuator.id) + " " + std::string(actuator.plugin);
+    }
     for (const simulation::TracedMember& member : simulation.robot(r).trace) {
       kind += "|" + member.path + " " + std::string(member.plugin) + " " +
               std::string(member.coordinator);
@@ -321,8 +325,21 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
                                                           {"properties", std::move(properties)},
                                                           {"additionalProperties", false}};
     }
+    Json actuators = Json::object();
+    for (std::size_t a = 0; a < simulation.actuators(r); ++a) {
+      Json properties{{"by", {{"type", "string"}}}};
+      simulation.visit_command(
+          r, a, [&](const ReadingField& field) { add_to_schema(field, properties); });
+      actuators[std::string(simulation.actuator(r, a).id)] = {{"type", "object"},
+                                                              {"properties", std::move(properties)},
+                                                              {"additionalProperties", false}};
+    }
     Json schema = schema_of("elsie.Readings");
     schema["properties"]["sensors"]["properties"] = std::move(sensors);
+    if (!actuators.empty()) {
+      schema["properties"]["actuators"] = {{"type", "object"},
+                                           {"properties", std::move(actuators)}};
+    }
     return schema.dump();
   }
 
@@ -463,8 +480,14 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       simulation.visit_reading(r, s,
                                [&](const ReadingField& field) { add_to_message(field, sensor); });
     }
-    write(channels.readings, time_ns,
-          {{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}});
+    Json message{{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}};
+    for (std::size_t a = 0; a < simulation.actuators(r); ++a) {
+      const simulation::ActuatorView view = simulation.actuator(r, a);
+      Json& actuator = message["actuators"][std::string(view.id)] = {{"by", view.by}};
+      simulation.visit_command(r, a,
+                               [&](const ReadingField& field) { add_to_message(field, actuator); });
+    }
+    write(channels.readings, time_ns, message);
   }
 
   void write_pictures(const Simulation& simulation, const RobotChannels& channels,

@@ -145,11 +145,14 @@ class TraceBuilder final : public Visitor {
   }
 
   static void read_numbers(TraceRobot& robot, const Json& message, double time_s) {
+    for (traces::TraceNumber& number : robot.numbers) {
+      number.samples.push_back({time_s, std::numeric_limits<double>::quiet_NaN()});
+    }
     for (const auto& [path, numbers] : message.at("plugins").items()) {
       for (const auto& [name, value] : numbers.items()) {
         traces::TraceNumber* const number = number_of(robot, path, name);
         if (!number) throw Unexpected("it has an unknown number '" + one_line(name) + "'");
-        number->samples.push_back({time_s, value.get<double>()});
+        number->samples.back().value = value.get<double>();
       }
     }
   }

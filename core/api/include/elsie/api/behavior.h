@@ -19,7 +19,11 @@
 // examples/ has complete plugins, which the tests build and run.
 #pragma once
 
+#include <memory>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "elsie/api/component.h"
@@ -30,6 +34,37 @@
 #include "elsie/base/fuzzy_set.h"
 
 namespace elsie {
+
+/// A command to an actuator of the own robot; see actuator.h.
+class Act {
+ public:
+  template <class Command>
+  Act(std::string actuator, Command command)
+      : actuator_(std::move(actuator)),
+        kind_(ReadingKind::of<Command>()),
+        command_(std::make_shared<const Command>(std::move(command))) {}
+
+  /// The actuator's id in the world file; empty: the first that takes such commands.
+  const std::string& actuator() const { return actuator_; }
+  const ReadingKind& kind() const { return kind_; }
+  /// The struct of the command.
+  const void* command() const { return command_.get(); }
+  /// The ids of the behaviours that hold the one that gave it, and its own: "forage/grip". The
+  /// simulator sets it.
+  const std::string& by() const { return by_; }
+  /// The same act, given inside this behaviour.
+  Act within(std::string_view behavior) const {
+    Act act = *this;
+    act.by_ = std::string(behavior) + (by_.empty() ? "" : "/") + by_;
+    return act;
+  }
+
+ private:
+  std::string actuator_;
+  ReadingKind kind_;
+  std::shared_ptr<const void> command_;
+  std::string by_{};
+};
 
 /// A behaviour's answer. A bare Motion converts to one.
 struct Response {
@@ -51,6 +86,20 @@ struct Response {
   bool charge = false;
   /// The events that the behaviour raises. An empty list costs nothing.
   std::vector<Event> events;
+  /// Its commands to actuators. An empty list costs nothing.
+  std::vector<Act> acts;
+
+  /// Commands the first actuator that takes such commands: act(LedCommand{kRed}). What the robot
+  /// has none for ends the run.
+  template <class Command>
+  void act(Command told) {
+    acts.emplace_back("", std::move(told));
+  }
+  /// Commands the actuator with this id.
+  template <class Command>
+  void act(std::string actuator, Command told) {
+    acts.emplace_back(std::move(actuator), std::move(told));
+  }
 };
 
 /// Behaviours with a coordinator of their own, inside a behaviour (nested coordination). The world
@@ -58,7 +107,8 @@ struct Response {
 /// makes and runs them. See holds_behaviors() in declaration.h.
 class Coordination {
  public:
-  /// Asks the coordinator, which asks its behaviours, and returns their combined command.
+  /// Asks the coordinator, which asks its behaviours, and returns their combined command, with what
+  /// the actuators are to do.
   /// Activation and strengths (overall and of each channel) are means weighted by the behaviours'
   /// shares in the command. The simulator handles their events and requests for charging.
   virtual Response respond(const Perception& now) = 0;
@@ -103,7 +153,7 @@ class Behavior : public Component {
 /// Makes a behaviour class a plugin:
 ///   ELSIE_BEHAVIOR(Class, "name", "one line that says what it does", items...)
 /// Items: elsie::parameter(), elsie::elements(), elsie::holds_behaviors(), elsie::needs<Reading>(),
-/// elsie::raises(), elsie::version(); see
+/// elsie::commands<Command>(), elsie::only_acts(), elsie::raises(), elsie::version(); see
 /// declaration.h.
 #define ELSIE_BEHAVIOR(Class, ...) \
   ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::behavior, Class, __VA_ARGS__)

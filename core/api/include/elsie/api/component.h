@@ -10,7 +10,8 @@
 
 namespace elsie {
 
-/// A sensor, behaviour, coordinator, measure, drive or localisation at run time. Its life:
+/// A sensor, actuator, behaviour, coordinator, measure, drive or localisation at run time. Its
+/// life:
 ///
 ///   constructed -> parameters and nested elements set -> configured() -> equipped()
 ///     -> { reset() -> notes(), curves() -> many steps }... -> destroyed

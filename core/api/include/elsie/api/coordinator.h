@@ -5,6 +5,7 @@
 // not asked does not run and costs nothing.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -100,6 +101,15 @@ class Member {
   const Response* response_ = nullptr;
 };
 
+/// A behaviour's command to an actuator, in one control period.
+struct ActuatorWish {
+  const Member* member;
+  const Act* act;
+};
+
+/// The wish with the greatest priority, of equals the first: its index.
+std::size_t greatest_priority(std::span<const ActuatorWish> wishes);
+
 class Coordinator : public Component {
  public:
   /// Called after configured(), when the robot is complete, and again when the members change; see
@@ -110,6 +120,12 @@ class Coordinator : public Component {
   /// then. Fill the weight, share and reason of each member's trace; the rows are cleared before
   /// the call.
   virtual Motion coordinate(std::span<Member> members, const Perception& now) = 0;
+
+  /// Which command an actuator gets: an index into `wishes`, or their number for none of them.
+  /// Called after coordinate() for each actuator that several behaviours command: behaviours that
+  /// were asked and are not inhibited, then those that only act, each in file order. The default is
+  /// greatest_priority().
+  virtual std::size_t resolve(std::string_view actuator, std::span<const ActuatorWish> wishes);
 
   /// How good each candidate command would be for the members together, in [0, 1]; for a
   /// coordinator inside a behaviour. `given` is the answer of coordinate() in this step. The

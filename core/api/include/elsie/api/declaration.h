@@ -23,7 +23,7 @@ namespace elsie {
 
 class Coordination;
 
-enum class PluginKind { sensor, behavior, coordinator, measure, drive, localisation };
+enum class PluginKind { sensor, behavior, coordinator, measure, drive, localisation, actuator };
 
 /// A parameter that names a data file. A path in a world file is resolved against the folder of
 /// that file, then against the data directories; the member holds the resolved path.
@@ -118,6 +118,9 @@ struct Declaration {
   std::function<void(Component&, Coordination&)> hold;
   std::vector<ReadingDeclaration> needs;     // behaviours: a robot without such a sensor is refused
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
+  std::vector<ReadingDeclaration> commands;  // behaviours: a robot without such an actuator, too
+  std::vector<ReadingDeclaration> takes;     // actuators: exactly one
+  bool only_acts = false;                    // behaviours: see only_acts()
   std::vector<EventDeclaration> events;      // the events that it may raise
   std::vector<std::string> reacts_to;        // names of events
   std::vector<PublishedNumber> published;    // in the order of the declaration
@@ -215,6 +218,29 @@ auto produces(bool updates_all = false) {
     declaration.produces.push_back(ReadingDeclaration::of<Reading>());
     declaration.updates_all = updates_all;
   };
+}
+
+/// The behaviour gives such commands: a robot without an actuator that takes them is refused.
+template <class Command>
+auto commands() {
+  return [](Declaration& declaration) {
+    declaration.commands.push_back(ReadingDeclaration::of<Command>());
+  };
+}
+
+/// The commands that an actuator takes; ELSIE_ACTUATOR adds this item.
+template <class Command>
+auto takes() {
+  return [](Declaration& declaration) {
+    declaration.takes.push_back(ReadingDeclaration::of<Command>());
+  };
+}
+
+/// The behaviour never moves the robot: it grips, signals, says. It is asked in every control
+/// period, whatever the coordinator, which does not see it; what it answers for motion counts
+/// nowhere.
+inline auto only_acts() {
+  return [](Declaration& declaration) { declaration.only_acts = true; };
 }
 
 /// The plugin's objects share data that they change (a cache, a file, a library that is not safe):

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/api/component.h"
 #include "elsie/api/disturbance.h"
 #include "elsie/api/image.h"
 #include "elsie/api/perception.h"
@@ -43,12 +42,6 @@ struct SensorPlace {
 };
 
 class Sensor;
-
-namespace detail {
-/// Throws base::Error with a sentence: what is wrong with a reading of the sensor. `blank`: one
-/// that has the right sizes.
-[[noreturn]] void faulty_reading(const Sensor& sensor, const void* reading, const void* blank);
-}  // namespace detail
 
 /// Several sensors of one plugin on one robot, which are updated in one call.
 struct SensorBatch {
@@ -79,7 +72,7 @@ struct Carrier {
 };
 
 /// A sensor without the type of its reading. Derive from SensorOf<Reading> instead.
-class Sensor : public Component {
+class Sensor : public Disturbable {
  public:
   /// Called after configured(), when the robot is complete, and again after a change of parameters
   /// during a run. Throw (std::invalid_argument, with a sentence) when the parameters do not fit
@@ -91,8 +84,6 @@ class Sensor : public Component {
   /// sensor must not gain or lose its camera. Pictures need EGL on the machine.
   virtual std::optional<Camera> camera() const { return std::nullopt; }
 
-  /// The kind of reading that it produces.
-  virtual ReadingKind kind() const = 0;
   /// Produces a new reading.
   virtual void update(const SensorContext& now) = 0;
   /// Produces new readings of all sensors of this plugin on the robot, in file order; the called
@@ -105,113 +96,33 @@ class Sensor : public Component {
     }
   }
   /// The address of the current reading, the same for the whole life of the sensor.
-  virtual const void* reading() const = 0;
-  /// The address of what the last update has measured: the current reading, unless its element
-  /// gives the sensor noise or failures. The simulator then makes the reading of it.
-  virtual const void* measured() const = 0;
-  /// The current reading, to change it.
-  virtual void* own_reading() = 0;
-  /// Forgets the current reading: it is blank. The simulator calls this before each run.
-  virtual void forget() = 0;
-  /// Forgets the current reading if its arrays have other sizes than those of a blank one, and
-  /// returns whether they had; begins or ends to keep apart what is measured. The simulator calls
-  /// this after equipped().
-  virtual bool fit_reading() = 0;
-
-  // Readings without their type. `reading` is one of this sensor's kind.
-
-  /// Calls `visit` for each of its fields.
-  virtual void visit_fields(const void* reading, const FieldVisit& visit) const = 0;
-  /// A blank one, in memory of its own.
-  virtual std::shared_ptr<void> new_reading() const = 0;
-  virtual void copy_reading(const void* from, void* to) const = 0;
-
-  /// The noise and the failures that its element in the world file gives it, for the simulator.
-  const std::vector<Disturbance>& disturbances() const { return disturbances_; }
-  /// Adds what every sensor declares.
-  static void declare_for_all(Declaration& declaration);
-
- private:
-  std::vector<Disturbance> disturbances_;
+  const void* reading() const { return value(); }
+  const char* value_name() const final { return "reading"; }
 };
 
 /// A sensor that produces readings of one kind.
 template <class Reading>
-class SensorOf : public Sensor {
+class SensorOf : public Holding<Sensor, Reading> {
  public:
   using ReadingType = Reading;
 
-  /// A reading before the first update. A sensor whose reading has arrays gives them their sizes
-  /// here, by its parameters: every reading must have the same sizes. Called after equipped().
-  virtual Reading blank() const { return {}; }
   /// The present reading. Override this function, or sense_into() for readings that own memory
   /// (arrays, images), which is then reused from one update to the next.
   virtual Reading sense(const SensorContext& /*now*/) { return {}; }
   /// Updates the reading of the last update in place.
   virtual void sense_into(const SensorContext& now, Reading& reading) { reading = sense(now); }
 
-  ReadingKind kind() const final { return ReadingKind::of<Reading>(); }
   void update(const SensorContext& now) final {
-    Reading& reading = in_work();
+    Reading& reading = this->in_work();
     sense_into(now, reading);
-    check(reading);
+    this->check(reading);
   }
   /// Sets the present reading, for update_all().
   void set_reading(Reading reading) {
-    Reading& to = in_work();
+    Reading& to = this->in_work();
     to = std::move(reading);
-    check(to);
+    this->check(to);
   }
-  const void* reading() const final { return &reading_; }
-  const void* measured() const final { return measured_ ? measured_.get() : &reading_; }
-  void* own_reading() final { return &reading_; }
-  void forget() final {
-    reading_ = blank();
-    if (measured_) *measured_ = blank();
-    sizes_ = checked(reading_).sizes;
-  }
-  bool fit_reading() final {
-    if (disturbances().empty()) {
-      measured_.reset();
-    } else if (!measured_) {
-      measured_ = std::make_unique<Reading>(reading_);
-    }
-    const bool has_other_sizes = checked(blank()).sizes != sizes_;
-    if (has_other_sizes) forget();
-    return has_other_sizes;
-  }
-  void visit_fields(const void* reading, const FieldVisit& visit) const final {
-    elsie::visit_fields(*static_cast<const Reading*>(reading), visit);
-  }
-  std::shared_ptr<void> new_reading() const final { return std::make_shared<Reading>(blank()); }
-  void copy_reading(const void* from, void* to) const final {
-    *static_cast<Reading*>(to) = *static_cast<const Reading*>(from);
-  }
-
- protected:
-  /// The current reading, for sketch().
-  const Reading& current() const { return reading_; }
-
- private:
-  Reading& in_work() { return measured_ ? *measured_ : reading_; }
-  static detail::ReadingCheck checked(const Reading& reading) {
-    detail::ReadingCheck check;
-    if constexpr (kListsFields<Reading>) {
-      reading.visit(check);
-    }
-    return check;
-  }
-  void check(const Reading& reading) const {
-    const detail::ReadingCheck check = checked(reading);
-    if (!check.is_finite || !check.fits || check.sizes != sizes_) [[unlikely]] {
-      const Reading expected = blank();
-      detail::faulty_reading(*this, &reading, &expected);
-    }
-  }
-
-  Reading reading_{};
-  std::unique_ptr<Reading> measured_;  // null: what is measured is the reading
-  std::uint64_t sizes_ = 0;            // see ReadingCheck
 };
 
 namespace detail {

@@ -31,9 +31,9 @@ enum class SketchRole : std::uint8_t {
 inline constexpr const char* kSketchRoles[] = {"range", "hit", "field", "target", "wish", "belief"};
 
 /// The marks of one plugin at one instant. Places are in m, in the plugin's own frame: a sensor's
-/// looks along x; that of a behaviour, coordinator, drive or localisation is its robot's (x ahead,
-/// z = 0 on the floor); a measure's is the world. Every function throws base::Error for numbers
-/// that are not finite, and for more than kMostPlaces places in all.
+/// or an actuator's looks along x; that of a behaviour, coordinator, drive or localisation is its
+/// robot's (x ahead, z = 0 on the floor); a measure's is the world. Every function throws
+/// base::Error for numbers that are not finite, and for more than kMostPlaces places in all.
 class Sketch {
  public:
   static constexpr std::size_t kMostPlaces = 100'000;

@@ -74,9 +74,9 @@ struct Contact {
   double impulse_n_s = 0.0;  // N s, that pressed along the normal in the step
 };
 
-/// A lamp of the world.
+/// A lamp of the world, or what an actuator of a robot shines.
 struct LampView {
-  std::string_view id;
+  std::string_view id;     // of the lamp, or of the robot
   Vector3 place;           // m
   double intensity = 1.0;  // see the law of each sensor
   Colour colour;
@@ -121,10 +121,17 @@ class Surroundings {
   /// declares feels_contacts().
   virtual std::span<const Contact> contacts() const { return {}; }
   virtual BodyMotion motion() const { return {}; }
+  /// How far the carrier has rolled by its joints (OwnState::odometry) since sensors were last
+  /// updated: m and rad.
+  virtual Motion rolled() const { return {}; }
   /// The colour of the floor there: patches, image, marks of chargers.
   virtual Colour floor_colour(const Vector2& place) const;
   /// All lamps, in file order, also those that something hides.
   virtual std::span<const LampView> lamps() const { return {}; }
+  /// Appends what actuators of other robots shine whose middles are about within the radius of the
+  /// carrier: a light may be nearer or farther by as much as it is away from the middle of its
+  /// robot. In the order of the robots in the file, also lights that something hides.
+  virtual void lights_within(double /*radius_m*/, std::vector<LampView>& /*lights*/) const {}
   /// Appends the resources that are still there, the chargers and the other robots whose middles
   /// are within the radius of the carrier, in this order, each kind in file order.
   virtual void things_within(double radius_m, std::vector<NearThing>& things) const;

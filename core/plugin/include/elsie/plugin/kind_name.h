@@ -8,12 +8,12 @@
 namespace elsie::plugin {
 
 /// All kinds, in the order in which they are listed.
-inline constexpr std::array kPluginKinds{PluginKind::sensor,      PluginKind::behavior,
-                                         PluginKind::coordinator, PluginKind::measure,
-                                         PluginKind::drive,       PluginKind::localisation};
+inline constexpr std::array kPluginKinds{
+    PluginKind::sensor, PluginKind::behavior,     PluginKind::coordinator, PluginKind::measure,
+    PluginKind::drive,  PluginKind::localisation, PluginKind::actuator};
 
-/// "sensor", "behavior", "coordinator", "measure", "drive" or "localisation": as written in a
-/// world file.
+/// "sensor", "behavior", "coordinator", "measure", "drive", "localisation" or "actuator": as
+/// written in a world file.
 constexpr std::string_view kind_name(PluginKind kind) {
   switch (kind) {
     case PluginKind::sensor:
@@ -28,6 +28,8 @@ constexpr std::string_view kind_name(PluginKind kind) {
       return "drive";
     case PluginKind::localisation:
       return "localisation";
+    case PluginKind::actuator:
+      return "actuator";
   }
   return "plugin";  // a kind made up by a faulty library
 }

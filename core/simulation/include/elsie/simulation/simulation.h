@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "elsie/api/actuator.h"
 #include "elsie/api/body.h"
 #include "elsie/api/coordinator.h"
 #include "elsie/api/inference.h"
@@ -75,6 +76,16 @@ struct SensorView {
   const Mounting* mounting;
   const Camera* camera;  // its camera, or none
   const Image* picture;  // its last picture; none before the first step
+};
+
+/// A view of one actuator of a robot.
+struct ActuatorView {
+  std::string_view id;
+  std::string_view plugin;
+  const Actuator* actuator;
+  std::string_view by;  // the path of the behaviour that gave its command; empty: none did yet
+  Frame frame;          // in the world
+  std::optional<Colour> shine;  // none: it is dark
 };
 
 /// A number that a plugin publishes, at this instant.
@@ -224,8 +235,12 @@ class Simulation {
   std::size_t sensors(std::size_t robot) const;
   SensorView sensor(std::size_t robot, std::size_t index) const;
   /// Calls `visit` for each field of a sensor's current reading. Throws PluginFault, and what
-  /// `visit` throws, as a fault of the sensor.
+  /// `visit` throws.
   void visit_reading(std::size_t robot, std::size_t sensor, const FieldVisit& visit) const;
+  std::size_t actuators(std::size_t robot) const;
+  ActuatorView actuator(std::size_t robot, std::size_t index) const;
+  /// The same for the command that an actuator carries out.
+  void visit_command(std::size_t robot, std::size_t actuator, const FieldVisit& visit) const;
   /// Calls `visit` for each number that the plugins of a robot publish, in the same order until
   /// edits change the robot; the other one for those of measures. Throws PluginFault.
   void visit_published(std::size_t robot, const VisitPublished& visit) const;

@@ -181,7 +181,8 @@ struct PluginUse {
   Location location;
 };
 
-struct SensorUse : PluginUse {
+/// A sensor or an actuator.
+struct MountedUse : PluginUse {
   std::string segment;  // the id of the segment that it is on; "": on the robot
   // In the frame of what it is on; by default the front edge and the top of that.
   std::optional<double> x, y, z;
@@ -260,7 +261,8 @@ struct Robot : Coordination {
   std::optional<PluginUse> localisation;  // default: exact
   BodyPlan driven;  // the chassis with the parts of its drive; empty: default drive; see parts.h
   std::vector<Segment> segments;  // from the robot backwards
-  std::vector<SensorUse> sensors;
+  std::vector<MountedUse> sensors;
+  std::vector<MountedUse> actuators;
   Location location;
 };
 

@@ -16,7 +16,7 @@ bool same_part(const ElementSpec& spec, const char* part, const void* a, const v
 bool same(const Obstacle& a, const Obstacle& b, Cost least);
 /// The same for the core's attributes of sensors and behaviours: without the plugin's parameters,
 /// and without behaviours inside of behaviours.
-bool same(const SensorUse& a, const SensorUse& b, Cost least);
+bool same(const MountedUse& a, const MountedUse& b, Cost least);
 bool same(const BehaviorUse& a, const BehaviorUse& b, Cost least);
 bool same(const PluginUse& a, const PluginUse& b);
 

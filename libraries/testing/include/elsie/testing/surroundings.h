@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ class Surroundings final : public elsie::Surroundings {
   Surroundings& charger(double x, double y, double radius = 0.15);
   Surroundings& lamp(double x, double y, double z = 0.5, double intensity = 1.0,
                      const Colour& colour = {255, 255, 255});
+  /// Adds what an actuator of another robot shines, without that robot's body.
+  Surroundings& light(const std::string& robot, const Vector3& place, double intensity = 0.1,
+                      const Colour& colour = {255, 255, 255});
   /// Paints the whole floor, or a patch on it.
   Surroundings& floor(const Colour& colour);
   Surroundings& patch(const world::Patch& patch);
@@ -71,6 +75,9 @@ class Surroundings final : public elsie::Surroundings {
   std::span<const JointSetting> joints() const override { return joints_; }
   std::span<const Contact> contacts() const override { return contacts_; }
   BodyMotion motion() const override { return motion_; }
+  /// What follows from the carrier's odometry in a control period of 0.01 s.
+  Motion rolled() const override { return 0.01 * carrier.odometry; }
+  void lights_within(double radius_m, std::vector<LampView>& lights) const override;
   Colour floor_colour(const Vector2& place) const override;
   std::span<const LampView> lamps() const override;
   void things_within(double radius_m, std::vector<NearThing>& things) const override;
@@ -93,7 +100,9 @@ class Surroundings final : public elsie::Surroundings {
   std::vector<JointSetting> joints_;
   std::vector<Contact> contacts_;
   BodyMotion motion_;
-  Surface last_;  // what was added
+  std::vector<LampView> lights_;
+  std::set<std::string> names_;  // of their robots
+  Surface last_;                 // what was added
   std::vector<Colour> colours_;
   std::unique_ptr<Engine> engine_;
 };

@@ -2,6 +2,7 @@
 // Catch2: catch.h.
 #pragma once
 
+#include "elsie/testing/actuator.h"
 #include "elsie/testing/behavior.h"
 #include "elsie/testing/checker.h"
 #include "elsie/testing/coordinator.h"

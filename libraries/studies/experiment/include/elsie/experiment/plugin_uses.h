@@ -29,6 +29,9 @@ void for_each_use(World& world, const See& see) {
     for (auto& sensor : robot.sensors) {
       see(PluginKind::sensor, sensor);
     }
+    for (auto& actuator : robot.actuators) {
+      see(PluginKind::actuator, actuator);
+    }
     for_each_use_in(robot, see);
     if (robot.drive) {
       see(PluginKind::drive, *robot.drive);

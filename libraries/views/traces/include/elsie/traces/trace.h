@@ -56,15 +56,14 @@ struct TraceEvent {
   std::optional<events::Changed> changed{};  // the edit, for `changed`
 };
 
-/// A number that a plugin of a robot published, at the samples of the recording at which it
-/// existed.
+/// A number that a plugin of a robot published, at each sample of the recording.
 struct TraceNumber {
   std::string path;  // of the plugin: "explore/avoid_obstacle"
   std::string name;
   std::string unit;  // may be empty
   struct Sample {
     double time_s = 0.0;
-    double value = 0.0;
+    double value = 0.0;  // NaN: there was none
   };
   std::vector<Sample> samples;  // ascending in time
 };

@@ -1,0 +1,93 @@
+// An actuator: what a robot does besides moving. It shines, holds, speaks.
+//
+// A *command* is a plain struct that names its kind and lists its fields, like a reading:
+//
+//   struct LedCommand {
+//     static constexpr const char* kind = "led";
+//     elsie::Colour colour;
+//     template <class Visitor> void visit(Visitor&& v) const { ... }
+//   };
+//
+// A behaviour adds commands to its response: response.act(LedCommand{kRed}). Of the behaviours that
+// command an actuator in a control period, one decides: see Coordinator::resolve(). Its command
+// holds until the next one.
+//
+// Once every control period, after the decision, the simulator asks all actuators of a robot to
+// carry out their commands. What they do has an effect on others from the next period on.
+#pragma once
+
+#include <utility>
+
+#include "elsie/api/component.h"
+#include "elsie/api/disturbance.h"
+#include "elsie/api/image.h"
+#include "elsie/api/perception.h"
+#include "elsie/api/registration.h"
+#include "elsie/base/random.h"
+
+namespace elsie {
+
+/// What an actuator can do. Each effect lasts one control period: an actuator repeats it for as
+/// long as its command holds.
+class Effects {
+ public:
+  /// Shines with this colour at the place of the actuator: light sensors and cameras see it.
+  /// `intensity`: as that of a lamp; it must be finite and above 0.
+  virtual void shine(const Colour& colour, double intensity) = 0;
+  /// Takes energy from the battery, units per second; at least 0.
+  virtual void draw_power(double units_per_s) = 0;
+
+ protected:
+  ~Effects() = default;
+};
+
+/// The instant at which an actuator carries out its command.
+struct ActuatorContext {
+  double time_s = 0.0;
+  double period_s = 0.0;     // until the next time
+  bool is_new = false;       // a behaviour has given the command in this period
+  Frame frame;               // the actuator in the world
+  const Mounting* mounting;  // the actuator on the robot
+  const OwnState& self;      // as in Perception
+  Random* random = nullptr;  // its own stream
+  Effects* robot = nullptr;
+};
+
+/// An actuator without the type of its commands. Derive from ActuatorOf<Command> instead.
+class Actuator : public Disturbable {
+ public:
+  /// As Sensor::equipped(); `mounting` is the actuator on its robot.
+  virtual void equipped(const Mounting& /*mounting*/) {}
+  /// Throws base::Error with a sentence for a command that is not finite, or whose arrays have
+  /// other sizes than those of blank().
+  virtual void check_command(const void* command) const = 0;
+  /// Takes a command of its kind, which was checked.
+  virtual void take(const void* command) = 0;
+  /// Carries out the present command.
+  virtual void carry_out(const ActuatorContext& now) = 0;
+  const char* value_name() const final { return "command"; }
+};
+
+/// An actuator that takes commands of one kind. The command before the first one is blank().
+template <class Command>
+class ActuatorOf : public Holding<Actuator, Command> {
+ public:
+  using CommandType = Command;
+
+  /// Carries out a command. Called once in every control period, also for a command that holds.
+  virtual void act(const Command& command, const ActuatorContext& now) = 0;
+
+  void check_command(const void* command) const final {
+    this->check(*static_cast<const Command*>(command));
+  }
+  void take(const void* command) final { this->in_work() = *static_cast<const Command*>(command); }
+  void carry_out(const ActuatorContext& now) final { act(this->current(), now); }
+};
+
+/// Makes an actuator class a plugin; see ELSIE_BEHAVIOR. The kind of commands comes from its base
+/// class.
+#define ELSIE_ACTUATOR(Class, ...)                                          \
+  ELSIE_REGISTER_PLUGIN_(::elsie::PluginKind::actuator, Class, __VA_ARGS__, \
+                         ::elsie::takes<Class::CommandType>())
+
+}  // namespace elsie

@@ -1,0 +1,77 @@
+#include "elsie/plugin/parameters.h"
+#include "elsie/testing/actuator.h"
+
+#include "text.h"
+#include "trial.h"
+
+namespace elsie::testing {
+namespace {
+
+/// Gives an actuator random commands, and lets each hold for a few control periods.
+class ActuatorTrial final : public Trial {
+ public:
+  explicit ActuatorTrial(const TrialSetting& setting)
+      : settings_(setting.plugins.completed(setting.declaration, setting.settings)),
+        actuator_(setting.plugins, setting.declaration.name, setting.settings, setting.elements) {}
+
+  Component& object() override { return *actuator_; }
+  void reset(std::uint64_t seed) override {
+    actuator_.reset(seed);
+    actuator_->notes();
+    actuator_->curves();
+  }
+  bool take_over(Trial& before) override {
+    return actuator_.take_over(static_cast<ActuatorTrial&>(before).actuator_);
+  }
+  void configure_again() override {
+    plugin::apply_parameters(actuator_.declaration(), *actuator_, settings_);
+  }
+
+  void step(std::size_t step, Answer& answer) override {
+    const auto command = step % 4 == 0 ? random_command(step) : nullptr;
+    const Done& done = actuator_.act_on(command.get());
+    answer.clear();
+    answer.add("whether it shines", done.shine ? 1.0 : 0.0);
+    const Colour colour = done.shine.value_or(Colour{});
+    answer.add("its red", colour.red);
+    answer.add("its green", colour.green);
+    answer.add("its blue", colour.blue);
+    require_finite("its intensity", done.intensity);
+    answer.add("its intensity", done.intensity);
+    require_finite("its power", done.power);
+    answer.add("its power", done.power);
+    if (done.shine && !(done.intensity > 0.0)) {
+      throw Wrong("it shines with the intensity " + number_text(done.intensity) +
+                  "; expected a number above 0");
+    }
+    if (done.power < 0.0) {
+      throw Wrong("it draws a power of " + number_text(done.power) + "; expected at least 0");
+    }
+  }
+
+ private:
+  /// A command whose fields have numbers of every sign and size.
+  std::shared_ptr<void> random_command(std::size_t step) const {
+    auto command = actuator_->new_value();
+    Random random(step + 1);
+    actuator_->visit_fields(command.get(), [&](const ReadingField& field) {
+      if (!field.is_number() || !field.is_stored) return;
+      for (std::size_t i = 0; i < field.count; ++i) {
+        const double scale = step % 3 == 0 ? 1.0 : step % 3 == 1 ? 300.0 : 1e9;
+        field.set_number(i, scale * random.uniform(-0.3, 1.0));
+      }
+    });
+    return command;
+  }
+
+  const Settings settings_;
+  mutable Actuator actuator_;
+};
+
+}  // namespace
+
+std::unique_ptr<Trial> make_actuator_trial(const TrialSetting& setting) {
+  return std::make_unique<ActuatorTrial>(setting);
+}
+
+}  // namespace elsie::testing
