@@ -129,7 +129,8 @@ void Authoring::add_element(const QString& holder, const QString& list,
     Q_EMIT said(tr("There is no world to add to: open one, or make a new one."));
     return;
   }
-  if (holder.isEmpty() && (list == "sensors" || list == "behaviors" || list == "coordinator")) {
+  if (holder.isEmpty() &&
+      (list == "sensors" || list == "actuators" || list == "behaviors" || list == "coordinator")) {
     Q_EMIT said(tr("Select the robot first."));
     return;
   }
@@ -237,6 +238,7 @@ void Authoring::open_menu(const QString& path, const QPoint& global) {
   const bool is_robot = kind && kind->name == "robot";
   if (is_robot) {
     menu.addAction(tr("Add &sensor..."), this, [this, path] { add_element(path, "sensors"); });
+    menu.addAction(tr("Add &actuator..."), this, [this, path] { add_element(path, "actuators"); });
   }
   if (is_robot || (kind && kind->holds_behaviors)) {
     menu.addAction(tr("&Behaviours..."), this, [this, path] { edit_behaviors(path); });

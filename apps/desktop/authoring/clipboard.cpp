@@ -90,8 +90,9 @@ void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicat
 
 // The list for a piece that does not name its list.
 QString Authoring::list_for(const QString& name) const {
-  for (const char* list : {"robots", "obstacles", "resources", "chargers", "lamps", "patches",
-                           "teams", "goals", "measures", "sensors", "behaviors", "coordinator"}) {
+  for (const char* list :
+       {"robots", "obstacles", "resources", "chargers", "lamps", "patches", "teams", "goals",
+        "measures", "sensors", "actuators", "behaviors", "coordinator"}) {
     for (const Kind& each : workbench_.catalog().members(list)) {
       if (each.name == name) {
         return list;
@@ -214,8 +215,8 @@ QString Authoring::insertion_of(Piece piece, const QPointF& aside, QStringList& 
     why = tr("'%1' is not an element that can be pasted into a world.").arg(piece.name);
     return {};
   }
-  const bool is_carried =
-      list == "sensors" || list == "behaviors" || list == "coordinator" || list == "drive";
+  const bool is_carried = list == "sensors" || list == "actuators" || list == "behaviors" ||
+                          list == "coordinator" || list == "drive";
   const QString holder = is_carried ? holder_for(list, selection_.value(0)) : QString();
   if (is_carried && holder.isEmpty()) {
     why = tr("Select the robot that '%1' is for.").arg(piece.name);

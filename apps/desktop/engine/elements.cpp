@@ -108,6 +108,7 @@ QString member_word(const QString& list) {
                                              {"measures", "measure"},
                                              {"changes", "change"},
                                              {"sensors", "sensor"},
+                                             {"actuators", "actuator"},
                                              {"behaviors", "behavior"},
                                              {"coordinator", "coordinator"},
                                              {"drive", "drive"},

@@ -195,7 +195,7 @@ void ElementDialog::show_kind(const Kind& kind) {
     }
     offer_drives("differential");
   }
-  if (list_ == "sensors") {
+  if (list_ == "sensors" || list_ == "actuators") {
     offer_headings(kind);
   }
 }

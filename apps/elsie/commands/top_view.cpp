@@ -35,6 +35,11 @@ picture::RobotTrack track_of(const simulation::Simulation& simulation, std::size
   for (std::size_t k = 0; k < simulation.segments(i); ++k) {
     track.segments.push_back(simulation.segment(i, k).pose);
   }
+  for (std::size_t k = 0; k < simulation.actuators(i); ++k) {
+    const simulation::ActuatorView actuator = simulation.actuator(i, k);
+    const Vector3& place = actuator.frame.origin;
+    if (actuator.shine) track.lights.push_back({{place.x, place.y}, *actuator.shine});
+  }
   if (tracks) {
     const traces::Track& driven = tracks->tracks()[i];
     track.path = driven.path;

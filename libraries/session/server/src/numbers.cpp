@@ -125,6 +125,16 @@ bool Numbers::visit_all(const Simulation& simulation, Visitor visitor) {
         }
       });
     }
+    for (std::size_t i = 0; i < simulation.actuators(robot); ++i) {
+      const auto lists_all = [&] { simulation.visit_command(robot, i, [](const auto&) {}); };
+      if (!succeeds({robot, simulation.sensors(robot) + i}, lists_all)) continue;
+      visitor.begin(simulation.robot(robot).description->id, simulation.actuator(robot, i).id);
+      simulation.visit_command(robot, i, [&](const ReadingField& field) {
+        for (std::size_t k = 0; field.is_number() && k < field.size; ++k) {
+          visitor.see(field, k, has_decided && k < field.count ? field.number(k) : kNone);
+        }
+      });
+    }
     visit_published(
         simulation.robot(robot).description->id, {robot, kPublished},
         [&](const auto& visit) { simulation.visit_published(robot, visit); }, has_decided, visitor);

@@ -59,23 +59,36 @@ std::string name_of(const ReadingField& field) {
   return name += field.name;
 }
 
+void add_field(const ReadingField& field, Json& fields) {
+  if (!field.is_number()) return;
+  Json values = Json::array();
+  for (std::size_t k = 0; k < field.count; ++k) values.push_back(number(field.number(k)));
+  fields.push_back({{"name", name_of(field)}, {"unit", field.unit}});
+  if (field.is_array) fields.back()["size"] = field.size;
+  fields.back()["values"] = std::move(values);
+}
+
+/// The readings of sensors, then the commands of actuators.
 Json sensors_json(const Simulation& simulation, std::size_t robot) {
-  Json sensors = Json::array();
+  Json all = Json::array();
   for (std::size_t i = 0; i < simulation.sensors(robot); ++i) {
     const SensorView sensor = simulation.sensor(robot, i);
     Json fields = Json::array();
-    simulation.visit_reading(robot, i, [&](const ReadingField& field) {
-      if (!field.is_number()) return;
-      Json values = Json::array();
-      for (std::size_t k = 0; k < field.count; ++k) values.push_back(number(field.number(k)));
-      fields.push_back({{"name", name_of(field)}, {"unit", field.unit}});
-      if (field.is_array) fields.back()["size"] = field.size;
-      fields.back()["values"] = std::move(values);
-    });
-    sensors.push_back(
-        {{"id", sensor.id}, {"plugin", sensor.plugin}, {"fields", std::move(fields)}});
+    simulation.visit_reading(robot, i,
+                             [&](const ReadingField& field) { add_field(field, fields); });
+    all.push_back({{"id", sensor.id}, {"plugin", sensor.plugin}, {"fields", std::move(fields)}});
   }
-  return sensors;
+  for (std::size_t i = 0; i < simulation.actuators(robot); ++i) {
+    const simulation::ActuatorView actuator = simulation.actuator(robot, i);
+    Json fields = Json::array();
+    simulation.visit_command(robot, i,
+                             [&](const ReadingField& field) { add_field(field, fields); });
+    all.push_back({{"id", actuator.id},
+                   {"plugin", actuator.plugin},
+                   {"by", actuator.by},
+                   {"fields", std::move(fields)}});
+  }
+  return all;
 }
 
 /// The picture with three bytes per pixel, whatever its own number of channels.

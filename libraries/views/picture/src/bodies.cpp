@@ -26,7 +26,7 @@ void leave_bodies_only(Element& root, const plugin::Host& drives) {
   }
   if (Element* robots = root.child("robots")) {
     for (Element& robot : robots->children) {
-      drop(robot, {"sensors", "behaviors", "coordinator", "localisation"});
+      drop(robot, {"sensors", "actuators", "behaviors", "coordinator", "localisation"});
       const Element* drive = robot.child("drive");
       if (drive && !drive->children.empty() &&
           !drives.find(PluginKind::drive, drive->children.front().name)) {

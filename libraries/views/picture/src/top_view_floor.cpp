@@ -73,6 +73,11 @@ void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout) {
   for (const world::Lamp& lamp : scene.world.lamps) {
     draw_sun(canvas, layout.map.pixel({lamp.x, lamp.y}), ink(lamp.colour));
   }
+  for (const DrawnRobot& robot : scene.robots) {
+    for (const Light& light : robot.track.lights) {
+      draw_sun(canvas, layout.map.pixel(light.place), ink(light.colour));
+    }
+  }
 }
 
 void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,

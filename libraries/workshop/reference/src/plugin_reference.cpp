@@ -138,8 +138,9 @@ std::string fields_of(const ReadingDeclaration& reading) {
 
 std::string plugin_declaration(const Declaration& declaration) {
   const std::string kind(plugin::kind_name(declaration.kind));
-  std::string text = declaration.description + ".\n\nA " + kind + ", version " +
-                     declaration.version + ".\n" + table_of(declaration.parameters);
+  std::string text = declaration.description + ".\n\n" + (kind == "actuator" ? "An " : "A ") +
+                     kind + ", version " + declaration.version + ".\n" +
+                     table_of(declaration.parameters);
   const std::size_t lists = declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
   for (std::size_t list = 0; list < lists; ++list) {
     text += list_of_elements(declaration, list);
@@ -163,6 +164,13 @@ std::string plugin_declaration(const Declaration& declaration) {
   for (const ReadingDeclaration& reading : declaration.produces) {
     text += "\nMakes readings of the kind `" + reading.kind + "`" + fields_of(reading) + ".\n";
   }
+  for (const ReadingDeclaration& command : declaration.commands) {
+    text += "\nGives commands of the kind `" + command.kind + "`.\n";
+  }
+  for (const ReadingDeclaration& command : declaration.takes) {
+    text += "\nTakes commands of the kind `" + command.kind + "`" + fields_of(command) + ".\n";
+  }
+  if (declaration.only_acts) text += "\nIt only acts: the coordinator does not see it.\n";
   if (!declaration.published.empty()) {
     text += "\nPublishes:\n\n| number | unit | meaning |\n|---|---|---|\n";
     for (const PublishedNumber& number : declaration.published) {

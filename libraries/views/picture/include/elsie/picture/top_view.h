@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "elsie/api/geometry.h"
+#include "elsie/api/image.h"
 #include "elsie/api/sketch.h"
 #include "elsie/picture/axis.h"
 #include "elsie/picture/size.h"
@@ -19,6 +20,12 @@ struct World;
 }
 
 namespace elsie::picture {
+
+/// What an actuator of a robot shines.
+struct Light {
+  Vector2 place;
+  Colour colour;
+};
 
 /// A robot during a run. Body and team are those of the robot with this id in the world; for an
 /// unknown id, the defaults.
@@ -33,6 +40,7 @@ struct RobotTrack {
   double from_s = 0.0;                // time of the first pose of the path
   std::optional<Pose> believed{};     // where it takes itself to be; none: it knows
   std::vector<Pose> believed_path{};  // likewise, for each pose of the path; empty: it knows
+  std::vector<Light> lights{};
 };
 
 /// The parts of the paths to draw. The long paths of many robots hide each other.
