@@ -319,6 +319,18 @@ TEST_CASE("The page on measures quotes what elsie new makes, and its output") {
   CHECK_THAT(run.out, Catch::EndsWith(output[0]));
 }
 
+TEST_CASE("The page on actuators quotes what elsie new makes") {
+  const auto code =
+      blocks(read(fs::path(elsie::test::source_path("docs")) / "writing-an-actuator.md"), "cpp");
+  REQUIRE(code.size() == 3);
+  Workplace here;
+  REQUIRE(here.elsie("new actuator flare").exit_code == 0);
+  CHECK(code[0] == here.read("flare/flare_command.h"));
+  CHECK(code[1] == here.read("flare/flare.cpp"));
+  CHECK(code[2] == here.read("flare/test_flare.cpp"));
+  CHECK(here.sh("ELSIE_CACHE=cache elsie test-plugin flare/flare.cpp").exit_code == 0);
+}
+
 TEST_CASE("The measures that pages show are in order in a world that has what they name") {
   const std::string robots = R"(<robots>
       <robot id="r1"><behaviors><avoid_obstacle/><wander/></behaviors>

@@ -28,6 +28,20 @@ Simulation with(const std::string& sensors, const std::string& engine = "ode",
 
 }  // namespace
 
+TEST_CASE("An odometer adds up every step of a control period") {
+  Simulation simulation = of(R"(<physics control_steps="25"/>)",
+                             R"(<sensors><odometer/></sensors>
+                                <behaviors><wander restlessness="3"/></behaviors>
+                                <coordinator><arbiter_suppression/></coordinator>)");
+  double path = 0.0;  // of the middle, by the wheels
+  for (int step = 0; step < 1001; ++step) {
+    simulation.step();
+    if (step < 1000) path += 0.01 * simulation.robot(0).state->odometry.forward;
+  }
+  const std::vector<double> reading = numbers_of(simulation, 0, 0);
+  CHECK(0.5 * (reading[0] + reading[1]) == Approx(path).epsilon(1e-9));
+}
+
 TEST_CASE("A sensor on a segment measures from there, in either engine") {
   for (const char* engine : {"ode", "planar"}) {
     CAPTURE(engine);

@@ -7,6 +7,7 @@
 #include "elsie/readings/ground.h"
 #include "elsie/readings/light.h"
 #include "elsie/readings/omnidirectional_camera.h"
+#include "elsie/testing/behavior.h"
 #include "elsie/testing/sensor.h"
 
 using namespace elsie;
@@ -56,6 +57,42 @@ TEST_CASE("The foot-bot's cells follow its law, by distance and angle") {
   testing::Surroundings far;
   far.lamp(5.1, 0, 0.5, 2.0);  // d / I = 2.55
   CHECK(at_half_a_metre("light", {{"law", "footbot"}}).sense<LightReading>(far).values[0] == 0.0);
+}
+
+TEST_CASE("A light cell that has measured nothing reads dark, whatever its law") {
+  for (const std::string law : {"generic", "footbot", "khepera"}) {
+    CAPTURE(law);
+    testing::Sensor light = at_half_a_metre("light", {{"law", law}});
+    const auto dark = light.sense<LightReading>(testing::Surroundings()).values;
+    light.reset();
+    CHECK(static_cast<const LightReading*>(light->reading())->values == dark);
+  }
+}
+
+TEST_CASE("A light cell sees lamps on other robots within its range") {
+  testing::Surroundings room;
+  room.light("r2", {1.0, 0.0, 0.5}, 0.5).light("r3", {0.0, 3.0, 0.5}, 0.6);
+  CHECK(light_of(room, {}) == Approx(0.25));
+  CHECK(light_of(room, {{"led_range", 4.0}}) == Approx(0.25 + 0.04));
+  CHECK(light_of(room, {{"led_range", 0.0}}) == 0.0);
+  room.box(0.5, 0, 0.2, 0.2, 1.0);
+  CHECK(light_of(room, {}) == 0.0);
+}
+
+TEST_CASE("Cells all around that see the same tell no direction to the light") {
+  testing::Surroundings room;
+  room.lamp(1.5, 1.5, 0.5, 1.0);
+  const auto wish = [&](const std::string& law) {
+    testing::Sensor ring = at_half_a_metre("light", {{"law", law}, {"cells", 8}});
+    testing::Behavior seek("seek_light");
+    const LightReading reading = ring.sense<LightReading>(room);
+    testing::Situation now;
+    now.reading(reading, 0);
+    return seek.respond(now);
+  };
+  CHECK(wish("generic").activation == 0.0);
+  CHECK(wish("footbot").activation == 1.0);
+  CHECK(wish("footbot").command.turn == Approx(3.0 * std::numbers::pi / 4));
 }
 
 TEST_CASE("Khepera's cells read 500 in the dark, and less near a lamp") {

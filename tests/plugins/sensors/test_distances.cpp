@@ -85,6 +85,8 @@ TEST_CASE("Infra-red sensors have the laws of their robots") {
   CHECK(value("footbot", 0.005) == 1);
   CHECK(value("footbot", 0.05) == Approx(0.0100527 / (0.05 + 0.000163144)));
   CHECK(value("enki", 0.05) == Approx(1200 * (7 - 0.81) / (25 + 2 * 0.9 * 5 + 7)));
+  testing::Sensor sensor = in_the_middle("infrared", {{"law", "enki"}});
+  CHECK(sensor.sense<InfraredReading>(wall_at(0.05)).largest == Approx(1200 * (7 - 0.81) / 7));
 }
 
 TEST_CASE("An infra-red sensor of three rays has the mean of their values") {
