@@ -9,8 +9,13 @@ class @Class@ final : public elsie::Behavior {
   double speed = 10.0;
   double distance = 0.5;
 
+  // What it shows: a column of tables, a channel of recordings, a curve in the window.
+  double nearest = 0.0;  // m
+
+  void reset(elsie::Random&) override { nearest = distance; }
+
   elsie::Response respond(const elsie::Perception& now) override {
-    double nearest = distance;
+    nearest = distance;
     for (const auto& beam : now.readings<elsie::RangeReading>()) {
       nearest = std::min(nearest, beam->distance_m);
     }
@@ -29,4 +34,6 @@ ELSIE_BEHAVIOR(@Class@, "@name@", "Drives on, and stops in front of obstacles",
                                  .meaning = "wheel rate when all is clear"}),
                elsie::parameter("distance", &@Class@::distance,
                                 {.unit = "m", .above = 0, .max = 100,
-                                 .meaning = "it slows down for obstacles nearer than this"}));
+                                 .meaning = "it slows down for obstacles nearer than this"}),
+               elsie::publishes("nearest", &@Class@::nearest,
+                                {.unit = "m", .meaning = "to the nearest obstacle that it minds"}));
