@@ -22,7 +22,6 @@ namespace {
 
 using namespace elsie;
 
-constexpr int kSteps = 100;
 constexpr int kFirst = 20;  // steps that are not measured
 
 /// Robots that roam, each with this sensor at its default place, or without any.
@@ -46,12 +45,13 @@ world::World swarm(int robots, const std::string& sensor) {
 
 /// Processor time for a step, s, in a process of its own.
 double cost(const plugin::Host& host, const world::World& world) {
+  const int steps = world.robots.size() > 1000 ? 100 : 1000;
   return bench::apart([&] {
     simulation::Simulation run(world, host);
     for (int i = 0; i < kFirst; ++i) run.step();
     const std::clock_t start = std::clock();
-    for (int i = 0; i < kSteps; ++i) run.step();
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kSteps;
+    for (int i = 0; i < steps; ++i) run.step();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / steps;
   });
 }
 
@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
     }
     const world::World bare = swarm(robots, "");
     std::printf(
-        "%d robots.\n\n| sensor | us for a robot's step | of the speed without |\n|---|---|---|\n",
+        "%d robots.\n\n| sensor | us per robot and step | speed, relative to no sensor "
+        "|\n|---|---|---|\n",
         robots);
     for (const std::string& sensor : sensors) {
       const world::World equipped = swarm(robots, sensor);
