@@ -19,12 +19,6 @@ target_compile_options(
             "$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>"
             # Bit-identical runs: no fused multiply-add that one compiler makes and another does not.
             -ffp-contract=off)
-# It links a program in a third of the time of the default linker.
-include(CheckLinkerFlag)
-check_linker_flag(CXX -fuse-ld=gold ELSIE_HAS_GOLD)
-if(ELSIE_HAS_GOLD)
-  target_link_options(elsie_compiler INTERFACE -fuse-ld=gold)
-endif()
 if(ELSIE_SANITIZE STREQUAL "thread")
   target_compile_options(elsie_compiler INTERFACE -O1 -g1 -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(elsie_compiler INTERFACE -fsanitize=thread)
