@@ -297,6 +297,9 @@ std::size_t Simulation::actuators(std::size_t robot) const {
 ActuatorView Simulation::actuator(std::size_t robot, std::size_t index) const {
   return impl_->robots_[robot]->actuator_view(index);
 }
+std::span<const HeardMessage> Simulation::heard(std::size_t robot) const {
+  return impl_->robots_[robot]->heard();
+}
 void Simulation::visit_command(std::size_t robot, std::size_t actuator,
                                const FieldVisit& visit) const {
   impl_->robots_[robot]->visit_command(actuator, visit);

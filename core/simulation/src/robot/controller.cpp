@@ -202,6 +202,14 @@ void Controller::choose_acts() {
   }
 }
 
+void Controller::forget_acts() {
+  acts_.clear();
+  for (const auto& slot : slots_) {
+    slot->response.acts.clear();
+    if (slot->inside) slot->inside->forget_acts();
+  }
+}
+
 Response Controller::respond(const Perception& now) {
   Response response = decide(now);
   for (const ChosenAct& chosen : acts_) {

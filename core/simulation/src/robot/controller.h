@@ -72,6 +72,8 @@ class Controller final : public Coordination, private Member::Runner {
     Act act;
   };
   std::span<const ChosenAct> acts() const { return acts_; }
+  /// Forgets them, at every depth.
+  void forget_acts();
 
   Response respond(const Perception& now) override;
   void rate(std::span<const Motion> candidates, std::span<double> desirability) override;

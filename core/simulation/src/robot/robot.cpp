@@ -262,8 +262,12 @@ void Robot::reset(std::uint64_t seed) {
   raised_.clear();
   contacts_.clear();
   rolled_ = {};
+  heard_.clear();
+  perception_.heard = {};
   for (const auto& slot : actuators_) {
     slot->by.clear();
+    slot->under_way.clear();
+    slot->sounding.clear();
     slot->effect = slot->shown = {};
   }
   logged_ = 0;

@@ -76,9 +76,14 @@ class Robot final : private RobotRequests {
   /// Lets the actuators carry out what the decision tells them. Throws PluginFault.
   void act(const Instant& now);
   /// Shows to others what the actuators have done; call it when all robots have acted.
-  void show_effects() {
-    for (const auto& slot : actuators_) slot->shown = slot->effect;
-  }
+  void show_effects(double next_s);
+  /// Hears what other robots have sent. `loudest_m`: the largest range of a message.
+  void listen(const RobotSurroundings& surroundings, double loudest_m, const Instant& now);
+  /// The largest range of a message that is heard in this control period, m; 0: none is.
+  double loudest_m() const;
+  std::span<const HeardMessage> heard() const { return heard_; }
+  /// Forgets commands and messages, whose code may be in a library that is to be unloaded.
+  void forget_messages();
   /// Appends what its actuators shine.
   void list_lights(std::vector<LampView>& lights) const;
   /// Subtracts the energy that sensors and actuators use in a control period.
@@ -256,18 +261,41 @@ class Robot final : private RobotRequests {
     double intensity = 0.0;
     double power = 0.0;  // units per second
   };
+
   struct ActuatorSlot final : MountedSlot<Actuator, PluginKind::actuator>, private Effects {
     using MountedSlot::MountedSlot;
     void equip(Component& object, const Example& example) const override;
     void shine(const Colour& colour, double intensity) override;
     void draw_power(double units_per_s) override;
+    void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
+                  const Transmission& how) override;
     Effects& effects() { return *this; }
+
+    /// A message that was sent.
+    struct Sent {
+      std::shared_ptr<const Message> message;
+      std::string to;
+      Transmission how;
+      double said_s;
+    };
 
     bool is_new = false;  // it was commanded in the last decision
     std::string by;       // Act::by() of the present command; empty: there was none
     Effect effect, shown;
+    std::vector<Sent> under_way, sounding;  // sounding: heard in this control period
+    double now_s = 0.0;                     // when it carries out its command
   };
 
+  /// A message with the id of its sender.
+  struct Overheard {
+    std::string_view sender;
+    HeardMessage message;
+  };
+  void hear(const ActuatorSlot& device, const RobotSurroundings& surroundings, double loudest_m,
+            const Instant& now, std::vector<Overheard>& all) const;
+  bool is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const Instant& now) const;
+  /// How far the place is from the robot's middle, m.
+  double reach_of(const SensorPlace& device) const;
   void look_at_segments(const physics::Engine& engine, std::size_t index);
   /// The frame of what a sensor or an actuator is mounted on.
   const Frame& frame_below(const SensorPlace& place) const {
@@ -349,6 +377,7 @@ class Robot final : private RobotRequests {
   std::vector<TeamMate> mates_;
   std::size_t vehicles_ = 1;       // of its drive
   std::vector<Contact> contacts_;  // since sensors were last updated
+  std::vector<HeardMessage> heard_;
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
   std::size_t logged_ = 0;                // number of them that the log has

@@ -1,6 +1,7 @@
 // What a robot does besides moving: its actuators.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "elsie/base/words.h"
 
 #include "robot/robot.h"
+#include "robot/robot_surroundings.h"
 
 namespace elsie::simulation {
 
@@ -56,6 +58,7 @@ void Robot::act(const Instant& now) {
                  [&] { slot->disturbed->update(slot->object(), now.time_s, now.period_s); });
     }
     slot->effect = {};
+    slot->now_s = now.time_s;
     const ActuatorContext context{
         now.time_s, now.period_s,  slot->is_new,    frame_of(*slot->place), &slot->place->mounting,
         state_,     &slot->random, &slot->effects()};
@@ -78,6 +81,107 @@ void Robot::ActuatorSlot::draw_power(double units_per_s) {
                       " units per second; expected a number at least 0");
   }
   effect.power += units_per_s;
+}
+
+void Robot::ActuatorSlot::transmit(const std::shared_ptr<const Message>& message,
+                                   const std::string& to, const Transmission& how) {
+  if (!message) return;
+  if (to == robot.description_->id) {
+    throw base::Error("it sends a message to its own robot '" + to + "'; expected another one");
+  }
+  under_way.push_back({message, to, how, now_s});
+}
+
+void Robot::show_effects(double next_s) {
+  constexpr double kRounding = 1e-9;  // s
+  for (const auto& slot : actuators_) {
+    slot->shown = slot->effect;
+    slot->sounding.clear();
+    const auto is_due = [&](const ActuatorSlot::Sent& sent) {
+      return sent.said_s + sent.how.delay_s <= next_s + kRounding;
+    };
+    std::copy_if(slot->under_way.begin(), slot->under_way.end(), std::back_inserter(slot->sounding),
+                 is_due);
+    std::erase_if(slot->under_way, is_due);
+  }
+}
+
+double Robot::reach_of(const SensorPlace& device) const {
+  const Vector3 place = frame_of(device).origin;
+  return std::hypot(place.x - truth_.pose.x, place.y - truth_.pose.y);
+}
+
+double Robot::loudest_m() const {
+  double loudest = 0.0;
+  for (const auto& slot : actuators_) {
+    if (slot->sounding.empty()) continue;
+    const double reach = reach_of(*slot->place);
+    for (const ActuatorSlot::Sent& sent : slot->sounding)
+      loudest = std::max(loudest, sent.how.range_m + reach);
+  }
+  return loudest;
+}
+
+void Robot::listen(const RobotSurroundings& surroundings, double loudest_m, const Instant& now) {
+  std::vector<Overheard> all;
+  for (const auto& slot : actuators_) {
+    if (empty_ || !(loudest_m > 0.0)) break;
+    if (slot->declaration->hears_messages) hear(*slot, surroundings, loudest_m, now, all);
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Overheard& a, const Overheard& b) { return a.sender < b.sender; });
+  heard_.clear();
+  for (Overheard& each : all) heard_.push_back(std::move(each.message));
+  perception_.heard = heard_;
+}
+
+/// What one of its actuators hears.
+void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundings,
+                 double loudest_m, const Instant& now, std::vector<Overheard>& all) const {
+  const Frame own = frame_of(*device.place);
+  surroundings.for_each_near(loudest_m + reach_of(*device.place), [&](const Robot& other) {
+    for (const auto& slot : other.actuators_) {
+      if (slot->declaration != device.declaration) continue;
+      for (const ActuatorSlot::Sent& sent : slot->sounding) {
+        if (!sent.to.empty() && sent.to != description_->id) continue;
+        const Vector3 there = other.frame_of(*slot->place).origin, way = there - own.origin;
+        const double distance = std::sqrt(dot(way, way));
+        if (distance > sent.how.range_m || is_lost(sent, other, now)) continue;
+        if (sent.how.in_sight && !surroundings.sees(other, own.origin, there)) continue;
+        const std::string& sender = other.description_->id;
+        HeardMessage& heard = all.emplace_back(Overheard{sender, {}}).message;
+        heard.message = sent.message;
+        heard.device = device.use->id;
+        if (sent.how.tells_from) heard.from = sender;
+        heard.age_s = now.time_s - sent.said_s;
+        heard.sender_at = there;
+        if (!sent.how.in_sight) continue;
+        const double ahead = dot(way, own.forward), left = dot(way, own.left);
+        heard.distance_m = distance;
+        heard.bearing_rad = std::atan2(left, ahead);
+        heard.elevation_rad = std::atan2(dot(way, own.up), std::hypot(ahead, left));
+      }
+    }
+  });
+}
+
+/// One draw for each sender, receiver and control period.
+bool Robot::is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const Instant& now) const {
+  if (!(sent.how.loss > 0.0)) return false;
+  Random random(seed_, "message/" + sender.description_->id + "/" + description_->id + "/" +
+                           std::to_string(now.step));
+  return random.chance(sent.how.loss);
+}
+
+void Robot::forget_messages() {
+  controller_->forget_acts();
+  heard_.clear();
+  perception_.heard = {};
+  for (const auto& slot : actuators_) {
+    if (slot->declaration->hears_messages) slot->object().forget();
+    slot->under_way.clear();
+    slot->sounding.clear();
+  }
 }
 
 void Robot::list_lights(std::vector<LampView>& lights) const {

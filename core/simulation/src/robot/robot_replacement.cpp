@@ -48,6 +48,7 @@ void Robot::replace(Swap& swap, const Cameras& cameras) {
   controller_->for_each(
       Order::inner_first, "", "",
       [&](PluginObject& each, const std::string& path, const auto&) { swap.exchange(each, path); });
+  forget_messages();
   if (swap.concerns_robot()) {
     group_readings();
     check_needs();

@@ -74,11 +74,31 @@ class RobotSurroundings final : public Surroundings {
       if (i != robot_) things_.add_robot(i, here, robots_[i]->truth().pose, radius_m, things);
     }
   }
-  void lights_within(double radius_m, std::vector<LampView>& lights) const override {
+  /// Calls visit(robot) for all other robots whose middles are within `reach_m`, and perhaps
+  /// others, in their order.
+  template <class Visit>
+  void for_each_near(double reach_m, const Visit& visit) const {
     const Pose here = pose();
-    for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
-      if (i != robot_) robots_[i]->list_lights(lights);
+    for (const std::size_t i : neighbours_.near({here.x, here.y}, reach_m, memory_.near)) {
+      if (i != robot_) visit(*robots_[i]);
     }
+  }
+  /// Whether nothing but the other robot is between two places.
+  bool sees(const Robot& other, const Vector3& from, const Vector3& to) const {
+    const Vector3 way = to - from;
+    const double distance = std::sqrt(dot(way, way));
+    if (!(distance > 0.0)) return true;
+    Frame along;
+    along.origin = from;
+    along.forward = (1.0 / distance) * way;
+    RayQuery query{&along, distance};
+    Surface surface;
+    cast_rays({}, {&query, 1}, {&surface, 1});
+    return surface.kind == Surface::Kind::nothing ||
+           (surface.kind == Surface::Kind::robot && robots_[surface.index].get() == &other);
+  }
+  void lights_within(double radius_m, std::vector<LampView>& lights) const override {
+    for_each_near(radius_m, [&](const Robot& other) { other.list_lights(lights); });
   }
   std::span<const Colour> resource_colours() const override {
     return robots_[robot_]->resource_colours();

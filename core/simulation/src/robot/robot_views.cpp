@@ -76,6 +76,14 @@ std::vector<PluginSketch> Robot::sketches() const {
   }
   for (const auto& slot : actuators_) {
     add(*slot, "", frame_of(*slot->place));
+    Sketch heard({});
+    heard.in_world();
+    for (const HeardMessage& each : heard_) {
+      if (each.device == slot->use->id) {
+        heard.arrow(SketchRole::hit, each.sender_at, frame_of(*slot->place).origin);
+      }
+    }
+    if (!heard.empty()) sketches.push_back({slot->use->id, slot->kind, std::move(heard)});
   }
   for_each(Order::outer_first,
            [&](PluginObject& each, const std::string&, const std::string& within) {

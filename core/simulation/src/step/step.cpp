@@ -64,11 +64,17 @@ void Simulation::Impl::control(double period_s) {
     }
     knows_calls_ = true;
   }
+  double loudest_m = 0.0;
+  if (has_actuators_) {
+    for (const auto& robot : robots_) loudest_m = std::max(loudest_m, robot->loudest_m());
+  }
   // The other robots perceive what a robot decides and does now only in the next step.
   loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
     Robot& robot = *robots_[i];
-    robot.sense(RobotSurroundings(*engine_, *things_, robots_, *neighbours_, i, memory_[thread]),
-                now);
+    const RobotSurroundings surroundings(*engine_, *things_, robots_, *neighbours_, i,
+                                         memory_[thread]);
+    robot.sense(surroundings, now);
+    if (robot.actuator_count() > 0) robot.listen(surroundings, loudest_m, now);
     update_team(i, memory_[thread].near);
     robot.decide(now);
     if (robot.actuator_count() > 0) robot.act(now);
@@ -77,7 +83,7 @@ void Simulation::Impl::control(double period_s) {
     attention_[i] = robot.needs_attention();
   });
   if (!has_actuators_) return;
-  for (const auto& robot : robots_) robot->show_effects();
+  for (const auto& robot : robots_) robot->show_effects(now.time_s + period_s);
 }
 
 void Simulation::Impl::observe(bool decided, bool is_start) {

@@ -16,16 +16,28 @@
 // carry out their commands. What they do has an effect on others from the next period on.
 #pragma once
 
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "elsie/api/component.h"
 #include "elsie/api/disturbance.h"
 #include "elsie/api/image.h"
+#include "elsie/api/message.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/registration.h"
 #include "elsie/base/random.h"
 
 namespace elsie {
+
+/// How a message is sent.
+struct Transmission {
+  double range_m = 1.0;    // from the sender's place: who is farther away does not hear it
+  double delay_s = 0.0;    // at least until the next control period
+  double loss = 0.0;       // probability that a receiver does not hear it
+  bool in_sight = false;   // only over a line of sight; then receivers know where the sender is
+  bool tells_from = true;  // receivers know who the sender is
+};
 
 /// What an actuator can do. Each effect lasts one control period: an actuator repeats it for as
 /// long as its command holds.
@@ -34,6 +46,11 @@ class Effects {
   /// Shines with this colour at the place of the actuator: light sensors and cameras see it.
   /// `intensity`: as that of a lamp; it must be finite and above 0.
   virtual void shine(const Colour& colour, double intensity) = 0;
+  /// Sends a message, to the robot with the id `to` or, if that is empty, to all that hear it:
+  /// robots with an actuator of the same plugin, which declares hears_messages(). Throws
+  /// base::Error for a message to the robot itself.
+  virtual void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
+                        const Transmission& how) = 0;
   /// Takes energy from the battery, units per second; at least 0.
   virtual void draw_power(double units_per_s) = 0;
 
@@ -83,6 +100,11 @@ class ActuatorOf : public Holding<Actuator, Command> {
   void take(const void* command) final { this->in_work() = *static_cast<const Command*>(command); }
   void carry_out(const ActuatorContext& now) final { act(this->current(), now); }
 };
+
+/// Robots with the actuator hear what others send with such ones.
+inline auto hears_messages() {
+  return [](Declaration& declaration) { declaration.hears_messages = true; };
+}
 
 /// Makes an actuator class a plugin; see ELSIE_BEHAVIOR. The kind of commands comes from its base
 /// class.

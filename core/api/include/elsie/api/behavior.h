@@ -100,6 +100,14 @@ struct Response {
   void act(std::string actuator, Command told) {
     acts.emplace_back(std::move(actuator), std::move(told));
   }
+  /// Says a message by the first actuator that sends messages, or the one with the id `by`: to the
+  /// robot with the id `to`, or to all that hear it. Throws std::invalid_argument if a number of it
+  /// is not finite.
+  template <class Content>
+  void say(Content content, std::string to = "", std::string by = "") {
+    act(std::move(by),
+        SayCommand{std::make_shared<const Message>(Message(std::move(content))), std::move(to)});
+  }
 };
 
 /// Behaviours with a coordinator of their own, inside a behaviour (nested coordination). The world

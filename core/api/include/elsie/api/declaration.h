@@ -120,6 +120,7 @@ struct Declaration {
   std::vector<ReadingDeclaration> produces;  // sensors: exactly one
   std::vector<ReadingDeclaration> commands;  // behaviours: a robot without such an actuator, too
   std::vector<ReadingDeclaration> takes;     // actuators: exactly one
+  bool hears_messages = false;               // actuators: see hears_messages()
   bool only_acts = false;                    // behaviours: see only_acts()
   std::vector<EventDeclaration> events;      // the events that it may raise
   std::vector<std::string> reacts_to;        // names of events

@@ -9,6 +9,7 @@
 
 #include "elsie/api/event.h"
 #include "elsie/api/geometry.h"
+#include "elsie/api/message.h"
 #include "elsie/api/motion.h"
 #include "elsie/api/reading.h"
 #include "elsie/base/random.h"
@@ -169,6 +170,7 @@ class Perception {
     const OwnState* self = nullptr;
     const TeamState* team = nullptr;
     std::span<const Event> events;
+    std::span<const HeardMessage> heard{};
   };
 
   Perception(const Data& data, Random& random) : data_(&data), random_(&random) {}
@@ -190,6 +192,11 @@ class Perception {
       return Readings<Reading>(group.readings);
     }
     return {};
+  }
+  /// The messages of this type that its actuators hear in this control period.
+  template <class Content>
+  HeardMessages<Content> heard() const {
+    return HeardMessages<Content>(data_->heard);
   }
   const OwnState& self() const { return *data_->self; }
   const TeamState& team() const { return *data_->team; }

@@ -239,6 +239,8 @@ class Simulation {
   void visit_reading(std::size_t robot, std::size_t sensor, const FieldVisit& visit) const;
   std::size_t actuators(std::size_t robot) const;
   ActuatorView actuator(std::size_t robot, std::size_t index) const;
+  /// What its actuators heard before the last decision.
+  std::span<const HeardMessage> heard(std::size_t robot) const;
   /// The same for the command that an actuator carries out.
   void visit_command(std::size_t robot, std::size_t actuator, const FieldVisit& visit) const;
   /// Calls `visit` for each number that the plugins of a robot publish, in the same order until
