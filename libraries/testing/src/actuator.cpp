@@ -17,6 +17,10 @@ class Recorded final : public Effects {
     done_.intensity = intensity;
   }
   void draw_power(double units_per_s) override { done_.power += units_per_s; }
+  void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
+                const Transmission& how) override {
+    done_.sent.push_back({message, to, how});
+  }
 
  private:
   Done& done_;

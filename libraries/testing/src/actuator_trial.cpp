@@ -40,6 +40,7 @@ class ActuatorTrial final : public Trial {
     answer.add("its intensity", done.intensity);
     require_finite("its power", done.power);
     answer.add("its power", done.power);
+    answer.add("the number of its messages", static_cast<double>(done.sent.size()));
     if (done.shine && !(done.intensity > 0.0)) {
       throw Wrong("it shines with the intensity " + number_text(done.intensity) +
                   "; expected a number above 0");

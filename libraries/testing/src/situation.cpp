@@ -93,6 +93,17 @@ Situation& Situation::charger(double x, double y) {
   return *this;
 }
 
+Situation& Situation::hear(std::shared_ptr<const Message> message, const std::string& from,
+                           double distance_m, double bearing_deg) {
+  Said& said = said_.emplace_back();
+  said.message.message = std::move(message);
+  said.message.distance_m = distance_m;
+  said.message.bearing_rad = radians(bearing_deg);
+  said.message.elevation_rad = std::isnan(distance_m) ? kUnknown : 0.0;
+  said.from = from;
+  return *this;
+}
+
 Situation& Situation::event(const std::string& name) {
   events_.push_back(name);
   return *this;
@@ -147,6 +158,12 @@ Perception Situation::perception() const {
   v.team.mates = v.mates;
   v.data = data_;
   v.data.events = v.events;
+  v.heard.clear();
+  for (const Said& said : said_) {
+    v.heard.push_back(said.message);
+    v.heard.back().from = said.from;
+  }
+  v.data.heard = v.heard;
   v.data.groups = v.groups;
   v.data.self = &self;
   v.data.team = &v.team;

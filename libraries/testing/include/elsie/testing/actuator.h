@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "elsie/api/actuator.h"
 #include "elsie/testing/plugins.h"
@@ -15,6 +18,12 @@ struct Done {
   std::optional<Colour> shine;  // none: it is dark
   double intensity = 0.0;
   double power = 0.0;  // units per second
+  struct Sent {
+    std::shared_ptr<const Message> message;
+    std::string to;
+    Transmission how;
+  };
+  std::vector<Sent> sent;
 };
 
 ///   Actuator led("led", {{"intensity", 0.5}});
@@ -36,6 +45,12 @@ class Actuator {
   const Done& act(const Command& command) {
     require(ReadingKind::of<Command>());
     return act_on(&command);
+  }
+  /// Lets it say a message.
+  template <class Content>
+  const Done& say(Content content, std::string to = "") {
+    return act(
+        SayCommand{std::make_shared<const Message>(Message(std::move(content))), std::move(to)});
   }
   /// The same for the struct of a command of its kind; null: the present command holds.
   const Done& act_on(const void* command);

@@ -72,6 +72,17 @@ class Situation {
 
   /// Adds an event that was raised on this robot in the last step.
   Situation& event(const std::string& name);
+  /// Adds a message that the robot hears, from a robot with this id; with range and bearing, from
+  /// such a distance and direction.
+  template <class Content>
+  Situation& hear(Content content, const std::string& from = "", double distance_m = kUnknown,
+                  double bearing_deg = kUnknown) {
+    return hear(std::make_shared<const Message>(Message(std::move(content))), from, distance_m,
+                bearing_deg);
+  }
+  Situation& hear(std::shared_ptr<const Message> message, const std::string& from,
+                  double distance_m, double bearing_deg);
+  static constexpr double kUnknown = HeardMessage::kUnknown;
   Situation& time(double time_s);
   /// Sets the time between decisions.
   Situation& period(double period_s);
@@ -106,6 +117,11 @@ class Situation {
   std::deque<Entry> entries_;
   std::deque<Mate> mates_;
   std::deque<std::string> events_;
+  struct Said {
+    HeardMessage message;
+    std::string from;
+  };
+  std::deque<Said> said_;
   Perception::Data data_;
   // The data that perception() refers to, renewed by each call.
   struct Views {
@@ -118,6 +134,7 @@ class Situation {
     std::vector<ReadingGroup> groups;
     std::vector<TeamMate> mates;
     std::vector<Event> events;
+    std::vector<HeardMessage> heard;
   };
   mutable Views views_;
 };
