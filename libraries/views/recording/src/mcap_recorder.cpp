@@ -337,6 +337,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     Json schema = schema_of("elsie.Readings");
     schema["properties"]["sensors"]["properties"] = std::move(sensors);
     if (!actuators.empty()) {
+      schema["properties"]["heard"] = {{"type", "array"}, {"items", {{"type", "object"}}}};
       schema["properties"]["actuators"] = {{"type", "object"},
                                            {"properties", std::move(actuators)}};
     }
@@ -486,6 +487,16 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       Json& actuator = message["actuators"][std::string(view.id)] = {{"by", view.by}};
       simulation.visit_command(r, a,
                                [&](const ReadingField& field) { add_to_message(field, actuator); });
+    }
+    for (const HeardMessage& heard : simulation.heard(r)) {
+      Json content = Json::object();
+      heard.message->visit_fields(
+          [&](const ReadingField& field) { add_to_message(field, content); });
+      message["heard"].push_back({{"by", heard.device},
+                                  {"from", heard.from},
+                                  {"kind", heard.message->kind().name},
+                                  {"age_s", heard.age_s},
+                                  {"message", std::move(content)}});
     }
     write(channels.readings, time_ns, message);
   }
