@@ -140,7 +140,7 @@ TEST_CASE("Only attributes of robots, and of what is on them, are live") {
     }
   };
   look(world::vocabulary(), false);
-  CHECK(live == 10);
+  CHECK(live == 11);
 }
 
 TEST_CASE("A path that leads nowhere is reported as in an override") {

@@ -171,7 +171,7 @@ TEST_CASE("An element that cannot be added is refused in a sentence") {
         "nothing called 'robt' can be added to <world>; did you mean 'robot'?");
   CHECK(refused("robot[r1]/beam[+]=<beam/>") ==
         "nothing called 'beam' can be added to <robot>; there may be: body, drive, "
-        "localisation, segment, sensor, behavior, coordinator");
+        "localisation, segment, sensor, actuator, behavior, coordinator");
   CHECK(refused("robot[r9]/sensor[+]=<beam/>") == "there is no robot[r9]; there are: r1, r2");
   CHECK(refused("static_box[+]=<dynamic_box/>") ==
         "the path adds a <static_box>, but the element is a <dynamic_box>");

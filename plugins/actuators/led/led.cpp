@@ -13,9 +13,9 @@ class Led final : public elsie::ActuatorOf<elsie::LedCommand> {
 
   void act(const elsie::LedCommand& command, const elsie::ActuatorContext& now) override {
     const double brightness = std::clamp(command.brightness, 0.0, 1.0);
-    if (brightness <= 0.0) return;
-    now.robot->shine(command.colour, intensity * brightness);
     now.robot->draw_power(power * brightness);
+    const double shines = intensity * brightness;
+    if (shines > 0.0) now.robot->shine(command.colour, shines);
   }
 
   void sketch(elsie::Sketch& sketch) const override {
