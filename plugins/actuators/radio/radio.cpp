@@ -1,9 +1,8 @@
 // Radio: what a behaviour says is heard once, by every robot with a radio in range or by one of
 // them, whatever stands between.
-#include <string>
+#include <cstdint>
 
 #include <elsie/api/actuator.h>
-#include <elsie/base/error.h>
 
 namespace {
 
@@ -12,17 +11,12 @@ class Radio final : public elsie::ActuatorOf<elsie::SayCommand> {
   double range = 1.5;
   double delay = 0.0;
   double loss = 0.0;
-  int bandwidth = 64;
+  std::uint32_t bandwidth = 64;
 
   void act(const elsie::SayCommand& said, const elsie::ActuatorContext& now) override {
     if (!said.message || !now.is_new) return;
-    if (said.message->bytes() > static_cast<std::size_t>(bandwidth)) {
-      throw elsie::base::Error("a message of the kind '" + std::string(said.message->kind().name) +
-                               "' has " + std::to_string(said.message->bytes()) +
-                               " bytes; its bandwidth is " + std::to_string(bandwidth) +
-                               " in a control period");
-    }
-    now.robot->transmit(said.message, said.to, {.range_m = range, .delay_s = delay, .loss = loss});
+    now.robot->transmit(said.message, said.to,
+                        {.range_m = range, .delay_s = delay, .loss = loss, .bandwidth = bandwidth});
   }
 
   void sketch(elsie::Sketch& sketch) const override {

@@ -1,9 +1,8 @@
 // Range and bearing, as the foot-bot and the e-puck have it in ARGoS: it repeats what a behaviour
 // has said last; robots in sight and in range hear it, and know from where.
-#include <string>
+#include <cstdint>
 
 #include <elsie/api/actuator.h>
-#include <elsie/base/error.h>
 
 namespace {
 
@@ -11,18 +10,17 @@ class RangeAndBearing final : public elsie::ActuatorOf<elsie::SayCommand> {
  public:
   double range = 3.0;
   double loss = 0.0;
-  int bandwidth = 10;
+  std::uint32_t bandwidth = 10;
   bool id = false;
 
   void act(const elsie::SayCommand& said, const elsie::ActuatorContext& now) override {
     if (!said.message) return;
-    if (said.message->bytes() > static_cast<std::size_t>(bandwidth)) {
-      throw elsie::base::Error("a message of the kind '" + std::string(said.message->kind().name) +
-                               "' has " + std::to_string(said.message->bytes()) +
-                               " bytes; its bandwidth is " + std::to_string(bandwidth));
-    }
     now.robot->transmit(said.message, said.to,
-                        {.range_m = range, .loss = loss, .in_sight = true, .tells_from = id});
+                        {.range_m = range,
+                         .loss = loss,
+                         .in_sight = true,
+                         .tells_from = id,
+                         .bandwidth = bandwidth});
   }
 };
 

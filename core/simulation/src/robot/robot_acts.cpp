@@ -89,6 +89,11 @@ void Robot::ActuatorSlot::transmit(const std::shared_ptr<const Message>& message
   if (to == robot.description_->id) {
     throw base::Error("it sends a message to its own robot '" + to + "'; expected another one");
   }
+  if (message->bytes() > how.bandwidth) {
+    throw base::Error("the message '" + std::string(message->kind().name) + "' of '" + by +
+                      "' has " + std::to_string(message->bytes()) + " bytes; its bandwidth is " +
+                      std::to_string(how.bandwidth) + " in a control period");
+  }
   under_way.push_back({message, to, how, now_s});
 }
 

@@ -16,6 +16,8 @@
 // carry out their commands. What they do has an effect on others from the next period on.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -37,6 +39,8 @@ struct Transmission {
   double loss = 0.0;       // probability that a receiver does not hear it
   bool in_sight = false;   // only over a line of sight; then receivers know where the sender is
   bool tells_from = true;  // receivers know who the sender is
+  /// Bytes that a message may have.
+  std::size_t bandwidth = std::numeric_limits<std::size_t>::max();
 };
 
 /// What an actuator can do. Each effect lasts one control period: an actuator repeats it for as
