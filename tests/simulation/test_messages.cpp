@@ -175,6 +175,21 @@ TEST_CASE("A delay is waited for, and ages the message") {
   CHECK(heard == std::vector<double>{0, 0, 0, 3, 0});
 }
 
+TEST_CASE("A radio with a failure of its own speaks later, or not at all") {
+  const auto heard_with = [](const std::string& failure) {
+    simulation::Simulation simulation =
+        of_robots(talker("a", 0, 0, 3, "<radio>" + failure + "</radio>") + talker("b", 1, 0, 0));
+    std::vector<double> heard;
+    for (int i = 0; i < 5; ++i) {
+      simulation.step();
+      heard.push_back(heard_by(simulation, 1));
+    }
+    return heard;
+  };
+  CHECK(heard_with(R"(<failure latency="0.02"/>)") == std::vector<double>{0, 0, 0, 3, 0});
+  CHECK(heard_with(R"(<failure dropout="1"/>)") == std::vector<double>{0, 0, 0, 0, 0});
+}
+
 TEST_CASE("Loss is drawn for each sender, receiver and period, the same in any number of threads") {
   const auto heard_with = [](std::size_t threads, std::uint64_t seed) {
     std::string robots;

@@ -71,14 +71,14 @@ std::shared_ptr<void> DisturbedValue::memory(const Disturbable& object) {
   return taken;
 }
 
-void DisturbedValue::update(Disturbable& object, double time_s, double period_s) {
+bool DisturbedValue::update(Disturbable& object, double time_s, double period_s, bool is_new) {
   const bool is_missed = disturbances_.misses_update();
   const double slack = 1e-6 * period_s;
   if (disturbances_.is_stuck(time_s + slack)) {
     age_s_ += period_s;
-    return;
+    return false;
   }
-  samples_.push_back({time_s, memory(object)});
+  samples_.push_back({time_s, memory(object), is_new});
   object.copy_value(object.undisturbed(), samples_.back().value.get());
   add_noise(object, samples_.back().value.get());
   if (is_missed) {
@@ -86,14 +86,17 @@ void DisturbedValue::update(Disturbable& object, double time_s, double period_s)
     samples_.pop_back();
   }
   age_s_ += period_s;
+  bool has_arrived = false;
   while (!samples_.empty() &&
          samples_.front().time_s <= time_s - disturbances_.latency_s() + slack) {
     Sample& seen = samples_.front();
     object.copy_value(seen.value.get(), object.own_value());
     age_s_ = time_s - seen.time_s;
+    has_arrived = has_arrived || seen.is_new;
     spare_.push_back(std::move(seen.value));
     samples_.pop_front();
   }
+  return has_arrived;
 }
 
 void DisturbedValue::add_noise(Disturbable& object, const void* value) {

@@ -27,7 +27,8 @@ class DisturbedValue {
   /// Called before a run; `path` is the object's.
   void reset(std::uint64_t seed, const std::string& path);
   /// Called after each update of what is undisturbed: changes the present value.
-  void update(Disturbable& object, double time_s, double period_s);
+  /// `is_new`: it was given since the last update. Returns whether such a one has become present.
+  bool update(Disturbable& object, double time_s, double period_s, bool is_new = true);
   /// Called instead while there are no updates.
   void wait(double period_s) { age_s_ += period_s; }
   /// How old the present value is, s; infinite before the first.
@@ -37,6 +38,7 @@ class DisturbedValue {
   struct Sample {
     double time_s = 0.0;
     std::shared_ptr<void> value;
+    bool is_new = true;
   };
 
   void add_noise(Disturbable& object, const void* value);

@@ -54,8 +54,9 @@ void Robot::act(const Instant& now) {
   }
   for (const auto& slot : actuators_) {
     if (slot->disturbed) {
-      guard_.run(*slot->use,
-                 [&] { slot->disturbed->update(slot->object(), now.time_s, now.period_s); });
+      slot->is_new = guard_.run(*slot->use, [&] {
+        return slot->disturbed->update(slot->object(), now.time_s, now.period_s, slot->is_new);
+      });
     }
     slot->effect = {};
     slot->now_s = now.time_s;
