@@ -20,7 +20,6 @@ using namespace elsie;
 using namespace elsie::plugin;
 using namespace elsie::plugin::test;
 using Catch::Contains;
-using Catch::Matchers::Message;
 using elsie::test::wheels;
 namespace fs = std::filesystem;
 
@@ -207,8 +206,9 @@ TEST_CASE("A missing plugin is explained with the nearest name") {
   const Host host = host_of(folder);
   CHECK(host.explain_missing(PluginKind::behavior, "godo") ==
         "there is no behavior 'godo'; did you mean 'good'?");
-  CHECK_THROWS_MATCHES(host.create<Behavior>(PluginKind::behavior, "godo"), PluginError,
-                       Message("there is no behavior 'godo'; did you mean 'good'?"));
+  CHECK_THROWS_MATCHES(
+      host.create<Behavior>(PluginKind::behavior, "godo"), PluginError,
+      Catch::Matchers::Message("there is no behavior 'godo'; did you mean 'good'?"));
 }
 
 TEST_CASE("A missing plugin that is like none is explained by where was searched") {
@@ -232,7 +232,7 @@ TEST_CASE("Plugins that are linked into the program can be added") {
   CHECK(host.file_of(PluginKind::behavior, "linked").empty());
   CHECK(answer(*host.create<Behavior>(PluginKind::behavior, "linked")).right == 2.0);
   CHECK_THROWS_MATCHES(testing::add_linked(host), PluginError,
-                       Message("behavior 'linked' exists already"));
+                       Catch::Matchers::Message("behavior 'linked' exists already"));
 }
 
 TEST_CASE("A plugin with a faulty declaration is not added") {
@@ -245,10 +245,10 @@ TEST_CASE("A plugin with a faulty declaration is not added") {
 TEST_CASE("An object of the wrong class is refused") {
   Host host;
   host.add(declare<NoBehavior>(PluginKind::behavior, "nothing", "Is no behaviour"));
-  CHECK_THROWS_MATCHES(
-      host.create<Behavior>(PluginKind::behavior, "nothing"), PluginError,
-      Message("behavior 'nothing' could not be made: its class is not derived from "
-              "that of a behavior"));
+  CHECK_THROWS_MATCHES(host.create<Behavior>(PluginKind::behavior, "nothing"), PluginError,
+                       Catch::Matchers::Message(
+                           "behavior 'nothing' could not be made: its class is not derived from "
+                           "that of a behavior"));
 }
 
 TEST_CASE("The plugins of the core are in every host, and stay the same in a renewed one") {

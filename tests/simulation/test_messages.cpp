@@ -61,7 +61,7 @@ class Talks final : public Behavior {
   std::int64_t period_ = 0;
 };
 
-const plugin::Host& host() {
+const plugin::Host& talking() {
   static const plugin::Host made = [] {
     plugin::Host host(shipped_directory());
     host.add(declare<Talks>(
@@ -89,8 +89,8 @@ simulation::Simulation of_robots(const std::string& robots, const std::string& m
                                  const simulation::Options& options = {}) {
   return {
       world::parse_world("<world format=\"1\">" + more + "<robots>" + robots + "</robots></world>",
-                         "talk.xml", host()),
-      host(), options};
+                         "talk.xml", talking()),
+      talking(), options};
 }
 
 std::map<std::string, double> shown(const simulation::Simulation& simulation, std::size_t robot) {
