@@ -14,7 +14,6 @@
 using namespace elsie;
 using namespace elsie::plugin;
 using Catch::Contains;
-using Catch::Matchers::Message;
 
 namespace {
 
@@ -157,16 +156,18 @@ TEST_CASE("All wrong parameters are reported at once, and nothing is set then") 
   CHECK_THROWS_MATCHES(
       apply_parameters(walker(), object, {{"gain", 3.0}, {"speed", 51.0}, {"moed", true}}),
       PluginError,
-      Message("behavior 'walker': it has no parameter 'moed'; did you mean 'mode'?; speed is 51, "
-              "but must be a number at least 0 and at most 50 rad/s"));
+      Catch::Matchers::Message(
+          "behavior 'walker': it has no parameter 'moed'; did you mean 'mode'?; speed is 51, "
+          "but must be a number at least 0 and at most 50 rad/s"));
   CHECK(object.gain == 1.0);
   CHECK(object.times_configured == 0);
 }
 
 TEST_CASE("What configured() throws is passed on with the plugin's name") {
   Walker object;
-  CHECK_THROWS_MATCHES(apply_parameters(walker(), object, {{"speed", 3.0}}), PluginError,
-                       Message("behavior 'walker': speed must not be above twice the gain"));
+  CHECK_THROWS_MATCHES(
+      apply_parameters(walker(), object, {{"speed", 3.0}}), PluginError,
+      Catch::Matchers::Message("behavior 'walker': speed must not be above twice the gain"));
 }
 
 TEST_CASE("What a parameter takes is described in words") {
