@@ -118,10 +118,16 @@ class CoordinationCheck {
     }
   }
 
-  // Checks that a coordinator turns the responses into a command, at any depth. `whose` and `where`
-  // name the robot or the behaviour that holds the coordination.
+  // Checks that a coordinator turns the responses into a command, at any depth, unless all
+  // behaviours only act. `whose` and `where` name the robot or the behaviour that holds the
+  // coordination.
   void check(const Coordination& coordination, const std::string& whose, const Location& where) {
-    if (!coordination.behaviors.empty() && !coordination.coordinator) {
+    const auto moves = [&](const BehaviorUse& use) {
+      const Declaration* declaration = host_.find(PluginKind::behavior, use.plugin);
+      return !declaration || !declaration->only_acts;
+    };
+    if (!coordination.coordinator &&
+        std::any_of(coordination.behaviors.begin(), coordination.behaviors.end(), moves)) {
       problems_.add(where, whose + " has behaviours but no coordinator; add a <coordinator>");
     }
     for (const BehaviorUse& use : coordination.behaviors) {
