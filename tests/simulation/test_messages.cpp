@@ -230,7 +230,7 @@ TEST_CASE("Range and bearing repeats, tells from where, and needs a line of sigh
     CHECK(shown(simulation, 1)["bearing"] == Approx(radians(135.0)).epsilon(1e-3));
     CHECK(shown(simulation, 1)["named"] == 0.0);
   }
-  simulation::Simulation known = two("", R"(<range_and_bearing id="true"/>)");
+  simulation::Simulation known = two("", R"(<range_and_bearing tells_id="true"/>)");
   known.step();
   known.step();
   CHECK(shown(known, 1)["named"] == 1.0);

@@ -11,7 +11,7 @@ class RangeAndBearing final : public elsie::ActuatorOf<elsie::SayCommand> {
   double range = 3.0;
   double loss = 0.0;
   std::uint32_t bandwidth = 10;
-  bool id = false;
+  bool tells_id = false;
 
   void act(const elsie::SayCommand& said, const elsie::ActuatorContext& now) override {
     if (!said.message) return;
@@ -19,7 +19,7 @@ class RangeAndBearing final : public elsie::ActuatorOf<elsie::SayCommand> {
                         {.range_m = range,
                          .loss = loss,
                          .in_sight = true,
-                         .tells_from = id,
+                         .tells_from = tells_id,
                          .bandwidth = bandwidth});
   }
 };
@@ -45,5 +45,5 @@ ELSIE_ACTUATOR(
                       .min = 1,
                       .max = 1e6,
                       .meaning = "of a message; a longer one is a fault"}),
-    elsie::parameter("id", &RangeAndBearing::id,
+    elsie::parameter("tells_id", &RangeAndBearing::tells_id,
                      {.meaning = "whether those who hear it know who speaks"}));

@@ -98,7 +98,9 @@ class RobotSurroundings final : public Surroundings {
            (surface.kind == Surface::Kind::robot && robots_[surface.index].get() == &other);
   }
   void lights_within(double radius_m, std::vector<LampView>& lights) const override {
-    for_each_near(radius_m, [&](const Robot& other) { other.list_lights(lights); });
+    for_each_near(radius_m, [&](const Robot& other) {
+      if (distance(pose(), other.truth().pose) <= radius_m) other.list_lights(lights);
+    });
   }
   std::span<const Colour> resource_colours() const override {
     return robots_[robot_]->resource_colours();

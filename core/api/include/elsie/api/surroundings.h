@@ -128,7 +128,7 @@ class Surroundings {
   virtual Colour floor_colour(const Vector2& place) const;
   /// All lamps, in file order, also those that something hides.
   virtual std::span<const LampView> lamps() const { return {}; }
-  /// Appends what actuators of other robots shine whose middles are about within the radius of the
+  /// Appends what actuators of other robots shine whose middles are within the radius of the
   /// carrier: a light may be nearer or farther by as much as it is away from the middle of its
   /// robot. In the order of the robots in the file, also lights that something hides.
   virtual void lights_within(double /*radius_m*/, std::vector<LampView>& /*lights*/) const {}
