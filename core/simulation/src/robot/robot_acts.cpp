@@ -191,7 +191,7 @@ void Robot::forget_messages() {
 }
 
 void Robot::list_lights(std::vector<LampView>& lights) const {
-  constexpr double kAbove = 0.005;  // m: its own chassis does not hide it
+  constexpr double kAbove = 0.025;  // m: above its own robot, which rays see 2 cm higher than it is
   for (const auto& slot : actuators_) {
     if (!slot->shown.shine) continue;
     Vector3 place = frame_of(*slot->place).origin;
