@@ -243,6 +243,13 @@ TEST_CASE("An actuator uses energy, and does nothing with an empty battery") {
   CHECK(used(R"(<led energy_cost="0" power="30"/>)").first == Approx(15.0));
   CHECK(used(R"(<led/>)").second);
   CHECK_FALSE(used(R"(<led energy_cost="100"/>)", R"(energy="1")").second);
+  simulation::Simulation empty = simulated(
+      robot_of(kLed + R"(<behaviors><shows shows="0.5"/></behaviors>)", "<arbiter_suppression/>"));
+  empty.step();
+  empty.edit("robot[r1]/@energy", "0");
+  empty.step();
+  CHECK(brightness(empty) == 0.0);  // it has forgotten its command
+  CHECK(empty.actuator(0, 0).by.empty());
 }
 
 TEST_CASE("Noise and failures of an actuator change what it is told") {

@@ -257,6 +257,18 @@ TEST_CASE("A robot hears only devices of the kind that it has") {
   CHECK(heard_by(simulation, 2) == 0.0);
 }
 
+TEST_CASE("A robot that loses its radio in a run hears nothing more") {
+  simulation::Simulation simulation =
+      of_robots(talker("a", 0, 0, 3, "<radio/>", R"(last="99")") +
+                R"(<robot id="b" x="0.5"><actuators><radio/></actuators></robot>)");
+  simulation.step();
+  simulation.step();
+  CHECK(simulation.heard(1).size() == 1);
+  simulation.edit("robot[b]/actuator[radio]/@remove", "true");
+  simulation.step();
+  CHECK(simulation.heard(1).empty());
+}
+
 TEST_CASE("A robot whose battery is empty neither speaks nor hears") {
   simulation::Simulation simulation = of_robots(talker("a", 0, 0, 3, "<radio/>", R"(last="99")") +
                                                 talker("b", 0.5, 0, 5, "<radio/>", R"(last="99")"));

@@ -42,7 +42,11 @@ std::size_t Robot::actuator_for(const Act& act) const {
 
 void Robot::act(const Instant& now) {
   if (empty_) {
-    for (const auto& slot : actuators_) slot->effect = {};
+    for (const auto& slot : actuators_) {
+      slot->effect = {};
+      slot->by.clear();
+      slot->object().forget();
+    }
     return;
   }
   for (const auto& slot : actuators_) slot->is_new = false;

@@ -74,7 +74,9 @@ void Simulation::Impl::control(double period_s) {
     const RobotSurroundings surroundings(*engine_, *things_, robots_, *neighbours_, i,
                                          memory_[thread]);
     robot.sense(surroundings, now);
-    if (robot.actuator_count() > 0) robot.listen(surroundings, loudest_m, now);
+    if (robot.actuator_count() > 0 || !robot.heard().empty()) {
+      robot.listen(surroundings, loudest_m, now);
+    }
     update_team(i, memory_[thread].near);
     robot.decide(now);
     if (robot.actuator_count() > 0) robot.act(now);
