@@ -42,7 +42,8 @@ class Chain final : public elsie::Behavior {
 
 ELSIE_BEHAVIOR(Chain, "chain", "Follows the robot of the rank in front, at a distance",
                elsie::commands<elsie::SayCommand>(),
-               elsie::parameter("rank", &Chain::rank, {.min = 0, .max = 1000, .meaning = "its own"}),
+               elsie::parameter("rank", &Chain::rank,
+                                {.min = 0, .max = 1000, .meaning = "its own"}),
                elsie::parameter("keep", &Chain::keep,
                                 {.unit = "m", .min = 0, .max = 10, .meaning = "distance"}),
                elsie::parameter("speed", &Chain::speed,

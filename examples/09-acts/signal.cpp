@@ -16,7 +16,8 @@ class Signal final : public elsie::Behavior {
   }
 };
 
-ELSIE_BEHAVIOR(Signal, "signal", "Shines with the robot's lamp, on and off", elsie::only_acts(),
-               elsie::commands<elsie::LedCommand>(),
-               elsie::parameter("period", &Signal::period,
-                                {.unit = "s", .above = 0, .max = 1000, .meaning = "from on to on"}));
+ELSIE_BEHAVIOR(
+    Signal, "signal", "Shines with the robot's lamp, on and off", elsie::only_acts(),
+    elsie::commands<elsie::LedCommand>(),
+    elsie::parameter("period", &Signal::period,
+                     {.unit = "s", .above = 0, .max = 1000, .meaning = "from on to on"}));

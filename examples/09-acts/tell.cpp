@@ -33,7 +33,8 @@ class TellPlace final : public elsie::Behavior {
 ELSIE_BEHAVIOR(TellPlace, "tell_place", "Tells by radio where to go", elsie::only_acts(),
                elsie::commands<elsie::SayCommand>(),
                elsie::parameter("x", &TellPlace::x, {.unit = "m", .meaning = "of the place, east"}),
-               elsie::parameter("y", &TellPlace::y, {.unit = "m", .meaning = "of the place, north"}));
+               elsie::parameter("y", &TellPlace::y,
+                                {.unit = "m", .meaning = "of the place, north"}));
 
 class GoWhereTold final : public elsie::Behavior {
  public:
@@ -51,7 +52,8 @@ class GoWhereTold final : public elsie::Behavior {
     const elsie::Pose& here = now.self().pose;
     const double bearing = elsie::bearing(here, told_->x, told_->y);
     const double way = std::hypot(told_->x - here.x, told_->y - here.y);
-    response.command = {std::min(speed, way) * std::max(0.0, std::cos(bearing)), 0.0, 2.0 * bearing};
+    response.command = {std::min(speed, way) * std::max(0.0, std::cos(bearing)), 0.0,
+                        2.0 * bearing};
     return response;
   }
 
