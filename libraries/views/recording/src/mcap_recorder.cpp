@@ -25,6 +25,7 @@
 #include "format.h"
 #include "messages.h"
 #include "published.h"
+#include "readings.h"
 #include "scene.h"
 #include "schemas.h"
 #include "sketches.h"
@@ -315,35 +316,6 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
   }
 
-  std::string readings_schema(const Simulation& simulation, std::size_t r) {
-    Json sensors = Json::object();
-    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      Json properties = Json::object();
-      simulation.visit_reading(
-          r, s, [&](const ReadingField& field) { add_to_schema(field, properties); });
-      sensors[std::string(simulation.sensor(r, s).id)] = {{"type", "object"},
-                                                          {"properties", std::move(properties)},
-                                                          {"additionalProperties", false}};
-    }
-    Json actuators = Json::object();
-    for (std::size_t a = 0; a < simulation.actuators(r); ++a) {
-      Json properties{{"by", {{"type", "string"}}}};
-      simulation.visit_command(
-          r, a, [&](const ReadingField& field) { add_to_schema(field, properties); });
-      actuators[std::string(simulation.actuator(r, a).id)] = {{"type", "object"},
-                                                              {"properties", std::move(properties)},
-                                                              {"additionalProperties", false}};
-    }
-    Json schema = schema_of("elsie.Readings");
-    schema["properties"]["sensors"]["properties"] = std::move(sensors);
-    if (!actuators.empty()) {
-      schema["properties"]["heard"] = {{"type", "array"}, {"items", {{"type", "object"}}}};
-      schema["properties"]["actuators"] = {{"type", "object"},
-                                           {"properties", std::move(actuators)}};
-    }
-    return schema.dump();
-  }
-
   void write(std::uint16_t channel, std::uint64_t time_ns, const Json& message) {
     out_.write(channel, time_ns, recording::text_of(message));
   }
@@ -460,7 +432,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   void write_decision(const Simulation& simulation, RobotChannels& channels, const RobotView& robot,
                       std::uint64_t time_ns) {
     const std::size_t r = channels.place;
-    write_readings(simulation, channels, time_ns);
+    write(channels.readings, time_ns, readings_message(simulation, r, decided_ns_));
     write(channels.command, time_ns, command_message(decided_ns_, robot));
     write_sketches(
         channels.sketches, robot.description, [&] { return simulation.sketches(r); }, time_ns);
@@ -470,35 +442,6 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     if (new_pictures_ && !channels.cameras.empty() && !blind_[r]) {
       write_pictures(simulation, channels, time_ns);
     }
-  }
-
-  void write_readings(const Simulation& simulation, const RobotChannels& channels,
-                      std::uint64_t time_ns) {
-    const std::size_t r = channels.place;
-    Json sensors = Json::object();
-    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      Json& sensor = sensors[std::string(simulation.sensor(r, s).id)] = Json::object();
-      simulation.visit_reading(r, s,
-                               [&](const ReadingField& field) { add_to_message(field, sensor); });
-    }
-    Json message{{"timestamp", time_json(decided_ns_)}, {"sensors", std::move(sensors)}};
-    for (std::size_t a = 0; a < simulation.actuators(r); ++a) {
-      const simulation::ActuatorView view = simulation.actuator(r, a);
-      Json& actuator = message["actuators"][std::string(view.id)] = {{"by", view.by}};
-      simulation.visit_command(r, a,
-                               [&](const ReadingField& field) { add_to_message(field, actuator); });
-    }
-    for (const HeardMessage& heard : simulation.heard(r)) {
-      Json content = Json::object();
-      heard.message->visit_fields(
-          [&](const ReadingField& field) { add_to_message(field, content); });
-      message["heard"].push_back({{"by", heard.device},
-                                  {"from", heard.from},
-                                  {"kind", heard.message->kind().name},
-                                  {"age_s", heard.age_s},
-                                  {"message", std::move(content)}});
-    }
-    write(channels.readings, time_ns, message);
   }
 
   void write_pictures(const Simulation& simulation, const RobotChannels& channels,

@@ -1,0 +1,110 @@
+// What robots do and hear, in recordings.
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "elsie/commands/led.h"
+#include "elsie/recording/csv_recorder.h"
+
+#include "recorded.h"
+
+using namespace elsie;
+using namespace elsie::test;
+using simulation::Simulation;
+
+namespace {
+
+struct Offer {
+  static constexpr const char* kind = "offer";
+  double x = 0.0;
+
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("x", x, "m");
+  }
+};
+
+/// "r1" shines and speaks, "r2" listens.
+const ScriptedHost& talking() {
+  static const ScriptedHost host([](const Perception& now) {
+    Response response;
+    if (now.self().id == "r1") {
+      response.act(LedCommand{{0, 255, 0}, 0.5});
+      response.say(Offer{1.5});
+    }
+    return response;
+  });
+  return host;
+}
+
+world::World of_two() {
+  world::World world;
+  const auto carries = [](world::Robot& robot, const std::string& plugin) {
+    world::MountedUse& use = robot.actuators.emplace_back();
+    use.plugin = use.id = plugin;
+  };
+  for (const std::string id : {"r1", "r2"}) {
+    world::Robot robot = test::robot(id, id == "r1" ? 0 : 1, 0, 0, behavior("scripted"));
+    carries(robot, "radio");
+    if (id == "r1") carries(robot, "led");
+    world.robots.push_back(robot);
+  }
+  world.limits.time = 0.5;
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "A recording has the commands that actuators carry out, who gave them, and what was heard") {
+  const RecordedFile file(of_two(), talking().host);
+  auto all = recorded(file.path);
+  const auto& last = all["/robots/r1/readings"].back().content;
+  CHECK(last.at("actuators").at("led").at("brightness") == 0.5);
+  CHECK(last.at("actuators").at("led").at("green") == 255.0);
+  CHECK(last.at("actuators").at("led").at("by") == "scripted");
+  CHECK(last.at("actuators").at("radio").at("bytes") == 8.0);
+  CHECK_FALSE(last.contains("heard"));
+  const auto& heard = all["/robots/r2/readings"].back().content.at("heard");
+  REQUIRE(heard.size() == 1);
+  CHECK(heard[0].at("by") == "radio");
+  CHECK(heard[0].at("from") == "r1");
+  CHECK(heard[0].at("kind") == "offer");
+  CHECK(heard[0].at("age_s").get<double>() == Approx(0.01));
+  CHECK(heard[0].at("message").at("x") == 1.5);
+}
+
+TEST_CASE("A robot without actuators has messages as before") {
+  world::World world = of_two();
+  for (world::Robot& robot : world.robots) robot.actuators.clear();
+  const ScriptedHost silent([](const Perception&) { return Response(); });
+  const RecordedFile file(world, silent.host);
+  for (const auto& each : recorded(file.path)["/robots/r1/readings"]) {
+    CHECK_FALSE(each.content.contains("actuators"));
+  }
+}
+
+TEST_CASE("A table has a column for each number of a command") {
+  TemporaryFile file;
+  Simulation simulation(of_two(), talking().host);
+  const auto recorder = recording::csv_recorder(file.path, {});
+  simulation::Observer* const observers[] = {recorder.get()};
+  simulation.run(observers);
+  std::ifstream in(file.path);
+  std::string head, line, row;
+  std::getline(in, head);
+  CHECK_THAT(head, Catch::Contains(",actuator[radio].bytes,actuator[led].red,actuator[led].green,"
+                                   "actuator[led].blue,actuator[led].brightness,"));
+  while (std::getline(in, line)) {
+    if (line.find(",r1,") != std::string::npos) row = line;
+  }
+  CHECK_THAT(row, Catch::Contains(",8,0,255,0,0.5,"));
+}
+
+TEST_CASE("The same run is recorded and not recorded, bit for bit") {
+  Simulation plain(of_two(), talking().host);
+  const RecordedFile file(of_two(), talking().host);
+  CHECK(plain.run().state_hash == file.result.state_hash);
+}
