@@ -344,7 +344,7 @@ std::string Host::explain_missing(PluginKind kind, std::string_view name) const 
   if (!hint.empty()) return text + hint;
   for (const PluginKind other : kPluginKinds) {
     if (other != kind && find(other, name)) {
-      text += "; '" + std::string(name) + "' is a " + std::string(kind_name(other));
+      text += "; '" + std::string(name) + "' is " + kind_with_article(other);
     }
   }
   std::vector<std::string> searched;

@@ -39,7 +39,7 @@ std::string holders(const plugin::Host& host, const Function& holds) {
 std::string explain_missing(const plugin::Host& host, PluginKind kind, const std::string& name) {
   for (const PluginKind other : plugin::kPluginKinds) {
     if (other != kind && host.find(other, name)) {
-      return "'" + name + "' is a " + std::string(plugin::kind_name(other)) + "; it belongs in <" +
+      return "'" + name + "' is " + plugin::kind_with_article(other) + "; it belongs in <" +
              group_of(other) + ">";
     }
   }

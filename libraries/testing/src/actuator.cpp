@@ -1,7 +1,5 @@
 #include "elsie/testing/actuator.h"
 
-#include <stdexcept>
-
 #include "made.h"
 
 namespace elsie::testing {
@@ -74,13 +72,7 @@ bool Actuator::take_over(Actuator& before) {
 }
 
 void Actuator::require(const ReadingKind& kind) const {
-  const ReadingKind own = object_->kind();
-  if (!(own == kind)) {
-    throw std::invalid_argument("actuator '" + declaration_->name +
-                                "' takes commands of the kind '" + own.name + "' (" +
-                                std::to_string(own.size) + " bytes), not '" + kind.name + "' (" +
-                                std::to_string(kind.size) + " bytes)");
-  }
+  require_kind(object_->kind(), kind, "actuator '" + declaration_->name + "' takes commands");
 }
 
 }  // namespace elsie::testing

@@ -1,6 +1,7 @@
 // Makes and configures a plugin's object.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "elsie/api/remember.h"
@@ -20,6 +21,16 @@ plugin::Object<Kind> make(const Plugins& plugins, const Declaration& declaration
   plugin::apply_parameters(declaration, *object, plugins.completed(declaration, settings),
                            plugins.completed(declaration, elements));
   return object;
+}
+
+/// Throws std::invalid_argument unless the plugin's structs are of this kind. `does`: "sensor 'x'
+/// makes readings".
+inline void require_kind(const ReadingKind& own, const ReadingKind& wanted,
+                         const std::string& does) {
+  if (own == wanted) return;
+  throw std::invalid_argument(does + " of the kind '" + own.name + "' (" +
+                              std::to_string(own.size) + " bytes), not '" + wanted.name + "' (" +
+                              std::to_string(wanted.size) + " bytes)");
 }
 
 /// Passes what `before` remembers to `now` if both classes derive from Remembers; returns whether

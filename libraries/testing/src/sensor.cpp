@@ -103,12 +103,7 @@ bool Sensor::take_over(Sensor& before) {
 }
 
 void Sensor::require(const ReadingKind& kind) const {
-  const ReadingKind own = object_->kind();
-  if (!(own == kind)) {
-    throw std::invalid_argument("sensor '" + declaration_->name + "' makes readings of the kind '" +
-                                own.name + "' (" + std::to_string(own.size) + " bytes), not '" +
-                                kind.name + "' (" + std::to_string(kind.size) + " bytes)");
-  }
+  require_kind(object_->kind(), kind, "sensor '" + declaration_->name + "' makes readings");
 }
 
 }  // namespace elsie::testing

@@ -170,8 +170,9 @@ void Controller::choose_acts() {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const TraceRow& trace = members_[i].trace;
     if (!trace.asked || trace.inhibited_by >= 0) continue;
-    for (const Act& act : slots_[i]->response.acts) {
-      wishes.push_back({{&members_[i], &act}, setting_.requests.actuator_for(act)});
+    const Slot& slot = *slots_[i];
+    for (std::size_t k = 0; k < slot.response.acts.size(); ++k) {
+      wishes.push_back({{&members_[i], &slot.response.acts[k]}, slot.actuators[k]});
     }
   }
   std::stable_sort(wishes.begin(), wishes.end(),
@@ -283,8 +284,10 @@ const Response& Controller::run(Member& member) {
     setting_.requests.raise(event);
   }
   if (slot.response.charge) setting_.requests.ask_for_charge();
+  slot.actuators.clear();
   for (const Act& act : slot.response.acts) {
-    setting_.guard.run(*slot.use, [&] { setting_.requests.actuator_for(act); });
+    slot.actuators.push_back(
+        setting_.guard.run(*slot.use, [&] { return setting_.requests.actuator_for(act); }));
   }
   return slot.response;
 }

@@ -110,6 +110,7 @@ class Controller final : public Coordination, private Member::Runner {
     std::size_t place = 0;               // in the description
     std::unique_ptr<Controller> inside;  // of a behaviour that holds others
     Response response;
+    std::vector<std::size_t> actuators;  // of the acts in the response
   };
   struct CoordinatorSlot final : ObjectOf<Coordinator, PluginKind::coordinator> {
     CoordinatorSlot(const world::PluginUse& described, const plugin::Host& host,

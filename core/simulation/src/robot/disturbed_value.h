@@ -14,8 +14,8 @@
 
 namespace elsie::simulation {
 
-/// Makes a sensor's reading of what it measures, or an actuator's command of what it was told, for
-/// an object whose element has <noise> or <failure>.
+/// Computes a sensor's reading from its measurement, or the command that an actuator carries out
+/// from the one that a behaviour gave, for an object whose element has <noise> or <failure>.
 class DisturbedValue {
  public:
   /// Throws std::invalid_argument with a sentence if a disturbance does not fit the object.

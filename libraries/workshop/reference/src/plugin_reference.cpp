@@ -138,9 +138,9 @@ std::string fields_of(const ReadingDeclaration& reading) {
 
 std::string plugin_declaration(const Declaration& declaration) {
   const std::string kind(plugin::kind_name(declaration.kind));
-  std::string text = declaration.description + ".\n\n" + (kind == "actuator" ? "An " : "A ") +
-                     kind + ", version " + declaration.version + ".\n" +
-                     table_of(declaration.parameters);
+  std::string text = declaration.description + ".\n\nA" +
+                     plugin::kind_with_article(declaration.kind).substr(1) + ", version " +
+                     declaration.version + ".\n" + table_of(declaration.parameters);
   const std::size_t lists = declaration.elements.empty() ? 0 : declaration.elements.back().list + 1;
   for (std::size_t list = 0; list < lists; ++list) {
     text += list_of_elements(declaration, list);

@@ -92,13 +92,13 @@ struct Response {
   /// Commands the first actuator that takes such commands: act(LedCommand{kRed}). What the robot
   /// has none for ends the run.
   template <class Command>
-  void act(Command told) {
-    acts.emplace_back("", std::move(told));
+  void act(Command wanted) {
+    acts.emplace_back("", std::move(wanted));
   }
   /// Commands the actuator with this id.
   template <class Command>
-  void act(std::string actuator, Command told) {
-    acts.emplace_back(std::move(actuator), std::move(told));
+  void act(std::string actuator, Command wanted) {
+    acts.emplace_back(std::move(actuator), std::move(wanted));
   }
   /// Says a message by the first actuator that sends messages, or the one with the id `by`: to the
   /// robot with the id `to`, or to all that hear it. Throws std::invalid_argument if a number of it

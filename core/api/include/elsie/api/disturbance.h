@@ -65,9 +65,9 @@ class Disturbable : public Component {
   virtual const void* value() const = 0;
   /// The same, to change it.
   virtual void* own_value() = 0;
-  /// The address of what a sensor has measured last, or an actuator was told last: the present
-  /// struct, unless the element has noise or failures. The simulator then makes the present one of
-  /// it.
+  /// The address of a sensor's last measurement, or of the last command that a behaviour gave to an
+  /// actuator: the present struct, unless the element has noise or failures. The simulator then
+  /// computes the present one from it.
   virtual const void* undisturbed() const = 0;
   /// Makes the present struct blank. The simulator calls this before each run.
   virtual void forget() = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "elsie/api/declaration.h"
@@ -32,6 +33,12 @@ constexpr std::string_view kind_name(PluginKind kind) {
       return "actuator";
   }
   return "plugin";  // a kind made up by a faulty library
+}
+
+/// "a sensor", "an actuator"
+inline std::string kind_with_article(PluginKind kind) {
+  const std::string_view name = kind_name(kind);
+  return (name.front() == 'a' ? "an " : "a ") + std::string(name);
 }
 
 /// Whether a robot has at most one of them, in an element with the name of the kind.
