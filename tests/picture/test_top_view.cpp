@@ -3,13 +3,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "elsie/picture/floor_tiles.h"
 #include "elsie/picture/hits.h"
 #include "elsie/picture/top_view.h"
 #include "elsie/shapes/obstacle_shapes.h"
 #include "elsie/world/description.h"
 
-#include "support.h"
+#include "stage.h"
 
 using namespace elsie;
 using namespace elsie::picture;
@@ -18,42 +17,6 @@ using namespace elsie::picture::test;
 namespace {
 
 const auto kReddish = [](const Pixel& pixel) { return pixel.reddish(); };
-
-// A world with its picture.
-struct Stage {
-  Folder folder;
-  world::World world;
-  TopView view{world};
-
-  Stage() { world.teams = {{"red", Colour{220, 30, 20}}, {"blue", Colour{20, 60, 200}}}; }
-
-  world::Robot& add_robot(const std::string& id, const std::string& team, Pose pose) {
-    world::Robot robot;
-    robot.id = id;
-    robot.team = team;
-    robot.x = pose.x;
-    robot.y = pose.y;
-    robot.heading_deg = degrees(pose.heading_rad);
-    world.robots.push_back(robot);
-    return world.robots.back();
-  }
-  world::Obstacle& add_obstacle(world::ObstacleKind kind, double x, double y, double edge) {
-    world::Obstacle box;
-    box.kind = kind;
-    box.x = x;
-    box.y = y;
-    box.length = box.width = edge;
-    world.obstacles.push_back(box);
-    return world.obstacles.back();
-  }
-  Bitmap image(const Size& size = {}) {
-    save_top_view(view, folder / "view.png", size);
-    return Bitmap(folder / "view.png");
-  }
-  Vector2 place(double x, double y, const Size& size = {}) {
-    return top_view_map(view, size).pixel({x, y});
-  }
-};
 
 }  // namespace
 
@@ -480,65 +443,6 @@ TEST_CASE("A crowd is dots on thin paths, with room between them") {
     CHECK(image.at(scene.place(x + 0.225, 0.225)).light());  // no ring reaches so far
     CHECK(image.at(scene.place(x, 0.25)).light());           // and no beam
   }
-}
-
-TEST_CASE("The floor has its colour, its image and its patches, below everything") {
-  Stage scene;
-  scene.world.floor.colour = Colour{40, 90, 60};
-  const auto colour = [&](double x, double y) {
-    const Pixel found = scene.image().at(scene.place(x, y));
-    return Colour{static_cast<std::uint8_t>(found.red), static_cast<std::uint8_t>(found.green),
-                  static_cast<std::uint8_t>(found.blue)};
-  };
-  CHECK(colour(1.3, 1.3) == Colour{40, 90, 60});
-  scene.world.floor.pixels =
-      std::make_shared<const Image>(Image{2, 2, 3, {200, 0, 0, 0, 200, 0, 0, 0, 200, 200, 200, 0}});
-  scene.world.floor.image_length = scene.world.floor.image_width = 8.0;
-  CHECK(colour(-2.3, 2.3) == Colour{200, 0, 0});
-  CHECK(colour(2.3, 2.3) == Colour{0, 200, 0});
-  CHECK(colour(-2.3, -2.3) == Colour{0, 0, 200});
-  CHECK(colour(4.3, 4.3) == Colour{40, 90, 60});
-  world::Patch& line = scene.world.patches.emplace_back();
-  line.shape = world::PatchShape::line;
-  line.points = {{-3.3, 0.7}, {3.3, 0.7}};
-  line.line_width = 0.2;
-  CHECK(colour(2.3, 0.65) == Colour{0, 0, 0});
-  CHECK(colour(3.38, 0.7) == Colour{0, 0, 0});  // its round end
-  scene.world.patches.push_back({.id = "spot",
-                                 .shape = world::PatchShape::disc,
-                                 .x = 2.3,
-                                 .y = 0.7,
-                                 .radius = 0.3,
-                                 .points = {},
-                                 .colour = {9, 9, 200}});
-  CHECK(colour(2.3, 0.65) == Colour{9, 9, 200});
-}
-
-TEST_CASE("A lamp is a small sun with its name, and the legend explains it") {
-  Stage scene;
-  const Bitmap without = scene.image();
-  scene.world.lamps.push_back({.id = "sun", .x = 2.0, .y = 1.3, .colour = {255, 160, 0}});
-  const Bitmap with = scene.image();
-  const Vector2 at = scene.place(2.0, 1.3);
-  CHECK(with.at(at).red > with.at(at).blue + 60);
-  CHECK(with.count(at, 60, [](const Pixel& pixel) { return !pixel.light(); }) >
-        without.count(at, 60, [](const Pixel& pixel) { return !pixel.light(); }) + 60);
-}
-
-TEST_CASE("The tiles of an image are as few as its colours allow, and cover it") {
-  world::World world;
-  CHECK(floor_tiles(world, 100).empty());
-  Image image{40, 30, 3, std::vector<std::uint8_t>(40 * 30 * 3, 255)};
-  world.floor.pixels = std::make_shared<const Image>(image);
-  CHECK(floor_tiles(world, 100).size() == 1);
-  image.bytes[(15 * 40 + 20) * 3] = 7;  // one pixel
-  world.floor.pixels = std::make_shared<const Image>(image);
-  const auto tiles = floor_tiles(world, 100);
-  CHECK(tiles.size() == 5);
-  double area = 0.0;
-  for (const FloorTile& tile : tiles) area += (tile.right - tile.left) * (tile.top - tile.bottom);
-  CHECK(area == Approx(100.0));
-  CHECK(floor_tiles(world, 10).size() <= 5);
 }
 
 TEST_CASE("A straight line of a range that ends at a hit is shown as one") {
