@@ -81,7 +81,8 @@ TEST_CASE("A robot without actuators has messages as before") {
   for (world::Robot& robot : world.robots) robot.actuators.clear();
   const ScriptedHost silent([](const Perception&) { return Response(); });
   const RecordedFile file(world, silent.host);
-  for (const auto& each : recorded(file.path)["/robots/r1/readings"]) {
+  auto all = recorded(file.path);
+  for (const auto& each : all["/robots/r1/readings"]) {
     CHECK_FALSE(each.content.contains("actuators"));
   }
 }
