@@ -190,7 +190,7 @@ class MainWindow : public QMainWindow {
     QAction *new_world, *open, *save;
     QAction *undo, *redo, *cut, *copy, *paste, *remove, *lock;
     QAction *add_robot, *add_sensor, *behaviors, *coordinator, *add_resource, *add_charger,
-        *add_lamp, *add_patch;
+        *add_nest, *add_lamp, *add_patch;
     QList<QAction*> obstacles;
     QAction *measure, *status_bar;
     QAction* run;

@@ -121,8 +121,8 @@ Body moved(const Body& body, double x, double y, double heading_deg) {
 std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
                             std::vector<Element> things, Problems& problems) {
   Element tree =
-      without(drawing.world, {"obstacles", "resources", "chargers", "lamps", "floor", "patches",
-                              "robots", "goals", "measures", "changes", "limits"});
+      without(drawing.world, {"obstacles", "resources", "chargers", "nests", "lamps", "floor",
+                              "patches", "robots", "goals", "measures", "changes", "limits"});
   Element holder;
   holder.name = list;
   holder.where = drawing.world.where;
@@ -141,6 +141,7 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
     }
     for (const auto& charger : world->chargers) bodies.push_back({footprint_of(charger)});
     for (const world::Lamp& lamp : world->lamps) bodies.push_back({footprint_of(lamp)});
+    for (const world::Nest& nest : world->nests) bodies.push_back(body_of(patch_of(nest)));
     for (const world::Patch& patch : world->patches) bodies.push_back(body_of(patch));
     for (const world::Robot& robot : world->robots) bodies.push_back(body_of(robot));
   }

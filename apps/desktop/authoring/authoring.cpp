@@ -280,6 +280,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   }
   offer(is_here ? tr("Add r&esource here...") : tr("Add r&esource..."), "resources");
   offer(is_here ? tr("Add &charger here...") : tr("Add &charger..."), "chargers");
+  offer(is_here ? tr("Add &nest here...") : tr("Add &nest..."), "nests");
   offer(is_here ? tr("Add &lamp here...") : tr("Add &lamp..."), "lamps");
   offer(is_here ? tr("Add &patch of the floor here...") : tr("Add &patch of the floor..."),
         "patches");

@@ -6,8 +6,8 @@
 namespace elsie::desktop {
 
 /// The lists of objects that have a place in the arena.
-inline const QStringList kPlaced{"robots",   "obstacles", "resources",
-                                 "chargers", "lamps",     "patches"};
+inline const QStringList kPlaced{"robots", "obstacles", "resources", "chargers",
+                                 "nests",  "lamps",     "patches"};
 
 /// A number as in a file, rounded to `step`; the millimetre is as exact as a hand.
 QString number(double value, double step = 0.001);

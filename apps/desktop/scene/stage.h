@@ -44,11 +44,14 @@ class Stage {
   bool is_empty() const { return solids_.empty(); }
   double length() const { return length_; }  // of the arena, m
   double width() const { return width_; }
-  /// Whether an element has no body: a patch of the floor, or a lamp.
+  /// Whether an element has no body: a patch of the floor, a nest, or a lamp.
   static bool is_bodiless(const QString& path) {
     return is_patch(path) || path.startsWith("lamp[");
   }
-  static bool is_patch(const QString& path) { return path.startsWith("patch["); }
+  /// Whether it lies flat on the floor.
+  static bool is_patch(const QString& path) {
+    return path.startsWith("patch[") || path.startsWith("nest[");
+  }
   double time_s() const { return time_s_; }
   /// Whether the shown time is earlier than the latest one.
   bool is_past() const { return time_s_ < latest_s_; }

@@ -71,6 +71,7 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   wall_s_ = 0.0;
   judgement_ = {};
   touches_ = {};
+  hands_ = {};
   events_.clear();
   given_.clear();
   log_events();

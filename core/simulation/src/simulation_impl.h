@@ -27,6 +27,7 @@
 #include "robot/robot_surroundings.h"
 #include "step/cameras.h"
 #include "step/goals.h"
+#include "step/hands.h"
 #include "step/neighbours.h"
 #include "step/robot_loop.h"
 #include "step/teams.h"
@@ -170,6 +171,7 @@ class Simulation::Impl {
   RobotLoop loop_;
   std::vector<SensingMemory> memory_;  // of each thread
   Touches touches_;
+  Hands hands_;
   std::optional<world::Things> things_;  // of world_ as it is
   std::optional<Neighbours> neighbours_{std::in_place,
                                         world_.arena};  // positions at the last control step

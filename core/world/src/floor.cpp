@@ -82,8 +82,22 @@ std::vector<FloorPiece> pieces_of(const Patch& patch) {
   return pieces;
 }
 
+Patch patch_of(const Nest& nest) {
+  Patch patch;
+  patch.id = nest.id;
+  patch.shape = PatchShape::disc;
+  patch.x = nest.x;
+  patch.y = nest.y;
+  patch.radius = nest.radius;
+  patch.colour = nest.colour;
+  return patch;
+}
+
 std::vector<FloorPiece> patches_of(const World& world) {
   std::vector<FloorPiece> pieces;
+  for (const Nest& nest : world.nests) {
+    for (FloorPiece& piece : pieces_of(patch_of(nest))) pieces.push_back(std::move(piece));
+  }
   for (const Patch& patch : world.patches) {
     for (FloorPiece& piece : pieces_of(patch)) pieces.push_back(std::move(piece));
   }

@@ -73,7 +73,7 @@ ElementSpec with_layouts(ElementSpec world) {
 
   std::vector<ElementSpec> in_scatter;
   for (const char* const list :
-       {"obstacles", "resources", "chargers", "lamps", "patches", "robots"}) {
+       {"obstacles", "resources", "chargers", "nests", "lamps", "patches", "robots"}) {
     for (ElementSpec thing : world.child(list)->children) {
       thing.make = nullptr;
       thing.at_most = 1;

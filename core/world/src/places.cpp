@@ -165,6 +165,28 @@ void check_lamp(const Lamp& lamp, const Reading& reading, bool is_running, Place
     }
   }
 }
+
+/// What is released in a nest must be in one nest only.
+void check_nests(const Reading& reading, PlaceCheck& check, Problems& problems) {
+  const std::vector<Nest>& nests = reading.world.nests;
+  for (std::size_t i = 0; i < nests.size(); ++i) {
+    const Nest& nest = nests[i];
+    if (!reading.sound(nest.location)) continue;
+    check.check_point("the nest '" + nest.id + "'", nest.x, nest.y, nest.location);
+    for (std::size_t k = 0; k < i; ++k) {
+      const Nest& other = nests[k];
+      const bool share = nest.team.empty() || other.team.empty() || nest.team == other.team;
+      if (!share || !reading.sound(other.location) ||
+          std::hypot(nest.x - other.x, nest.y - other.y) >= nest.radius + other.radius) {
+        continue;
+      }
+      problems.add(nest.location, "the nest '" + nest.id + "' overlaps the nest '" + other.id +
+                                      "'" + on_line(other.location, nest.location) +
+                                      ", and what is released there would be in both; expected "
+                                      "nests apart, or of different teams");
+    }
+  }
+}
 }  // namespace
 
 void check_places(const Reading& reading, bool is_running, Problems& problems) {
@@ -174,6 +196,7 @@ void check_places(const Reading& reading, bool is_running, Problems& problems) {
   const auto is_free = [](ObstacleKind kind) {
     return kind == ObstacleKind::dynamic || kind == ObstacleKind::resource;
   };
+  check_nests(reading, check, problems);
   for (const Obstacle& obstacle : world.obstacles) {
     if (!reading.sound(obstacle.location)) continue;
     if (const auto problem = problem_of(obstacle)) {

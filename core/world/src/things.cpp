@@ -61,7 +61,7 @@ void Things::add_robot(std::size_t index, const Pose& from, const Pose& place, d
 }
 
 void Things::within(const Pose& from, double radius_m,
-                    const std::function<bool(std::size_t)>& is_there,
+                    const std::function<std::optional<Vector2>(std::size_t)>& place_of,
                     std::vector<NearThing>& things) const {
   const auto add = [&](const Thing& thing, double x, double y) {
     if (const double far = std::hypot(x - from.x, y - from.y); far <= radius_m) {
@@ -70,9 +70,8 @@ void Things::within(const Pose& from, double radius_m,
   };
   for (const std::size_t i : resources_) {
     const Obstacle& obstacle = world_.obstacles[i];
-    if (std::abs(obstacle.x - from.x) <= radius_m && is_there(i)) {
-      add(resource(obstacle), obstacle.x, obstacle.y);
-    }
+    if (!obstacle.is_dynamic() && std::abs(obstacle.x - from.x) > radius_m) continue;
+    if (const auto place = place_of(i)) add(resource(obstacle), place->x, place->y);
   }
   for (const Charger& each : world_.chargers) {
     add(charger(each), each.x, each.y);

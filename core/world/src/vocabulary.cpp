@@ -104,6 +104,12 @@ ElementSpec waypoint() {
       .attribute("y", &Vector2::y, metres("north"), kRequired);
 }
 
+ParameterFacts hands() {
+  return range(
+      "", 1, 100,
+      "robots that must hold it before it moves with them; above 1, nothing else moves it");
+}
+
 ElementSpec obstacle(ObstacleKind kind, ObstacleShape shape) {
   Obstacle example;
   example.kind = kind;
@@ -114,7 +120,8 @@ ElementSpec obstacle(ObstacleKind kind, ObstacleShape shape) {
   }
   if (kind == ObstacleKind::dynamic) {
     return obstacle(example.element(), "An obstacle that can be pushed" + form, shape)
-        .attribute("mass", &Obstacle::mass, mass("its mass", 1e6));
+        .attribute("mass", &Obstacle::mass, mass("its mass", 1e6))
+        .attribute("hands", &Obstacle::hands, hands());
   }
   return obstacle(
              example.element(),
@@ -132,10 +139,27 @@ ElementSpec obstacle(ObstacleKind kind, ObstacleShape shape) {
 }
 
 ElementSpec resource() {
-  return obstacle("resource", "A box that a robot collects by touching it")
+  return obstacle("resource", "A box that robots collect, or carry to a nest")
       .attribute("team", &Obstacle::team, fact("whose robots may take it; by default any"), kTeam)
       .attribute("energy", &Obstacle::energy,
-                 range("units", 0, 1e12, "the energy that the collector gains"), kCheap);
+                 range("units", 0, 1e12, "the energy that the collector gains"), kCheap)
+      .choice("collect", &Obstacle::to_nest,
+              {.choices = {"touch", "nest"},
+               .meaning = "what collects it: a robot that touches it, or its release in a nest; "
+                          "until then it can be pushed and held"},
+              "nest")
+      .attribute("mass", &Obstacle::mass, mass("its mass, with collect=\"nest\"", 1e6))
+      .attribute("hands", &Obstacle::hands, hands());
+}
+
+ElementSpec nest() {
+  return Describe<Nest>("nest", "A disc on the floor to which robots carry resources")
+      .attribute("id", &Nest::id, fact("its name; by default its element's, with a number"), kId)
+      .attribute("team", &Nest::team, fact("whose robots deliver there; by default any"), kTeam)
+      .attribute("x", &Nest::x, metres("its middle, east"))
+      .attribute("y", &Nest::y, metres("its middle, north"))
+      .attribute("radius", &Nest::radius, size("of the disc", 1e4))
+      .attribute("colour", &Nest::colour, fact("what sensors, cameras and pictures see"));
 }
 
 ElementSpec charger() {
@@ -269,6 +293,7 @@ ElementSpec world() {
       .group(obstacles())
       .group(obstacles({"resources", "Boxes to be collected"}, resource(), ObstacleKind::resource))
       .group(Describe<World>("chargers", "Where robots charge").each(charger(), &World::chargers))
+      .group(Describe<World>("nests", "Where resources are delivered").each(nest(), &World::nests))
       .group(Describe<World>("lamps", "Where light comes from").each(lamp(), &World::lamps))
       .one(floor(), &World::floor)
       .group(patches())

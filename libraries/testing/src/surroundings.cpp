@@ -182,8 +182,10 @@ void Surroundings::lights_within(double radius_m, std::vector<LampView>& lights)
 std::span<const LampView> Surroundings::lamps() const { return things().lamps(); }
 
 void Surroundings::things_within(double radius_m, std::vector<NearThing>& found) const {
-  things().within(
-      pose_, radius_m, [](std::size_t) { return true; }, found);
+  const auto place_of = [this](std::size_t i) {
+    return std::optional(Vector2{world_.obstacles[i].x, world_.obstacles[i].y});
+  };
+  things().within(pose_, radius_m, place_of, found);
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     const world::Robot& other = world_.robots[i];
     things().add_robot(i, pose_, {other.x, other.y, radians(other.heading_deg)}, radius_m, found);

@@ -47,8 +47,9 @@ void check(const world::Obstacle& box) {
   const Vector3 size = world::fixture_of(box).shape.size;
   require(is_positive(size.x) && is_positive(size.y) && is_positive(size.z),
           "The length, width, radius and height of a box must be positive and finite.");
-  require(box.kind != world::ObstacleKind::dynamic || is_positive(box.mass),
-          "The mass of a dynamic box must be positive and finite.");
+  require(!box.is_dynamic() || is_positive(box.mass),
+          "The mass of a box that can be pushed must be positive and finite.");
+  require(box.hands >= 1, "A box needs at least one hand.");
   require(std::isfinite(box.x + box.y + box.z + box.heading_deg),
           "The place and heading of a box must be finite.");
 }
@@ -62,6 +63,12 @@ void check(std::span<const JointSetting> settings, std::size_t joints) {
   }
   require(std::isfinite(sum),
           "The rates and angles that a robot's joints are to hold must be finite.");
+}
+
+void check_hold(world::ObstacleKind kind, bool is_present, int holders, int hands) {
+  require(kind == world::ObstacleKind::dynamic && is_present,
+          "Only a box that can be pushed can be held.");
+  require(holders < hands, "As many robots hold the box as can.");
 }
 
 void check_drive(world::ObstacleKind kind, const Vector2& position, const Vector2& velocity) {

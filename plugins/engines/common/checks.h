@@ -27,6 +27,8 @@ void check(const Pose& pose, double z);
 void check(const world::Obstacle& box);
 /// Of a robot with so many joints that can be set.
 void check(std::span<const JointSetting> settings, std::size_t joints);
+/// Whether one robot more can hold a box that has `holders` of the `hands` that move it.
+void check_hold(world::ObstacleKind kind, bool is_present, int holders, int hands);
 /// The arguments of Engine::drive_obstacle() for an obstacle of this kind.
 void check_drive(world::ObstacleKind kind, const Vector2& position, const Vector2& velocity);
 

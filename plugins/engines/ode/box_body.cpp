@@ -36,6 +36,17 @@ BoxBody::BoxBody(dWorldID world, world::ObstacleKind kind_of_box, const world::F
   dBodySetQuaternion(body, facing);
 }
 
+/// What is carried glides over the floor: its weight does not press on the robots.
+void BoxBody::take_footing() {
+  dBodySetGravityMode(body, is_carried() ? 0 : 1);
+  if (gives_way()) {
+    dBodySetDynamic(body);
+  } else {
+    stop(body);
+    dBodySetKinematic(body);
+  }
+}
+
 void BoxBody::meet_floor(OdeContacts& contacts) const {
   contacts.solid_on_floor(body, solid_shape, shape);
 }

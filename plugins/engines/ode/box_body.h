@@ -21,6 +21,14 @@ struct BoxBody {
   BoxBody(dWorldID world, world::ObstacleKind kind_of_box, const world::Fixture& fixture,
           double mass);
 
+  bool is_carried() const { return holders > 0 && holders >= hands; }
+  /// Whether it can be pushed, or is carried.
+  bool gives_way() const {
+    return kind == world::ObstacleKind::dynamic && (hands == 1 || is_carried());
+  }
+  /// Call it when the robots that hold it have changed.
+  void take_footing();
+
   bool is_mobile() const {
     return kind == world::ObstacleKind::dynamic || kind == world::ObstacleKind::moving;
   }
@@ -46,6 +54,8 @@ struct BoxBody {
   SolidKind form = SolidKind::box;
   OrientedBox shape;          // bounding box
   bool stays_within = false;  // within the arena's walls
+  int hands = 1;              // that move it
+  int holders = 0;
   // For a moving box: its place at the end of the next step.
   bool driven = false;
   Vector3 target;

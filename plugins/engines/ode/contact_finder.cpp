@@ -1,6 +1,7 @@
 #include "contact_finder.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "crowd.h"
 #include "narrow_phase.h"
@@ -34,15 +35,16 @@ bool meet(OdeContacts& contacts, const OdeBodies& bodies, Scene::Id first, Scene
     return meet_vehicles(contacts, vehicle(first), vehicle(second));
   }
   if (a.kind == BodyKind::robot) {
-    return meet_vehicle_and_box(contacts, vehicle(first), bodies.box_of(b).solid());
+    return !bodies.holds(a, b) &&
+           meet_vehicle_and_box(contacts, vehicle(first), bodies.box_of(b).solid());
   }
   if (b.kind == BodyKind::robot) {
-    return meet_vehicle_and_box(contacts, vehicle(second), bodies.box_of(a).solid());
+    return !bodies.holds(b, a) &&
+           meet_vehicle_and_box(contacts, vehicle(second), bodies.box_of(a).solid());
   }
   const BoxBody &box_a = bodies.box_of(a), &box_b = bodies.box_of(b);
-  const bool can_give =
-      box_a.kind == world::ObstacleKind::dynamic || box_b.kind == world::ObstacleKind::dynamic;
-  return can_give && meet_solids(contacts, box_a.solid(), box_b.solid());
+  return (box_a.gives_way() || box_b.gives_way()) &&
+         meet_solids(contacts, box_a.solid(), box_b.solid());
 }
 
 /// Gives each of the watched contacts a place for its impulse.
@@ -60,6 +62,14 @@ double gap_of(const FoundContact& contact, double step) {
 }
 
 }  // namespace
+
+bool OdeBodies::holds(const Body& robot, const Body& box) const {
+  if (grips.empty() || box.kind != BodyKind::obstacle) return false;
+  const auto grip = std::lower_bound(
+      grips.begin(), grips.end(), std::pair(box.index, robot.index),
+      [](const Grip& a, const auto& key) { return std::pair(a.box, a.robot) < key; });
+  return grip != grips.end() && grip->box == box.index && grip->robot == robot.index;
+}
 
 ContactFinder::ContactFinder(const world::Physics& physics)
     : physics_(physics), floor_(dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)) {}
@@ -106,7 +116,7 @@ void ContactFinder::find_floor(const OdeBodies& bodies, base::ThreadPool& pool) 
   });
   OdeContacts& of_boxes = blocks_[blocks_of(robots)].contacts;
   for (const BoxBody& box : bodies.boxes) {
-    if (box.present && box.kind == world::ObstacleKind::dynamic) box.meet_floor(of_boxes);
+    if (box.present && box.gives_way() && !box.is_carried()) box.meet_floor(of_boxes);
   }
 }
 

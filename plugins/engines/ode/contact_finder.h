@@ -10,6 +10,7 @@
 #include "elsie/world/description.h"
 
 #include "box_body.h"
+#include "grip.h"
 #include "ode_contacts.h"
 #include "ode_handles.h"
 #include "ode_robot.h"
@@ -28,12 +29,14 @@ struct OdeBodies {
   bool is_mobile(const Body& body) const {
     return body.kind == BodyKind::robot || box_of(body).is_mobile();
   }
+  bool holds(const Body& robot, const Body& box) const;
 
   Scene scene;
   std::vector<OdeRobot> robots;
   std::vector<BoxBody> boxes;
   std::vector<BoxBody> walls;
   std::vector<Scene::Id> mobile;  // ascending
+  std::vector<Grip> grips;        // ascending by box and robot
 };
 
 /// Some of the contacts of a step.

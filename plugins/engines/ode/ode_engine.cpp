@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,8 @@ class OdeEngine final : public Engine {
   void go_on_from(const Engine& other) override;
   void remove_obstacle(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
+  void hold(std::size_t robot, std::size_t box) override;
+  void let_go(std::size_t robot, std::size_t box) override;
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
   std::span<const JointSetting> joints(std::size_t robot) const override {
     return bodies_.robots.at(robot).joints();
@@ -282,12 +285,16 @@ std::size_t OdeEngine::add_obstacle(const world::Obstacle& box) {
   prepare_ode();
   std::size_t index = 0;
   accept("a box", [&] {
-    index = add_upright(bodies_.boxes, BodyKind::obstacle, box.kind, world::fixture_of(box),
-                        box.mass, box.seen_by_range_sensors);
+    index = add_upright(bodies_.boxes, BodyKind::obstacle,
+                        box.is_dynamic() ? world::ObstacleKind::dynamic : box.kind,
+                        world::fixture_of(box), box.mass, box.seen_by_range_sensors);
   });
-  if (bodies_.boxes[index].is_mobile()) islands_.add_obstacle(bodies_.boxes[index].body);
-  if (box.kind == world::ObstacleKind::dynamic) {
-    bodies_.boxes[index].stays_within = bounds_.within_walls(bodies_.boxes[index].shape.center);
+  BoxBody& made = bodies_.boxes[index];
+  if (made.is_mobile()) islands_.add_obstacle(made.body);
+  if (box.is_dynamic()) {
+    made.stays_within = bounds_.within_walls(made.shape.center);
+    made.hands = box.hands;
+    if (box.hands > 1) made.take_footing();
     bounds_.add_height(box.z + box.height);
   }
   return index;
@@ -297,6 +304,8 @@ void OdeEngine::remove_obstacle(std::size_t box) {
   BoxBody& gone = bodies_.boxes.at(box);
   if (!gone.present) return;
   gone.present = false;
+  gone.holders = 0;
+  std::erase_if(bodies_.grips, [&](const Grip& grip) { return grip.box == box; });
   bodies_.scene.remove(gone.id);
   std::erase(bodies_.mobile, gone.id);
   gone.geom.reset();
@@ -305,6 +314,28 @@ void OdeEngine::remove_obstacle(std::size_t box) {
     dBodyDestroy(gone.body);
   }
   gone.body = nullptr;
+}
+
+void OdeEngine::hold(std::size_t robot, std::size_t box) {
+  BoxBody& held = bodies_.boxes.at(box);
+  check_hold(held.kind, held.present, held.holders, held.hands);
+  prepare_ode();
+  const dBodyID chassis = bodies_.robots.at(robot).vehicles().front().chassis();
+  const auto place = std::find_if(
+      bodies_.grips.begin(), bodies_.grips.end(),
+      [&](const Grip& grip) { return std::tie(grip.box, grip.robot) >= std::tie(box, robot); });
+  require(place == bodies_.grips.end() || place->box != box || place->robot != robot,
+          "The robot holds the box already.");
+  bodies_.grips.insert(place, Grip(world_.get(), robot, chassis, box, held.body));
+  ++held.holders;
+  held.take_footing();
+}
+
+void OdeEngine::let_go(std::size_t robot, std::size_t box) {
+  const auto is_it = [&](const Grip& grip) { return grip.box == box && grip.robot == robot; };
+  if (std::erase_if(bodies_.grips, is_it) == 0) return;
+  --bodies_.boxes[box].holders;
+  bodies_.boxes[box].take_footing();
 }
 
 void OdeEngine::set_joints(std::size_t robot, std::span<const JointSetting> settings) {
@@ -398,7 +429,7 @@ void OdeEngine::restore() {
 
 void OdeEngine::find_contacts(Islands::OdeTakes takes) {
   finder_.find(bodies_, contact_watch_, *pool_);
-  islands_.divide(finder_.found(), bodies_.robots, takes);
+  islands_.divide(finder_.found(), bodies_, takes);
 }
 
 BodyMotion OdeEngine::motion(std::size_t robot) const {
@@ -504,6 +535,10 @@ std::uint64_t OdeEngine::hash_state(std::uint64_t hash) const {
     robot.for_each_body([&](dBodyID body) { add_body(all, body); });
   }
   for (const BoxBody& box : bodies_.boxes) box.add_to(all);
+  for (const Grip& grip : bodies_.grips) {
+    all.add(std::uint64_t{grip.robot});
+    all.add(std::uint64_t{grip.box});
+  }
   return all.value();
 }
 

@@ -54,8 +54,10 @@ inline bool is_finite(const Vector3& v) { return std::isfinite(v.x + v.y + v.z);
 struct DestroyOde {
   void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
   void operator()(dGeomID geom) const { dGeomDestroy(geom); }
+  void operator()(dJointID joint) const { dJointDestroy(joint); }
 };
 using OdeJointGroup = std::unique_ptr<std::remove_pointer_t<dJointGroupID>, DestroyOde>;
+using OdeJoint = std::unique_ptr<std::remove_pointer_t<dJointID>, DestroyOde>;
 using OdeGeom = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyOde>;
 
 }  // namespace elsie::physics

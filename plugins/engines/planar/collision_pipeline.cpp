@@ -20,13 +20,17 @@ constexpr double kPressing = 1e-6;  // m
 
 }  // namespace
 
-bool CollisionPipeline::may_meet(const Collider& a, const Collider& b) const {
+bool CollisionPipeline::may_meet(std::uint32_t first, std::uint32_t second) const {
+  const Collider &a = colliders_[first], &b = colliders_[second];
   const bool is_dynamic = (a.mover != kNone && movers_[a.mover].is_dynamic()) ||
                           (b.mover != kNone && movers_[b.mover].is_dynamic());
   // The limits of their joint keep neighbours apart.
   const bool neighbours =
       a.body == b.body && a.vehicle + 1 >= b.vehicle && b.vehicle + 1 >= a.vehicle;
-  return is_dynamic && !neighbours;
+  if (!is_dynamic || neighbours) return false;
+  return joined_.empty() ||
+         !std::binary_search(joined_.begin(), joined_.end(),
+                             std::pair(std::min(first, second), std::max(first, second)));
 }
 
 /// An order that does not depend on the numbers of the bodies.
@@ -73,7 +77,7 @@ void CollisionPipeline::find_contacts_of(const Moving& moving, double margin, Fo
   near.erase(std::unique(near.begin(), near.end()), near.end());
   for (const std::uint32_t other : near) {
     const Collider &a = colliders_[id], &b = colliders_[other];
-    if (!may_meet(a, b)) continue;
+    if (!may_meet(id, other)) continue;
     const double nearer = b.mover == kNone ? 0.5 * margin : margin;  // only one of them moves
     if (is_before(a, b)) {
       meet(id, other, nearer, found);

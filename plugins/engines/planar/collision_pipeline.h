@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "elsie/base/thread_pool.h"
@@ -65,6 +66,10 @@ class CollisionPipeline {
   };
   /// The presses that solve() found, of most islands none.
   std::span<const Press> presses() const { return presses_; }
+  /// The colliders of bodies that do not meet, because one holds the other: ascending pairs.
+  void leave_out(std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs) {
+    joined_ = std::move(pairs);
+  }
   /// Takes over what another engine remembers of the last step.
   void take(const CollisionPipeline& other) { cache_ = other.cache_; }
 
@@ -93,7 +98,7 @@ class CollisionPipeline {
 
   void find_contacts_of(const Moving& moving, double margin, Found& found) const;
   void meet(std::uint32_t first, std::uint32_t second, double margin, Found& found) const;
-  bool may_meet(const Collider& a, const Collider& b) const;
+  bool may_meet(std::uint32_t first, std::uint32_t second) const;
   bool is_before(const Collider& a, const Collider& b) const;
   bool pushed(std::uint64_t a, std::uint64_t b) const;
   void recall(Contact& contact) const;
@@ -110,7 +115,8 @@ class CollisionPipeline {
   PlanarScene& scene_;
   ContactSolver solver_;
   Clearance clearance_;
-  double margin_ = 0.0;  // of the last find()
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joined_;  // see leave_out()
+  double margin_ = 0.0;                                          // of the last find()
   std::vector<Contact> contacts_;
   std::vector<Touch> touches_;
   std::vector<Press> presses_;

@@ -119,12 +119,11 @@ double ContactSolver::relax(Contact& contact, double friction) {
 void ContactSolver::prepare(Hinge& hinge) const {
   const Mover &front = movers_[hinge.front], &behind = movers_[hinge.behind];
   // The middle of the arcs, so that both ends of the joint move alike along their arcs.
-  const auto arm = [](const Mover& mover, double ahead) {
-    const Vector2& center = mover.inertia().center;
-    return mover.middle().turn(Vector2{ahead - center.x, -center.y});
+  const auto arm = [](const Mover& mover, const Vector2& end) {
+    return mover.middle().turn(minus(end, mover.inertia().center));
   };
-  hinge.from_front = arm(front, -hinge.joint.behind);
-  hinge.from_behind = arm(behind, hinge.joint.ahead);
+  hinge.from_front = arm(front, hinge.front_end);
+  hinge.from_behind = arm(behind, hinge.behind_end);
   hinge.kxx = hinge.kxy = hinge.kyy = 0.0;
   const auto add = [&](const Mover& mover, const Vector2& from) {
     const Twist x = at_point({1.0, 0.0}, from), y = at_point({0.0, 1.0}, from);
@@ -147,9 +146,10 @@ void ContactSolver::warm(Hinge& hinge) {
   act(front, -1.0 * (at_point(hinge.pull, hinge.from_front) + Twist{0.0, 0.0, hinge.twist}));
 }
 
-/// The joint's two equations at once: with the velocities u of the joint's end at either body,
+/// The joint's two equations at once: with the velocities u of the joint's end at either body, and
+/// the way d from the end in front to the one behind,
 ///
-///   K pull = -(u_behind - u_front),   K = J A J' of both bodies, a matrix of 2 x 2.
+///   K pull = -(u_behind - u_front + erp d / h),   K = J A J' of both bodies, a matrix of 2 x 2.
 ///
 /// Its motor or limit is a row in the turning alone.
 double ContactSolver::relax(Hinge& hinge) {
@@ -184,8 +184,8 @@ double ContactSolver::relax(Hinge& hinge) {
     const Twist& v = mover.moving();
     return Vector2{v.x - v.turn * from.y, v.y + v.turn * from.x};
   };
-  const Vector2 apart =
-      minus(velocity(behind, hinge.from_behind), velocity(front, hinge.from_front));
+  Vector2 apart = minus(velocity(behind, hinge.from_behind), velocity(front, hinge.from_front));
+  apart = {apart.x + erp_ / step * hinge.apart.x, apart.y + erp_ / step * hinge.apart.y};
   const double determinant = hinge.kxx * hinge.kyy - hinge.kxy * hinge.kxy;
   if (!(determinant > 0.0)) return 0.0;
   const Vector2 pull{-(hinge.kyy * apart.x - hinge.kxy * apart.y) / determinant,
@@ -331,7 +331,7 @@ void ContactSolver::separate(std::span<const std::uint32_t> bodies,
                              std::span<const Contact> contacts, double part) {
   bool moved = false;
   const auto inverse_mass = [this](std::uint32_t mover) {
-    return mover != Contact::kFixed && movers_[mover].is_dynamic()
+    return mover != Contact::kFixed && movers_[mover].gives_way()
                ? 1.0 / movers_[mover].inertia().mass
                : 0.0;
   };

@@ -59,12 +59,14 @@ struct Contact {
   Row across, along;
 };
 
-/// The joint that pulls a vehicle.
+/// The joint that pulls a vehicle, or by which a robot holds a box.
 struct Hinge {
   std::uint32_t front = 0, behind = 0;  // movers
+  Vector2 front_end, behind_end;        // m, in the frames of the movers
   HitchJoint joint;
   double yaw_rad = 0.0;
   double wanted_yaw_rad = 0.0;
+  Vector2 apart;       // m, in the world: from the end in front to the end behind
   Vector2 pull;        // N s, of the last step
   double twist = 0.0;  // N m s, of the motor or of a limit
 

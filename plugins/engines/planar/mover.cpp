@@ -54,7 +54,9 @@ Vector2 Mover::center() const {
 }
 
 Twist Mover::ground(const Twist& free) {
-  return wheels_ ? wheels_.solve(free) : sled_->friction.solve(free);
+  if (wheels_) return wheels_.solve(free);
+  if (footing_ == Footing::stands) return {};
+  return footing_ == Footing::glides ? free : sled_->friction.solve(free);
 }
 
 /// In the next step, the body turns below its momentum.
@@ -82,7 +84,7 @@ void Mover::enter(double step, Impact& impact) {
 
 Symmetric Mover::answer() const {
   if (wheels_) return wheels_.response().turned(impact_->middle);
-  if (!is_dynamic()) return {};
+  if (!gives_way()) return {};
   Symmetric free;
   free.xx = free.yy = 1.0 / sled_->inertia.mass;
   free.tt = 1.0 / sled_->inertia.about_center;

@@ -1,6 +1,7 @@
 // A rigid body that moves in the plane.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -83,6 +84,7 @@ class alignas(64) Mover {
   }
   double reach() const { return reach_; }
   bool is_dynamic() const { return wheels_ || sled_; }
+  bool gives_way() const { return is_dynamic() && footing_ != Footing::stands; }
   Undercarriage& wheels() { return wheels_; }
   const Undercarriage& wheels() const { return wheels_; }
   const Vector2& place() const { return place_; }
@@ -123,6 +125,18 @@ class alignas(64) Mover {
   }
   void turn_to(double heading_rad);
 
+  /// How a box that can be pushed is on the floor.
+  enum class Footing : std::uint8_t {
+    slides,  // with friction
+    glides,  // without
+    stands   // nothing moves it
+  };
+  /// Between steps.
+  void set_footing(Footing footing) {
+    footing_ = footing;
+    if (footing == Footing::stands) stop();
+  }
+
  private:
   /// What sliding bodies of one kind share.
   struct Sled {
@@ -147,6 +161,7 @@ class alignas(64) Mover {
   Undercarriage wheels_;      // if it has wheels
   std::shared_ptr<const Sled> sled_;
   double reach_ = 0.0;
+  Footing footing_ = Footing::slides;
 };
 
 }  // namespace elsie::physics

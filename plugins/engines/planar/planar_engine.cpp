@@ -142,7 +142,7 @@ std::size_t PlanarEngine::add_robot_of(const Engine& other, std::size_t robot, c
 
 std::size_t PlanarEngine::add_obstacle(const world::Obstacle& box) {
   check(box);
-  const bool is_dynamic = box.kind == world::ObstacleKind::dynamic;
+  const bool is_dynamic = box.is_dynamic();
   refuse_if(fault_of(box, "a box"));
   const std::size_t index = boxes_.size();
   const Shape shape = world::fixture_of(box).shape;
@@ -155,7 +155,8 @@ std::size_t PlanarEngine::add_obstacle(const world::Obstacle& box) {
     mover.emplace();
   }
   BoxBody& made = boxes_.emplace_back();
-  made.kind = box.kind;
+  made.kind = is_dynamic ? world::ObstacleKind::dynamic : box.kind;
+  made.hands = box.hands;
   made.bottom = box.z;
   made.collider = add_upright({BodyKind::obstacle, index}, shape, box.z,
                               {box.x, box.y, radians(box.heading_deg)}, box.seen_by_range_sensors,
@@ -164,6 +165,7 @@ std::size_t PlanarEngine::add_obstacle(const world::Obstacle& box) {
     mobile_boxes_.push_back(static_cast<std::uint32_t>(index));
   }
   made.stays_within = is_dynamic && bounds_.within_walls({box.x, box.y, 0.0});
+  if (is_dynamic) take_footing(made);
   return index;
 }
 
@@ -200,6 +202,8 @@ void PlanarEngine::remove_obstacle(std::size_t box) {
   BoxBody& gone = boxes_.at(box);
   if (!gone.present) return;
   gone.present = false;
+  gone.holders = 0;
+  if (std::erase_if(grips_, [&](const Grip& grip) { return grip.box == box; }) > 0) note_grips();
   scene_.remove(gone.collider);
   std::erase_if(moving_, [&](const auto& moving) { return moving.collider == gone.collider; });
   std::erase(mobile_boxes_, static_cast<std::uint32_t>(box));

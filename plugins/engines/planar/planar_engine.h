@@ -35,6 +35,8 @@ class PlanarEngine final : public Engine {
   void go_on_from(const Engine& other) override;
   void remove_obstacle(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
+  void hold(std::size_t robot, std::size_t box) override;
+  void let_go(std::size_t robot, std::size_t box) override;
   std::optional<std::string> fault_of_height(double z) const override {
     return physics::fault_of_height(z, "the robot");
   }
@@ -84,9 +86,20 @@ class PlanarEngine final : public Engine {
     std::uint32_t collider = 0;
     double bottom = 0.0;
     bool stays_within = false;  // within the arena's walls
+    int hands = 1;              // that move it
+    int holders = 0;
     // For a moving box: its place at the end of the next step.
     bool driven = false;
     Vector2 target;
+  };
+  /// A robot that holds a box.
+  struct Grip {
+    std::size_t box = 0, robot = 0;
+    Hinge hinge;
+    double turned_rad = 0.0;  // the box, in the frame of the robot
+
+    /// Where the robot has the box.
+    Pose wanted(std::span<const Mover> movers) const;
   };
   struct RobotBody {
     std::uint32_t first_collider = 0;
@@ -103,6 +116,10 @@ class PlanarEngine final : public Engine {
   void enter_robot(std::size_t robot);
   void take_watches(const PlanarEngine& other, std::size_t robot);
   void place_in_scene(std::size_t robot, PlanarScene::Moves& moves);
+  void take_footing(const BoxBody& box);
+  void note_grips();
+  void begin_grips();
+  void settle_grips(PlanarScene::Moves& moves);
   void start_moving_boxes();
   void stop_moving_boxes();
   void move_on();
@@ -134,6 +151,7 @@ class PlanarEngine final : public Engine {
   Bounds bounds_;
   ContactWatch contact_watch_;
   std::vector<std::uint32_t> jointed_;  // robots with steering or segments
+  std::vector<Grip> grips_;             // ascending by box and robot
   std::vector<Hinge*> hinges_;          // of all robots, in each step
   base::ThreadPool alone_;
   base::ThreadPool* pool_ = &alone_;

@@ -25,6 +25,8 @@ PlanarRobot::PlanarRobot(std::shared_ptr<BodyModel> model, std::uint32_t first)
       hinge.behind = first + static_cast<std::uint32_t>(vehicle);
       hinge.front = hinge.behind - 1;
       hinge.joint = *hitch;
+      hinge.front_end = {-hitch->behind, 0.0};
+      hinge.behind_end = {hitch->ahead, 0.0};
     } else if (const auto* joint = std::get_if<WheelJoint>(&part.joint)) {
       const std::uint32_t wheel = wheels++;
       if (joint->steered) {

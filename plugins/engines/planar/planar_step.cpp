@@ -179,6 +179,7 @@ void PlanarEngine::move_on() {
     robots_[i].begin(physics_.step, movers_);
     for (Hinge& hinge : robots_[i].hinges()) hinges_.push_back(&hinge);
   }
+  begin_grips();
   pipeline_.find(moving_, begin_movers(), *pool_);
   pipeline_.solve(hinges_, *pool_);
   if (contact_watch_.is_used()) note_contacts();
@@ -240,6 +241,7 @@ void PlanarEngine::settle() {
   };
   try_to([&] { pool_->divide(robots_.size(), kLeastMovers, settle_robots); });
   try_to([&] { settle_boxes(limit, moves_.front()); });
+  settle_grips(moves_.front());
   scene_.settle(moves_);
   if (failed) std::rethrow_exception(failed);
 }
@@ -320,6 +322,10 @@ std::uint64_t PlanarEngine::hash_state(std::uint64_t hash) const {
   for (const BoxBody& box : boxes_) {
     all.add(std::uint64_t{box.present});
     if (box.present) add(box.collider);
+  }
+  for (const Grip& grip : grips_) {
+    all.add(std::uint64_t{grip.robot});
+    all.add(std::uint64_t{grip.box});
   }
   return all.value();
 }

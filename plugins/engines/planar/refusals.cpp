@@ -43,7 +43,7 @@ std::optional<std::string> fault_of(const world::Physics& physics) {
 }
 
 std::optional<std::string> fault_of(const world::Obstacle& box, const std::string& what) {
-  if (box.kind != world::ObstacleKind::dynamic || box.z == 0.0) return std::nullopt;
+  if (!box.is_dynamic() || box.z == 0.0) return std::nullopt;
   return above(what, box.z, "fall");
 }
 

@@ -305,6 +305,7 @@ void Simulation::Impl::settle(EditTransaction& transaction) {
   if (transaction.may_cause_warnings) note_new_warnings(world_, time_s(), said_.notes);
   ++renewals_;
   transaction.settle();
+  hands_.follow(world_, robots_, engine_);
 }
 
 }  // namespace elsie::simulation

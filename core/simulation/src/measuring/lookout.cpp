@@ -23,8 +23,8 @@ ObservedObstacle::Kind kind_of(world::ObstacleKind kind) {
   return ObservedObstacle::Kind::fixed;
 }
 
-bool stays(ObservedObstacle::Kind kind) {
-  return kind == ObservedObstacle::Kind::fixed || kind == ObservedObstacle::Kind::resource;
+bool stays(const world::Obstacle& obstacle) {
+  return !obstacle.is_dynamic() && obstacle.kind != world::ObstacleKind::moving;
 }
 
 void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavior> behaviors) {
@@ -92,6 +92,7 @@ Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(ho
     describe(robot);
   }
   for (const world::Obstacle& obstacle : world.obstacles) {
+    stay_in_place_.push_back(stays(obstacle));
     all_obstacles_.push_back({obstacle.id,
                               kind_of(obstacle.kind),
                               obstacle.team,
@@ -204,7 +205,7 @@ void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, 
   for (std::size_t i = 0; i < all_obstacles_.size(); ++i) {
     if (engine.has_obstacle(i)) {
       ObservedObstacle& obstacle = obstacles_.emplace_back(all_obstacles_[i]);
-      if (!stays(obstacle.kind)) {
+      if (!stay_in_place_[i]) {
         const Frame frame = engine.obstacle(i);
         obstacle.pose = {frame.origin.x, frame.origin.y,
                          std::atan2(frame.forward.y, frame.forward.x)};

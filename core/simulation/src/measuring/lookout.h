@@ -58,6 +58,7 @@ class Lookout {
   std::vector<std::vector<ObservedBehavior>> behaviors_;
   std::vector<ObservedRobot> robots_;
   std::vector<ObservedObstacle> all_obstacles_;  // at the start
+  std::vector<bool> stay_in_place_;              // of them
   std::vector<ObservedObstacle> obstacles_;
   std::vector<std::string_view> teams_;
 };

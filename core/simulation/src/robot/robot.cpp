@@ -120,6 +120,7 @@ void Robot::take_membership(const world::World& world, std::size_t index, Common
   state_.capacity = robot.battery;
   team_.name = robot.team;
   team_.charger = nearest_charger(world, robot.team, {robot.x, robot.y});
+  team_.nest = nearest_nest(world, robot.team, {robot.x, robot.y});
   resource_colours_ = common.resource_colours(world, robot.team);
 }
 
@@ -264,6 +265,7 @@ void Robot::reset(std::uint64_t seed) {
   rolled_ = {};
   heard_.clear();
   perception_.heard = {};
+  set_held({});
   for (const auto& slot : actuators_) {
     slot->by.clear();
     slot->under_way.clear();

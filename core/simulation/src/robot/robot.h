@@ -84,6 +84,18 @@ class Robot final : private RobotRequests {
   std::span<const HeardMessage> heard() const { return heard_; }
   /// Forgets commands and messages, whose code may be in a library that is to be unloaded.
   void forget_messages();
+  /// How far its actuator reaches for something to hold, m; none: it holds nothing.
+  const std::optional<double>& grasp(std::size_t actuator) const {
+    return actuators_[actuator]->effect.grasp;
+  }
+  Vector3 actuator_place(std::size_t actuator) const {
+    return frame_of(*actuators_[actuator]->place).origin;
+  }
+  /// Notes what it holds.
+  void set_held(std::vector<HeldThing> held) {
+    held_ = std::move(held);
+    state_.held = held_;
+  }
   /// Appends what its actuators shine.
   void list_lights(std::vector<LampView>& lights) const;
   /// Subtracts the energy that sensors and actuators use in a control period.
@@ -211,6 +223,8 @@ class Robot final : private RobotRequests {
   std::span<const Contact> contacts() const { return contacts_; }
   const Motion& rolled() const { return rolled_; }
   std::size_t actuator_count() const { return actuators_.size(); }
+  /// The id of an actuator.
+  std::string_view actuator(std::size_t index) const override { return actuators_[index]->use->id; }
   ActuatorView actuator_view(std::size_t index) const;
   std::size_t sensor_count() const { return sensors_.size(); }
   SensorView sensor(std::size_t index) const;
@@ -259,7 +273,8 @@ class Robot final : private RobotRequests {
   struct Effect {
     std::optional<Colour> shine;  // none: it is dark
     double intensity = 0.0;
-    double power = 0.0;  // units per second
+    double power = 0.0;           // units per second
+    std::optional<double> grasp;  // how far it reaches, m; none: it is open
   };
 
   struct ActuatorSlot final : MountedSlot<Actuator, PluginKind::actuator>, private Effects {
@@ -267,6 +282,7 @@ class Robot final : private RobotRequests {
     void equip(Component& object, const Example& example) const override;
     void shine(const Colour& colour, double intensity) override;
     void draw_power(double units_per_s) override;
+    void hold(double reach_m) override;
     void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
                   const Transmission& how) override;
     Effects& effects() { return *this; }
@@ -307,7 +323,6 @@ class Robot final : private RobotRequests {
   }
   void ask_for_charge() override { charge_asked_ = true; }
   std::size_t actuator_for(const Act& act) const override;
-  std::string_view actuator(std::size_t index) const override { return actuators_[index]->use->id; }
   Frame frame_of(const SensorPlace& place) const { return frame_below(place).frame(place.frame); }
   template <class Slot>
   static void fit_disturbances(const Slot& slot, Disturbable& object, const char* list);
@@ -378,6 +393,7 @@ class Robot final : private RobotRequests {
   std::size_t vehicles_ = 1;       // of its drive
   std::vector<Contact> contacts_;  // since sensors were last updated
   std::vector<HeardMessage> heard_;
+  std::vector<HeldThing> held_;
   std::vector<Event> perceived_events_;
   std::vector<events::AnyEvent> raised_;  // since the last decision
   std::size_t logged_ = 0;                // number of them that the log has

@@ -87,6 +87,14 @@ void Robot::ActuatorSlot::draw_power(double units_per_s) {
   effect.power += units_per_s;
 }
 
+void Robot::ActuatorSlot::hold(double reach_m) {
+  if (!std::isfinite(reach_m) || reach_m < 0.0) {
+    throw base::Error("it reaches " + base::number_text(reach_m) +
+                      " m far for something to hold; expected a number at least 0");
+  }
+  effect.grasp = reach_m;
+}
+
 void Robot::ActuatorSlot::transmit(const std::shared_ptr<const Message>& message,
                                    const std::string& to, const Transmission& how) {
   if (!message) return;

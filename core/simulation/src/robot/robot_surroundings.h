@@ -67,8 +67,12 @@ class RobotSurroundings final : public Surroundings {
   Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
   std::span<const LampView> lamps() const override { return things_.lamps(); }
   void things_within(double radius_m, std::vector<NearThing>& things) const override {
-    things_.within(
-        pose(), radius_m, [this](std::size_t i) { return engine_.has_obstacle(i); }, things);
+    const auto place_of = [this](std::size_t i) -> std::optional<Vector2> {
+      if (!engine_.has_obstacle(i)) return std::nullopt;
+      const Vector3 at = engine_.obstacle(i).origin;
+      return Vector2{at.x, at.y};
+    };
+    things_.within(pose(), radius_m, place_of, things);
     const Pose here = pose();
     for (const std::size_t i : neighbours_.near({here.x, here.y}, radius_m, memory_.near)) {
       if (i != robot_) things_.add_robot(i, here, robots_[i]->truth().pose, radius_m, things);

@@ -85,6 +85,7 @@ void Simulation::Impl::control(double period_s) {
     attention_[i] = robot.needs_attention();
   });
   if (!has_actuators_) return;
+  hands_.act(world_, robots_, engine_);
   for (const auto& robot : robots_) robot->show_effects(now.time_s + period_s);
 }
 
@@ -115,6 +116,7 @@ void Simulation::Impl::update_team(std::size_t index, std::vector<base::Grid::Id
   const Pose& pose = robot.truth().pose;
   robot.mates().clear();
   robot.team().charger = nearest_charger(world_, robot.description().team, {pose.x, pose.y});
+  robot.team().nest = nearest_nest(world_, robot.description().team, {pose.x, pose.y});
   if (!(farthest_call_m_ > 0.0)) return;
   // A mate is perceived if the mate's own coverage reaches this robot.
   for (const std::size_t i : neighbours_->near({pose.x, pose.y}, farthest_call_m_, memory)) {

@@ -8,7 +8,8 @@ namespace {
 /// If two bodies touch again within this time, it is the same collision.
 constexpr double kSameCollision = 0.2;  // s
 
-/// If the robot may collect the touched body, collects it and returns true.
+/// If the robot may collect the touched body, collects it, unless it has to carry it to a nest, and
+/// returns true.
 bool collects(const world::World& world, Robot& robot, const physics::Body& other,
               physics::Engine& engine) {
   if (other.kind != physics::BodyKind::obstacle || other.index >= world.obstacles.size()) {
@@ -16,6 +17,7 @@ bool collects(const world::World& world, Robot& robot, const physics::Body& othe
   }
   const world::Obstacle& obstacle = world.obstacles[other.index];
   if (!may_collect(robot.description().team, obstacle)) return false;
+  if (obstacle.to_nest) return true;
   if (engine.has_obstacle(other.index)) {  // else another robot took it in the same step
     engine.remove_obstacle(other.index);
     robot.collect(obstacle.energy);

@@ -58,7 +58,7 @@ std::string path(const char* group, const std::string& id) {
 
 /// A patch as a flat disc, or as flat prisms. All have the patch's own frame, which an edit of its
 /// place moves.
-void list_patch(const world::Patch& patch, Json& shapes) {
+void list_patch(const world::Patch& patch, const char* group, Json& shapes) {
   constexpr int kRound = 32;
   const Frame frame = Frame::turned({patch.x, patch.y, 0.0}, radians(patch.heading_deg), 0.0);
   for (const world::FloorPiece& piece : world::pieces_of(patch)) {
@@ -72,7 +72,7 @@ void list_patch(const world::Patch& patch, Json& shapes) {
       flat = Shape::prism(std::move(outline), 0.0);
     }
     shapes.push_back(json(flat, frame, piece.colour, -1));
-    shapes.back()["path"] = path("patch", patch.id);
+    shapes.back()["path"] = path(group, patch.id);
   }
 }
 
@@ -82,7 +82,8 @@ Json scene_json(const simulation::Simulation& simulation) {
   const world::World& world = simulation.world();
   Json bodies = Json::array(), shapes = Json::array();
   int body = -1;
-  for (const world::Patch& patch : world.patches) list_patch(patch, shapes);
+  for (const world::Nest& nest : world.nests) list_patch(world::patch_of(nest), "nest", shapes);
+  for (const world::Patch& patch : world.patches) list_patch(patch, "patch", shapes);
   for (const world::Lamp& lamp : world.lamps) {
     shapes.push_back(json(Shape::sphere(world::kLampRadius), {.origin = {lamp.x, lamp.y, lamp.z}},
                           lamp.colour, body));

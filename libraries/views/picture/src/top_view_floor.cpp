@@ -53,6 +53,9 @@ void draw_patch(Canvas& canvas, const Layout& layout, const world::Patch& patch)
 
 void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout) {
   draw_image(canvas, scene, layout);
+  for (const world::Nest& nest : scene.world.nests) {
+    draw_patch(canvas, layout, world::patch_of(nest));
+  }
   for (const world::Patch& patch : scene.world.patches) draw_patch(canvas, layout, patch);
 }
 

@@ -276,7 +276,7 @@ void draw_boxes(Canvas& canvas, const Scene& scene, const Layout& layout, LabelP
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::optional<Pose>& now = scene.boxes[i];
     if (boxes[i].kind == world::ObstacleKind::moving) draw_way(canvas, layout, boxes[i]);
-    if (boxes[i].kind == world::ObstacleKind::dynamic && now && finite(*now)) {
+    if (boxes[i].is_dynamic() && now && finite(*now)) {
       draw_moved(canvas, layout, boxes[i], *now);
     }
     if (!now) {

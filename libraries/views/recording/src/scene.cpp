@@ -192,7 +192,7 @@ void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
 }  // namespace
 
 bool may_move(const world::Obstacle& box) {
-  return box.kind == world::ObstacleKind::dynamic || box.kind == world::ObstacleKind::moving;
+  return box.is_dynamic() || box.kind == world::ObstacleKind::moving;
 }
 
 Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
@@ -200,7 +200,7 @@ Json scene_message(std::uint64_t time_ns, const simulation::Simulation& simulati
   const World& world = simulation.world();
   Json entities = Json::array();
   entities.push_back(arena(time_ns, world));
-  if (world.floor.pixels || !world.patches.empty()) {
+  if (world.floor.pixels || !world.patches.empty() || !world.nests.empty()) {
     entities.push_back(floor_marks(time_ns, world));
   }
   for (const world::Lamp& each : world.lamps) {

@@ -65,6 +65,7 @@ class Schema {
     return constraint("key", "robot_id", "robots/robot", "id") +
            constraint("unique", "box_id", "obstacles/*|resources/*", "id") +
            constraint("unique", "charger_id", "chargers/charger", "id") +
+           constraint("unique", "nest_id", "nests/nest", "id") +
            constraint("unique", "lamp_id", "lamps/lamp", "id") +
            constraint("unique", "patch_id", "patches/*", "id") +
            constraint("unique", "measure_id", "measures/*", "id") +

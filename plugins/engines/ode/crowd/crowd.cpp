@@ -73,7 +73,7 @@ int Crowd::add_rigid(dBodyID body) {
     dBodyGetMass(body, &mass);
     rigid.inverse_mass = 1.0 / mass.mass;
     rigid.inverse_inertia = in_the_world(axes_of(body), inverse_inertia(mass));
-    rigid.velocity.z += physics_.step * physics_.gravity;
+    if (dBodyGetGravityMode(body) != 0) rigid.velocity.z += physics_.step * physics_.gravity;
   }
   const int index = solver_.add(rigid);
   places_[body].body = index;
@@ -183,6 +183,28 @@ void Crowd::add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_f
     stop(front_frame.up, vehicle.yaw_rad(), hitch.max_yaw_rad);
   }
   stop(-1.0 * frame.left, vehicle.pitch_rad(), hitch.max_pitch_rad);
+}
+
+void Crowd::add_grip(const Grip& grip) {
+  const int robot = places_.at(grip.chassis).body, box = places_.at(grip.body).body;
+  const Vector3 arm = solver_.body(box).center - solver_.body(robot).center;
+  const Grip::Error error = grip.error();
+  const auto add = [&](const Vector3& linear, const Vector3& turn_a, const Vector3& turn_b,
+                       double off) {
+    Row row;
+    row.a = box;
+    row.b = robot;
+    row.linear = linear;
+    row.turn_a = turn_a;
+    row.turn_b = turn_b;
+    row.target = softness_.erp / physics_.step * off;
+    row.softness = softness_.cfm / physics_.step;
+    solver_.add(row);
+  };
+  for (const Vector3& axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) {
+    add(axis, {}, -1.0 * cross(arm, axis), dot(axis, error.way));
+    add({}, axis, -1.0 * axis, dot(axis, error.turn));
+  }
 }
 
 Crowd::Row Crowd::row_along(const FoundContact& contact, const Vector3& direction) const {

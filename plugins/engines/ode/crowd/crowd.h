@@ -6,6 +6,7 @@
 
 #include "elsie/world/description.h"
 
+#include "grip.h"
 #include "impulse_solver.h"
 #include "newton_solver.h"
 #include "ode_contacts.h"
@@ -35,6 +36,7 @@ namespace elsie::physics {
 ///   at
 ///             the slip times its force, p / h
 ///   motor     a wheel against its chassis: target = the rate that is set, |p| <= h torque
+///   grip      six rows hold a box to the chassis: target = erp error / h
 ///   hitch     three rows hold its point and one prevents roll: target = 0. Its stops are rows with
 ///             p >= 0 and target = -(way to the limit) / h; a motor instead of the yaw's stop is as
 ///             the motor of a wheel
@@ -49,6 +51,8 @@ class Crowd {
   void add_robot(const OdeRobot& robot);
   /// A box that can be pushed, or one that moves along its own path.
   void add_obstacle(dBodyID box);
+  /// A robot that was added holds a box that was added.
+  void add_grip(const Grip& grip);
   /// A contact between two bodies that were added, or between one of them and a fixed body.
   void add_contact(const FoundContact& contact);
 

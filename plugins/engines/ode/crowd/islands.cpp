@@ -70,8 +70,7 @@ void Islands::finish(FoundContact& contact, std::size_t number) const {
   surface.mu2 *= 1.0 + 1e-6 * unequal;
 }
 
-void Islands::divide(std::span<FoundContacts> found, std::span<const OdeRobot> robots,
-                     OdeTakes takes) {
+void Islands::divide(std::span<FoundContacts> found, const OdeBodies& bodies, OdeTakes takes) {
   sets_.reset(members_.size());
   for (std::size_t i = 0; i < members_.size(); ++i) sets_.count(i, members_[i].size);
   for (FoundContacts& some : found) {
@@ -81,9 +80,16 @@ void Islands::divide(std::span<FoundContacts> found, std::span<const OdeRobot> r
       }
     }
   }
+  for (const Grip& grip : bodies.grips) {
+    sets_.link(member_of(dBodyGetData(grip.chassis)), member_of(dBodyGetData(grip.body)));
+  }
   choose_solvers(takes);
   for (Member& member : members_) {
-    if (member.crowd) take_out(member, robots);
+    if (member.crowd) take_out(member, bodies.robots);
+  }
+  for (const Grip& grip : bodies.grips) {
+    Crowd* const crowd = members_[member_of(dBodyGetData(grip.body))].crowd;
+    if (crowd) crowd->add_grip(grip);
   }
   std::size_t number = 0;
   for (FoundContacts& some : found) {

@@ -81,8 +81,8 @@ class Islands {
   void remove_obstacle(dBodyID box);
 
   /// Makes joints of the contacts within islands that ODE takes. Disables other bodies in ODE, and
-  /// adds them to a train or the crowd with their contacts. `robots` are all that were added.
-  void divide(std::span<FoundContacts> found, std::span<const OdeRobot> robots, OdeTakes takes);
+  /// adds them to a train or the crowd with their contacts. `bodies` are all that were added.
+  void divide(std::span<FoundContacts> found, const OdeBodies& bodies, OdeTakes takes);
   /// Undoes divide(): removes its joints, and enables bodies in ODE. Later contacts are `softer`
   /// times as soft.
   void dissolve(double softer = 1.0);

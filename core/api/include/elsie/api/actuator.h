@@ -55,6 +55,11 @@ class Effects {
   /// base::Error for a message to the robot itself.
   virtual void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
                         const Transmission& how) = 0;
+  /// Holds: takes the nearest dynamic obstacle or resource to be carried to a nest whose outline is
+  /// within `reach_m` of the place of the actuator, seen from above, and keeps it for as long as
+  /// this is repeated. OwnState::held has it from the next period on. A robot lets go when it is
+  /// placed elsewhere, and when its battery is empty.
+  virtual void hold(double reach_m) = 0;
   /// Takes energy from the battery, units per second; at least 0.
   virtual void draw_power(double units_per_s) = 0;
 

@@ -25,6 +25,19 @@ struct Mounting {
   int segment = 0;           // 0: the robot; then its segments, counted backwards from it
 };
 
+/// Something that the robot holds.
+struct HeldThing {
+  std::string_view id;        // of the resource or the box
+  std::string_view actuator;  // the id of the one that holds it
+  bool moves = false;         // as many robots hold it as must for it to move with them
+};
+
+/// Where the robots of a team deliver resources.
+struct NestView {
+  Vector2 place;  // m, its middle
+  double radius_m = 0.0;
+};
+
 /// The state of the robot's own body.
 struct OwnState {
   std::string_view id;
@@ -45,6 +58,7 @@ struct OwnState {
   double energy = 5000.0;    // units
   double capacity = 5000.0;  // units
   bool charging = false;
+  std::span<const HeldThing> held;  // one for each actuator that holds something
 
   /// The largest wheel rate that the robot obeys, rad/s.
   double max_wheel_rate() const { return max_speed_m_s / wheels.radius; }
@@ -64,6 +78,7 @@ struct TeamState {
   std::string_view name;
   std::span<const TeamMate> mates;  // those whose coverage reaches this robot, in file order
   std::optional<Vector2> charger;   // the team's nearest charger
+  std::optional<NestView> nest;     // the team's nearest nest
 
   /// The nearest leader whose coverage reaches this robot, or none.
   const TeamMate* leader() const {

@@ -44,6 +44,31 @@ struct Collected {
   const std::string& detail() const { return resource; }
 };
 
+struct Taken {
+  static constexpr Facts kFacts{.name = "taken",
+                                .meaning = "the robot takes hold of something",
+                                .detail = "the id of the box or resource"};
+  std::string thing;
+  const std::string& detail() const { return thing; }
+};
+
+struct Released {
+  static constexpr Facts kFacts{.name = "released",
+                                .meaning = "the robot lets go of something",
+                                .detail = "the id of the box or resource"};
+  std::string thing;
+  const std::string& detail() const { return thing; }
+};
+
+struct Delivered {
+  static constexpr Facts kFacts{
+      .name = "delivered",
+      .meaning = "a resource that the robot lets go of is in a nest of its team, and is collected",
+      .detail = "the id of the resource"};
+  std::string resource;
+  const std::string& detail() const { return resource; }
+};
+
 struct BatteryEmpty {
   static constexpr Facts kFacts{.name = "battery_empty",
                                 .meaning = "the battery is empty, and the robot stops",
@@ -96,8 +121,8 @@ struct Raised {
   std::string name;
 };
 
-using AnyEvent = std::variant<Raised, Collision, Collected, BatteryEmpty, ChargingStarted,
-                              ChargingEnded, Changed, Replaced>;
+using AnyEvent = std::variant<Raised, Collision, Collected, Taken, Released, Delivered,
+                              BatteryEmpty, ChargingStarted, ChargingEnded, Changed, Replaced>;
 
 std::string_view name_of(const AnyEvent& event);
 /// The detail of an event; empty for an event without one.

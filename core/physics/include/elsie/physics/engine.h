@@ -127,6 +127,15 @@ class Engine {
   /// its motors stay. Throws as add_robot() does.
   virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
 
+  /// Lets a robot hold a dynamic obstacle: from the next step on, the obstacle keeps its place in
+  /// the frame of the robot. They do not touch each other then. When as many robots as it has
+  /// `hands` hold an obstacle, it moves with them, and glides over the floor without friction and
+  /// without a weight on them; one with more hands than robots that hold it does not move. Throws
+  /// std::invalid_argument if it is not there, or as many hold it already.
+  virtual void hold(std::size_t robot, std::size_t obstacle) = 0;
+  /// Lets go of it, if the robot holds it.
+  virtual void let_go(std::size_t robot, std::size_t obstacle) = 0;
+
   /// Why no robot can stand so high, in a sentence that begins with "the robot"; none: it can.
   virtual std::optional<std::string> fault_of_height(double /*z*/) const { return std::nullopt; }
 
@@ -218,7 +227,7 @@ using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics&
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 6;
+  std::uint32_t version = 7;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t obstacle = sizeof(world::Obstacle);

@@ -79,7 +79,10 @@ struct Obstacle {
   double height = 0.2;  // m
   std::optional<Colour> colour;
   bool seen_by_range_sensors = true;
-  double mass = 0.2;  // kg; dynamic boxes
+  // Of what can be pushed and held: dynamic boxes, and resources that are carried to a nest.
+  double mass = 0.2;  // kg
+  int hands = 1;      // robots that must hold it before it moves with them; above 1: nothing else
+                      // moves it
   // Moving boxes: from the start through the waypoints, and directly back to the start in an
   // endless round; or back and forth along the same path.
   std::vector<Vector2> waypoints;
@@ -88,7 +91,13 @@ struct Obstacle {
   // Resources.
   std::string team;        // empty: any team may take it
   double energy = 1000.0;  // units
+  bool to_nest = false;    // it is carried to a nest; else a robot collects it when it touches it
   Location location;
+
+  /// Whether robots can push and hold it.
+  bool is_dynamic() const {
+    return kind == ObstacleKind::dynamic || (kind == ObstacleKind::resource && to_nest);
+  }
 
   const char* shape_name() const;
   /// "the cylinder 'c1'"
@@ -110,6 +119,17 @@ struct Charger {
   bool seen_by_range_sensors = false;      // true: it is a box with this edge length, not a mark
   static constexpr double kBoxEdge = 0.1;  // m
   Location location;
+};
+
+/// A disc on the floor to which robots carry resources: one that a robot releases there is
+/// delivered. Ground sensors, cameras and pictures see its colour.
+struct Nest {
+  std::string id;
+  std::string team;  // whose robots deliver there; empty: any
+  double x = 0.0, y = 0.0;
+  double radius = 0.5;  // m
+  Colour colour{0xb0, 0xb0, 0xb0};
+  Location location{};
 };
 
 /// A point light, which light sensors and cameras see. It has no body.
@@ -351,6 +371,7 @@ struct World {
   std::vector<Team> teams;
   std::vector<Obstacle> obstacles;
   std::vector<Charger> chargers;
+  std::vector<Nest> nests;
   std::vector<Lamp> lamps;
   Floor floor;
   std::vector<Patch> patches;

@@ -1,6 +1,7 @@
 // The floor of a world: the shapes of its patches, and its colour at any place.
 //
-// From below: the floor's colour, its image, its patches in their order, the marks of chargers.
+// From below: the floor's colour, its image, nests, its patches in their order, the marks of
+// chargers.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,9 @@ std::vector<FloorPiece> pieces_of(const Patch& patch);
 std::vector<Vector2> outline_of(const FloorPiece& piece, int sides);
 /// The points of a line in the world, m.
 std::vector<Vector2> points_of_line(const Patch& line);
-/// The pieces of all patches, the lowest first.
+/// The disc of a nest, as a patch.
+Patch patch_of(const Nest& nest);
+/// The pieces of all nests and patches, the lowest first.
 std::vector<FloorPiece> patches_of(const World& world);
 
 /// The length and width of the floor's image, m.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "elsie/api/surroundings.h"
@@ -20,9 +21,10 @@ class Things {
   Thing of(const Surface& surface) const;
   std::span<const LampView> lamps() const { return lamps_; }
   Colour floor_colour(const Vector2& place) const { return floor_.colour_at(place); }
-  /// The resources and chargers of Surroundings::things_within(). `is_there`: whether an obstacle,
-  /// by its index, is there.
-  void within(const Pose& from, double radius_m, const std::function<bool(std::size_t)>& is_there,
+  /// The resources and chargers of Surroundings::things_within(). `place_of`: where an obstacle is,
+  /// by its index; none: it is gone.
+  void within(const Pose& from, double radius_m,
+              const std::function<std::optional<Vector2>(std::size_t)>& place_of,
               std::vector<NearThing>& things) const;
   /// Appends a robot that is at `place`, if it is within the radius.
   void add_robot(std::size_t robot, const Pose& from, const Pose& place, double radius_m,

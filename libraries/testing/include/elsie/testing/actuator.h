@@ -17,7 +17,8 @@ namespace elsie::testing {
 struct Done {
   std::optional<Colour> shine;  // none: it is dark
   double intensity = 0.0;
-  double power = 0.0;  // units per second
+  double power = 0.0;           // units per second
+  std::optional<double> reach;  // m, of a hand that is closed; none: it is open
   struct Sent {
     std::shared_ptr<const Message> message;
     std::string to;

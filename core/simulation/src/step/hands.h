@@ -1,0 +1,55 @@
+// What robots hold.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "elsie/physics/engine.h"
+#include "elsie/world/description.h"
+
+#include "robot/robot_surroundings.h"
+
+namespace elsie::simulation {
+
+/// Takes and releases things as the actuators of robots want it, once in each control period: robot
+/// after robot, in the order of the file.
+class Hands {
+ public:
+  void act(const world::World& world, Robots robots,
+           const std::shared_ptr<physics::Engine>& engine);
+  /// After an edit: what a robot holds stays in its hands, perhaps in another engine. It lets go if
+  /// the edit has removed it or its actuator, or has put one of the two elsewhere.
+  void follow(const world::World& world, Robots robots,
+              const std::shared_ptr<physics::Engine>& engine);
+
+ private:
+  /// Something in the hand of a robot. An edit may give all three other indices.
+  struct Held {
+    std::string robot, actuator, thing;  // ids
+    std::size_t robot_index = 0, thing_index = 0;
+    Vector2 place;  // of the thing, in the frame of the robot
+  };
+  /// Something that can be taken.
+  struct Loose {
+    std::size_t index = 0;
+    Vector2 place;       // m
+    double reach = 0.0;  // m, of its farthest point
+  };
+
+  bool in_hand(std::size_t robot, std::string_view actuator) const;
+  int holders(std::size_t thing) const;
+  void release(const world::World& world, Robots robots, const Held& held);
+  void take(const world::World& world, Robots robots, std::size_t robot, std::size_t actuator);
+  void list_loose(const world::World& world);
+  void show(const world::World& world, Robots robots) const;
+
+  std::shared_ptr<physics::Engine> engine_;
+  std::vector<Held> held_;
+  std::vector<Loose> loose_;  // from west to east; in a period in which somebody takes something
+  double farthest_ = 0.0;     // the greatest reach of them
+};
+
+}  // namespace elsie::simulation

@@ -1,0 +1,74 @@
+#include <catch2/catch.hpp>
+
+#include "elsie/commands/gripper.h"
+#include "elsie/readings/omnidirectional_camera.h"
+
+#include "shipped.h"
+#include "situation.h"
+
+using namespace elsie;
+using namespace elsie::test;
+
+namespace {
+
+OmnidirectionalReading seen(double distance_m, double bearing_rad, const Colour& colour) {
+  return {{{distance_m, bearing_rad, colour.red, colour.green, colour.blue}}, 10};
+}
+
+constexpr Colour kFood{0x2e, 0x9e, 0x4f};
+
+bool closes(const Response& response) {
+  REQUIRE(response.acts.size() == 1);
+  return static_cast<const GripCommand*>(response.acts[0].command())->closed;
+}
+
+plugin::Object<Behavior> forager() { return test::make<Behavior>(PluginKind::behavior, "forage"); }
+
+}  // namespace
+
+TEST_CASE("It drives to a resource of its colour, and grips it when it is near") {
+  Situation now;
+  const auto behavior = forager();
+  now.reading(seen(1.0, 0.5, kFood));
+  const Response far = behavior->respond(now.perception());
+  CHECK(far.command.forward > 0.0);
+  CHECK(far.command.turn == Approx(3.0 * 0.5));
+  CHECK_FALSE(closes(far));
+  Situation near;
+  near.reading(seen(0.1, 0.0, kFood));
+  CHECK(closes(behavior->respond(near.perception())));
+}
+
+TEST_CASE("It wants nothing while it sees no resource of its colour") {
+  Situation now;
+  now.reading(seen(0.1, 0.0, {255, 0, 0}));
+  const Response response = forager()->respond(now.perception());
+  CHECK(response.activation == 0.0);
+  CHECK_FALSE(closes(response));
+}
+
+TEST_CASE("It carries what it holds to the nest, and opens the gripper there") {
+  Situation now;
+  const HeldThing thing{"puck", "gripper", true};
+  now.self.held = {&thing, 1};
+  now.team.nest = NestView{{2.0, 0.0}, 0.5};
+  const auto behavior = forager();
+  now.at(0, 0, 90);
+  const Response away = behavior->respond(now.perception());
+  CHECK(closes(away));
+  CHECK(away.command.turn < 0.0);
+  now.at(1.7, 0, 0);
+  CHECK_FALSE(closes(behavior->respond(now.perception())));
+  SECTION("without a nest it keeps it") {
+    now.team.nest.reset();
+    const Response response = behavior->respond(now.perception());
+    CHECK(closes(response));
+    CHECK(response.activation == 0.0);
+  }
+}
+
+TEST_CASE("A colour that is none is refused") {
+  CHECK_THROWS_WITH(
+      test::make<Behavior>(PluginKind::behavior, "forage", {{"colour", std::string("green")}}),
+      Catch::Contains("expected six hexadecimal digits after #"));
+}
