@@ -72,3 +72,19 @@ TEST_CASE("A colour that is none is refused") {
       test::make<Behavior>(PluginKind::behavior, "forage", {{"colour", std::string("green")}}),
       Catch::Contains("expected six hexadecimal digits after #"));
 }
+
+TEST_CASE("It lets go of what nobody helps it to carry, and leaves it alone for a while") {
+  Situation now;
+  const HeldThing stuck{"stick", "gripper", false};
+  now.self.held = {&stuck, 1};
+  now.team.nest = NestView{{2.0, 0.0}, 0.5};
+  now.reading(seen(0.1, 0.0, kFood));
+  const auto behavior = test::make<Behavior>(PluginKind::behavior, "forage", {{"patience", 5.0}});
+  const auto at = [&](double time_s) { return behavior->respond(now.time(time_s).perception()); };
+  CHECK(closes(at(1.0)));
+  CHECK(closes(at(5.9)));
+  CHECK_FALSE(closes(at(6.0)));
+  now.self.held = {};
+  CHECK_FALSE(closes(at(10.9)));
+  CHECK(closes(at(11.0)));
+}

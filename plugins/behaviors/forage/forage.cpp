@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
 #include <elsie/commands/gripper.h>
 #include <elsie/readings/omnidirectional_camera.h>
 
@@ -17,13 +18,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-class Forage final : public elsie::Behavior {
+class Forage final : public elsie::Behavior, public elsie::Remembers {
  public:
   std::string colour = "#2e9e4f";
   double speed = 0.2;
   double gain = 3.0;
   double grip_within = 0.12;
   double release_within = 0.7;
+  double patience = 30.0;
 
   void configured() override {
     unsigned rgb = 0;
@@ -45,15 +47,21 @@ class Forage final : public elsie::Behavior {
         "the world has no nest for this robot's team: it keeps what it has gripped and wants "
         "nothing more; give it a <nest>"};
   }
-  void reset(elsie::Random&) override { bearing_rad_ = distance_m_ = kNone; }
+  void reset(elsie::Random&) override {
+    bearing_rad_ = distance_m_ = kNone;
+    waits_since_s_ = looks_from_s_ = -1.0;
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("waits_since_s", waits_since_s_);
+    memory("looks_from_s", looks_from_s_);
+  }
 
   elsie::Response respond(const elsie::Perception& now) override {
     bearing_rad_ = distance_m_ = kNone;
-    const bool holds = !now.self().held.empty();
-    bool closed = holds;
-    if (holds) {
-      closed = !carry(now);
-    } else {
+    bool closed = false;
+    if (!now.self().held.empty()) {
+      closed = !carry(now) && !gives_up(now);
+    } else if (now.time_s() >= looks_from_s_) {
       look(now);
       closed = distance_m_ <= grip_within;
     }
@@ -77,6 +85,20 @@ class Forage final : public elsie::Behavior {
   double distance_m_ = kNone;
 
  private:
+  /// Whether it has held something for long enough that as many robots as it takes did not come. It
+  /// then leaves it alone for as long.
+  bool gives_up(const elsie::Perception& now) {
+    if (now.self().held.front().moves) {
+      waits_since_s_ = -1.0;
+      return false;
+    }
+    if (waits_since_s_ < 0.0) waits_since_s_ = now.time_s();
+    if (now.time_s() - waits_since_s_ < patience) return false;
+    waits_since_s_ = -1.0;
+    looks_from_s_ = now.time_s() + patience;
+    return true;
+  }
+
   /// Heads for the nest. Returns whether it is there.
   bool carry(const elsie::Perception& now) {
     const auto& nest = now.team().nest;
@@ -100,6 +122,8 @@ class Forage final : public elsie::Behavior {
 
   elsie::Colour wanted_;
   bool has_nest_ = true;
+  double waits_since_s_ = -1.0;  // for others to help it; below 0: it does not wait
+  double looks_from_s_ = -1.0;   // when it looks for resources again
 };
 
 }  // namespace
@@ -126,6 +150,12 @@ ELSIE_BEHAVIOR(
                       .max = 1,
                       .meaning = "it opens the gripper so near to the middle of the nest, as a "
                                  "fraction of its radius"}),
+    elsie::parameter("patience", &Forage::patience,
+                     {.unit = "s",
+                      .min = 0,
+                      .max = 1e9,
+                      .meaning = "how long it holds what needs more hands than are there; for as "
+                                 "long it looks for nothing then"}),
     elsie::publishes("bearing", &Forage::bearing_rad_,
                      {.unit = "rad",
                       .meaning = "of what it drives to, to the left; none: it wants nothing"}),
