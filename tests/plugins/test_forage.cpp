@@ -51,7 +51,7 @@ TEST_CASE("It carries what it holds to the nest, and opens the gripper there") {
   Situation now;
   const HeldThing thing{"puck", "gripper", true};
   now.self.held = {&thing, 1};
-  now.team.nest = NestView{{2.0, 0.0}, 0.5};
+  now.nest(2.0, 0.0);
   const auto behavior = forager();
   now.at(0, 0, 90);
   const Response away = behavior->respond(now.perception());
@@ -77,7 +77,7 @@ TEST_CASE("It lets go of what nobody helps it to carry, and leaves it alone for 
   Situation now;
   const HeldThing stuck{"stick", "gripper", false};
   now.self.held = {&stuck, 1};
-  now.team.nest = NestView{{2.0, 0.0}, 0.5};
+  now.nest(2.0, 0.0);
   now.reading(seen(0.1, 0.0, kFood));
   const auto behavior = test::make<Behavior>(PluginKind::behavior, "forage", {{"patience", 5.0}});
   const auto at = [&](double time_s) { return behavior->respond(now.time(time_s).perception()); };

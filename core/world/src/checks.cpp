@@ -340,7 +340,7 @@ struct GoalCheck {
   void operator()(const PushGoal& goal) const {
     check_place("<push>", goal.x, goal.y, goal.location);
     for (const Obstacle& obstacle : world.obstacles) {
-      if (obstacle.id == goal.obstacle && obstacle.kind != ObstacleKind::dynamic) {
+      if (obstacle.id == goal.obstacle && !obstacle.is_dynamic()) {
         problems.add(goal.location, "<push>: " + obstacle.in_words() +
                                         " cannot be pushed; expected a <dynamic_" +
                                         obstacle.shape_name() + ">");

@@ -73,6 +73,10 @@ void move(Situation& now, Random& random) {
   self.energy =
       random.chance(0.05) ? random.uniform(1e-3, self.capacity) : std::max(1e-3, self.energy - 1.0);
   self.charging = now.team.charger && random.chance(0.2);
+  if (now.team.nest && random.chance(0.1)) {
+    static constexpr HeldThing kThings[] = {{"thing", "gripper", true}, {"thing", "gripper", false}};
+    self.held = std::span(kThings).subspan(index(random, 2), index(random, 2));
+  }
 }
 
 }  // namespace
@@ -179,6 +183,7 @@ InputMaker::Layout InputMaker::layout(int robot, Random& random) const {
       made.cameras = {{0, 60}, {-60, 60}};
       made.mates = 3;
       made.has_leader = true;
+      made.body.nest(1, 1);
       break;
     case 2:
       made.beams = {{0, 0.5}};

@@ -88,6 +88,11 @@ Situation& Situation::leader(double x, double y, double heading_deg) {
   return mate("leader", x, y, true, heading_deg);
 }
 
+Situation& Situation::nest(double x, double y, double radius_m) {
+  team.nest = NestView{{x, y}, radius_m};
+  return *this;
+}
+
 Situation& Situation::charger(double x, double y) {
   team.charger = Vector2{x, y};
   return *this;

@@ -215,7 +215,7 @@ class Search {
   }
 
   void box(const Obstacle& box, const Subject& subject) {
-    if (box.kind == ObstacleKind::dynamic) {
+    if (box.is_dynamic()) {
       sinking(subject, box.mass, box.height);
       const auto least =
           std::max_element(stances_.begin(), stances_.end(), [&](const Stance& a, const Stance& b) {

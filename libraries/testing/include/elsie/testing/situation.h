@@ -67,6 +67,7 @@ class Situation {
   /// Adds the team's leader in the same way.
   Situation& leader(double x, double y, double heading_deg = 0.0);
   Situation& charger(double x, double y);
+  Situation& nest(double x, double y, double radius_m = 0.5);
 
   // The instant.
 
