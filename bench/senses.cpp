@@ -1,7 +1,8 @@
-// What one sensor of each kind on every robot costs a swarm, against the same robots without
-// sensors: processor time on the planar engine, on one core. Prints a table in Markdown.
+// What one sensor or actuator of each kind on every robot costs a swarm, against the same robots
+// without any: processor time on the planar engine, on one core. Prints a table in Markdown.
 //
-//   senses [--robots N] [--repeats N] [SENSOR...]
+//   senses [--robots N] [--repeats N] [SENSOR or ACTUATOR...]
+//   senses --actuators [--robots N] [--repeats N]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "elsie/api/actuator.h"
+#include "elsie/api/behavior.h"
+#include "elsie/commands/gripper.h"
+#include "elsie/commands/led.h"
 #include "elsie/plugin/host.h"
 #include "elsie/plugin/search_path.h"
 #include "elsie/simulation/simulation.h"
@@ -22,10 +27,39 @@ namespace {
 
 using namespace elsie;
 
-constexpr int kFirst = 20;  // steps that are not measured
+constexpr int kFirst = 20;     // steps that are not measured
+constexpr double kNear = 1.8;  // m: ten robots of the arena are within it
 
-/// Robots that roam, each with this sensor at its default place, or without any.
-world::World swarm(int robots, const std::string& sensor) {
+struct Note {
+  static constexpr const char* kind = "note";
+  double number = 1.0;
+
+  template <class Visitor>
+  void visit(Visitor&& visitor) const {
+    visitor("number", number);
+  }
+};
+
+/// Commands every actuator, and reads what is heard.
+class Acts final : public Behavior {
+ public:
+  std::string kind;
+
+  Response respond(const Perception& now) override {
+    Response response;
+    for (const auto& heard : now.heard<Note>()) sum_ += heard->number;
+    if (kind == "say") response.say(Note{});
+    if (kind == "led") response.act(LedCommand{{255, 0, 0}, 1.0});
+    if (kind == "grip") response.act(GripCommand{true});
+    return response;
+  }
+
+ private:
+  double sum_ = 0.0;
+};
+
+/// Robots that roam, each with this sensor or actuator at its default place, or without any.
+world::World swarm(int robots, const Declaration* mounted) {
   world::World world = bench::arena_of_robots(robots);
   world.physics.engine = "planar";
   world.lamps.emplace_back();
@@ -34,11 +68,17 @@ world::World swarm(int robots, const std::string& sensor) {
     roam.plugin = roam.id = "wander";
     robot.behaviors = {roam};
     robot.sensors.clear();
-    if (sensor.empty()) continue;
-    world::MountedUse& use = robot.sensors.emplace_back();
-    use.plugin = use.id = sensor;
+    if (!mounted) continue;
+    const bool acts = mounted->kind == PluginKind::actuator;
+    world::MountedUse& use = (acts ? robot.actuators : robot.sensors).emplace_back();
+    use.plugin = use.id = mounted->name;
     use.x = 0.04;
     use.z = 0.05;
+    if (!acts) continue;
+    if (mounted->hears_messages) use.parameters["range"] = kNear;
+    world::BehaviorUse& commands = robot.behaviors.emplace_back();
+    commands.plugin = commands.id = "acts";
+    commands.parameters["kind"] = mounted->takes.front().kind;
   }
   return world;
 }
@@ -59,35 +99,41 @@ double cost(const plugin::Host& host, const world::World& world) {
 
 int main(int argc, char** argv) {
   int robots = 1000, repeats = 5;
-  std::vector<std::string> sensors;
-  bool is_sound = true;
+  std::vector<std::string> names;
+  bool is_sound = true, are_actuators = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if ((word == "--robots" || word == "--repeats") && i + 1 < argc) {
       (word == "--robots" ? robots : repeats) = std::atoi(argv[++i]);
+    } else if (word == "--actuators") {
+      are_actuators = true;
     } else {
       is_sound = is_sound && !word.starts_with('-');
-      sensors.push_back(word);
+      names.push_back(word);
     }
   }
   if (!is_sound || robots < 1 || repeats < 1) {
-    std::fprintf(stderr, "usage: senses [--robots N] [--repeats N] [SENSOR...]\n");
+    std::fprintf(stderr, "usage: senses [--actuators] [--robots N] [--repeats N] [PLUGIN...]\n");
     return EXIT_FAILURE;
   }
   try {
-    const plugin::Host host(plugin::default_search_path());
-    if (sensors.empty()) {
-      for (const Declaration* sensor : host.all(PluginKind::sensor)) {
-        if (sensor->name != "vision") sensors.push_back(sensor->name);  // see "Cameras"
-      }
+    plugin::Host host(plugin::default_search_path());
+    host.add(declare<Acts>(PluginKind::behavior, "acts", "commands an actuator", only_acts(),
+                           parameter("kind", &Acts::kind)));
+    const PluginKind kind = are_actuators ? PluginKind::actuator : PluginKind::sensor;
+    std::vector<const Declaration*> all;
+    for (const Declaration* each : host.all(kind)) {
+      const bool is_named = std::find(names.begin(), names.end(), each->name) != names.end();
+      // For cameras that draw see "Cameras".
+      if (is_named || (names.empty() && each->name != "vision")) all.push_back(each);
     }
-    const world::World bare = swarm(robots, "");
+    const world::World bare = swarm(robots, nullptr);
     std::printf(
-        "%d robots.\n\n| sensor | us per robot and step | speed, relative to no sensor "
-        "|\n|---|---|---|\n",
-        robots);
-    for (const std::string& sensor : sensors) {
-      const world::World equipped = swarm(robots, sensor);
+        "%d robots.\n\n| %s | us per robot and step | speed, relative to none |\n"
+        "|---|---|---|\n",
+        robots, are_actuators ? "actuator" : "sensor");
+    for (const Declaration* each : all) {
+      const world::World equipped = swarm(robots, each);
       std::vector<double> times, speeds;
       for (int i = 0; i < repeats; ++i) {  // in turn, because machines drift
         const double without = cost(host, bare);
@@ -95,8 +141,9 @@ int main(int argc, char** argv) {
         speeds.push_back(1e6 * without / robots / times.back());
       }
       const auto [least, most] = std::minmax_element(speeds.begin(), speeds.end());
-      std::printf("| %s | %.2f | %.0f %% (%.0f to %.0f) |\n", sensor.c_str(), bench::median(times),
-                  100.0 * bench::median(speeds), 100.0 * *least, 100.0 * *most);
+      std::printf("| %s | %.2f | %.0f %% (%.0f to %.0f) |\n", each->name.c_str(),
+                  bench::median(times), 100.0 * bench::median(speeds), 100.0 * *least,
+                  100.0 * *most);
       std::fflush(stdout);
     }
     return EXIT_SUCCESS;
