@@ -308,3 +308,21 @@ TEST_CASE("A camera sees the floor's colour, its patches and lamps") {
   world.lamps.push_back({.id = "sun", .x = 1.0, .z = 0.4, .colour = {30, 60, 220}});
   CHECK(find(picture_of(world, view), {30, 60, 220}).area > 5);
 }
+
+TEST_CASE("A robot with a colour has it, and lights are seen where they shine") {
+  world::World world = empty_world();
+  world::Robot robot;
+  robot.id = "r1";
+  robot.x = 1.0;
+  world.robots.push_back(robot);
+  const View view{Frame::turned({-1.0, 0.0, 0.1}, 0.0, 0.0), {200, 200, radians(60.0)}};
+  const Look plain;
+  CHECK(coloured_pixels(picture_of(world, view, plain)) == 0);
+  WorldScene scene(world, plain);
+  scene.show_lights({{{0, {1.0, 0.0, 0.15}, Colour{255, 0, 0}}}});
+  CHECK(coloured_pixels(take(scene.scene(), view)) > 0);
+  scene.show_lights({});
+  CHECK(coloured_pixels(take(scene.scene(), view)) == 0);
+  world.robots[0].colour = Colour{20, 180, 40};
+  CHECK(coloured_pixels(picture_of(world, view, plain)) > 20);
+}

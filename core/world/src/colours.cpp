@@ -84,6 +84,10 @@ Colour team_colour(const World& world, std::string_view team) {
   return team == "red" ? kRedTeam : team == "blue" ? kBlueTeam : kNoTeam;
 }
 
+Colour robot_colour(const World& world, const Robot& robot) {
+  return robot.colour ? *robot.colour : team_colour(world, robot.team);
+}
+
 Colour resource_colour(const World& world, const Obstacle& resource) {
   if (resource.colour) return *resource.colour;
   return resource.team.empty() ? kResourceOfNoTeam : team_colour(world, resource.team);

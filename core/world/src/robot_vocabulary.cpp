@@ -122,6 +122,10 @@ ElementSpec with_robot_content(Describe<Robot> robot) {
           "template", ParameterType::file,
           fact("a file with a <robot_template>, whose content this element overrides"))
       .attribute("team", &Robot::team, fact("the team that it belongs to"), kTeam)
+      .attribute("colour", &Robot::colour,
+                 fact("of its chassis; by default that of its team, and grey to cameras that take "
+                      "pictures"),
+                 {.cost = Cost::nothing})
       .attribute("x", &Robot::x, metres("east"), kLive)
       .attribute("y", &Robot::y, metres("north"), kLive)
       .attribute("z", &Robot::z, range("m", 0, 100, "the bottom of its wheels"), kLive)

@@ -50,7 +50,7 @@ Thing Things::of(const Surface& surface) const {
 
 Thing Things::robot(std::size_t index) const {
   const Robot& robot = world_.robots[index];
-  return {Thing::Kind::robot, robot.id, robot.team, team_colour(world_, robot.team)};
+  return {Thing::Kind::robot, robot.id, robot.team, robot_colour(world_, robot)};
 }
 
 void Things::add_robot(std::size_t index, const Pose& from, const Pose& place, double radius_m,

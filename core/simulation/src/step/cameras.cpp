@@ -75,9 +75,15 @@ void Cameras::take(const physics::Engine& engine) {
                         &robot.picture(mount.sensor)});
     }
   }
-  if (!views_.empty()) {
-    renderer_->take(engine, views_);
+  if (views_.empty()) return;
+  lights_.clear();
+  std::vector<LampView> shown;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    shown.clear();
+    robots_[i]->list_lights(shown);
+    for (const LampView& light : shown) lights_.push_back({i, light.place, light.colour});
   }
+  renderer_->take(engine, views_, lights_);
 }
 
 }  // namespace elsie::simulation

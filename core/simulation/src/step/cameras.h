@@ -42,7 +42,9 @@ class Cameras {
   const std::vector<std::shared_ptr<Robot>>& robots_;
   std::vector<Mount> mounts_;
   std::unique_ptr<CameraRenderer> renderer_;  // none without cameras
-  std::vector<CameraView> views_;             // of the pictures being taken
+  // Of the pictures being taken:
+  std::vector<CameraView> views_;
+  std::vector<CarriedLight> lights_;
 };
 
 }  // namespace elsie::simulation

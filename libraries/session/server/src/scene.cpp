@@ -100,7 +100,7 @@ Json scene_json(const simulation::Simulation& simulation) {
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const world::Robot& robot = world.robots[i];
     const BodyPlan plan = world::plan_of(robot);
-    const Colour colour = world::team_colour(world, robot.team);
+    const Colour colour = world::robot_colour(world, robot);
     for (std::size_t vehicle = 0; vehicle < plan.vehicles(); ++vehicle) {
       ++body;
       bodies.push_back({{"path", path("robot", robot.id)}, {"vehicle", vehicle}});

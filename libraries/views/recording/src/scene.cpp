@@ -174,7 +174,7 @@ std::string vehicle_name(const BodyPlan& plan, std::size_t vehicle) {
 
 void add_robot(Json& entities, std::uint64_t time_ns, const World& world,
                const world::Robot& robot) {
-  const Colour colour = world::team_colour(world, robot.team);
+  const Colour colour = world::robot_colour(world, robot);
   const BodyPlan plan = world::plan_of(robot);
   std::vector<Json> vehicles{entity(time_ns, robot_frame(robot.id), robot_frame(robot.id))};
   for (std::size_t i = 1; i < plan.vehicles(); ++i) {

@@ -15,8 +15,10 @@ class WorldCameras final : public simulation::CameraRenderer {
 
   int largest_size() const override { return renderer_.largest_size(); }
 
-  void take(const physics::Engine& engine, std::span<const simulation::CameraView> views) override {
+  void take(const physics::Engine& engine, std::span<const simulation::CameraView> views,
+            std::span<const simulation::CarriedLight> lights) override {
     place_bodies(engine);
+    scene_.show_lights(lights);
     views_.clear();
     pictures_.clear();
     for (const simulation::CameraView& view : views) {

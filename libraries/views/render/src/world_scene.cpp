@@ -48,8 +48,10 @@ WorldScene::WorldScene(const world::World& world, const Look& look) {
     put(scene_, boxes_.back(), fixture.frame);
   }
   for (const world::Robot& robot : world.robots) {
-    add_robot(robot, look.team_coloured_robots ? world::team_colour(world, robot.team) : kChassis);
+    const bool is_grey = !look.team_coloured_robots && !robot.colour;
+    add_robot(robot, is_grey ? kChassis : world::robot_colour(world, robot));
   }
+  lights_from_ = scene_.balls.size();
 }
 
 void WorldScene::add_robot(const world::Robot& robot, const Colour& colour) {
@@ -74,6 +76,14 @@ void WorldScene::place_robot(std::size_t robot, const Frame& frame) {
 
 void WorldScene::place_segment(std::size_t robot, std::size_t segment, const Frame& frame) {
   put(scene_, robots_.at(robot).at(segment + 1), frame);
+}
+
+void WorldScene::show_lights(std::span<const simulation::CarriedLight> lights) {
+  constexpr double kRadius = 0.01;  // m
+  scene_.balls.resize(lights_from_);
+  for (const simulation::CarriedLight& light : lights) {
+    scene_.balls.push_back({light.place, kRadius, light.colour, light.robot});
+  }
 }
 
 void WorldScene::place_box(std::size_t box, const std::optional<Frame>& frame) {

@@ -22,6 +22,13 @@ struct CameraView {
   Image* picture = nullptr;  // gets the camera's size and three channels
 };
 
+/// What an actuator of a robot shines.
+struct CarriedLight {
+  std::size_t robot = 0;
+  Vector3 place;  // m
+  Colour colour;
+};
+
 /// Takes the pictures of one world.
 class CameraRenderer {
  public:
@@ -30,7 +37,8 @@ class CameraRenderer {
   virtual int largest_size() const = 0;
   /// Takes the pictures of one instant, with the poses of bodies from the engine. Throws
   /// base::Error.
-  virtual void take(const physics::Engine& engine, std::span<const CameraView> views) = 0;
+  virtual void take(const physics::Engine& engine, std::span<const CameraView> views,
+                    std::span<const CarriedLight> lights) = 0;
 };
 
 /// Makes a renderer for a world, which must outlive it. Throws base::Error with a sentence when

@@ -30,6 +30,9 @@ void colour_teams(World& world);
 /// The colour of a team: the one in the world, else that of "red" or "blue", else kNoTeam.
 Colour team_colour(const World& world, std::string_view team);
 
+/// The colour of a robot's chassis: its own, else its team's.
+Colour robot_colour(const World& world, const Robot& robot);
+
 /// The colour of a resource in full light: its own, else its team's, else kResourceOfNoTeam.
 Colour resource_colour(const World& world, const Obstacle& resource);
 

@@ -269,6 +269,7 @@ struct Segment {
 struct Robot : Coordination {
   std::string id;
   std::string team = "red";
+  std::optional<Colour> colour;      // of its chassis; see robot_colour()
   double x = 0.0, y = 0.0, z = 0.0;  // m
   double heading_deg = 0.0;
   double max_speed = 0.5;  // m/s

@@ -10,10 +10,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "elsie/api/geometry.h"
 #include "elsie/render/scene.h"
+#include "elsie/simulation/camera_renderer.h"
 #include "elsie/world/parts.h"
 
 namespace elsie::render {
@@ -38,6 +40,9 @@ class WorldScene {
   /// None: removed.
   void place_box(std::size_t box, const std::optional<Frame>& frame);
 
+  /// Shows what robots shine, and nothing that they shone before.
+  void show_lights(std::span<const simulation::CarriedLight> lights);
+
   const Scene& scene() const { return scene_; }
 
  private:
@@ -48,6 +53,7 @@ class WorldScene {
   Scene scene_;
   std::vector<Body> boxes_;                // the world's
   std::vector<std::vector<Body>> robots_;  // each with its segments
+  std::size_t lights_from_ = 0;            // among the balls
 };
 
 }  // namespace elsie::render
