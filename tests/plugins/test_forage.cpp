@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/commands/gripper.h"
+#include "elsie/messages/say.h"
 #include "elsie/readings/omnidirectional_camera.h"
 
 #include "shipped.h"
@@ -87,4 +88,19 @@ TEST_CASE("It lets go of what nobody helps it to carry, and leaves it alone for 
   now.self.held = {};
   CHECK_FALSE(closes(at(10.9)));
   CHECK(closes(at(11.0)));
+}
+
+TEST_CASE(
+    "It goes where it is told while it sees nothing, and forgets the place when it is there") {
+  Situation now;
+  const auto behavior = forager();
+  now.at(0, 0, 0).reading(OmnidirectionalReading{{}, 10});
+  now.hear(PlaceMessage{0.0, 2.0}, "r2");
+  const Response told = behavior->respond(now.perception());
+  CHECK(told.activation == 1.0);
+  CHECK(told.command.turn > 0.0);
+  Situation there;
+  there.at(0, 1.9, 90).reading(OmnidirectionalReading{{}, 10});
+  behavior->respond(there.perception());
+  CHECK(behavior->respond(there.perception()).activation == 0.0);
 }

@@ -1,0 +1,61 @@
+// Tells other robots where something has happened.
+#include <algorithm>
+#include <string>
+
+#include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
+#include <elsie/messages/say.h>
+
+namespace {
+
+class Say final : public elsie::Behavior, public elsie::Remembers {
+ public:
+  std::string event;
+  double lasts = 5.0;
+  std::string to;
+
+  void reset(elsie::Random&) override {
+    place_ = {};
+    until_s_ = -1.0;
+  }
+  void remember(elsie::Memory& memory) override {
+    memory("x", place_.x);
+    memory("y", place_.y);
+    memory("until_s", until_s_);
+  }
+
+  elsie::Response respond(const elsie::Perception& now) override {
+    const auto& events = now.events();
+    if (event.empty() || std::any_of(events.begin(), events.end(), [&](const elsie::Event& each) {
+          return each.name == event;
+        })) {
+      place_ = {now.self().pose.x, now.self().pose.y};
+      until_s_ = now.time_s() + lasts;
+    }
+    elsie::Response response;
+    if (now.time_s() <= until_s_) {
+      response.say(place_, to);
+    } else {
+      response.act(elsie::SayCommand{});  // silence
+    }
+    return response;
+  }
+
+ private:
+  elsie::PlaceMessage place_;
+  double until_s_ = -1.0;
+};
+
+}  // namespace
+
+ELSIE_BEHAVIOR(
+    Say, "say", "Tells other robots where it was when an event happened", elsie::only_acts(),
+    elsie::commands<elsie::SayCommand>(),
+    elsie::parameter("event", &Say::event,
+                     {.meaning = "of the robot: its own behaviours' or the simulator's; without "
+                                 "one it always tells where it is"}),
+    elsie::parameter(
+        "lasts", &Say::lasts,
+        {.unit = "s", .min = 0, .max = 1e9, .meaning = "how long it repeats the place"}),
+    elsie::parameter("to", &Say::to,
+                     {.meaning = "the id of a robot; without one, all that hear it"}));
