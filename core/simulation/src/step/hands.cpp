@@ -49,11 +49,15 @@ void Hands::act(const world::World& world, Robots robots,
   engine_ = engine;
   loose_.clear();
   bool has_changed = false;
-  const std::vector<Held> before = held_;
-  for (const Held& held : before) {
-    const Robot& robot = *robots[held.robot_index];
-    if (robot.grasp(index_in(robot, held.actuator))) continue;
-    release(world, robots, held);
+  for (std::size_t i = 0; i < held_.size();) {
+    const Robot& robot = *robots[held_[i].robot_index];
+    if (robot.grasp(index_in(robot, held_[i].actuator))) {
+      ++i;
+      continue;
+    }
+    const Held released = held_[i];
+    held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(i));
+    release(world, robots, released);
     has_changed = true;
   }
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -83,9 +87,6 @@ void Hands::release(const world::World& world, Robots robots, const Held& held) 
   Robot& robot = *robots[held.robot_index];
   engine_->let_go(held.robot_index, thing);
   robot.raise(events::Released{held.thing});
-  std::erase_if(held_, [&, owner = held.robot_index, actuator = held.actuator](const Held& each) {
-    return each.robot_index == owner && each.actuator == actuator;
-  });
   const world::Obstacle& released = world.obstacles[thing];
   const std::string& team = robot.description().team;
   if (!released.to_nest || holders(thing) > 0 || !in_nest(world, team, place_of(*engine_, thing))) {
