@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "elsie/world/footprint.h"
@@ -28,6 +29,13 @@ Vector2 in_frame_of(const Pose& robot, const Vector2& place) {
   return {c * x + s * y, c * y - s * x};
 }
 
+/// Whether an actuator held something in the last control period.
+bool is_full(const Robot& robot, std::string_view actuator) {
+  const auto held = robot.state().held;
+  return std::any_of(held.begin(), held.end(),
+                     [&](const HeldThing& thing) { return thing.actuator == actuator; });
+}
+
 std::size_t index_in(const Robot& robot, std::string_view actuator) {
   std::size_t index = 0;
   while (robot.actuator(index) != actuator) ++index;
@@ -48,6 +56,7 @@ void Hands::act(const world::World& world, Robots robots,
                 const std::shared_ptr<physics::Engine>& engine) {
   engine_ = engine;
   loose_.clear();
+  count_holders(world);
   bool has_changed = false;
   for (std::size_t i = 0; i < held_.size();) {
     const Robot& robot = *robots[held_[i].robot_index];
@@ -56,13 +65,14 @@ void Hands::act(const world::World& world, Robots robots,
       continue;
     }
     const Held released = held_[i];
+    --holders_[released.thing_index];
     held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(i));
     release(world, robots, released);
     has_changed = true;
   }
   for (std::size_t i = 0; i < robots.size(); ++i) {
     for (std::size_t k = 0; k < robots[i]->actuator_count(); ++k) {
-      if (!robots[i]->grasp(k) || in_hand(i, robots[i]->actuator(k))) continue;
+      if (!robots[i]->grasp(k) || is_full(*robots[i], robots[i]->actuator(k))) continue;
       const std::size_t known = held_.size();
       take(world, robots, i, k);
       has_changed = has_changed || held_.size() > known;
@@ -71,15 +81,9 @@ void Hands::act(const world::World& world, Robots robots,
   if (has_changed) show(world, robots);
 }
 
-bool Hands::in_hand(std::size_t robot, std::string_view actuator) const {
-  return std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
-    return held.robot_index == robot && held.actuator == actuator;
-  });
-}
-
-int Hands::holders(std::size_t thing) const {
-  return static_cast<int>(std::count_if(
-      held_.begin(), held_.end(), [&](const Held& held) { return held.thing_index == thing; }));
+void Hands::count_holders(const world::World& world) {
+  holders_.assign(world.obstacles.size(), 0);
+  for (const Held& held : held_) ++holders_[held.thing_index];
 }
 
 void Hands::release(const world::World& world, Robots robots, const Held& held) {
@@ -89,7 +93,8 @@ void Hands::release(const world::World& world, Robots robots, const Held& held) 
   robot.raise(events::Released{held.thing});
   const world::Obstacle& released = world.obstacles[thing];
   const std::string& team = robot.description().team;
-  if (!released.to_nest || holders(thing) > 0 || !in_nest(world, team, place_of(*engine_, thing))) {
+  if (!released.to_nest || holders_[thing] > 0 ||
+      !in_nest(world, team, place_of(*engine_, thing))) {
     return;
   }
   engine_->remove_obstacle(thing);
@@ -129,7 +134,7 @@ void Hands::take(const world::World& world, Robots robots, std::size_t robot,
     if (away > reach + loose->reach || (nearest && away >= least)) continue;
     const world::Obstacle& thing = world.obstacles[loose->index];
     if (thing.kind == world::ObstacleKind::resource && !may_collect(team, thing)) continue;
-    if (!engine_->has_obstacle(loose->index) || holders(loose->index) >= thing.hands) continue;
+    if (!engine_->has_obstacle(loose->index) || holders_[loose->index] >= thing.hands) continue;
     const world::Footprint hull = footprint_in(*engine_, world, loose->index);
     const world::Footprint around{.x = hand.x,
                                   .y = hand.y,
@@ -147,6 +152,7 @@ void Hands::take(const world::World& world, Robots robots, std::size_t robot,
   }
   if (!nearest) return;
   engine_->hold(robot, nearest->index);
+  ++holders_[nearest->index];
   const std::string& id = world.obstacles[nearest->index].id;
   held_.push_back({taker.description().id, std::string(taker.actuator(actuator)), id, robot,
                    nearest->index, in_frame_of(taker.truth().pose, nearest->place)});
@@ -163,7 +169,7 @@ void Hands::show(const world::World& world, Robots robots) const {
     std::vector<HeldThing> all(robot.state().held.begin(), robot.state().held.end());
     const world::Obstacle& thing = world.obstacles[held.thing_index];
     all.push_back({thing.id, robot.actuator(index_in(robot, held.actuator)),
-                   holders(held.thing_index) >= thing.hands});
+                   holders_[held.thing_index] >= thing.hands});
     robot.set_held(std::move(all));
   }
 }
@@ -172,6 +178,7 @@ void Hands::follow(const world::World& world, Robots robots,
                    const std::shared_ptr<physics::Engine>& engine) {
   if (held_.empty()) return;
   const std::vector<Held> before = std::exchange(held_, {});
+  count_holders(world);
   for (const Held& was : before) {
     Held held = was;
     held.robot_index = index_of(world.robots, was.robot, was.robot_index);
@@ -184,7 +191,7 @@ void Hands::follow(const world::World& world, Robots robots,
       const Vector2 now = in_frame_of(robot.truth().pose, place_of(*engine, held.thing_index));
       stays = index_of(actuators, was.actuator, 0) < actuators.size() &&
               world.obstacles[held.thing_index].is_dynamic() &&
-              holders(held.thing_index) < world.obstacles[held.thing_index].hands &&
+              holders_[held.thing_index] < world.obstacles[held.thing_index].hands &&
               std::hypot(now.x - was.place.x, now.y - was.place.y) < kElsewhere;
     }
     if (engine == engine_ && !stays) engine->let_go(was.robot_index, was.thing_index);
@@ -192,7 +199,9 @@ void Hands::follow(const world::World& world, Robots robots,
     if (!stays && held.robot_index < robots.size()) {
       robots[held.robot_index]->raise(events::Released{was.thing});
     }
-    if (stays) held_.push_back(held);
+    if (!stays) continue;
+    ++holders_[held.thing_index];
+    held_.push_back(held);
   }
   engine_ = engine;
   show(world, robots);

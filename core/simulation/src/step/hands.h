@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "elsie/physics/engine.h"
@@ -39,8 +38,7 @@ class Hands {
     double reach = 0.0;  // m, of its farthest point
   };
 
-  bool in_hand(std::size_t robot, std::string_view actuator) const;
-  int holders(std::size_t thing) const;
+  void count_holders(const world::World& world);
   void release(const world::World& world, Robots robots, const Held& held);
   void take(const world::World& world, Robots robots, std::size_t robot, std::size_t actuator);
   void list_loose(const world::World& world);
@@ -48,6 +46,7 @@ class Hands {
 
   std::shared_ptr<physics::Engine> engine_;
   std::vector<Held> held_;
+  std::vector<int> holders_;  // of each obstacle
   std::vector<Loose> loose_;  // from west to east; in a period in which somebody takes something
   double farthest_ = 0.0;     // the greatest reach of them
 };
