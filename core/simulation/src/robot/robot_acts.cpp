@@ -92,6 +92,9 @@ void Robot::ActuatorSlot::hold(double reach_m) {
     throw base::Error("it reaches " + base::number_text(reach_m) +
                       " m far for something to hold; expected a number at least 0");
   }
+  if (place->mounting.segment != 0) {
+    throw base::Error("it is on a segment, and only the robot itself can hold something");
+  }
   effect.grasp = reach_m;
 }
 
