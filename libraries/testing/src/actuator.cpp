@@ -16,7 +16,7 @@ class Recorded final : public Effects {
   }
   void draw_power(double units_per_s) override { done_.power += units_per_s; }
   void hold(double reach_m) override { done_.reach = reach_m; }
-  void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
+  void transmit(const std::shared_ptr<const AnyMessage>& message, const std::string& to,
                 const Transmission& how) override {
     done_.sent.push_back({message, to, how});
   }

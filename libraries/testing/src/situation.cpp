@@ -98,7 +98,7 @@ Situation& Situation::charger(double x, double y) {
   return *this;
 }
 
-Situation& Situation::hear(std::shared_ptr<const Message> message, const std::string& from,
+Situation& Situation::hear(std::shared_ptr<const AnyMessage> message, const std::string& from,
                            double distance_m, double bearing_deg) {
   Said& said = said_.emplace_back();
   said.message.message = std::move(message);

@@ -283,13 +283,13 @@ class Robot final : private RobotRequests {
     void shine(const Colour& colour, double intensity) override;
     void draw_power(double units_per_s) override;
     void hold(double reach_m) override;
-    void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
+    void transmit(const std::shared_ptr<const AnyMessage>& message, const std::string& to,
                   const Transmission& how) override;
     Effects& effects() { return *this; }
 
     /// A message that was sent.
     struct Sent {
-      std::shared_ptr<const Message> message;
+      std::shared_ptr<const AnyMessage> message;
       std::string to;
       Transmission how;
       double said_s;

@@ -98,7 +98,7 @@ void Robot::ActuatorSlot::hold(double reach_m) {
   effect.grasp = reach_m;
 }
 
-void Robot::ActuatorSlot::transmit(const std::shared_ptr<const Message>& message,
+void Robot::ActuatorSlot::transmit(const std::shared_ptr<const AnyMessage>& message,
                                    const std::string& to, const Transmission& how) {
   if (!message) return;
   if (to == robot.description_->id) {

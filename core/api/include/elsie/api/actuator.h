@@ -53,7 +53,7 @@ class Effects {
   /// Sends a message, to the robot with the id `to` or, if that is empty, to all that hear it:
   /// robots with an actuator of the same plugin, which declares hears_messages(). Throws
   /// base::Error for a message to the robot itself.
-  virtual void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
+  virtual void transmit(const std::shared_ptr<const AnyMessage>& message, const std::string& to,
                         const Transmission& how) = 0;
   /// Holds: takes the nearest dynamic obstacle or resource to be carried to a nest whose outline is
   /// within `reach_m` of the place of the actuator, seen from above, and keeps it for as long as

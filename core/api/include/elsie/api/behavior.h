@@ -106,7 +106,8 @@ struct Response {
   template <class Content>
   void say(Content content, std::string to = "", std::string by = "") {
     act(std::move(by),
-        SayCommand{std::make_shared<const Message>(Message(std::move(content))), std::move(to)});
+        SayCommand{std::make_shared<const AnyMessage>(AnyMessage(std::move(content))),
+                   std::move(to)});
   }
 };
 

@@ -29,11 +29,11 @@
 namespace elsie {
 
 /// A message without the type of its content.
-class Message {
+class AnyMessage {
  public:
   /// Throws std::invalid_argument with a sentence if a number of the content is not finite.
   template <class Content>
-  explicit Message(Content content)
+  explicit AnyMessage(Content content)
       : kind_(ReadingKind::of<Content>()),
         content_(std::make_shared<const Content>(std::move(content))),
         visit_([](const void* of, const FieldVisit& visit) {
@@ -64,8 +64,8 @@ class Message {
 /// The command of actuators that send messages.
 struct SayCommand {
   static constexpr const char* kind = "say";
-  std::shared_ptr<const Message> message{};  // null: silence
-  std::string to{};                          // the id of a robot; empty: whoever hears it
+  std::shared_ptr<const AnyMessage> message{};  // null: silence
+  std::string to{};                             // the id of a robot; empty: whoever hears it
 
   template <class Visitor>
   void visit(Visitor&& visitor) const {
@@ -78,7 +78,7 @@ struct SayCommand {
 struct HeardMessage {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-  std::shared_ptr<const Message> message;
+  std::shared_ptr<const AnyMessage> message;
   std::string_view device;  // the id of the actuator that hears it
   std::string_view from;    // the id of the robot that said it; empty: the device does not tell
   double age_s = 0.0;       // since it was said

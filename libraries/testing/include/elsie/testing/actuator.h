@@ -20,7 +20,7 @@ struct Done {
   double power = 0.0;           // units per second
   std::optional<double> reach;  // m, of a hand that is closed; none: it is open
   struct Sent {
-    std::shared_ptr<const Message> message;
+    std::shared_ptr<const AnyMessage> message;
     std::string to;
     Transmission how;
   };
@@ -50,8 +50,8 @@ class Actuator {
   /// Lets it say a message.
   template <class Content>
   const Done& say(Content content, std::string to = "") {
-    return act(
-        SayCommand{std::make_shared<const Message>(Message(std::move(content))), std::move(to)});
+    return act(SayCommand{std::make_shared<const AnyMessage>(AnyMessage(std::move(content))),
+                          std::move(to)});
   }
   /// The same for the struct of a command of its kind; null: the present command holds.
   const Done& act_on(const void* command);

@@ -78,10 +78,10 @@ class Situation {
   template <class Content>
   Situation& hear(Content content, const std::string& from = "", double distance_m = kUnknown,
                   double bearing_deg = kUnknown) {
-    return hear(std::make_shared<const Message>(Message(std::move(content))), from, distance_m,
-                bearing_deg);
+    return hear(std::make_shared<const AnyMessage>(AnyMessage(std::move(content))), from,
+                distance_m, bearing_deg);
   }
-  Situation& hear(std::shared_ptr<const Message> message, const std::string& from,
+  Situation& hear(std::shared_ptr<const AnyMessage> message, const std::string& from,
                   double distance_m, double bearing_deg);
   static constexpr double kUnknown = HeardMessage::kUnknown;
   Situation& time(double time_s);
