@@ -227,6 +227,24 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
   CHECK(window.bench().text().contains("length=\"0.75\""));
 }
 
+TEST_CASE("A group of goals begins with one, and has the goals in it in the tree") {
+  Room window;
+  QDialog* dialog = window.dialog_of("add_goal");
+  auto* kinds = dialog->findChild<QListWidget*>("kinds");
+  const auto any = kinds->findItems("any", Qt::MatchExactly);
+  REQUIRE(any.size() == 1);
+  kinds->setCurrentItem(any.front());
+  window.after([&] { Window::press(dialog, QDialogButtonBox::Ok); });
+  CHECK(window.bench().text().contains("<endure/>"));
+  auto* tree = window.get<WorldTree>("world_tree");
+  const QString group = tree->item("goal[2]") ? "goal[2]" : "goal[1]";
+  CHECK(tree->item(group + "/endure"));
+  window.after([&] {
+    window.bench().edit({group + "/travel[+]=<travel any=\"true\" distance=\"3\"/>"}, "add");
+  });
+  CHECK(tree->item(group + "/travel"));
+}
+
 TEST_CASE("A prism begins as a regular polygon with the corners that its dialog says") {
   Room window;
   QDialog* dialog = window.dialog_of("add_prism");

@@ -26,6 +26,20 @@ TEST_CASE("A world whose bodies alone are wanted needs no plugin, and keeps its 
   CHECK(std::get<world::ReachGoal>(world.goals[0]).x == 2.0);
 }
 
+TEST_CASE("A picture of bodies keeps places to reach in groups, and no goal about events") {
+  const plugin::Host none;
+  const world::World world = picture::bodies_of(
+      R"(<world format="1"><robots><robot id="r1"><behaviors><nowhere_to_be_found/></behaviors></robot></robots>
+         <goals><event name="sung"/><all><event name="sung"/></all>
+         <any><event name="sung"/><all><reach any="true" x="2" y="0"/><endure time="600"/></all></any>
+         </goals></world>)",
+      "w.xml", none);
+  REQUIRE(world.goals.size() == 1);
+  const auto& any = std::get<world::AnyGoal>(world.goals[0]);
+  REQUIRE(any.goals.size() == 1);
+  CHECK(std::get<world::AllGoal>(any.goals[0]).goals.size() == 1);
+}
+
 TEST_CASE("A picture of bodies needs no drive") {
   const plugin::Host none;
   const std::string text =

@@ -345,9 +345,9 @@ TEST_CASE("A number with its unit is refused with the unit to leave out") {
   CHECK_THAT(refusal("0.4 m/s"), Catch::Contains("write the number only; the unit is m/s"));
   CHECK_THAT(refusal("0.4m"), Catch::Contains("write the number only; the unit is m/s"));
   CHECK_THAT(refusal("22,5"), Catch::Contains("decimals are written with a point"));
-  here.write("reach.xml",
+  here.write("gather.xml",
              "<world format=\"1\"><robots><robot id=\"r1\"/><robot id=\"r2\" x=\"1\"/></robots>"
-             "<goals><reach x=\"1\" y=\"0\"/></goals></world>");
-  CHECK_THAT(here.elsie("check reach.xml").err,
-             Catch::Contains("<reach> lacks the attribute 'robot'; there are: r1, r2"));
+             "<goals><gather/></goals></world>");
+  CHECK_THAT(here.elsie("check gather.xml").err,
+             Catch::Contains("<gather> lacks the attribute 'team'; there are: red, blue"));
 }

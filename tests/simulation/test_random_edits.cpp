@@ -211,6 +211,9 @@ class RunningEdits {
   Drawn goals() {
     const std::string goal =
         one_of(std::vector<std::string>{"<endure time=\"1000\"/>", "<travel distance=\"1000\"/>",
+                                        "<event name=\"collected\" count=\"1000\"/>",
+                                        "<any><endure time=\"1000\"/><all><travel any=\"true\" "
+                                        "distance=\"1000\"/></all></any>",
                                         "<no_collision robot=\"" + robot().id + "\"/>"});
     if (world_->goals.empty() || random_.happens(0.4)) {
       return {"goal added", {"goal[+]=" + goal}, false};

@@ -106,7 +106,7 @@ TEST_CASE("A world says everything") {
   CHECK(r.behaviors[2].id == "roam");
   CHECK(r.coordinator->id == "head");
 
-  REQUIRE(w.goals.size() == 11);
+  REQUIRE(w.goals.size() == 13);
   CHECK(std::get<world::ReachGoal>(w.goals[2]).radius == 0.4);
   CHECK(std::get<world::ReachGoal>(w.goals[3]).of == "r1");
   CHECK(std::get<world::TravelGoal>(w.goals[7]).robot == "r2");

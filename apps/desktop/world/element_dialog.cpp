@@ -189,6 +189,7 @@ void ElementDialog::show_kind(const Kind& kind) {
     add_outline(kind);
     add_waypoint(kind);
   }
+  if (list_ == "goals") add_first_goal(kind);
   if (list_ == "robots") {
     if (const auto body = workbench_.catalog().element("body")) {
       add_page(tr("body"), "body", *body, Json::object());
@@ -260,7 +261,7 @@ QString ElementDialog::markup(const std::map<QString, QString>& changed) const {
       }
     } else if (page.path == "outline") {
       content += points(page.form->values());
-    } else if (!attributes.isEmpty()) {
+    } else if (!attributes.isEmpty() || list_ == "goals") {
       content += '<' + page.path + attributes + "/>";
     }
   }

@@ -69,6 +69,7 @@ class ElementDialog : public QDialog {
   void show_learned();
   void set_busy(bool is_busy);
   void add_waypoint(const Kind& kind);
+  void add_first_goal(const Kind& kind);
   void add_outline(const Kind& kind);
   /// The points of the regular polygon that a new prism begins with.
   static QString points(const std::map<QString, QString>& given);

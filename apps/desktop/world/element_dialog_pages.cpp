@@ -45,6 +45,14 @@ void ElementDialog::add_waypoint(const Kind& kind) {
   }
 }
 
+// A group of goals begins with one, to which others can be pasted.
+void ElementDialog::add_first_goal(const Kind& kind) {
+  const QString first = "endure";
+  const auto goal = workbench_.catalog().element(first);
+  if (goal && kind.elements.contains(first))
+    add_page(tr("goal in it"), first, *goal, Json::object());
+}
+
 // A prism begins as a regular polygon, whose points can be moved later.
 void ElementDialog::add_outline(const Kind& kind) {
   if (!kind.elements.contains("point")) {

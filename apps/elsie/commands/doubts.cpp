@@ -23,6 +23,12 @@ constexpr double kLevel = 1e-6;  // rad
 
 bool needs_robot(const world::Goal& goal) {
   return !std::holds_alternative<world::EndureGoal>(goal) &&
+  if (const auto* any = std::get_if<world::AnyGoal>(&goal)) {
+    return std::all_of(any->goals.begin(), any->goals.end(), needs_robot);
+  }
+  if (const auto* all = std::get_if<world::AllGoal>(&goal)) {
+    return std::any_of(all->goals.begin(), all->goals.end(), needs_robot);
+  }
          !std::holds_alternative<world::NoCollisionGoal>(goal) &&
          !std::holds_alternative<world::BatteryGoal>(goal);
 }
@@ -38,7 +44,7 @@ class Doubts {
       add(std::visit([](const auto& each) { return each.location; }, *active),
           "the world has no robot that could reach this goal");
     }
-    for (const world::Goal& goal : world_.goals) {
+    world::for_each_goal(world_.goals, [&](const world::Goal& goal) {
       if (const auto* travel = std::get_if<world::TravelGoal>(&goal)) check(*travel);
       if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) check(*reach);
     }
@@ -55,29 +61,44 @@ class Doubts {
 
   void check(const world::TravelGoal& goal) {
     if (!world_.edits.empty()) {
-      return;
-    }
+  /// A robot that keeps a goal about robots from being reached; null if none does.
+  template <class About, class Fails>
+  const world::Robot* one_that_fails(const About& goal, Fails fails) const {
+    const world::Robot* found = nullptr;
     for (const world::Robot& robot : world_.robots) {
-      const double most = robot.max_speed * world_.limits.time;
-      if ((goal.robot.empty() || goal.robot == robot.id) && goal.distance > most) {
-        add(goal.location, "<travel> needs " + number_text(goal.distance) + " m within " +
-                               number_text(world_.limits.time) + " s, but the robot '" + robot.id +
-                               "' drives at most " + number_text(robot.max_speed) +
-                               " m/s, which makes " + number_text(most, 6) + " m");
-        return;
+      if ((!goal.robot.empty() && robot.id != goal.robot) ||
+          (!goal.team.empty() && robot.team != goal.team)) {
+        continue;
+      }
+      if (fails(robot)) {
+        if (!found) found = &robot;
+      } else if (goal.any) {
+        return nullptr;
       }
     }
+    return found;
+  }
+
+      return;
+    }
+    const world::Robot* const robot = one_that_fails(goal, [&](const world::Robot& each) {
+      return goal.distance > each.max_speed * world_.limits.time;
+    });
+    if (!robot) return;
+    add(goal.location, "<travel> needs " + number_text(goal.distance) + " m within " +
+                           number_text(world_.limits.time) + " s, but the robot '" + robot->id +
+                           "' drives at most " + number_text(robot->max_speed) +
+                           " m/s, which makes " +
+                           number_text(robot->max_speed * world_.limits.time, 6) + " m");
   }
 
   void check(const world::ReachGoal& goal) {
-    const auto robot =
-        std::find_if(world_.robots.begin(), world_.robots.end(),
-                     [&](const world::Robot& each) { return each.id == goal.robot; });
-    if (!goal.of.empty() || robot == world_.robots.end() || !world_.edits.empty()) {
+    if (!goal.of.empty() || !world_.edits.empty()) {
       return;
     }
     for (const world::Obstacle& box : world_.obstacles) {
-      if (box.kind == world::ObstacleKind::fixed && box.z < kHair && fills(box, goal, *robot)) {
+      if (box.kind == world::ObstacleKind::fixed && box.z < kHair &&
+          one_that_fails(goal, [&](const world::Robot& each) { return fills(box, goal, each); })) {
         add(goal.location, "<reach>: no place within " + number_text(goal.radius) + " m of (" +
                                number_text(goal.x) + ", " + number_text(goal.y) +
                                ") is free: " + box.in_words() + " stands there");

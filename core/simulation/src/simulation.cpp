@@ -54,7 +54,7 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   // A new engine, so that ODE keeps no state of the last run.
   engine_ = physics::make_engine(world_.arena, world_.physics);
   engine_->work_with(loop_.pool());
-  goal_starts_.assign(world_.goals.size(), {});
+  goal_progress_.assign(single_goals(world_.goals).size(), {});
   moving_.clear();
   for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
     add_obstacle(i);

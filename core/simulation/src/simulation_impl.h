@@ -167,7 +167,7 @@ class Simulation::Impl {
   std::uint64_t base_steps_ = 0;
   double base_time_s_ = 0.0;
   std::vector<MovingObstacle> moving_;
-  std::vector<GoalStart> goal_starts_;  // of the world's goals
+  std::vector<GoalProgress> goal_progress_;  // of the single_goals() of the world
   RobotLoop loop_;
   std::vector<SensingMemory> memory_;  // of each thread
   Touches touches_;

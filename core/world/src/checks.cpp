@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/api/simulator_events.h"
 #include "elsie/base/near_name.h"
 #include "elsie/base/number_text.h"
 #include "elsie/base/words.h"
@@ -96,28 +95,12 @@ class CoordinationCheck {
       : robot_(robot), host_(host), problems_(problems) {}
 
   void check() {
-    list_events(robot_);
-    for (const events::Facts& event : events::of_simulator()) {
-      if (event.is_perceived) raised_.emplace_back(event.name);
-    }
+    raised_ = simulator_events();
+    list_events(robot_, host_, raised_);
     check(robot_, in_words(robot_), robot_.location);
   }
 
  private:
-  // Lists the events that behaviours may raise, at any depth.
-  void list_events(const Coordination& coordination) {
-    for (const BehaviorUse& use : coordination.behaviors) {
-      if (const Declaration* declaration = host_.find(PluginKind::behavior, use.plugin)) {
-        for (const EventDeclaration& event : declaration->events) {
-          raised_.push_back(event.name);
-        }
-      }
-      for (const Coordination& inside : use.inside) {
-        list_events(inside);
-      }
-    }
-  }
-
   // Checks that a coordinator turns the responses into a command, at any depth, unless all
   // behaviours only act. `whose` and `where` name the robot or the behaviour that holds the
   // coordination.
@@ -310,69 +293,6 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
   if (!reading.incomplete_robots.contains(index)) CoordinationCheck(robot, host, problems).check();
 }
 
-struct GoalCheck {
-  const World& world;
-  Problems& problems;
-
-  void operator()(const CollectGoal& goal) const {
-    const bool any =
-        std::any_of(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
-          return obstacle.kind == ObstacleKind::resource &&
-                 (goal.team.empty() || obstacle.team == goal.team);
-        });
-    if (!any) {
-      problems.add(goal.location,
-                   goal.team.empty()
-                       ? "<collect> has nothing to collect; expected a <resource> in <resources>"
-                       : "<collect> has nothing to collect; expected a <resource> of the team '" +
-                             goal.team + "' in <resources>");
-    }
-  }
-  void operator()(const ReachGoal& goal) const {
-    if (goal.of.empty()) {
-      check_place("<reach>", goal.x, goal.y, goal.location);
-    } else if (goal.of == goal.robot) {
-      problems.add(goal.location, "<reach> gives the robot '" + goal.robot +
-                                      "' a place relative to itself; expected another robot in "
-                                      "'of'");
-    }
-  }
-  void operator()(const PushGoal& goal) const {
-    check_place("<push>", goal.x, goal.y, goal.location);
-    for (const Obstacle& obstacle : world.obstacles) {
-      if (obstacle.id == goal.obstacle && !obstacle.is_dynamic()) {
-        problems.add(goal.location, "<push>: " + obstacle.in_words() +
-                                        " cannot be pushed; expected a <dynamic_" +
-                                        obstacle.shape_name() + ">");
-      }
-    }
-  }
-  void operator()(const GatherGoal& goal) const {
-    const auto size = std::count_if(world.robots.begin(), world.robots.end(),
-                                    [&](const Robot& robot) { return robot.team == goal.team; });
-    if (size < 2) {
-      problems.add(goal.location, "<gather> needs at least two robots of the team '" + goal.team +
-                                      "'; there " + (size == 1 ? "is 1" : "are none"));
-    }
-  }
-  void operator()(const EndureGoal& goal) const {
-    if (goal.time > world.limits.time) {
-      problems.add(goal.location, "<endure> lasts " + number_text(goal.time) +
-                                      " s, but the run ends after " +
-                                      number_text(world.limits.time) + " s; see <limits>");
-    }
-  }
-  template <class Other>
-  void operator()(const Other&) const {}
-
-  void check_place(const std::string& what, double x, double y, const Location& where) const {
-    if (std::abs(x) > 0.5 * world.arena.length || std::abs(y) > 0.5 * world.arena.width) {
-      problems.add(where, what + ": the place (" + number_text(x) + ", " + number_text(y) +
-                              ") is outside of the arena");
-    }
-  }
-};
-
 void check_edits(const World& world, Problems& problems) {
   for (const TimedEdit& edit : world.edits) {
     if (edit.value.has_value() == edit.element.has_value()) {
@@ -444,15 +364,7 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
     check_robot(reading, robot, host, is_running, problems);
   }
   if (is_sound("arena") && is_sound("limits")) {
-    for (const Goal& goal : reading.world.goals) {
-      std::visit(
-          [&](const auto& each) {
-            if (reading.sound(each.location)) {
-              GoalCheck{reading.world, problems}(each);
-            }
-          },
-          goal);
-    }
+    check_goals(reading, host, problems);
     check_places(reading, is_running, problems);
   }
 }

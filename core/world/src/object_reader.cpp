@@ -158,6 +158,8 @@ class ObjectReader {
       reading_.mentions.push_back({attribute.refers_to, id, spec.location(object),
                                    attribute.name + "=\"" + id + "\" of <" + spec.name + ">"});
     }
+    if (!spec.nested) return;
+    for (const auto& [part, inner] : spec.parts_of(object)) note_mentions(*inner, part.object);
   }
 
   // Reads a child element; returns whether it has no mistakes.
@@ -185,7 +187,7 @@ class ObjectReader {
     }
     const ElementSpec* spec = parent.child(child.name);
     if (!spec) {
-      const auto names = tags_of(parent.children);
+      const auto names = tags_of(parent.held());
       problems_.add(child.where, "<" + parent.name + "> may not hold <" + child.name + ">" +
                                      (names.empty() ? "; expected nothing in it"
                                                     : base::near_or_all("<" + child.name + ">",

@@ -74,6 +74,15 @@ void build_bodies(Reading& reading, const plugin::Host& host, Problems& problems
 void check_world(const Reading& reading, const Element& root, const plugin::Host& host,
                  bool is_running, Problems& problems);
 
+/// The events of the simulator that behaviours perceive.
+std::vector<std::string> simulator_events();
+/// Adds the events that behaviours may raise, at any depth.
+void list_events(const Coordination& coordination, const plugin::Host& host,
+                 std::vector<std::string>& raised);
+
+/// The part of check_world() about goals.
+void check_goals(const Reading& reading, const plugin::Host& host, Problems& problems);
+
 /// The part of check_world() about positions. Static obstacles may overlap each other and the
 /// walls, as in mazes, and moving obstacles may pass through them. Robots, dynamic boxes and
 /// resources must not overlap anything.

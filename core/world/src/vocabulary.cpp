@@ -176,54 +176,92 @@ ElementSpec charger() {
                  fact("true: a box of 0.1 m edge, which these sensors see; false: a mark"));
 }
 
-Describe<World> goals() {
+// The attributes that say which robots a goal is about.
+template <class About>
+Describe<About> about_robots(Describe<About> goal) {
+  auto described =
+      std::move(goal)
+          .attribute("robot", &About::robot,
+                     fact("which one; by default every robot, or every one of `team`"), kRobot)
+          .attribute("team", &About::team, fact("only the robots of this team"), kTeam);
+  if constexpr (requires(About about) { about.any; }) {
+    return std::move(described).attribute(
+        "any", &About::any, fact("whether one of the robots is enough, whichever it is"));
+  } else {
+    return described;
+  }
+}
+
+template <class Group>
+const ElementSpec& goals_of_group();
+
+// Adds the goals to reach to the element of a world or of a group.
+template <class Holder>
+Describe<Holder> goals_to_reach(Describe<Holder> list) {
   const auto radius = size("the largest distance that counts");
-  const auto robot = fact("which one; by default every robot");
-  return Describe<World>("goals",
-                         "A run succeeds if all goals to reach are met and no goal to keep is "
-                         "broken")
-      .members("goal")
+  return std::move(list)
       .each_of(Describe<CollectGoal>("collect", "To reach: all resources are collected")
                    .attribute("team", &CollectGoal::team, fact("only those of this team"), kTeam),
-               &World::goals)
+               &Holder::goals)
       .each_of(
-          Describe<ReachGoal>("reach", "To reach: a robot is at a place")
-              .attribute("robot", &ReachGoal::robot, fact("which one"),
-                         {TextForm::id, Reference::robot, true})
+          about_robots(Describe<ReachGoal>("reach", "To reach: a robot is at a place"))
               .attribute("x", &ReachGoal::x, metres("the place, east"), kRequired)
               .attribute("y", &ReachGoal::y, metres("the place, north"), kRequired)
               .attribute("radius", &ReachGoal::radius, radius)
               .attribute("of", &ReachGoal::of,
                          fact("the place is relative to this robot: x ahead of it, y to its left"),
                          kRobot),
-          &World::goals)
+          &Holder::goals)
       .each_of(Describe<PushGoal>("push", "To reach: a box is at a place")
                    .attribute("box", &PushGoal::obstacle, fact("which one"),
                               {TextForm::id, Reference::obstacle, true})
                    .attribute("x", &PushGoal::x, metres("the place, east"), kRequired)
                    .attribute("y", &PushGoal::y, metres("the place, north"), kRequired)
                    .attribute("radius", &PushGoal::radius, radius),
-               &World::goals)
+               &Holder::goals)
       .each_of(Describe<GatherGoal>(
                    "gather", "To reach: every robot of a team is near another one or its leader")
                    .attribute("team", &GatherGoal::team, fact("which one"),
                               {TextForm::id, Reference::team, true})
                    .attribute("distance", &GatherGoal::distance, radius),
-               &World::goals)
-      .each_of(Describe<TravelGoal>("travel", "To reach: a robot has driven this far")
-                   .attribute("robot", &TravelGoal::robot, robot, kRobot)
+               &Holder::goals)
+      .each_of(about_robots(Describe<TravelGoal>("travel", "To reach: a robot has driven this far"))
                    .attribute("distance", &TravelGoal::distance, size("along its way", 1e9)),
-               &World::goals)
+               &Holder::goals)
+      .each_of(
+          about_robots(Describe<EventGoal>("event", "To reach: an event has been raised")
+                           .attribute("name", &EventGoal::name, fact("of the event"), kRequired)
+                           .attribute("count", &EventGoal::count,
+                                      range("", 1, 1e9, "how often, by all these robots"))),
+          &Holder::goals)
       .each_of(Describe<EndureGoal>("endure", "To reach: this much simulated time has passed")
                    .attribute("time", &EndureGoal::time, positive("s", 1e9, "how much")),
-               &World::goals)
+               &Holder::goals)
+      .each_of(Describe<AnyGoal>("any", "To reach: one of the goals in it is reached")
+                   .nested(goals_of_group<AnyGoal>),
+               &Holder::goals)
+      .each_of(Describe<AllGoal>("all", "To reach: all goals in it are reached")
+                   .nested(goals_of_group<AllGoal>),
+               &Holder::goals);
+}
+
+template <class Group>
+const ElementSpec& goals_of_group() {
+  static const ElementSpec table = goals_to_reach(Describe<Group>("goals", "Goals to reach"));
+  return table;
+}
+
+Describe<World> goals() {
+  return goals_to_reach(Describe<World>("goals",
+                                        "A run succeeds if all goals to reach are met and no goal "
+                                        "to keep is broken")
+                            .members("goal"))
       .each_of(
-          Describe<NoCollisionGoal>(
-              "no_collision", "To keep: a robot touches nothing but the floor and its resources")
-              .attribute("robot", &NoCollisionGoal::robot, robot, kRobot),
+          about_robots(Describe<NoCollisionGoal>(
+              "no_collision", "To keep: a robot touches nothing but the floor and its resources")),
           &World::goals)
-      .each_of(Describe<BatteryGoal>("battery", "To keep: a robot's battery is never empty")
-                   .attribute("robot", &BatteryGoal::robot, robot, kRobot),
+      .each_of(about_robots(
+                   Describe<BatteryGoal>("battery", "To keep: a robot's battery is never empty")),
                &World::goals);
 }
 
@@ -313,23 +351,23 @@ const AttributeSpec* ElementSpec::attribute(const std::string& attribute_name) c
 }
 
 const ElementSpec* ElementSpec::child(const std::string& child_name) const {
-  return plugin::find_declared(children, child_name);
+  return plugin::find_declared(held(), child_name);
 }
 
 const std::vector<ElementSpec>& ElementSpec::below() const {
-  return inside ? coordination_vocabulary().children : children;
+  return inside ? coordination_vocabulary().children : held();
 }
 
 std::vector<std::pair<DescribedObject, const ElementSpec*>> ElementSpec::parts_of(
     const void* object) const {
   std::vector<std::pair<DescribedObject, const ElementSpec*>> found;
-  for (const ElementSpec& child : children) {
+  for (const ElementSpec& child : held()) {
     if (!child.parts) continue;  // it has no objects
     for (const DescribedObject& part : child.parts(object)) {
       found.push_back({part, &child});
     }
   }
-  if (group && children.size() > 1) {
+  if ((group && children.size() > 1) || nested) {
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first.order < b.first.order; });
   }

@@ -109,8 +109,8 @@ void WorldTree::complete(Element& element) {
 
 void WorldTree::add_children(Element& element, const ElementSpec& spec, const void* object,
                              const Meaning& meaning) {
-  const bool is_of_world = object == &world_;  // the world, or one of its lists
-  std::size_t number = 0;
+  const bool is_of_world = object == &world_;         // the world, or one of its lists
+  std::map<const ElementSpec*, std::size_t> numbers;  // of a list's members: all count as one kind
   const auto parts = spec.parts_of(object);
   element.children.reserve(parts.size());
   for (const auto& [part, child] : parts) {
@@ -118,7 +118,7 @@ void WorldTree::add_children(Element& element, const ElementSpec& spec, const vo
     Meaning of_child;
     of_child.described = part;
     of_child.holder = *element.object;
-    of_child.number = id.empty() && child->at_most > 1 ? ++number : 0;
+    of_child.number = id.empty() && child->at_most > 1 ? ++numbers[spec.group ? &spec : child] : 0;
     of_child.robot = meaning.robot;
     of_child.robot_index = meaning.robot_index;
     of_child.is_listed = spec.group || child->at_most > 1;

@@ -84,7 +84,7 @@ void put_in_order(Element& element, const ElementSpec& spec) {
     return std::find_if(below.begin(), below.end(),
                         [&](const ElementSpec& each) { return each.name == child.name; });
   };
-  if (!spec.group) {
+  if (!spec.group && !spec.nested) {
     std::stable_sort(element.children.begin(), element.children.end(),
                      [&](const Element& a, const Element& b) { return rank(a) < rank(b); });
   }

@@ -65,7 +65,7 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     renew();
   });
   undo.keep(start_, time_limit_s_, base_time_s_, base_steps_, new_schedules_);
-  undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_starts_);
+  undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_progress_);
   const Pairs pairs(was, world_);
   past_.push_back(before);
   transaction.settling([this, before, gone = pairs.gone()] {
@@ -280,22 +280,23 @@ void Simulation::Impl::become_measures(const world::World& was, EditTransaction&
 
 /// Goals that existed before keep their start.
 void Simulation::Impl::become_goals(const world::World& was) {
-  GoalStart now{time_s(), {}};
+  GoalProgress none{.time_s = time_s(), .done = {}, .events_read = events_.size()};
   if (!same_part("goals", was, world_)) {  // otherwise none is new
     for (const auto& robot : robots_) {
-      now.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
+      none.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
     }
   }
-  std::vector<GoalStart> starts;
-  for (const world::Goal& goal : world_.goals) {
-    const auto known =
-        std::find_if(was.goals.begin(), was.goals.end(),
-                     [&](const world::Goal& other) { return same_goal(goal, other); });
-    starts.push_back(known == was.goals.end()
-                         ? now
-                         : goal_starts_[static_cast<std::size_t>(known - was.goals.begin())]);
+  const auto before = single_goals(was.goals);
+  std::vector<GoalProgress> progress;
+  for (const world::Goal* goal : single_goals(world_.goals)) {
+    const auto known = std::find_if(before.begin(), before.end(), [&](const world::Goal* other) {
+      return same_goal(*goal, *other);
+    });
+    progress.push_back(known == before.end()
+                           ? none
+                           : goal_progress_[static_cast<std::size_t>(known - before.begin())]);
   }
-  goal_starts_ = std::move(starts);
+  goal_progress_ = std::move(progress);
 }
 
 void Simulation::Impl::settle(EditTransaction& transaction) {

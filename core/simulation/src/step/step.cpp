@@ -46,7 +46,7 @@ void Simulation::Impl::step(const Simulation& self) {
     attention_[i] = false;
   }
   if (judgement_.outcome == Outcome::running) {
-    judgement_ = judge(self, goal_starts_);
+    judgement_ = judge(self, goal_progress_);
   }
   if (!measuring_->empty()) {
     observe(decides, false);

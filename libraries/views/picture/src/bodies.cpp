@@ -13,6 +13,17 @@ namespace {
 
 using world::Element;
 
+// Leaves out goals about time and events, also in groups.
+void leave_places_only(Element& goals) {
+  std::erase_if(goals.children, [](Element& goal) {
+    if (goal.name != "any" && goal.name != "all") {
+      return goal.name == "endure" || goal.name == "event";
+    }
+    leave_places_only(goal);
+    return goal.children.empty();
+  });
+}
+
 // Leaves only the parts that a picture of the arena shows, goals at places included.
 void leave_bodies_only(Element& root, const plugin::Host& drives) {
   const auto drop = [](Element& from, std::initializer_list<std::string_view> parts) {
@@ -21,9 +32,7 @@ void leave_bodies_only(Element& root, const plugin::Host& drives) {
     });
   };
   drop(root, {"limits", "measures", "changes"});
-  if (Element* goals = root.child("goals")) {
-    drop(*goals, {"endure"});
-  }
+  if (Element* goals = root.child("goals")) leave_places_only(*goals);
   if (Element* robots = root.child("robots")) {
     for (Element& robot : robots->children) {
       drop(robot, {"sensors", "actuators", "behaviors", "coordinator", "localisation"});

@@ -189,11 +189,11 @@ void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
     entries.push_back(
         {"lamp", 24, [light](Canvas& canvas, const Vector2& at) { draw_sun(canvas, at, light); }});
   }
-  const bool places =
-      std::any_of(scene.world.goals.begin(), scene.world.goals.end(), [](const world::Goal& goal) {
-        return std::holds_alternative<world::ReachGoal>(goal) ||
-               std::holds_alternative<world::PushGoal>(goal);
-      });
+  bool places = false;
+  world::for_each_goal(scene.world.goals, [&](const world::Goal& goal) {
+    places |= std::holds_alternative<world::ReachGoal>(goal) ||
+              std::holds_alternative<world::PushGoal>(goal);
+  });
   if (places) {
     entries.push_back({"goal", 20, [](Canvas& canvas, const Vector2& at) {
                          canvas.circle(at, 9).fill_keep(kGoal.with_alpha(0.08));

@@ -114,6 +114,13 @@ void draw_box(Canvas& canvas, const Scene& scene, const Layout& layout, const wo
   }
 }
 
+// The robots that should reach a place.
+std::string whose(const world::ReachGoal& goal) {
+  if (!goal.robot.empty()) return clean_text(goal.robot, 16);
+  const std::string which = goal.any ? "any robot" : "every robot";
+  return goal.team.empty() ? which : which + " of " + clean_text(goal.team, 16);
+}
+
 // Calls `show` for each goal that is a place with its middle, radius in the picture, and text.
 template <class Visitor>
 void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
@@ -123,17 +130,17 @@ void each_place(const Scene& scene, const Layout& layout, Visitor visit) {
   };
   std::unordered_map<std::string_view, const DrawnRobot*> robots;
   for (const DrawnRobot& robot : scene.robots) robots.emplace(robot.track.id, &robot);
-  for (const world::Goal& goal : scene.world.goals) {
+  world::for_each_goal(scene.world.goals, [&](const world::Goal& goal) {
     if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) {
       Vector2 place{reach->x, reach->y};
       if (const auto robot = robots.find(reach->of); robot != robots.end()) {
         place = point_of(robot->second->track.now, place);
       }
-      show(place.x, place.y, reach->radius, "goal of " + clean_text(reach->robot, 16));
+      show(place.x, place.y, reach->radius, "goal of " + whose(*reach));
     } else if (const auto* push = std::get_if<world::PushGoal>(&goal)) {
       show(push->x, push->y, push->radius, "goal for " + clean_text(push->obstacle, 16));
     }
-  }
+  });
 }
 
 // A place, and the texts of its goals.

@@ -137,7 +137,7 @@ void add(Json& elements, const world::ElementSpec& spec) {
     json["members"] = spec.members;
   }
   const std::string name = spec.name;
-  for (const world::ElementSpec& child : spec.children) {
+  for (const world::ElementSpec& child : spec.held()) {
     Json& parent = elements[name];
     if (child.plugins) {
       parent["holds"] = kind_name(*child.plugins);
@@ -147,7 +147,7 @@ void add(Json& elements, const world::ElementSpec& spec) {
         names.push_back(child.name);
       }
     }
-    add(elements, child);
+    if (!spec.nested) add(elements, child);
   }
 }
 

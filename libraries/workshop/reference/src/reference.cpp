@@ -94,7 +94,7 @@ std::string table(const std::vector<world::Field>& fields, world::Cost cost) {
 
 std::string list_of_children(const world::ElementSpec& spec) {
   std::string list;
-  for (const world::ElementSpec& child : spec.children) {
+  for (const world::ElementSpec& child : spec.held()) {
     list += (list.empty() ? "" : ", ");
     list += child.plugins ? "an element named after any " + child.name + " plugin"
                           : "`<" + child.name + ">`";
@@ -109,7 +109,7 @@ void describe(const world::ElementSpec& spec, const std::string& path, std::stri
   const bool is_use = spec.plugins.has_value();
   text += "\n## " + path + (is_use ? " / *any " + spec.name + " plugin*" : "") + "\n\n" +
           cell(spec.meaning) + ".\n";
-  if (!spec.children.empty() || spec.take) {
+  if (!spec.held().empty() || spec.take) {
     text += "\nHolds: " + list_of_children(spec) + ".\n";
   }
   if (is_use) {

@@ -116,15 +116,15 @@ class Schema {
 
   static bool is_choice(const world::ElementSpec& spec) {
     return spec.group || spec.take ||
-           (spec.children.size() > 1 &&
-            std::any_of(spec.children.begin(), spec.children.end(),
+           (spec.held().size() > 1 &&
+            std::any_of(spec.held().begin(), spec.held().end(),
                         [](const world::ElementSpec& child) { return child.at_most > 1; }));
   }
 
   std::string content(const world::ElementSpec& spec) {
     std::string elements;
     bool many = false;
-    for (const world::ElementSpec& child : spec.children) {
+    for (const world::ElementSpec& child : spec.held()) {
       many |= child.at_most > 1;
       elements += child.plugins ? plugin_elements(child) : child_element(spec, child);
     }
@@ -142,7 +142,7 @@ class Schema {
     // once in any order, or a plain list.
     const bool once = spec.group && !many;
     const std::string model = is_choice(spec) ? "choice" : many ? "sequence" : "all";
-    const bool needed = spec.children.size() == 1 && spec.children[0].at_least > 0;
+    const bool needed = spec.nested || (spec.children.size() == 1 && spec.children[0].at_least > 0);
     const std::string occurs = model != "choice" ? ""
                                : needed          ? " maxOccurs=\"unbounded\""
                                : once            ? " minOccurs=\"0\""

@@ -182,8 +182,9 @@ class Describe {
   }
 
   /// Children that each describe one alternative in a list of variants.
-  template <class Alternative, class Variant>
-  Describe&& each_of(Describe<Alternative> alternative, std::vector<Variant> Object::*list) && {
+  template <class Alternative, class Owner, class Variant>
+  Describe&& each_of(Describe<Alternative> alternative, std::vector<Variant> Owner::*in) && {
+    std::vector<Variant> Object::*const list = in;
     ElementSpec child = std::move(alternative);
     child.at_most = ElementSpec::kAnyNumber;
     child.copy = copied(list);
@@ -227,6 +228,12 @@ class Describe {
       const auto& inside = static_cast<const Object*>(object)->*member;
       return inside.empty() ? nullptr : &inside.front();
     };
+    return std::move(*this);
+  }
+
+  /// The element holds what this one describes.
+  Describe&& nested(const ElementSpec& (*inside)()) && {
+    spec_.nested = inside;
     return std::move(*this);
   }
 

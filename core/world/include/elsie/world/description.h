@@ -289,17 +289,22 @@ struct Robot : Coordination {
 
 // Goals. A run succeeds at the first instant at which all goals to reach are met, and fails at the
 // first at which a goal to keep is broken. With goals to keep only, it succeeds at the time limit.
+//
+// A goal about robots names one in `robot` or means those of `team`, or all if both are empty: each
+// of them or, with `any`, at least one.
 
 /// To reach: all resources (of one team, or all) are collected.
 struct CollectGoal {
   std::string team;  // empty: every resource
   Location location{};
 };
-/// To reach: a robot is within `radius` of a place, in the arena or in another robot's frame.
+/// To reach: robots are within `radius` of a place, in the arena or in another robot's frame.
 struct ReachGoal {
   std::string robot;
   double x = 0.0, y = 0.0, radius = 0.2;
   std::string of;  // the robot in whose frame the place is: x ahead, y to the left; empty: none
+  std::string team{};
+  bool any = false;
   Location location{};
 };
 /// To reach: the middle of a box (usually a dynamic one) is within `radius` of a place.
@@ -314,10 +319,21 @@ struct GatherGoal {
   double distance = 0.5;
   Location location{};
 };
-/// To reach: a robot (empty: every robot) has driven at least this far, m.
+/// To reach: robots have driven at least this far, m.
 struct TravelGoal {
   std::string robot;
   double distance = 10.0;
+  std::string team{};
+  bool any = false;
+  Location location{};
+};
+/// To reach: an event of a plugin, or one that the simulator lets robots perceive, has been raised
+/// so many times by these robots together.
+struct EventGoal {
+  std::string name;
+  int count = 1;
+  std::string robot{};
+  std::string team{};
   Location location{};
 };
 /// To reach: this much simulated time has passed, s.
@@ -325,18 +341,47 @@ struct EndureGoal {
   double time = 60.0;
   Location location{};
 };
-/// To keep: a robot (empty: every robot) touches only the floor and its resources.
+/// To keep: robots touch only the floor and their resources.
 struct NoCollisionGoal {
   std::string robot;
+  std::string team{};
   Location location{};
 };
-/// To keep: the battery of a robot (empty: every robot) is never empty.
+/// To keep: the batteries of robots are never empty.
 struct BatteryGoal {
   std::string robot;
+  std::string team{};
   Location location{};
 };
-using Goal = std::variant<CollectGoal, ReachGoal, PushGoal, GatherGoal, TravelGoal, EndureGoal,
-                          NoCollisionGoal, BatteryGoal>;
+struct Goal;
+/// To reach: any of these goals is reached, or all of them.
+struct GoalGroup {
+  std::vector<Goal> goals;  // to reach
+  Location location{};
+};
+struct AnyGoal : GoalGroup {};
+struct AllGoal : GoalGroup {};
+
+using AnyKindOfGoal =
+    std::variant<CollectGoal, ReachGoal, PushGoal, GatherGoal, TravelGoal, EventGoal, EndureGoal,
+                 NoCollisionGoal, BatteryGoal, AnyGoal, AllGoal>;
+struct Goal : AnyKindOfGoal {
+  using AnyKindOfGoal::variant;
+};
+
+/// Calls `visit` for each goal that is not a group, at any depth, in the order of the file.
+template <class Visit>
+void for_each_goal(const std::vector<Goal>& goals, const Visit& visit) {
+  for (const Goal& goal : goals) {
+    if (const auto* any = std::get_if<AnyGoal>(&goal)) {
+      for_each_goal(any->goals, visit);
+    } else if (const auto* all = std::get_if<AllGoal>(&goal)) {
+      for_each_goal(all->goals, visit);
+    } else {
+      visit(goal);
+    }
+  }
+}
 
 struct Limits {
   double time = 60.0;               // s, simulated

@@ -111,6 +111,10 @@ struct ElementSpec {
   std::function<Coordination&(void* object)> make_inside;
   std::function<const Coordination*(const void* object)> inside;
 
+  /// For groups of goals: describes what such an element holds in place of `children`, so that
+  /// these elements nest to any depth.
+  const ElementSpec& (*nested)() = nullptr;
+
   /// If set, the element may hold one element of a world besides its `children`; the object
   /// receives the markup of that element.
   std::function<void(void* object, const std::string& markup)> take;
@@ -123,7 +127,9 @@ struct ElementSpec {
 
   const AttributeSpec* attribute(const std::string& attribute_name) const;
   const ElementSpec* child(const std::string& child_name) const;
-  /// Its children or, for a behaviour, those of the coordination that it may hold.
+  /// The elements that an element of this kind holds, unless it is a behaviour.
+  const std::vector<ElementSpec>& held() const { return nested ? nested().children : children; }
+  /// The same or, for a behaviour, those of the coordination that it may hold.
   const std::vector<ElementSpec>& below() const;
   /// The parts of an object with the elements that describe them, in the order of the file:
   /// elements of several kinds may describe the objects of one list.
