@@ -11,6 +11,7 @@
 
 #include "elsie/api/behavior.h"
 #include "elsie/api/remember.h"
+#include "elsie/commands/led.h"
 
 // Exists with the address sanitizer, which would report the intended leaks.
 extern "C" __attribute__((weak)) void __lsan_ignore_object(const void* object);
@@ -230,6 +231,16 @@ class Undeclared final : public elsie::Behavior {
   }
 };
 ELSIE_BEHAVIOR(Undeclared, "undeclared", "Raises what it does not declare");
+
+class ActsUndeclared final : public elsie::Behavior {
+ public:
+  Response respond(const Perception&) override {
+    Response response;
+    response.act(elsie::LedCommand{{255, 0, 0}, 1.0});
+    return response;
+  }
+};
+ELSIE_BEHAVIOR(ActsUndeclared, "acts_undeclared", "Commands what it does not declare");
 
 class Overactive final : public elsie::Behavior {
  public:

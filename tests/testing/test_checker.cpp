@@ -69,6 +69,9 @@ const Fault kFaults[] = {
     {kBehavior, "at_the_bound",
      "its forward speed is inf, which is no finite number (distance = 0"},
     {kBehavior, "undeclared", "raises the event 'surprise', which its declaration does not name"},
+    {kBehavior, "acts_undeclared",
+     "it gives a command of the kind 'led', which its declaration does not name; add "
+     "elsie::commands<...>() to it"},
     {kBehavior, "overactive", "its activation is 1.5, which is not in [0, 1]"},
     {kBehavior, "bad_rating", "its rating of a candidate command is -0.1"},
     {kBehavior, "bad_sets", "not in ascending order: 0 comes after 1"},

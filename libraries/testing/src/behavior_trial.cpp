@@ -157,6 +157,14 @@ class BehaviorTrial final : public Trial {
       answer.events.emplace_back(event.name);
     }
     for (const Act& act : response.acts) {
+      const auto& declared = declaration_.commands;
+      if (act.by().empty() &&  // not of a behaviour inside it
+          std::none_of(declared.begin(), declared.end(), [&](const ReadingDeclaration& other) {
+            return other.kind == act.kind().name;
+          })) {
+        throw Wrong("it gives a command of the kind '" + std::string(act.kind().name) +
+                    "', which its declaration does not name; add elsie::commands<...>() to it");
+      }
       answer.events.push_back("command of the kind '" + std::string(act.kind().name) + "' to '" +
                               act.actuator() + "'");
     }

@@ -8,8 +8,8 @@
 //
 // Its objects, on random but possible input, with the given parameters and with random ones within
 // their ranges (which configured() and equipped() may refuse with a sentence):
-// - answers are finite and within their ranges, events are declared, nothing is thrown; the values
-//   of a measure are always those that it names;
+// - answers are finite and within their ranges, events and commands of actuators are declared,
+//   nothing is thrown; the values of a measure are always those that it names;
 // - two objects answer the same input alike, also while a third one works on other input, and the
 //   first again after reset() and after a second configured(): objects share no state, and depend
 //   on no clock, no address, and no random numbers but their own;
