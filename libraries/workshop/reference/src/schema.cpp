@@ -75,6 +75,7 @@ class Schema {
   static std::string robot_constraints(const std::string& where) {
     return constraint("unique", where + ".segment_id", "segments/segment", "id") +
            constraint("unique", where + ".sensor_id", "sensors/*", "id") +
+           constraint("unique", where + ".actuator_id", "actuators/*", "id") +
            behavior_constraint(where);
   }
 
