@@ -169,3 +169,29 @@ TEST_CASE("explain shows the priorities that the user set in the run") {
   CHECK_THAT(explained, Catch::Matches("[\\s\\S]*\\n *roam +1, 0.25, 5 [\\s\\S]*"));
   CHECK_THAT(explained, Catch::Matches("[\\s\\S]*\\n *wander +2, 3 [\\s\\S]*"));
 }
+
+TEST_CASE("explain shows what commanded actuators, and what was heard") {
+  const Workplace here;
+  REQUIRE(
+      here.elsie("run examples/09-acts/told.xml --plugin examples/09-acts/tell.cpp --duration 5 "
+                 "--quiet --record told.mcap")
+          .exit_code < 2);
+  const std::string explained = here.elsie("explain told.mcap").out;
+  CHECK_THAT(explained,
+             Catch::Matches("[\\s\\S]*\\nactuators\\n +radio +by tell_place +[0-9.]+ %[\\s\\S]*"));
+  CHECK_THAT(explained,
+             Catch::Matches("[\\s\\S]*\\nheard\\n +[a-z_]+ +from scout +by radio +[0-9]+ "
+                            "times +at [\\s\\S]*"));
+  const auto parsed = json::parse(here.elsie("explain told.mcap --json").out);
+  bool has_actuators = false, has_heard = false;
+  for (const auto& robot : parsed.at("robots")) {
+    has_actuators = has_actuators || robot.contains("actuators");
+    has_heard = has_heard || robot.contains("heard");
+  }
+  CHECK(has_actuators);
+  CHECK(has_heard);
+  // Robots without actuators have nothing new to explain.
+  REQUIRE(here.elsie("run worlds/clutter.xml --duration 1 --quiet --record plain.mcap").exit_code <
+          2);
+  CHECK(here.elsie("explain plain.mcap").out.find("actuators") == std::string::npos);
+}

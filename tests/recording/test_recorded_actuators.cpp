@@ -1,4 +1,5 @@
 // What robots do and hear, in recordings.
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -108,4 +109,26 @@ TEST_CASE("The same run is recorded and not recorded, bit for bit") {
   Simulation plain(of_two(), talking().host);
   const RecordedFile file(of_two(), talking().host);
   CHECK(plain.run().state_hash == file.result.state_hash);
+}
+
+TEST_CASE("A trace has what commanded the actuators of a robot, and what it heard") {
+  const RecordedFile file(of_two(), talking().host);
+  const traces::Trace trace = recording::read_trace(file.path);
+  REQUIRE(trace.robots.size() == 2);
+  const auto& actuators = trace.robots[0].actuators;
+  REQUIRE(actuators.size() == 2);
+  const auto led = std::find_if(actuators.begin(), actuators.end(),
+                                [](const auto& each) { return each.id == "led"; });
+  REQUIRE(led != actuators.end());
+  REQUIRE_FALSE(led->commands.empty());
+  CHECK(led->commands.back().by == "scripted");
+  CHECK_THAT(led->commands.back().text, Catch::Contains("green 255"));
+  CHECK(led->commands.size() <= 2);  // it holds
+  CHECK(trace.robots[0].heard.empty());
+  const auto& heard = trace.robots[1].heard;
+  REQUIRE_FALSE(heard.empty());
+  CHECK(heard.back().device == "radio");
+  CHECK(heard.back().from == "r1");
+  CHECK(heard.back().kind == "offer");
+  CHECK_THAT(heard.back().text, Catch::Contains("x 1.5"));
 }

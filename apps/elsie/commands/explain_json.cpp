@@ -127,6 +127,24 @@ std::string json(const Trace& trace, const traces::TimeSpan& span,
     for (const auto& number : robot.numbers) {
       entry["numbers"].push_back(published(number, account(number, explained.account.span)));
     }
+    for (const traces::TraceActuator& actuator : robot.actuators) {
+      Json by = Json::array();
+      for (const Commander& each : commanders(actuator, explained.account.span)) {
+        by.push_back({{"behavior", each.by},
+                      {"time_s", tidy(each.time_s)},
+                      {"last", each.last->text},
+                      {"last_from_s", tidy(each.last->time_s)}});
+      }
+      entry["actuators"].push_back({{"id", actuator.id}, {"by", std::move(by)}});
+    }
+    for (const traces::TraceHeard& heard : robot.heard) {
+      if (heard.time_s < span.from_s || heard.time_s > span.to_s) continue;
+      entry["heard"].push_back({{"time_s", heard.time_s},
+                                {"by", heard.device},
+                                {"from", heard.from},
+                                {"kind", heard.kind},
+                                {"message", heard.text}});
+    }
     entry["events"] = Json::array();
     for (const auto& event : robot.events) {
       if (event.time_s >= span.from_s && event.time_s <= span.to_s) {

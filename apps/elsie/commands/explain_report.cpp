@@ -22,8 +22,6 @@ using traces::TraceRobot;
 
 constexpr double kShort = 0.05;  // s; from here on, two decimals are not enough
 
-std::string seconds(double time_s) { return base::fixed_text(time_s, 2); }
-
 /// The number in as few digits as possible: 0.5, 0.125.
 std::string short_number(double value) { return base::number_text(value, 3); }
 
@@ -31,19 +29,6 @@ std::string short_number(double value) { return base::number_text(value, 3); }
 bool is_nearly_all(const Episode& episode) {
   constexpr double kNearlyAll = 0.95;
   return episode.parts[0].time_s >= kNearlyAll * episode.length_s();
-}
-
-std::string per_cent(double part, double whole) {
-  if (!(whole > 0.0)) {
-    return "-";
-  }
-  const double value = 100.0 * part / whole;
-  // A value close to 0 or 100 is not rounded to it.
-  const bool at_border = (value > 0.0 && value < 0.1) || (value < 100.0 && value > 99.9);
-  return (!at_border     ? base::fixed_text(value, 1)
-          : value > 50.0 ? "99.9"
-                         : base::number_text(value, 2)) +
-         " %";
 }
 
 std::string name_of(const TraceRobot& robot, Decider decider) {
@@ -272,6 +257,21 @@ std::string episodes(const Trace& trace, const TraceRobot& robot,
 
 }  // namespace
 
+std::string seconds(double time_s) { return base::fixed_text(time_s, 2); }
+
+std::string per_cent(double part, double whole) {
+  if (!(whole > 0.0)) {
+    return "-";
+  }
+  const double value = 100.0 * part / whole;
+  // A value close to 0 or 100 is not rounded to it.
+  const bool at_border = (value > 0.0 && value < 0.1) || (value < 100.0 && value > 99.9);
+  return (!at_border     ? base::fixed_text(value, 1)
+          : value > 50.0 ? "99.9"
+                         : base::number_text(value, 2)) +
+         " %";
+}
+
 NumberAccount account(const traces::TraceNumber& number, const traces::TimeSpan& span) {
   NumberAccount account;
   double sum = 0.0;
@@ -320,7 +320,8 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
                     seconds(account.span.from_s) + " to " + seconds(account.span.to_s) +
                     " s, a decision every " + short_number(trace.period_s) + " s\n\n";
   if (robot.members.empty()) {
-    return out + "It has no behaviours.\n" + numbers(explained) + events(explained);
+    return out + "It has no behaviours.\n" + numbers(explained) + acts(explained) +
+           events(explained);
   }
   out += table(explained);
   const CoordinatorAccount& own = account.coordinators.front();
@@ -330,7 +331,7 @@ std::string report(const Trace& trace, const ExplainedRobot& explained, std::siz
       out += seconds(time_s) + " s (" + per_cent(time_s, own.asked_s) + "): " + what + '\n';
     }
   }
-  out += inhibitions(explained) + numbers(explained) + events(explained);
+  out += inhibitions(explained) + numbers(explained) + acts(explained) + events(explained);
   for (const CoordinatorAccount& coordinator : account.coordinators) {
     out += episodes(trace, robot, coordinator, most_episodes);
   }

@@ -26,6 +26,23 @@ struct NumberAccount {
 };
 NumberAccount account(const traces::TraceNumber& number, const traces::TimeSpan& span);
 
+/// What commanded an actuator during a time: a behaviour or, with an empty path, none.
+struct Commander {
+  std::string by;
+  double time_s = 0.0;
+  const traces::TraceCommand* last = nullptr;  // of its commands; never null
+};
+/// In the order of their first commands.
+std::vector<Commander> commanders(const traces::TraceActuator& actuator,
+                                  const traces::TimeSpan& span);
+/// The actuators of a robot and what they heard, in words; empty if it has none.
+std::string acts(const ExplainedRobot& explained);
+
+/// "12.30"
+std::string seconds(double time_s);
+/// "38.2 %"
+std::string per_cent(double part, double whole);
+
 /// The run and the length of its trace: one line, and more when the end is missing.
 std::string headlines(const traces::Trace& trace);
 

@@ -31,6 +31,7 @@ constexpr const char* kPublishedTopic = "/published";
 constexpr const char* kSketchesKind = "sketches";
 constexpr const char* kBeliefKind = "belief";
 constexpr const char* kPublishedKind = "published";
+constexpr const char* kReadingsKind = "readings";
 constexpr const char* kPublishedNumbers =
     "numbers";  // its metadata: the numbers and their units, as JSON
 

@@ -279,7 +279,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
           r,
           own("pose", pose),
           own("state", state),
-          own("readings", schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
+          own(kReadingsKind, schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
           own("command", command),
           channel(robot_topic(robot.id, kTraceKind), trace, trace_metadata(simulation.robot(r))),
           std::nullopt,

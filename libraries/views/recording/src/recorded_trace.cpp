@@ -55,6 +55,7 @@ class TraceBuilder final : public Visitor {
     if (kind == kPublishedKind) {
       add_numbers(channel, id);
     }
+    if (kind == kReadingsKind) readings_[channel.id] = id;
     if (kind != kTraceKind) {
       return;
     }
@@ -100,6 +101,12 @@ class TraceBuilder final : public Visitor {
       }
       decided_s_ = time_s;
       read_decision(trace_.robots[robot->second], Json::parse(message.data), time_s);
+    } else if (const auto reader = readings_.find(channel.id); reader != readings_.end()) {
+      // Most robots have no actuators, and large readings.
+      const auto speaker = by_id_.find(reader->second);
+      if (speaker != by_id_.end() && message.data.find("\"actuators\":") != std::string::npos) {
+        read_acts(trace_.robots[speaker->second.back()], Json::parse(message.data), time_s);
+      }
     } else if (const auto publisher = publishers_.find(channel.id);
                publisher != publishers_.end()) {
       read_numbers(trace_.robots[publisher->second], Json::parse(message.data), time_s);
@@ -154,6 +161,39 @@ class TraceBuilder final : public Visitor {
         if (!number) throw Unexpected("it has an unknown number '" + one_line(name) + "'");
         number->samples.back().value = value.get<double>();
       }
+    }
+  }
+
+  /// "red 255, green 0": the members of a command or a message, without the names in `but`.
+  static std::string text_of(const Json& members, const char* but = "") {
+    std::string text;
+    for (const auto& [name, value] : members.items()) {
+      if (name == but) continue;
+      text += (text.empty() ? "" : ", ") + name + " " +
+              (value.is_number() ? base::number_text(value.get<double>(), 6) : value.dump());
+    }
+    return one_line(text);
+  }
+
+  static void read_acts(TraceRobot& robot, const Json& readings, double time_s) {
+    for (const auto& [id, command] : readings.at("actuators").items()) {
+      auto known = std::find_if(robot.actuators.begin(), robot.actuators.end(),
+                                [&id = id](const auto& each) { return each.id == id; });
+      if (known == robot.actuators.end()) {
+        known = robot.actuators.insert(known, traces::TraceActuator{id, {}});
+      }
+      traces::TraceCommand now{time_s, one_line(command.at("by").get<std::string>()),
+                               text_of(command, "by")};
+      auto& all = known->commands;
+      if (all.empty() || all.back().by != now.by || all.back().text != now.text) {
+        all.push_back(std::move(now));
+      }
+    }
+    for (const Json& heard : readings.value("heard", Json::array())) {
+      robot.heard.push_back({time_s, one_line(heard.at("by").get<std::string>()),
+                             one_line(heard.at("from").get<std::string>()),
+                             one_line(heard.at("kind").get<std::string>()),
+                             text_of(heard.at("message"))});
     }
   }
 
@@ -246,6 +286,7 @@ class TraceBuilder final : public Visitor {
   double decided_s_ = -1.0;
   std::size_t introduced_ = 0;                       // robots of the world's last message
   std::map<std::uint16_t, std::size_t> places_;      // of robots, by the ids of their channels
+  std::map<std::uint16_t, std::string> readings_;    // ids of robots, by those of their channels
   std::map<std::uint16_t, std::size_t> publishers_;  // likewise, by those of published numbers
   std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};

@@ -68,6 +68,28 @@ struct TraceNumber {
   std::vector<Sample> samples;  // ascending in time
 };
 
+/// A command that an actuator carries out from a sample of the recording on.
+struct TraceCommand {
+  double time_s = 0.0;
+  std::string by;    // path of the behaviour that gave it; empty: none has given one
+  std::string text;  // its numbers: "red 255, brightness 1"
+};
+
+/// An actuator of a robot.
+struct TraceActuator {
+  std::string id;
+  std::vector<TraceCommand> commands;  // ascending in time; each differs from the one before
+};
+
+/// A message that a robot heard at a sample of the recording.
+struct TraceHeard {
+  double time_s = 0.0;
+  std::string device;  // the id of the actuator that heard it
+  std::string from;    // the id of the robot that said it; empty: the device does not tell
+  std::string kind;
+  std::string text;  // its numbers
+};
+
 /// A robot with its behaviours during a time. If an edit changes the behaviours, another TraceRobot
 /// with the same id begins.
 struct TraceRobot {
@@ -77,6 +99,8 @@ struct TraceRobot {
   std::vector<TraceMember> members;  // each before those inside it, in file order
   std::vector<TraceEvent> events;
   std::vector<TraceNumber> numbers{};
+  std::vector<TraceActuator> actuators{};
+  std::vector<TraceHeard> heard{};  // ascending in time
   /// The time during which it is in the world with these behaviours, s.
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();
