@@ -337,6 +337,32 @@ TEST_CASE("check warns of goals out of reach, and of beams that look over everyt
   CHECK(warnings("<obstacles><static_box x=\"1\" height=\"0.1\"/></obstacles>" + robot).empty());
 }
 
+TEST_CASE("check warns of what nobody hears, and of goals about any robot that none can reach") {
+  Workplace here;
+  const auto warnings = [&](const std::string& content) {
+    here.write("w.xml", "<world format=\"1\">\n" + content + "</world>");
+    return here.elsie("check w.xml").err;
+  };
+  const auto talker = [](const std::string& id, const std::string& device) {
+    return "<robot id=\"" + id + "\" x=\"" + std::to_string(id.size()) + "\">\n<actuators>" +
+           device + "</actuators></robot>";
+  };
+  const auto robots = [](const std::string& all) { return "<robots>" + all + "</robots>"; };
+  CHECK_THAT(
+      warnings(robots(talker("a", "<radio/>") + talker("bb", "<range_and_bearing/>"))),
+      Catch::Contains("w.xml:3: warning: nobody hears the robot 'a': it is the only one with "
+                      "a <radio>"));
+  CHECK(warnings(robots(talker("a", "<radio/>") + talker("bb", "<radio/>"))).empty());
+  CHECK_THAT(warnings(robots(talker("a", "<radio delay=\"60\"/>") + talker("bb", "<radio/>"))),
+             Catch::Contains("its <radio> has a delay of 60 s, and the run ends after 60 s"));
+  const std::string far = "<goals>\n<travel any=\"true\" distance=\"40\"/></goals>";
+  const auto fast = [&](const std::string& second) {
+    return robots("<robot id=\"a\" x=\"1\"/><robot id=\"b\" max_speed=\"" + second + "\"/>") + far;
+  };
+  CHECK_THAT(warnings(fast("0.5")), Catch::Contains("<travel> needs 40 m within 60 s"));
+  CHECK(warnings(fast("1")).empty());
+}
+
 TEST_CASE("A number with its unit is refused with the unit to leave out") {
   Workplace here;
   const auto refusal = [&](const std::string& speed) {

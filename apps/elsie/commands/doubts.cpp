@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "elsie/api/message.h"
 #include "elsie/api/reading.h"
 #include "elsie/base/number_text.h"
 #include "elsie/simulation/simulation.h"
@@ -22,13 +23,13 @@ constexpr double kHair = 1e-6;   // m
 constexpr double kLevel = 1e-6;  // rad
 
 bool needs_robot(const world::Goal& goal) {
-  return !std::holds_alternative<world::EndureGoal>(goal) &&
   if (const auto* any = std::get_if<world::AnyGoal>(&goal)) {
     return std::all_of(any->goals.begin(), any->goals.end(), needs_robot);
   }
   if (const auto* all = std::get_if<world::AllGoal>(&goal)) {
     return std::any_of(all->goals.begin(), all->goals.end(), needs_robot);
   }
+  return !std::holds_alternative<world::EndureGoal>(goal) &&
          !std::holds_alternative<world::NoCollisionGoal>(goal) &&
          !std::holds_alternative<world::BatteryGoal>(goal);
 }
@@ -47,9 +48,10 @@ class Doubts {
     world::for_each_goal(world_.goals, [&](const world::Goal& goal) {
       if (const auto* travel = std::get_if<world::TravelGoal>(&goal)) check(*travel);
       if (const auto* reach = std::get_if<world::ReachGoal>(&goal)) check(*reach);
-    }
+    });
     for (std::size_t robot = 0; robot < world_.robots.size(); ++robot) {
       check_beams(robot);
+      for (std::size_t i = 0; i < simulation_.actuators(robot); ++i) check_talk(robot, i);
     }
     return std::move(problems_);
   }
@@ -59,8 +61,6 @@ class Doubts {
     problems_.push_back({where.file, where.line, "warning: " + sentence});
   }
 
-  void check(const world::TravelGoal& goal) {
-    if (!world_.edits.empty()) {
   /// A robot that keeps a goal about robots from being reached; null if none does.
   template <class About, class Fails>
   const world::Robot* one_that_fails(const About& goal, Fails fails) const {
@@ -79,6 +79,8 @@ class Doubts {
     return found;
   }
 
+  void check(const world::TravelGoal& goal) {
+    if (!world_.edits.empty()) {
       return;
     }
     const world::Robot* const robot = one_that_fails(goal, [&](const world::Robot& each) {
@@ -130,6 +132,32 @@ class Doubts {
       }
     }
     return is_inside(goal.x, goal.y);  // the outline is convex
+  }
+
+  /// Devices for messages that nobody hears.
+  void check_talk(std::size_t robot, std::size_t actuator) {
+    const simulation::ActuatorView device = simulation_.actuator(robot, actuator);
+    if (device.actuator->kind() != ReadingKind::of<SayCommand>() || !world_.edits.empty()) {
+      return;
+    }
+    const world::MountedUse& use = world_.robots[robot].actuators[actuator];
+    const auto has_one = [&](const world::Robot& other) {
+      return &other != &world_.robots[robot] &&
+             std::any_of(other.actuators.begin(), other.actuators.end(),
+                         [&](const world::MountedUse& each) { return each.plugin == use.plugin; });
+    };
+    if (std::none_of(world_.robots.begin(), world_.robots.end(), has_one)) {
+      add(use.location, "nobody hears the robot '" + world_.robots[robot].id +
+                            "': it is the only one with a <" + use.plugin + ">");
+    }
+    const auto delay = use.parameters.find("delay");
+    if (delay != use.parameters.end() && std::holds_alternative<double>(delay->second) &&
+        std::get<double>(delay->second) >= world_.limits.time) {
+      add(use.location, "nobody hears the robot '" + world_.robots[robot].id + "': its <" +
+                            use.plugin + "> has a delay of " +
+                            number_text(std::get<double>(delay->second)) +
+                            " s, and the run ends after " + number_text(world_.limits.time) + " s");
+    }
   }
 
   /// Level beams and those that point upwards.

@@ -25,7 +25,7 @@ Simulation::Impl::Impl(world::World world, const plugin::Host& host, const Optio
   }
   in_place_.emplace(world_, host, options_);
   std::vector<base::Problem> problems;
-  const auto common = std::make_shared<CommonData>(world_);
+  const auto common = std::make_shared<CommonData>(world_, robot_ids_);
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     try {
       // Not shared any more, before the object refers to it.
@@ -36,6 +36,7 @@ Simulation::Impl::Impl(world::World world, const plugin::Host& host, const Optio
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
   }
+  note_robot_ids();
   measuring_ = std::make_shared<Measuring>(world_, host, options.budget, problems);
   if (problems.empty()) {
     cameras_ = std::make_shared<Cameras>(world_, robots_, options.cameras, problems);

@@ -24,6 +24,7 @@
 #include "measuring/measuring.h"
 #include "physics_words.h"
 #include "replacement/swap.h"
+#include "robot/common_data.h"
 #include "robot/robot_surroundings.h"
 #include "step/cameras.h"
 #include "step/goals.h"
@@ -77,6 +78,7 @@ class Simulation::Impl {
   Options options_;
   std::shared_ptr<const world::World> start_;  // null: the world is unchanged since the start
   std::vector<std::shared_ptr<Robot>> robots_;
+  std::shared_ptr<RobotIds> robot_ids_ = std::make_shared<RobotIds>();
   std::shared_ptr<physics::Engine> engine_;
   std::uint64_t steps_ = 0;
   bool decided_ = false;  // in the last step
@@ -113,6 +115,9 @@ class Simulation::Impl {
   world::World tried(const world::World& from, std::span<const Edit> edits);
   world::World edited(world::WorldTree&& from, std::span<const Edit> edits, bool check_plugins);
   void become_goals(const world::World& was);
+  void note_robot_ids() {
+    for (const world::Robot& robot : world_.robots) robot_ids_->insert(robot.id);
+  }
   void settle(EditTransaction& transaction);
 
   void add_obstacle(std::size_t i);

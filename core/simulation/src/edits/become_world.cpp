@@ -142,7 +142,7 @@ void Simulation::Impl::become_schedule(const world::World& was) {
 void Simulation::Impl::become_robots(const Pairs& pairs, EditTransaction& transaction) {
   std::vector<std::shared_ptr<Robot>> gone = std::move(robots_);
   robots_.clear();
-  const auto common = std::make_shared<CommonData>(world_);
+  const auto common = std::make_shared<CommonData>(world_, robot_ids_);
   for (std::size_t i = 0; i < world_.robots.size(); ++i) {
     if (pairs.is_new(i)) {
       robots_.push_back(std::make_shared<Robot>(world_, i, common, *host_, options_));
@@ -278,7 +278,7 @@ void Simulation::Impl::become_measures(const world::World& was, EditTransaction&
   measuring_->reset_new(seed_, transaction.time(), transaction.said());
 }
 
-/// Goals that existed before keep their start.
+/// Goals that existed before keep their progress.
 void Simulation::Impl::become_goals(const world::World& was) {
   GoalProgress none{.time_s = time_s(), .done = {}, .events_read = events_.size()};
   if (!same_part("goals", was, world_)) {  // otherwise none is new
@@ -303,6 +303,7 @@ void Simulation::Impl::settle(EditTransaction& transaction) {
   const Statements& said = transaction.said();
   said_.notes.insert(said_.notes.end(), said.notes.begin(), said.notes.end());
   said_.curves.insert(said_.curves.end(), said.curves.begin(), said.curves.end());
+  note_robot_ids();
   if (transaction.may_cause_warnings) note_new_warnings(world_, time_s(), said_.notes);
   ++renewals_;
   transaction.settle();

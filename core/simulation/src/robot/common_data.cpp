@@ -1,18 +1,28 @@
 #include "robot/common_data.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "elsie/base/error.h"
+#include "elsie/base/near_name.h"
 #include "elsie/world/colours.h"
 
 #include "step/teams.h"
 
 namespace elsie::simulation {
 
-CommonData::CommonData(const world::World& world) {
+CommonData::CommonData(const world::World& world, std::shared_ptr<const RobotIds> ids)
+    : ids_(std::move(ids)) {
   std::map<std::string_view, int> sizes;
   for (const world::Robot& robot : world.robots) {
     numbers_.push_back(sizes[robot.team]++);
   }
+}
+
+void CommonData::require_robot(const std::string& id) const {
+  if (!ids_ || ids_->contains(id)) return;
+  throw base::Error("it says a message to the robot '" + id + "', and there is no such robot" +
+                    base::near_or_all(id, {ids_->begin(), ids_->end()}, "there are"));
 }
 
 const std::vector<Colour>& CommonData::resource_colours(const world::World& world,

@@ -36,6 +36,10 @@ std::size_t Robot::actuator_for(const Act& act) const {
                       "'; if the names are equal, build both plugins with the same header");
   }
   (*found)->object().check_command(act.command());
+  if (act.kind() == ReadingKind::of<SayCommand>()) {
+    const auto& said = *static_cast<const SayCommand*>(act.command());
+    if (!said.to.empty()) common_->require_robot(said.to);
+  }
   return static_cast<std::size_t>(found - actuators_.begin());
 }
 
