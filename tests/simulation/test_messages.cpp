@@ -280,3 +280,99 @@ TEST_CASE("A robot whose battery is empty neither speaks nor hears") {
   CHECK(heard_by(simulation, 1) == 0.0);
   CHECK(heard_by(simulation, 0) == 0.0);
 }
+
+TEST_CASE("A message to a robot that there never was ends the run and names who said it") {
+  simulation::Simulation simulation =
+      of_robots(talker("r1", 0, 0, 3, "<radio/>", R"(to="r9")") + talker("r2", 1, 0, 0));
+  CHECK_THROWS_WITH(simulation.step(),
+                    Catch::Contains("'talks'") && Catch::Contains("r1") &&
+                        Catch::Contains("it says a message to the robot 'r9', and there is no such "
+                                        "robot; did you mean 'r1'?"));
+  simulation::Simulation far = of_robots(talker("r1", 0, 0, 3, "<radio/>", R"(to="leader")"));
+  CHECK_THROWS_WITH(far.step(),
+                    Catch::Contains("'leader', and there is no such robot; there are: r1"));
+}
+
+TEST_CASE("A message to a robot that an edit removed is heard by nobody; one that it added hears") {
+  simulation::Simulation simulation =
+      of_robots(talker("a", 0, 0, 3, "<radio/>", R"(to="b" last="99")") + talker("b", 0.5, 0, 0) +
+                talker("c", 0, 0.5, 0, "<radio/>", "last=\"-1\""));
+  simulation.step();
+  simulation.edit("robot[b]/@remove", "true");
+  advance(simulation, 3);
+  CHECK(simulation.heard(1).empty());
+  simulation.edit("robot[+]", "<robot id=\"b\" x=\"0.5\"><actuators><radio/></actuators></robot>");
+  advance(simulation, 2);
+  CHECK(simulation.heard(2).size() == 1);
+  simulation.edit("robot[c]/behavior[talks]/@to", "d");
+  simulation.edit("robot[c]/behavior[talks]/@last", "99");
+  CHECK_THROWS_WITH(simulation.step(), Catch::Contains("'d', and there is no such robot"));
+}
+
+TEST_CASE("Noise of a device disturbs from where it seems to hear, not what it says") {
+  const auto heard_with = [](const std::string& noise, std::size_t threads = 1) {
+    simulation::Simulation simulation = of_robots(
+        talker("a", 0, 0, 3, "<range_and_bearing x=\"0\"/>", R"(last="99")") +
+            talker("b", 1, 0, 0, "<range_and_bearing x=\"0\">" + noise + "</range_and_bearing>",
+                   "last=\"-1\"", 90.0),
+        "", {.seed = 3, .threads = threads});
+    std::vector<HeardMessage> all;
+    for (int i = 0; i < 400; ++i) {
+      simulation.step();
+      for (const HeardMessage& heard : simulation.heard(1)) all.push_back(heard);
+    }
+    CHECK(heard_by(simulation, 1) == 3.0);
+    return all;
+  };
+  const auto biased = heard_with(
+      R"(<noise on="distance" bias="0.5"/><noise on="bearing" bias="3"/><noise on="elevation" bias="0.1"/>)");
+  REQUIRE(biased.size() == 399);
+  CHECK(biased[0].distance_m == Approx(1.5));
+  CHECK(biased[0].bearing_rad == Approx(wrap_angle(radians(90.0) + 3.0)));
+  CHECK(biased[0].elevation_rad == Approx(0.1));
+  const auto noisy = heard_with(R"(<noise on="distance" gaussian="0.02"/>)");
+  double sum = 0.0, squares = 0.0;
+  for (const HeardMessage& heard : noisy) {
+    sum += heard.distance_m - 1.0;
+    squares += (heard.distance_m - 1.0) * (heard.distance_m - 1.0);
+    CHECK(heard.bearing_rad == Approx(radians(90.0)));
+  }
+  CHECK(sum / 399 == Approx(0.0).margin(0.004));
+  CHECK(std::sqrt(squares / 399) == Approx(0.02).epsilon(0.15));
+  const auto again = heard_with(R"(<noise on="distance" gaussian="0.02"/>)", 2);
+  CHECK(std::equal(noisy.begin(), noisy.end(), again.begin(), again.end(),
+                   [](const HeardMessage& one, const HeardMessage& other) {
+                     return one.distance_m == other.distance_m;
+                   }));
+  CHECK_THAT(why_no_world([&] {
+               of_robots(talker("a", 0, 0, 3,
+                                "<range_and_bearing><noise on=\"range\"/></range_and_bearing>"));
+             }),
+             Catch::Contains("names no number of its command or of what it hears; it has"));
+}
+
+TEST_CASE("Messages under way are part of the state; without any the hash is that of the bodies") {
+  const auto hash_of = [](double word, int steps) {
+    simulation::Simulation simulation =
+        of_robots(talker("a", 0, 0, word, R"(<radio delay="0.05"/>)") + talker("b", 1, 0, 0));
+    advance(simulation, steps);
+    return simulation.state_hash();
+  };
+  CHECK(hash_of(3, 2) != hash_of(4, 2));
+  CHECK(hash_of(3, 2) == hash_of(3, 2));
+  CHECK(hash_of(3, 20) == hash_of(4, 20));  // all are heard
+}
+
+TEST_CASE("A result has the messages that each robot sent and heard, if it can hear any") {
+  simulation::Simulation simulation =
+      of_robots(talker("a", 0, 0, 3, "<radio/>", R"(last="9")") + talker("b", 0.5, 0, 0) +
+                R"(<robot id="c" x="0" y="0.5"><actuators><led/></actuators></robot>)");
+  advance(simulation, 20);
+  const auto result = simulation.result();
+  REQUIRE(result.robots[0].talk);
+  CHECK(result.robots[0].talk->sent == 10);
+  CHECK(result.robots[0].talk->heard == 1);
+  CHECK(result.robots[1].talk->sent == 1);
+  CHECK(result.robots[1].talk->heard == 10);
+  CHECK_FALSE(result.robots[2].talk);
+}

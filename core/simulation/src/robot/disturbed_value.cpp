@@ -18,9 +18,9 @@ std::optional<std::string> fault_of(const ReadingField& field, const std::string
   return std::nullopt;
 }
 
-void check_noise(const Noise& noise, const Disturbable& object) {
+void check_noise(const Noise& noise, const Disturbable& object, std::vector<std::string> names) {
   const std::string what = object.value_name();
-  std::vector<std::string> names;
+  const std::string owner = "its " + what + (names.empty() ? "" : " or of what it hears");
   object.visit_fields(object.value(), [&](const ReadingField& field) {
     const auto fault = fault_of(field, what);
     if (!fault) {
@@ -30,14 +30,14 @@ void check_noise(const Noise& noise, const Disturbable& object) {
                                   *fault);
     }
   });
-  Disturbances::check(noise, names, "its " + what);
+  Disturbances::check(noise, names, owner);
 }
 
 }  // namespace
 
-void DisturbedValue::check(const Disturbable& object) {
+void DisturbedValue::check(const Disturbable& object, const std::vector<std::string>& others) {
   for (const Disturbance& each : object.disturbances()) {
-    if (const auto* noise = std::get_if<Noise>(&each)) check_noise(*noise, object);
+    if (const auto* noise = std::get_if<Noise>(&each)) check_noise(*noise, object, others);
   }
 }
 
@@ -62,6 +62,14 @@ void DisturbedValue::reset(std::uint64_t seed, const std::string& path) {
   disturbances_.reset(seed, path);
   samples_.clear();
   age_s_ = kNever;
+}
+
+double DisturbedValue::disturbed(std::string_view name, double value) {
+  const std::vector<Noise>& noises = disturbances_.noises();
+  for (std::size_t i = 0; i < noises.size(); ++i) {
+    if (noises[i].on == name) value = disturbances_.disturbed(i, value);
+  }
+  return value;
 }
 
 std::shared_ptr<void> DisturbedValue::memory(const Disturbable& object) {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elsie/api/disturbance.h"
@@ -19,7 +20,8 @@ namespace elsie::simulation {
 class DisturbedValue {
  public:
   /// Throws std::invalid_argument with a sentence if a disturbance does not fit the object.
-  static void check(const Disturbable& object);
+  /// `others`: numbers for disturbed(), besides those of the object.
+  static void check(const Disturbable& object, const std::vector<std::string>& others = {});
 
   /// Takes over the object's disturbances; random streams go on. `has_other_sizes`: see
   /// Disturbable::fit_value(). Requires check().
@@ -29,6 +31,9 @@ class DisturbedValue {
   /// Called after each update of what is undisturbed: changes the present value.
   /// `is_new`: it was given since the last update. Returns whether such a one has become present.
   bool update(Disturbable& object, double time_s, double period_s, bool is_new = true);
+  /// Returns a number that is not one of the object's with all noise on this name. Throws
+  /// base::Error with a sentence if it is not finite.
+  double disturbed(std::string_view name, double value);
   /// Called instead while there are no updates.
   void wait(double period_s) { age_s_ += period_s; }
   /// How old the present value is, s; infinite before the first.

@@ -170,13 +170,16 @@ void Robot::SensorSlot::equip(Component& object, const Example& example) const {
 void Robot::ActuatorSlot::equip(Component& object, const Example& /*example*/) const {
   auto& actuator = static_cast<Actuator&>(object);
   actuator.equipped(place->mounting);
-  fit_disturbances(*this, actuator, "actuator");
+  static const std::vector<std::string> kHeard{"distance", "bearing", "elevation"};
+  fit_disturbances(*this, actuator, "actuator",
+                   declaration->hears_messages ? kHeard : std::vector<std::string>());
 }
 
 template <class Slot>
-void Robot::fit_disturbances(const Slot& slot, Disturbable& object, const char* list) {
+void Robot::fit_disturbances(const Slot& slot, Disturbable& object, const char* list,
+                             const std::vector<std::string>& others) {
   const bool has_other_sizes = object.fit_value();
-  DisturbedValue::check(object);
+  DisturbedValue::check(object, others);
   if (&object != slot.held.get()) return;  // it is only tried
   if (!slot.disturbed) {
     if (object.disturbances().empty()) return;

@@ -311,10 +311,12 @@ class Robot final : private RobotRequests {
             const Instant& now, std::vector<Overheard>& all) const;
   bool is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const Instant& now) const;
   /// How far the place is from the robot's middle, m.
+    const ActuatorSlot* device;  // that hears it
   double reach_of(const SensorPlace& device) const;
   void look_at_segments(const physics::Engine& engine, std::size_t index);
   /// The frame of what a sensor or an actuator is mounted on.
   const Frame& frame_below(const SensorPlace& place) const {
+  void disturb(const ActuatorSlot& device, HeardMessage& heard);
     const int segment = place.mounting.segment;
     return segment == 0 ? body_frame_ : segments_[static_cast<std::size_t>(segment) - 1];
   }
@@ -325,7 +327,8 @@ class Robot final : private RobotRequests {
   std::size_t actuator_for(const Act& act) const override;
   Frame frame_of(const SensorPlace& place) const { return frame_below(place).frame(place.frame); }
   template <class Slot>
-  static void fit_disturbances(const Slot& slot, Disturbable& object, const char* list);
+  static void fit_disturbances(const Slot& slot, Disturbable& object, const char* list,
+                               const std::vector<std::string>& others = {});
   /// Throws PluginFault; passes on what `visit` throws.
   void visit_value(const PluginObject& slot, const ReadingDeclaration& declared,
                    const FieldVisit& visit) const;

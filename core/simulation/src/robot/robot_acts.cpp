@@ -155,7 +155,10 @@ void Robot::listen(const RobotSurroundings& surroundings, double loudest_m, cons
   std::stable_sort(all.begin(), all.end(),
                    [](const Overheard& a, const Overheard& b) { return a.sender < b.sender; });
   heard_.clear();
-  for (Overheard& each : all) heard_.push_back(std::move(each.message));
+  for (Overheard& each : all) {
+    if (each.device->disturbed) disturb(*each.device, each.message);
+    heard_.push_back(std::move(each.message));
+  }
   perception_.heard = heard_;
 }
 
@@ -166,6 +169,18 @@ void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundin
   surroundings.for_each_near(loudest_m + reach_of(*device.place), [&](const Robot& other) {
     for (const auto& slot : other.actuators_) {
       if (slot->declaration != device.declaration) continue;
+  tally_.talk.heard += static_cast<int>(heard_.size());
+}
+
+/// Adds the noise of the device that hears a message to where it seems to come from.
+void Robot::disturb(const ActuatorSlot& device, HeardMessage& heard) {
+  if (std::isnan(heard.distance_m)) return;  // the device does not tell
+  guard_.run(*device.use, [&] {
+    DisturbedValue& disturbed = *device.disturbed;
+    heard.distance_m = disturbed.disturbed("distance", heard.distance_m);
+    heard.bearing_rad = wrap_angle(disturbed.disturbed("bearing", heard.bearing_rad));
+    heard.elevation_rad = disturbed.disturbed("elevation", heard.elevation_rad);
+  });
       for (const ActuatorSlot::Sent& sent : slot->sounding) {
         if (!sent.to.empty() && sent.to != description_->id) continue;
         const Vector3 there = other.frame_of(*slot->place).origin, way = there - own.origin;
@@ -173,7 +188,7 @@ void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundin
         if (distance > sent.how.range_m || is_lost(sent, other, now)) continue;
         if (sent.how.in_sight && !surroundings.sees(other, own.origin, there)) continue;
         const std::string& sender = other.description_->id;
-        HeardMessage& heard = all.emplace_back(Overheard{sender, {}}).message;
+        HeardMessage& heard = all.emplace_back(Overheard{sender, &device, {}}).message;
         heard.message = sent.message;
         heard.device = device.use->id;
         if (sent.how.tells_from) heard.from = sender;
