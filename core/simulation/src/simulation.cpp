@@ -270,6 +270,7 @@ std::uint64_t Simulation::state_hash() const {
   for (const auto& robot : impl_->robots_) {
     hash.add(robot->state().energy);
   }
+  for (const auto& robot : impl_->robots_) robot->add_messages(hash);
   return hash.value();
 }
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }

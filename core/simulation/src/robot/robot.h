@@ -15,6 +15,7 @@
 #include "elsie/api/localisation.h"
 #include "elsie/api/perception.h"
 #include "elsie/api/sensor.h"
+#include "elsie/base/fnv1a.h"
 #include "elsie/physics/engine.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/simulation.h"
@@ -83,6 +84,8 @@ class Robot final : private RobotRequests {
   double loudest_m() const;
   std::span<const HeardMessage> heard() const { return heard_; }
   /// Forgets commands and messages, whose code may be in a library that is to be unloaded.
+  /// Adds its messages that nobody has heard yet.
+  void add_messages(base::Fnv1a& hash) const;
   void forget_messages();
   /// How far its actuator reaches for something to hold, m; none: it holds nothing.
   const std::optional<double>& grasp(std::size_t actuator) const {

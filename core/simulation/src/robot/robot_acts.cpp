@@ -221,6 +221,24 @@ void Robot::forget_messages() {
     slot->under_way.clear();
     slot->sounding.clear();
   }
+void Robot::add_messages(base::Fnv1a& hash) const {
+  for (const auto& slot : actuators_) {
+    for (const auto* sent : {&slot->under_way, &slot->sounding}) {
+      for (const ActuatorSlot::Sent& each : *sent) {
+        hash.add(description_->id);
+        hash.add(each.to);
+        hash.add(each.said_s);
+        hash.add(std::string_view(each.message->kind().name));
+        each.message->visit_fields([&](const ReadingField& field) {
+          for (std::size_t i = 0; field.is_number() && i < field.count; ++i) {
+            hash.add(field.number(i));
+          }
+        });
+      }
+    }
+  }
+}
+
 }
 
 void Robot::list_lights(std::vector<LampView>& lights) const {
