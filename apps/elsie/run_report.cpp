@@ -23,15 +23,21 @@ constexpr std::size_t kMeasureTextColumns = 2;
 constexpr std::size_t kMostRows = 100;  // of more robots, the table has the first few
 constexpr std::size_t kFirstRows = 20;
 
-std::vector<std::string> row(const RobotResult& robot) {
-  return {robot.id,
-          robot.team,
-          base::fixed_text(robot.distance_m, 2),
-          std::to_string(robot.collected),
-          base::fixed_text(robot.energy, 0),
-          std::to_string(robot.collisions),
-          base::fixed_text(robot.pose.x, 2) + ", " + base::fixed_text(robot.pose.y, 2) + ", " +
-              base::fixed_text(elsie::degrees(robot.pose.heading_rad), 0)};
+/// `talks`: robots of the table may have sent messages.
+std::vector<std::string> row(const RobotResult& robot, bool talks) {
+  std::vector<std::string> cells{robot.id,
+                                 robot.team,
+                                 base::fixed_text(robot.distance_m, 2),
+                                 std::to_string(robot.collected),
+                                 base::fixed_text(robot.energy, 0),
+                                 std::to_string(robot.collisions)};
+  if (talks) {
+    cells.push_back(robot.talk ? std::to_string(robot.talk->sent) : "-");
+    cells.push_back(robot.talk ? std::to_string(robot.talk->heard) : "-");
+  }
+  cells.push_back(base::fixed_text(robot.pose.x, 2) + ", " + base::fixed_text(robot.pose.y, 2) +
+                  ", " + base::fixed_text(elsie::degrees(robot.pose.heading_rad), 0));
+  return cells;
 }
 
 /// The measures of the world; those of every run are in other rows of the table.
@@ -71,12 +77,16 @@ std::string table(const RunResult& result) {
          " steps in " + base::fixed_text(result.wall_s, 2) + " s, " + base::fixed_text(speed, 0) +
          " x real time\n";
   if (!result.robots.empty()) {
-    std::vector<std::vector<std::string>> rows{{"robot", "team", "distance m", "collected",
-                                                "energy", "collisions", "x m, y m, heading deg"}};
+    const bool talks = std::any_of(result.robots.begin(), result.robots.end(),
+                                   [](const RobotResult& robot) { return robot.talk; });
+    std::vector<std::vector<std::string>> rows{
+        {"robot", "team", "distance m", "collected", "energy", "collisions"}};
+    if (talks) rows[0].insert(rows[0].end(), {"sent", "heard"});
+    rows[0].push_back("x m, y m, heading deg");
     const std::size_t count = result.robots.size();
     const std::size_t shown = count > kMostRows ? kFirstRows : count;
     for (std::size_t i = 0; i < shown; ++i) {
-      rows.push_back(row(result.robots[i]));
+      rows.push_back(row(result.robots[i], talks));
     }
     out += '\n' + process::laid_out(rows, kTextColumns);
     if (shown < count) {
@@ -127,6 +137,10 @@ std::string json(const RunResult& result) {
                                 {"energy", robot.energy},
                                 {"pose", {robot.pose.x, robot.pose.y, robot.pose.heading_rad}},
                                 {"collisions", robot.collisions}});
+    if (robot.talk) {
+      object["robots"].back()["messages_sent"] = robot.talk->sent;
+      object["robots"].back()["messages_heard"] = robot.talk->heard;
+    }
   }
   object["events"] = nlohmann::ordered_json::array();
   for (const auto& event : result.events) {

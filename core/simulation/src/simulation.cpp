@@ -239,8 +239,8 @@ RunResult Simulation::Impl::figures() const {
   for (const auto& robot : robots_) {
     result.robots.push_back({robot->description().id, robot->description().team,
                              robot->tally().distance_m, robot->tally().collected,
-                             robot->state().energy, robot->truth().pose,
-                             robot->tally().collisions});
+                             robot->state().energy, robot->truth().pose, robot->tally().collisions,
+                             robot->talk()});
   }
   measure_every_run(result, departed_);
   measuring_->report({result.outcome, result.simulated_s}, result.measures);

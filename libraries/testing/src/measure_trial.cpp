@@ -95,6 +95,8 @@ class MeasureTrial final : public Trial {
       robot.energy_used += laps * total.energy_used;
       robot.collisions += static_cast<int>(laps) * total.collisions;
       robot.collected += static_cast<int>(laps) * total.collected;
+      robot.talk.sent += static_cast<int>(laps) * total.talk.sent;
+      robot.talk.heard += static_cast<int>(laps) * total.talk.heard;
     }
     if (laps > 0.0) {
       for (const std::string& box : input_.gone) {

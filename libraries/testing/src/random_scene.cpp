@@ -54,6 +54,8 @@ void move(ObservedRobot& robot, double step_s, bool decides, Random& random) {
   robot.energy_used += 0.03;
   robot.energy = std::max(0.0, robot.energy - 0.03);
   robot.collisions += random.chance(0.05) ? 1 : 0;
+  robot.talk.sent += decides ? 1 : 0;
+  robot.talk.heard += decides ? 2 : 0;
   if (random.chance(0.02)) {  // a user moves it
     robot.pose.x = random.uniform(-5, 5);
     robot.pose.y = random.uniform(-5, 5);

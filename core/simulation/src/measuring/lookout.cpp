@@ -41,6 +41,7 @@ void take_over(const Robot& robot, ObservedRobot& seen, std::span<ObservedBehavi
   seen.energy_used = robot.tally().energy_used;
   seen.collisions = robot.tally().collisions;
   seen.collected = robot.tally().collected;
+  seen.talk = robot.tally().talk;
   seen.is_leader = state.is_leader;
   seen.charging = state.charging;
   seen.empty = robot.empty();

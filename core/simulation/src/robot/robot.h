@@ -48,6 +48,7 @@ struct Tally {
   double energy_used = 0.0;  // taken from the battery, units
   int collected = 0;
   int collisions = 0;
+  Talk talk;
 };
 
 /// How the body of a robot has come to where it is.
@@ -83,9 +84,9 @@ class Robot final : private RobotRequests {
   /// The largest range of a message that is heard in this control period, m; 0: none is.
   double loudest_m() const;
   std::span<const HeardMessage> heard() const { return heard_; }
-  /// Forgets commands and messages, whose code may be in a library that is to be unloaded.
   /// Adds its messages that nobody has heard yet.
   void add_messages(base::Fnv1a& hash) const;
+  /// Forgets commands and messages, whose code may be in a library that is to be unloaded.
   void forget_messages();
   /// How far its actuator reaches for something to hold, m; none: it holds nothing.
   const std::optional<double>& grasp(std::size_t actuator) const {
@@ -217,6 +218,8 @@ class Robot final : private RobotRequests {
     return trace_;
   }
   const Tally& tally() const { return tally_; }
+  /// None: it has no actuator that hears messages.
+  std::optional<Talk> talk() const;
   /// Returns whether all its plugins may be called while other threads call those of other robots.
   bool may_share_threads() const { return may_share_threads_; }
   /// Whether one of its sensors asks for contacts.
@@ -308,18 +311,18 @@ class Robot final : private RobotRequests {
   /// A message with the id of its sender.
   struct Overheard {
     std::string_view sender;
+    const ActuatorSlot* device;  // that hears it
     HeardMessage message;
   };
   void hear(const ActuatorSlot& device, const RobotSurroundings& surroundings, double loudest_m,
             const Instant& now, std::vector<Overheard>& all) const;
+  void disturb(const ActuatorSlot& device, HeardMessage& heard);
   bool is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const Instant& now) const;
   /// How far the place is from the robot's middle, m.
-    const ActuatorSlot* device;  // that hears it
   double reach_of(const SensorPlace& device) const;
   void look_at_segments(const physics::Engine& engine, std::size_t index);
   /// The frame of what a sensor or an actuator is mounted on.
   const Frame& frame_below(const SensorPlace& place) const {
-  void disturb(const ActuatorSlot& device, HeardMessage& heard);
     const int segment = place.mounting.segment;
     return segment == 0 ? body_frame_ : segments_[static_cast<std::size_t>(segment) - 1];
   }

@@ -70,8 +70,17 @@ void Robot::act(const Instant& now) {
     const ActuatorContext context{
         now.time_s, now.period_s,  slot->is_new,    frame_of(*slot->place), &slot->place->mounting,
         state_,     &slot->random, &slot->effects()};
+    const std::size_t before = slot->under_way.size();
     guard_.step(*slot, [&] { slot->object().carry_out(context); });
+    tally_.talk.sent += static_cast<int>(slot->under_way.size() - before);
   }
+}
+
+std::optional<Talk> Robot::talk() const {
+  const bool hears = std::any_of(actuators_.begin(), actuators_.end(), [](const auto& slot) {
+    return slot->declaration->hears_messages;
+  });
+  return hears ? std::optional(tally_.talk) : std::nullopt;
 }
 
 void Robot::ActuatorSlot::shine(const Colour& colour, double intensity) {
@@ -160,15 +169,6 @@ void Robot::listen(const RobotSurroundings& surroundings, double loudest_m, cons
     heard_.push_back(std::move(each.message));
   }
   perception_.heard = heard_;
-}
-
-/// What one of its actuators hears.
-void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundings,
-                 double loudest_m, const Instant& now, std::vector<Overheard>& all) const {
-  const Frame own = frame_of(*device.place);
-  surroundings.for_each_near(loudest_m + reach_of(*device.place), [&](const Robot& other) {
-    for (const auto& slot : other.actuators_) {
-      if (slot->declaration != device.declaration) continue;
   tally_.talk.heard += static_cast<int>(heard_.size());
 }
 
@@ -181,6 +181,15 @@ void Robot::disturb(const ActuatorSlot& device, HeardMessage& heard) {
     heard.bearing_rad = wrap_angle(disturbed.disturbed("bearing", heard.bearing_rad));
     heard.elevation_rad = disturbed.disturbed("elevation", heard.elevation_rad);
   });
+}
+
+/// What one of its actuators hears.
+void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundings,
+                 double loudest_m, const Instant& now, std::vector<Overheard>& all) const {
+  const Frame own = frame_of(*device.place);
+  surroundings.for_each_near(loudest_m + reach_of(*device.place), [&](const Robot& other) {
+    for (const auto& slot : other.actuators_) {
+      if (slot->declaration != device.declaration) continue;
       for (const ActuatorSlot::Sent& sent : slot->sounding) {
         if (!sent.to.empty() && sent.to != description_->id) continue;
         const Vector3 there = other.frame_of(*slot->place).origin, way = there - own.origin;
@@ -212,15 +221,6 @@ bool Robot::is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const I
   return random.chance(sent.how.loss);
 }
 
-void Robot::forget_messages() {
-  controller_->forget_acts();
-  heard_.clear();
-  perception_.heard = {};
-  for (const auto& slot : actuators_) {
-    if (slot->declaration->hears_messages) slot->object().forget();
-    slot->under_way.clear();
-    slot->sounding.clear();
-  }
 void Robot::add_messages(base::Fnv1a& hash) const {
   for (const auto& slot : actuators_) {
     for (const auto* sent : {&slot->under_way, &slot->sounding}) {
@@ -239,6 +239,15 @@ void Robot::add_messages(base::Fnv1a& hash) const {
   }
 }
 
+void Robot::forget_messages() {
+  controller_->forget_acts();
+  heard_.clear();
+  perception_.heard = {};
+  for (const auto& slot : actuators_) {
+    if (slot->declaration->hears_messages) slot->object().forget();
+    slot->under_way.clear();
+    slot->sounding.clear();
+  }
 }
 
 void Robot::list_lights(std::vector<LampView>& lights) const {

@@ -25,6 +25,7 @@
 #include "elsie/api/component.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/localisation.h"
+#include "elsie/api/message.h"
 #include "elsie/api/motion.h"
 #include "elsie/api/registration.h"
 
@@ -74,6 +75,7 @@ struct ObservedRobot {
   double capacity = 0.0;     // of the battery, units
   int collisions = 0;        // so far
   int collected = 0;         // resources, so far
+  Talk talk;                 // so far
   bool is_leader = false;
   bool charging = false;
   bool empty = false;  // the battery is empty: the robot stops

@@ -74,6 +74,12 @@ struct SayCommand {
   }
 };
 
+/// How many messages a robot has sent and heard. One that several robots hear is sent once.
+struct Talk {
+  int sent = 0;
+  int heard = 0;
+};
+
 /// A message that a robot hears in this control period, without the type of its content.
 struct HeardMessage {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

@@ -9,6 +9,7 @@
 #include "elsie/api/curve.h"
 #include "elsie/api/geometry.h"
 #include "elsie/api/measure.h"
+#include "elsie/api/message.h"
 #include "elsie/api/simulator_events.h"
 
 namespace elsie::simulation {
@@ -72,11 +73,12 @@ struct SolverResult {
 struct RobotResult {
   std::string id;
   std::string team;
-  double distance_m = 0.0;  // length of the path driven
-  int collected = 0;        // resources
-  double energy = 0.0;      // units left
-  Pose pose;                // at the end
-  int collisions = 0;       // with walls, obstacles and robots; see events::Collision
+  double distance_m = 0.0;     // length of the path driven
+  int collected = 0;           // resources
+  double energy = 0.0;         // units left
+  Pose pose;                   // at the end
+  int collisions = 0;          // with walls, obstacles and robots; see events::Collision
+  std::optional<Talk> talk{};  // none: it has no actuator that hears messages
 };
 
 struct RunResult {
