@@ -272,7 +272,7 @@ class ObjectReader {
     const Declaration* declaration = host_->find(*spec.plugins, element.name);
     if (!declaration) {
       refuse(element.where, explain_missing(*host_, *spec.plugins, element.name));
-      if (*spec.plugins != PluginKind::measure) mark_robot_incomplete();
+      if (!plugin::is_of_world(*spec.plugins)) mark_robot_incomplete();
       return;
     }
     refuse_text(element);
