@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
+#include "elsie/plugin/kind_name.h"
 #include "elsie/world/values.h"
 
 #include "path.h"

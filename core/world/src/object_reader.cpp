@@ -14,6 +14,7 @@
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/files.h"
 #include "elsie/world/values.h"
