@@ -14,6 +14,7 @@ class RuleTrial final : public Trial {
   explicit RuleTrial(const TrialSetting& setting)
       : input_(setting.input),
         settings_(setting.plugins.completed(setting.declaration, setting.settings)),
+        elements_(setting.plugins.completed(setting.declaration, setting.elements)),
         rule_(setting.plugins, setting.declaration.name, setting.settings, setting.elements) {
     rule_.has_room = [this](std::string_view, const Pose&) { return asked_++ % 3 != 0; };
     equipping([&] { rule_.equip(input_.watched.front()); });
@@ -29,7 +30,7 @@ class RuleTrial final : public Trial {
   }
   bool take_over(Trial& /*before*/) override { return false; }  // rules are not replaced
   void configure_again() override {
-    plugin::apply_parameters(rule_.declaration(), *rule_, settings_);
+    plugin::apply_parameters(rule_.declaration(), *rule_, settings_, elements_);
     equipping([&] { rule_.equip(input_.watched.front()); });
   }
 
@@ -51,6 +52,7 @@ class RuleTrial final : public Trial {
  private:
   const Input& input_;
   Settings settings_;
+  Elements elements_;
   Rule rule_;
   std::uint64_t asked_ = 0;  // how often has_room() was asked
 };

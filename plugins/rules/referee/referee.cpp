@@ -45,7 +45,7 @@ class Referee final : public elsie::Rule {
       throw std::invalid_argument("it names both a robot, '" + robot + "', and a team, '" + team +
                                   "'; expected one of them, or none for all robots");
     }
-    counts_.assign(conditions.size(), 0);
+    counts_.resize(conditions.size());
   }
   void equipped(const elsie::Observation& start) override {
     if (!robot.empty()) start.robot(robot);

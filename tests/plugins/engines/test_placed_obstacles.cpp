@@ -16,7 +16,7 @@ TEST_CASE("An obstacle is put elsewhere at rest, where rays and robots meet it")
   CAPTURE(engine, int(kind), was_away);
   PhysicsContext context(with(engine));
   const std::size_t robot = context.robot(0.0, 0.0);
-  const std::size_t box = context.obstacle(kind, 0.5, 1.0, {0.2, 0.2, 0.2}, 30.0);
+  const std::size_t box = context.obstacle(kind, 0.5, 1.0, {0.2, 0.2, 0.2}, 30.0, 0.0, 0.2);
   context.run(0.1);  // neighbours are known
   CHECK_FALSE(context.engine->cast_ray({0, 0, 0.1}, {1, 0, 0}, 2, robot).has_value());
   if (was_away) {
@@ -34,7 +34,7 @@ TEST_CASE("An obstacle is put elsewhere at rest, where rays and robots meet it")
   CHECK(hit->distance == Approx(0.4));
   context.run(0.2);
   CHECK(context.engine->obstacle(box).origin.x == Approx(0.5).margin(1e-4));
-  context.drive(robot, {15, 15});
+  context.drive(robot, {25, 25});
   bool touched = false;
   context.run(2.0, [&] {
     touched = touched || context.touching({BodyKind::robot, robot}, {BodyKind::obstacle, box});
