@@ -153,6 +153,7 @@ void Measuring::reset(std::uint64_t seed) {
   has_failed_ = false;
   for (const auto& slot : slots_) {
     slot->has_begun = false;
+    slot->rebuilt = 0;
     guard_.run(*slot->use, [&] { slot->reset(seed, slot->path()); });
   }
 }
