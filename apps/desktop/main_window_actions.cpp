@@ -194,6 +194,7 @@ void MainWindow::fill_add_menu(QMenu* menu) {
   menu->addSeparator();
   member("add_goal", tr("&Goal..."), "goals");
   member("add_measure", tr("Meas&ure..."), "measures");
+  member("add_rule", tr("Rul&e..."), "rules");
   member("add_team", tr("&Team..."), "teams");
 }
 

@@ -120,9 +120,9 @@ Body moved(const Body& body, double x, double y, double heading_deg) {
 
 std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
                             std::vector<Element> things, Problems& problems) {
-  Element tree =
-      without(drawing.world, {"obstacles", "resources", "chargers", "nests", "lamps", "floor",
-                              "patches", "robots", "goals", "measures", "changes", "limits"});
+  Element tree = without(
+      drawing.world, {"obstacles", "resources", "chargers", "nests", "lamps", "floor", "patches",
+                      "robots", "goals", "measures", "rules", "changes", "limits"});
   Element holder;
   holder.name = list;
   holder.where = drawing.world.where;
@@ -149,10 +149,10 @@ std::vector<Body> bodies_of(const Drawing& drawing, const std::string& list,
 }
 
 bool Occupied::add_world(const Drawing& drawing) {
-  const auto world =
-      read(drawing,
-           without(drawing.world, {"floor", "patches", "goals", "measures", "changes", "limits"}),
-           drawing.problems);
+  const auto world = read(drawing,
+                          without(drawing.world, {"floor", "patches", "goals", "measures", "rules",
+                                                  "changes", "limits"}),
+                          drawing.problems);
   if (!world) {
     return false;
   }

@@ -166,7 +166,7 @@ TEST_CASE("Each fault of a declaration is found and named") {
       {"its version is empty", [](Declaration& d) { d.version = ""; }},
       {"it has no description", [](Declaration& d) { d.description = ""; }},
       {"it has no function that makes", [](Declaration& d) { d.create = nullptr; }},
-      {"neither a sensor nor", [](Declaration& d) { d.kind = static_cast<PluginKind>(7); }},
+      {"neither a sensor nor", [](Declaration& d) { d.kind = static_cast<PluginKind>(8); }},
       {"a drive only carries out motions, so it raises no events",
        [](Declaration& d) {
          d.kind = PluginKind::drive;

@@ -319,6 +319,22 @@ TEST_CASE("The page on measures quotes what elsie new makes, and its output") {
   CHECK_THAT(run.out, Catch::EndsWith(output[0]));
 }
 
+TEST_CASE("The page on rules quotes what elsie new makes") {
+  const auto code =
+      blocks(read(fs::path(elsie::test::source_path("docs")) / "writing-a-rule.md"), "cpp");
+  REQUIRE(code.size() == 2);
+  Workplace here;
+  REQUIRE(here.elsie("new rule refill").exit_code == 0);
+  CHECK(code[0] == here.read("refill/refill.cpp"));
+  CHECK(code[1] == here.read("refill/test_refill.cpp"));
+  const auto run =
+      here.sh("ELSIE_CACHE=cache elsie run refill/world.xml --plugin refill/refill.cpp --json");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.out, Catch::Contains("robot[r1]/@energy=10, by the rule 'refill'"));
+  CHECK(here.elsie("run refill/world.xml --plugin refill/refill.cpp --set 'rule[refill]/@below=0'")
+            .exit_code == 1);
+}
+
 TEST_CASE("The page on actuators quotes what elsie new makes") {
   const auto code =
       blocks(read(fs::path(elsie::test::source_path("docs")) / "writing-an-actuator.md"), "cpp");

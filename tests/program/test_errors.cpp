@@ -144,7 +144,7 @@ TEST_CASE("A wrong command line is reported in sentences") {
   CHECK(
       refused("describe camera vision") ==
       "elsie: 'camera' is not a kind of plugins; there are sensor, behavior, coordinator, measure, "
-      "drive, localisation, actuator");
+      "rule, drive, localisation, actuator");
   CHECK(here.elsie("describe behaviour wander").exit_code == 0);
   for (const char* numbers : {"--seed x", "--seed -1", "--seed 1.5", "--duration nan",
                               "--duration 0", "--duration 1,5", "--record-rate -2"}) {

@@ -101,7 +101,7 @@ TEST_CASE("A measure of one file is compiled and run; one that fails ends the ru
   const auto run =
       here.sh("ELSIE_CACHE=cache elsie run world.xml --plugin forgetful.cpp --record run.csv");
   CHECK(run.exit_code == 3);
-  CHECK_THAT(run.err, Contains("plugin 'forgetful' (id 'f') among the world's measures failed in "
+  CHECK_THAT(run.err, Contains("plugin 'forgetful' (id 'f') of the world failed in "
                                "step 9 (at 0.1 s): what was it again"));
 }
 

@@ -10,8 +10,8 @@ using elsie::test::Workplace;
 
 TEST_CASE("What elsie new makes runs as it is, without a build system") {
   Workplace here;
-  for (const std::string kind :
-       {"behavior", "coordinator", "sensor", "measure", "drive", "localisation", "actuator"}) {
+  for (const std::string kind : {"behavior", "coordinator", "sensor", "measure", "rule", "drive",
+                                 "localisation", "actuator"}) {
     CAPTURE(kind);
     const std::string name = "my_first_" + kind;
     const auto made = here.elsie("new " + kind + " " + name);
@@ -65,7 +65,7 @@ TEST_CASE("elsie new leaves existing files alone, and makes all or nothing") {
   CHECK(here.read("notes") == "mine");
   CHECK(refused("robot r1") ==
         "elsie: 'robot' is not a plugin kind; there are behavior, coordinator, sensor, measure, "
-        "drive, localisation and actuator");
+        "rule, drive, localisation and actuator");
   CHECK_THAT(refused("behavior Wall"), Contains("'Wall' is not a name for a plugin"));
   CHECK_THAT(refused("behavior 2nd"), Contains("'2nd' is not a name for a plugin"));
   CHECK_THAT(refused("behavior a-b"), Contains("'a-b' is not a name for a plugin"));

@@ -17,8 +17,8 @@ using nlohmann::json;
 namespace {
 
 const fs::path kDocs = source_path("docs");
-const std::vector<std::string> kKinds{"sensor", "behavior",     "coordinator", "measure",
-                                      "drive",  "localisation", "actuator"};
+const std::vector<std::string> kKinds{"sensor", "behavior", "coordinator",  "measure",
+                                      "rule",   "drive",    "localisation", "actuator"};
 
 /// The text between the lines <!-- mark --> and <!-- end of mark -->, without blank lines around
 /// it; fails unless each occurs once.

@@ -150,7 +150,7 @@ TEST_CASE("A measure that fails is named, with the step") {
   Run run(script);
   Simulation simulation(run.world, run.scripted.host);
   CHECK_THROWS_WITH(simulation.run(),
-                    "plugin 'scripted_measure' among the world's measures failed in step 2 (at "
+                    "plugin 'scripted_measure' of the world failed in step 2 (at "
                     "0.03 s): lost count");
   // The rest of the result is there all the same.
   const RunResult result = simulation.result();

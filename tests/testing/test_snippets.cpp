@@ -141,6 +141,16 @@ TEST_CASE("Libraries on the page") {
   CHECK_THAT(behavior.respond(Situation()), testing::raises("stepped"));
 }
 
+TEST_CASE("A rule on the page") {
+  testing::Scene now;
+  now.robot("r1").resource("food", 1, 2);
+  testing::Rule back("respawn", {{"after", 0.02}});
+  back.apply(now);
+  now.remove_obstacle("food");
+  CHECK(back.apply(now.step()).edits.empty());
+  CHECK(back.apply(now.at_step(3)).edits[0] == "resource[food]/@x=1");
+}
+
 TEST_CASE("A measure on the page") {
   testing::Scene now;
   now.robot("r1", 1, 2).behaves("avoid_obstacle").behaves("wander").robot("r2").leads();

@@ -287,6 +287,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   if (!is_here) {
     offer(tr("Add &goal..."), "goals");
     offer(tr("Add meas&ure..."), "measures");
+    offer(tr("Add ru&le..."), "rules");
     offer(tr("Add &team..."), "teams");
   }
   menu.addSeparator();

@@ -92,7 +92,7 @@ void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicat
 QString Authoring::list_for(const QString& name) const {
   for (const char* list :
        {"robots", "obstacles", "resources", "chargers", "nests", "lamps", "patches", "teams",
-        "goals", "measures", "sensors", "actuators", "behaviors", "coordinator"}) {
+        "goals", "measures", "rules", "sensors", "actuators", "behaviors", "coordinator"}) {
     for (const Kind& each : workbench_.catalog().members(list)) {
       if (each.name == name) {
         return list;

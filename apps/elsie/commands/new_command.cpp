@@ -240,13 +240,14 @@ void add_new_command(CLI::App& program, Job& job) {
   command->footer(
       "\nExamples:\n  elsie new behavior circle_around\n"
       "  elsie new coordinator my_arbiter --folder plugins/my_arbiter\n"
-      "  elsie new sensor light\n  elsie new measure detour\n  elsie new drive tracks\n"
+      "  elsie new sensor light\n  elsie new measure detour\n  elsie new rule gate\n  elsie new "
+      "drive tracks\n"
       "  elsie new localisation landmarks\n"
       "  elsie new actuator beeper\n");
   auto options = std::make_shared<NewOptions>();
   command
       ->add_option("KIND", options->kind,
-                   "behavior, coordinator, sensor, measure, drive, localisation or actuator")
+                   "behavior, coordinator, sensor, measure, rule, drive, localisation or actuator")
       ->required();
   command->add_option("NAME", options->name, "Its name: small letters, digits, underscores")
       ->required();
@@ -263,7 +264,7 @@ void add_new_command(CLI::App& program, Job& job) {
                        [&](PluginKind kind) { return options->kind == plugin::kind_name(kind); })) {
         throw BadInput("'" + options->kind +
                        "' is not a plugin kind; there are behavior, coordinator, sensor, measure, "
-                       "drive, localisation and actuator");
+                       "rule, drive, localisation and actuator");
       }
       return make_project(*options);
     };

@@ -29,7 +29,8 @@ std::string Collision::detail() const {
 
 std::string Changed::detail() const {
   const char* const step = attribute.empty() ? "" : element.empty() ? "@" : "/@";
-  return element + step + attribute + "=" + value;
+  return element + step + attribute + "=" + value +
+         (rule.empty() ? "" : ", by the rule '" + rule + "'");
 }
 
 Changed Changed::of(const std::string& path, std::string value) {

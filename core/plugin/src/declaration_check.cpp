@@ -89,8 +89,8 @@ class Checker {
     if (std::find(kPluginKinds.begin(), kPluginKinds.end(), declaration_.kind) ==
         kPluginKinds.end()) {
       fault(
-          "it is neither a sensor nor a behavior nor a coordinator nor a measure nor a drive nor a "
-          "localisation");
+          "it is neither a sensor nor a behavior nor a coordinator nor a measure nor a rule nor a "
+          "drive nor a localisation nor an actuator");
     }
     check_name("the plugin", declaration_.name);
     if (declaration_.version.empty()) fault("its version is empty");

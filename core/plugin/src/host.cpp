@@ -238,7 +238,7 @@ std::optional<LoadedFile> Host::State::load_anew(FileReport& file) {
   } else if (library.declarations.empty()) {
     file.sentence =
         "declares no plugin; is an ELSIE_SENSOR, ELSIE_BEHAVIOR, "
-        "ELSIE_COORDINATOR, ELSIE_MEASURE or ELSIE_DRIVE missing?";
+        "ELSIE_COORDINATOR, ELSIE_MEASURE, ELSIE_RULE or ELSIE_DRIVE missing?";
   } else if (const auto faults = check_declarations(library.declarations); !faults.empty()) {
     file.sentence = "is declared wrongly: " + joined(faults, "; ");
   } else {

@@ -75,6 +75,9 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   hands_ = {};
   events_.clear();
   given_.clear();
+  by_rules_.clear();
+  obeyed_at_ = kNever;
+  looked_at_ = 0;
   log_events();
   said_ = {};
   note_warnings(world_, said_.notes);
@@ -159,6 +162,7 @@ RunResult Simulation::run(std::span<Observer* const> observers, std::span<const 
   std::exception_ptr failure;
   try {
     edit_what_is_due();
+    impl_->obey_rules();
     for (Observer* observer : observers) {
       observer->started(*this);
       ++watching;
@@ -167,6 +171,7 @@ RunResult Simulation::run(std::span<Observer* const> observers, std::span<const 
     while (outcome() == Outcome::running) {
       edit_what_is_due();
       if (before_control && impl_->is_control_instant()) before_control(*this);
+      impl_->obey_rules();
       let_observers_know();
       step();
       for (Observer* observer : observers) {

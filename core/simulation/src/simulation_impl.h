@@ -58,6 +58,9 @@ class Simulation::Impl {
   std::vector<DueEdits> checked(std::span<const TimedEdit> edits, std::span<const TimedEdit> given,
                                 std::vector<UnmadeEdits>& unmade);
 
+  /// Must be called before a step; once or more often.
+  void obey_rules();
+
   Replacement replace_plugins(const plugin::Host& host);
 
   double time_s() const {
@@ -110,8 +113,8 @@ class Simulation::Impl {
   void become_robots(const Pairs& pairs, EditTransaction& transaction);
   void become_schedule(const world::World& was);
   void become_measures(const world::World& was, EditTransaction& transaction);
-  std::vector<std::size_t> become_bodies(const Pairs& pairs, EditTransaction& transaction);
-  void check_room(const world::World& was, std::span<const std::size_t> new_robots) const;
+  std::vector<physics::Body> become_bodies(const Pairs& pairs, EditTransaction& transaction);
+  void check_room(const world::World& was, std::span<const physics::Body> fresh) const;
   world::World tried(const world::World& from, std::span<const Edit> edits);
   world::World edited(world::WorldTree&& from, std::span<const Edit> edits, bool check_plugins);
   void become_goals(const world::World& was);
@@ -128,8 +131,10 @@ class Simulation::Impl {
   /// All robots sense and decide at the same instant.
   void control(double period_s);
 
-  /// `is_start`: only measures that have not begun observe. See Measuring::observe().
-  void observe(bool decided, bool is_start);
+  /// What measures and rules see. `is_start`: before the first step.
+  void look(bool decided, bool is_start);
+  /// `was_running`: a rule may end the run.
+  void ask_rules(bool was_running, bool is_start);
 
   /// A step of the physics.
   void move(bool decides);
@@ -164,6 +169,10 @@ class Simulation::Impl {
 
   void drive_boxes();
 
+  std::vector<RuleEdits> by_rules_;   // not made yet
+  std::size_t looked_at_ = 0;         // how many events measures and rules have seen
+  std::uint64_t obeyed_at_ = kNever;  // the step before which rules were obeyed last
+  static constexpr std::uint64_t kNever = static_cast<std::uint64_t>(-1);
   std::shared_ptr<Cameras> cameras_;
   std::optional<InPlaceEdits> in_place_;
   // Worlds and robots that were changed: kept, because views of their texts may still exist.

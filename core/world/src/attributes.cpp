@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/base/near_name.h"
+#include "elsie/plugin/kind_name.h"
 #include "elsie/world/values.h"
 
 #include "path.h"
@@ -23,7 +24,7 @@ std::vector<Field> declared_fields(const WorldTree::Meaning& meaning, const plug
           ? plugin::find_declared(plugin->elements, meaning.use->elements[*meaning.nested].element)
           : nullptr;
   if (meaning.nested && !element) return fields;
-  const bool is_fixed = meaning.kind == PluginKind::measure ||
+  const bool is_fixed = (meaning.kind && plugin::is_of_world(*meaning.kind)) ||
                         (meaning.kind == PluginKind::drive && !(element && element->is_of_kind));
   for (const ParameterDeclaration& parameter : element ? element->parameters : plugin->parameters) {
     fields.push_back(field_of(parameter));

@@ -94,9 +94,10 @@ class CoordinationCheck {
   CoordinationCheck(const Robot& robot, const plugin::Host& host, Problems& problems)
       : robot_(robot), host_(host), problems_(problems) {}
 
-  void check() {
+  void check(const std::vector<PluginUse>& rules) {
     raised_ = simulator_events();
     list_events(robot_, host_, raised_);
+    list_events(rules, host_, raised_);
     check(robot_, in_words(robot_), robot_.location);
   }
 
@@ -138,7 +139,8 @@ class CoordinationCheck {
     for (const std::string& event : declaration->reacts_to) {
       if (std::find(raised_.begin(), raised_.end(), event) == raised_.end()) {
         problems_.add(use.location, "'" + use.plugin + "' reacts to the event '" + event +
-                                        "', which neither the simulator nor a behaviour of " +
+                                        "', which neither the simulator nor a rule nor a "
+                                        "behaviour of " +
                                         in_words(robot_) + " raises" +
                                         base::near_or_all(event, raised_, "there are"));
       }
@@ -290,7 +292,8 @@ void check_robot(const Reading& reading, std::size_t index, const plugin::Host& 
   }
   if (robot.drive) check_latency(*robot.drive, "command", reading, problems);
   if (reading.sound_with_segments(robot)) check_segments(robot, problems);
-  if (!reading.incomplete_robots.contains(index)) CoordinationCheck(robot, host, problems).check();
+  if (!reading.incomplete_robots.contains(index))
+    CoordinationCheck(robot, host, problems).check(reading.world.rules);
 }
 
 void check_edits(const World& world, Problems& problems) {
@@ -326,7 +329,10 @@ void check_ids(const Element& holder, const ElementSpec& spec, Problems& problem
     const ElementSpec* member = list ? &group.children.front() : nullptr;
     if (!member || member->at_most == 1 || !member->attribute("id")) continue;
     const bool of_boxes = group.name == "obstacles" || group.name == "resources";
-    auto& [all, unchecked] = ids[of_boxes ? std::string_view("box") : group.members];
+    const bool watches = group.name == "measures" || group.name == "rules";
+    auto& [all, unchecked] = ids[of_boxes  ? std::string_view("box")
+                                 : watches ? std::string_view("measure or rule")
+                                           : group.members];
     for (const Element& child : list->children) {
       check_ids(child, *member, problems);
       const Attribute* const id = child.find("id");

@@ -86,6 +86,7 @@ struct GoalCheck {
   }
   void operator()(const EventGoal& goal) const {
     std::vector<std::string> raised = simulator_events();
+    list_events(world.rules, host, raised);
     bool is_anyones = false;
     for (std::size_t i = 0; i < world.robots.size(); ++i) {
       if (!is_about(goal, world.robots[i])) continue;
@@ -98,7 +99,7 @@ struct GoalCheck {
     std::sort(raised.begin(), raised.end());
     raised.erase(std::unique(raised.begin(), raised.end()), raised.end());
     problems.add(goal.location, "<event> waits for '" + goal.name +
-                                    "', which neither the simulator nor a behaviour of " +
+                                    "', which neither the simulator nor a rule nor a behaviour of " +
                                     (!goal.robot.empty()  ? "the robot '" + goal.robot + "'"
                                      : !goal.team.empty() ? "the team '" + goal.team + "'"
                                                           : "this world") +
@@ -153,12 +154,26 @@ struct GoalCheck {
 
 }  // namespace
 
+namespace {
+
+void list_events(PluginKind kind, const PluginUse& use, const plugin::Host& host,
+                 std::vector<std::string>& raised) {
+  if (const Declaration* declaration = host.find(kind, use.plugin)) {
+    for (const EventDeclaration& event : declaration->events) raised.push_back(event.name);
+  }
+}
+
+}  // namespace
+
+void list_events(const std::vector<PluginUse>& rules, const plugin::Host& host,
+                 std::vector<std::string>& raised) {
+  for (const PluginUse& rule : rules) list_events(PluginKind::rule, rule, host, raised);
+}
+
 void list_events(const Coordination& coordination, const plugin::Host& host,
                  std::vector<std::string>& raised) {
   for (const BehaviorUse& use : coordination.behaviors) {
-    if (const Declaration* declaration = host.find(PluginKind::behavior, use.plugin)) {
-      for (const EventDeclaration& event : declaration->events) raised.push_back(event.name);
-    }
+    list_events(PluginKind::behavior, use, host, raised);
     for (const Coordination& inside : use.inside) list_events(inside, host, raised);
   }
 }

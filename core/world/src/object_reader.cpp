@@ -14,6 +14,7 @@
 #include "elsie/plugin/call.h"
 #include "elsie/plugin/error.h"
 #include "elsie/plugin/host.h"
+#include "elsie/plugin/kind_name.h"
 #include "elsie/plugin/parameters.h"
 #include "elsie/world/files.h"
 #include "elsie/world/values.h"
@@ -274,7 +275,7 @@ class ObjectReader {
     const Declaration* declaration = host_->find(*spec.plugins, element.name);
     if (!declaration) {
       refuse(element.where, explain_missing(*host_, *spec.plugins, element.name));
-      if (*spec.plugins != PluginKind::measure) mark_robot_incomplete();
+      if (!plugin::is_of_world(*spec.plugins)) mark_robot_incomplete();
       return;
     }
     refuse_text(element);

@@ -76,6 +76,9 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
 
 /// The events of the simulator that behaviours perceive.
 std::vector<std::string> simulator_events();
+/// Adds the events that rules may raise.
+void list_events(const std::vector<PluginUse>& rules, const plugin::Host& host,
+                 std::vector<std::string>& raised);
 /// Adds the events that behaviours may raise, at any depth.
 void list_events(const Coordination& coordination, const plugin::Host& host,
                  std::vector<std::string>& raised);

@@ -61,7 +61,7 @@ std::string explain_child(const plugin::Host& host, const Declaration& declarati
       if (host.find(kind, child.name)) {
         return "; a " + std::string(plugin::kind_name(kind)) + " belongs in " +
                (kind == PluginKind::behavior || kind == PluginKind::coordinator ? "its"
-                : kind == PluginKind::measure                                   ? "the world's"
+                : plugin::is_of_world(kind)                                     ? "the world's"
                                                                                 : "the robot's") +
                " <" + group_of(kind) + ">";
       }

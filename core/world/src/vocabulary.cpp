@@ -76,17 +76,19 @@ ElementSpec team() {
 }
 
 // The attributes that all kinds of boxes have.
+// `place`: what it costs to put one elsewhere.
 Describe<Obstacle> obstacle(const std::string& name, const std::string& meaning,
-                            ObstacleShape shape = ObstacleShape::box) {
-  auto placed =
-      Describe<Obstacle>(name, meaning)
-          .costs(Cost::engine)
-          .attribute("id", &Obstacle::id, fact("its name; by default its element's, with a number"),
-                     kId)
-          .attribute("x", &Obstacle::x, metres("its middle, east"))
-          .attribute("y", &Obstacle::y, metres("its middle, north"))
-          .attribute("z", &Obstacle::z, range("m", 0, 100, "its bottom"))
-          .attribute("heading_deg", &Obstacle::heading_deg, angle("counter-clockwise from east"));
+                            ObstacleShape shape = ObstacleShape::box,
+                            const AttributeExtras& place = {}) {
+  auto placed = Describe<Obstacle>(name, meaning)
+                    .costs(Cost::engine)
+                    .attribute("id", &Obstacle::id,
+                               fact("its name; by default its element's, with a number"), kId)
+                    .attribute("x", &Obstacle::x, metres("its middle, east"), place)
+                    .attribute("y", &Obstacle::y, metres("its middle, north"), place)
+                    .attribute("z", &Obstacle::z, range("m", 0, 100, "its bottom"))
+                    .attribute("heading_deg", &Obstacle::heading_deg,
+                               angle("counter-clockwise from east"), place);
   return form_of(shape)
       .with_size(std::move(placed))
       .attribute("height", &Obstacle::height, size("along z"))
@@ -119,7 +121,7 @@ ElementSpec obstacle(ObstacleKind kind, ObstacleShape shape) {
     return obstacle(example.element(), "An obstacle that never moves" + form, shape);
   }
   if (kind == ObstacleKind::dynamic) {
-    return obstacle(example.element(), "An obstacle that can be pushed" + form, shape)
+    return obstacle(example.element(), "An obstacle that can be pushed" + form, shape, kLive)
         .attribute("mass", &Obstacle::mass, mass("its mass", 1e6))
         .attribute("hands", &Obstacle::hands, hands());
   }
@@ -139,7 +141,8 @@ ElementSpec obstacle(ObstacleKind kind, ObstacleShape shape) {
 }
 
 ElementSpec resource() {
-  return obstacle("resource", "A box that robots collect, or carry to a nest")
+  return obstacle("resource", "A box that robots collect, or carry to a nest", ObstacleShape::box,
+                  kLive)
       .attribute("team", &Obstacle::team, fact("whose robots may take it; by default any"), kTeam)
       .attribute("energy", &Obstacle::energy,
                  range("units", 0, 1e12, "the energy that the collector gains"), kCheap)
@@ -271,6 +274,12 @@ ElementSpec measure() {
                                "with a number if there are several");
 }
 
+ElementSpec rule() {
+  return plugin_use<PluginUse>("rule", "A rule", PluginKind::rule, Cost::object,
+                               "its name; by default the plugin's name, with a number if there are "
+                               "several");
+}
+
 ElementSpec change() {
   return Describe<TimedEdit>("change", "An edit between two steps, as `elsie run --at` makes it")
       .takes_element(&TimedEdit::element)
@@ -339,6 +348,8 @@ ElementSpec world() {
       .group(goals())
       .group(Describe<World>("measures", "Additional measures of a run")
                  .each(measure(), &World::measures))
+      .group(Describe<World>("rules", "What changes the world while it runs")
+                 .each(rule(), &World::rules))
       .group(Describe<World>("changes", "Edits of the world while it runs")
                  .each(change(), &World::edits))
       .one(limits(), &World::limits);

@@ -191,6 +191,8 @@ std::unique_ptr<Trial> make_trial(const TrialSetting& setting) {
       return make_coordinator_trial(setting);
     case PluginKind::measure:
       return make_measure_trial(setting);
+    case PluginKind::rule:
+      return make_rule_trial(setting);
     case PluginKind::drive:
       return make_drive_trial(setting);
     case PluginKind::localisation:

@@ -172,7 +172,7 @@ class Checker {
                    other_input_[(robot + static_cast<std::size_t>(variant)) % input_.size()]);
     }
     if (as_given && !tried && told_.empty()) {
-      const bool watches = declaration_.kind == PluginKind::measure;
+      const bool watches = plugin::is_of_world(declaration_.kind);
       find("nothing", std::string("it refused every ") + (watches ? "world" : "robot") +
                           " that it was offered, so it could not be tested: " + refusal_ +
                           "; give the checker " +
@@ -315,12 +315,11 @@ class Checker {
   }
 
   /// Checks that objects of two robots, each in its own thread, answer as they do alone. Measures
-  /// belong to no robot.
+  /// and rules belong to no robot.
   bool compare_threads(const Settings& settings, Trial& one, const Input& other_input,
                        const Answers& first) {
     const bool is_asked_in_several = declaration_.may_share_threads &&
-                                     declaration_.kind != PluginKind::measure &&
-                                     in_threads_.empty();
+                                     !plugin::is_of_world(declaration_.kind) && in_threads_.empty();
     const auto other = is_asked_in_several ? try_to_make(settings, other_input, false) : nullptr;
     const auto second = other ? run(*other) : std::nullopt;
     if (!second) {

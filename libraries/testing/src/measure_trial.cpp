@@ -38,7 +38,8 @@ class MeasureTrial final : public Trial {
   }
 
   void step(std::size_t step, Answer& answer) override {
-    show(step);
+    now_ = instant(input_, step);
+    measure_.observe(now_);
     const RunEnd end{RunEnd::Outcome::running, now_.time_s()};
     std::vector<std::optional<double>> values(quantities_.size()), again(quantities_.size());
     measure_->report(end, values);
@@ -79,32 +80,6 @@ class MeasureTrial final : public Trial {
       titles_.push_back(title);
     }
     quantities_ = std::move(quantities);
-  }
-
-  /// The instants repeat; counts continue, and removed boxes stay away.
-  void show(std::size_t step) {
-    const auto& instants = input_.watched;
-    const std::size_t count = instants.size() - 1;  // the first is the start
-    const std::size_t whole_laps = step / count;
-    const auto laps = static_cast<double>(whole_laps);
-    now_ = instants[1 + step % count];
-    const Observation& last = instants.back().observation();
-    for (const ObservedRobot& total : last.robots) {
-      ObservedRobot& robot = now_[std::string(total.id)];
-      robot.distance_m += laps * total.distance_m;
-      robot.energy_used += laps * total.energy_used;
-      robot.collisions += static_cast<int>(laps) * total.collisions;
-      robot.collected += static_cast<int>(laps) * total.collected;
-      robot.talk.sent += static_cast<int>(laps) * total.talk.sent;
-      robot.talk.heard += static_cast<int>(laps) * total.talk.heard;
-    }
-    if (laps > 0.0) {
-      for (const std::string& box : input_.gone) {
-        now_.remove_obstacle(box);
-      }
-    }
-    now_.at_step(static_cast<int>(step) + 1);
-    measure_.observe(now_);
   }
 
   const Input& input_;

@@ -10,6 +10,7 @@
 
 #include "elsie/api/simulator_events.h"
 #include "elsie/base/words.h"
+#include "elsie/plugin/kind_name.h"
 
 namespace elsie::testing {
 namespace {
@@ -156,7 +157,7 @@ struct InputMaker::Layout {
 };
 
 int InputMaker::robots() const {
-  if (declaration_.kind == PluginKind::measure) {
+  if (plugin::is_of_world(declaration_.kind)) {
     return options_.scenes.empty() ? 6 : static_cast<int>(options_.scenes.size());
   }
   return options_.robots.empty() ? 6 : static_cast<int>(options_.robots.size());
@@ -288,7 +289,7 @@ Input InputMaker::make_driven(int robot, Random& random) {
 }
 
 Input InputMaker::make(int robot, Random& random) const {
-  if (declaration_.kind == PluginKind::measure) {
+  if (plugin::is_of_world(declaration_.kind)) {
     return make_watched(robot, random);
   }
   if (declaration_.kind == PluginKind::drive || declaration_.kind == PluginKind::localisation) {

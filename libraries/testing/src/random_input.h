@@ -41,7 +41,8 @@ struct Input {
   std::vector<std::shared_ptr<Surroundings>> scenes;
   std::vector<Pose> poses;
   Mounting mounting;
-  /// For measures: the start and the instants after it, and the boxes that are removed by the end.
+  /// For measures and rules: the start and the instants after it, and the boxes that are removed by
+  /// the end.
   std::vector<Scene> watched;
   std::vector<std::string> gone;
   /// For drives and localisations: the chassis above, the motions that are asked for, and the limit
@@ -55,12 +56,16 @@ struct Input {
 /// leader if they have none.
 Input as_a_mate(Input input);
 
+/// What measures and rules see after a step, counted from 0. The instants repeat; counts continue,
+/// and removed boxes stay away.
+Scene instant(const Input& input, std::size_t step);
+
 class InputMaker {
  public:
   InputMaker(const Declaration& declaration, const CheckOptions& options, const Plugins& plugins)
       : declaration_(declaration), options_(options), plugins_(plugins) {}
 
-  /// The number of robots to try; for measures, of worlds.
+  /// The number of robots to try; for measures and rules, of worlds.
   int robots() const;
   /// Input for the robot of this number; it follows from the random stream. Throws
   /// std::runtime_error with a sentence when a reading that the plugin needs cannot be made.

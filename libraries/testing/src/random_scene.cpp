@@ -1,4 +1,4 @@
-// The part of InputMaker for measures.
+// The part of InputMaker for measures and rules.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -133,7 +133,9 @@ Input InputMaker::make_watched(int number, Random& random) const {
     const double step_s = now.observation().step_s;
     const bool decides = now.observation().decided;
     for (const Cast& cast : casts) {
+      const int collisions = now[cast.robot].collisions;
       move(now[cast.robot], step_s, decides, random);
+      if (now[cast.robot].collisions > collisions) now.event("collision", cast.robot);
       if (decides) {
         decide(now, cast, now[cast.robot].command, random);
       }
@@ -144,12 +146,41 @@ Input InputMaker::make_watched(int number, Random& random) const {
     if (const std::string box = some_resource(now.observation(), random);
         !box.empty() && !casts.empty() && random.chance(0.1)) {
       input.gone.push_back(box);
-      ++now[casts[index(random, casts.size())].robot].collected;
+      const std::string& collector = casts[index(random, casts.size())].robot;
+      ++now[collector].collected;
+      now.event("collected", collector);
       now.remove_obstacle(box);
     }
     input.watched.push_back(now);
   }
   return input;
+}
+
+Scene instant(const Input& input, std::size_t step) {
+  const std::vector<Scene>& instants = input.watched;
+  const std::size_t count = instants.size() - 1;  // the first is the start
+  const std::size_t whole_laps = step / count;
+  const auto laps = static_cast<double>(whole_laps);
+  const Observation& first = instants[1 + step % count].observation();
+  Scene now = instants[1 + step % count];
+  const Observation& last = instants.back().observation();
+  for (const ObservedRobot& total : last.robots) {
+    ObservedRobot& robot = now[std::string(total.id)];
+    robot.distance_m += laps * total.distance_m;
+    robot.energy_used += laps * total.energy_used;
+    robot.collisions += static_cast<int>(laps) * total.collisions;
+    robot.collected += static_cast<int>(laps) * total.collected;
+    robot.talk.sent += static_cast<int>(laps) * total.talk.sent;
+    robot.talk.heard += static_cast<int>(laps) * total.talk.heard;
+  }
+  if (laps > 0.0) {
+    for (const std::string& box : input.gone) now.remove_obstacle(box);
+  }
+  now.at_step(static_cast<int>(step) + 1);
+  for (const ObservedEvent& event : first.events) {
+    now.event(std::string(event.name), std::string(event.robot));
+  }
+  return now;
 }
 
 }  // namespace elsie::testing

@@ -12,7 +12,10 @@ Scene::Scene() : texts_(std::make_shared<std::deque<std::string>>()) {
   team("red").team("blue");
 }
 
-std::string_view Scene::keep(const std::string& text) { return texts_->emplace_back(text); }
+std::string_view Scene::keep(const std::string& text) {
+  const auto known = std::find(texts_->begin(), texts_->end(), text);
+  return known != texts_->end() ? *known : texts_->emplace_back(text);
+}
 
 Scene& Scene::arena(double length_m, double width_m) {
   now_.arena_length_m = length_m;
@@ -94,6 +97,11 @@ Scene& Scene::remove_obstacle(const std::string& id) {
   return *this;
 }
 
+Scene& Scene::event(const std::string& name, const std::string& robot) {
+  events_.push_back({keep(name), keep(robot)});
+  return *this;
+}
+
 std::size_t Scene::index_of(const std::string& robot) const {
   const Observation& now = observation();
   return static_cast<std::size_t>(&now.robot(robot) - now.robots.data());
@@ -124,6 +132,7 @@ Scene& Scene::step() { return at_step(steps_ + 1); }
 
 Scene& Scene::at_step(int steps) {
   steps_ = steps;
+  events_.clear();
   now_.is_start = steps == 0;
   now_.decided = steps > 0 && (steps - 1) % control_steps_ == 0;
   now_.time_s = static_cast<double>(steps) * now_.step_s;
@@ -151,6 +160,7 @@ const Observation& Scene::observation() const {
   view_.robots = seen_;
   view_.obstacles = boxes_;
   view_.teams = teams_;
+  view_.events = events_;
   return view_;
 }
 

@@ -85,6 +85,7 @@ std::unique_ptr<Trial> make_behavior_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_coordinator_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_sensor_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_measure_trial(const TrialSetting& setting);
+std::unique_ptr<Trial> make_rule_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_drive_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_localisation_trial(const TrialSetting& setting);
 std::unique_ptr<Trial> make_actuator_trial(const TrialSetting& setting);

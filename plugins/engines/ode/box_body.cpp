@@ -14,26 +14,44 @@ BoxBody::BoxBody(dWorldID world, world::ObstacleKind kind_of_box, const world::F
       form(kind_of(solid_shape)),
       shape{fixture.frame.origin,
             {fixture.frame.forward, fixture.frame.left, fixture.frame.up},
-            0.5 * fixture.shape.size} {
+            0.5 * fixture.shape.size},
+      made_z(shape.center.z) {
   geom = make_geom(solid_shape, convex_);
-  const double heading = std::atan2(shape.axes[0].y, shape.axes[0].x);
-  const dQuaternion facing{std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)};
-  if (!is_mobile()) {
-    dGeomSetPosition(geom.get(), shape.center.x, shape.center.y, shape.center.z);
-    dGeomSetQuaternion(geom.get(), facing);
-    return;
+  if (is_mobile()) {
+    body = dBodyCreate(world);
+    dGeomSetBody(geom.get(), body);
   }
-  body = dBodyCreate(world);
   if (kind == world::ObstacleKind::dynamic) {
     const dMass own = mass_of(solid_shape, mass);
     dBodySetMass(body, &own);
     dBodySetFiniteRotationMode(body, 1);
-  } else {
+  } else if (body) {
     dBodySetKinematic(body);
   }
-  dGeomSetBody(geom.get(), body);
-  dBodySetPosition(body, shape.center.x, shape.center.y, shape.center.z);
-  dBodySetQuaternion(body, facing);
+  take_shape();
+}
+
+/// Moves ODE's body, or its geometry, to where the shape is.
+void BoxBody::take_shape() {
+  const Vector3& at = shape.center;
+  const double heading = std::atan2(shape.axes[0].y, shape.axes[0].x);
+  const dQuaternion facing{std::cos(0.5 * heading), 0.0, 0.0, std::sin(0.5 * heading)};
+  if (body) {
+    dBodySetPosition(body, at.x, at.y, at.z);
+    dBodySetQuaternion(body, facing);
+  } else {
+    dGeomSetPosition(geom.get(), at.x, at.y, at.z);
+    dGeomSetQuaternion(geom.get(), facing);
+  }
+}
+
+void BoxBody::put(const Pose& pose) {
+  const Frame frame = Frame::turned({pose.x, pose.y, made_z}, pose.heading_rad, 0.0);
+  shape.center = frame.origin;
+  shape.axes = {frame.forward, frame.left, frame.up};
+  driven = false;
+  take_shape();
+  if (body) stop(body);
 }
 
 /// What is carried glides over the floor: its weight does not press on the robots.

@@ -39,6 +39,8 @@ struct BoxBody {
     return {shape.center - shape.half.z * up, forward, left, up};
   }
   void meet_floor(OdeContacts& contacts) const;
+  /// Puts it there upright and at rest, as high as it was made.
+  void put(const Pose& pose);
   /// Takes the place of a body that ODE has moved.
   void read_shape();
   /// The highest speed of any of its points, m/s.
@@ -53,6 +55,7 @@ struct BoxBody {
   Shape solid_shape;
   SolidKind form = SolidKind::box;
   OrientedBox shape;          // bounding box
+  double made_z = 0.0;        // m, its middle
   bool stays_within = false;  // within the arena's walls
   int hands = 1;              // that move it
   int holders = 0;
@@ -61,6 +64,8 @@ struct BoxBody {
   Vector3 target;
 
  private:
+  void take_shape();
+
   ConvexArrays convex_;  // what the geometry of a prism refers to
 };
 

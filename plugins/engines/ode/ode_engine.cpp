@@ -66,6 +66,7 @@ class OdeEngine final : public Engine {
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
   void hold(std::size_t robot, std::size_t box) override;
   void let_go(std::size_t robot, std::size_t box) override;
+  void place_obstacle(std::size_t box, const Pose& pose) override;
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;
   std::span<const JointSetting> joints(std::size_t robot) const override {
     return bodies_.robots.at(robot).joints();
@@ -308,12 +309,27 @@ void OdeEngine::remove_obstacle(std::size_t box) {
   std::erase_if(bodies_.grips, [&](const Grip& grip) { return grip.box == box; });
   bodies_.scene.remove(gone.id);
   std::erase(bodies_.mobile, gone.id);
-  gone.geom.reset();
-  if (gone.body) {
-    islands_.remove_obstacle(gone.body);
-    dBodyDestroy(gone.body);
+  if (!gone.body) return;
+  islands_.remove_obstacle(gone.body);
+  dBodyDisable(gone.body);
+}
+
+void OdeEngine::place_obstacle(std::size_t box, const Pose& pose) {
+  BoxBody& placed = bodies_.boxes.at(box);
+  check(pose, 0.0);
+  prepare_ode();
+  placed.put(pose);
+  if (!std::exchange(placed.present, true) && placed.body) {
+    dBodyEnable(placed.body);
+    islands_.add_obstacle(placed.body);
+    std::vector<Scene::Id>& mobile = bodies_.mobile;
+    mobile.insert(std::lower_bound(mobile.begin(), mobile.end(), placed.id), placed.id);
   }
-  gone.body = nullptr;
+  if (placed.kind == world::ObstacleKind::dynamic) placed.take_footing();
+  if (placed.body) bounds_.add_height(placed.shape.center.z + placed.shape.half.z);
+  placed.stays_within =
+      placed.kind == world::ObstacleKind::dynamic && bounds_.within_walls(placed.shape.center);
+  bodies_.scene.place_box(placed.id, placed.shape, placed.is_mobile() ? kSlack : 0.0);
 }
 
 void OdeEngine::hold(std::size_t robot, std::size_t box) {

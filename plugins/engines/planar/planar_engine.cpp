@@ -216,6 +216,33 @@ void PlanarEngine::place_robot(std::size_t robot, const Pose& pose, double z) {
   enter_robot(robot);
 }
 
+void PlanarEngine::place_obstacle(std::size_t box, const Pose& pose) {
+  BoxBody& placed = boxes_.at(box);
+  check(pose, 0.0);
+  const Collider& collider = colliders_[placed.collider];
+  const Vector2 place{pose.x, pose.y};
+  if (collider.mover != Contact::kFixed) {
+    Mover& mover = movers_[collider.mover];
+    mover.put(place, pose.heading_rad);
+    mover.stop();
+    placed.driven = false;
+    if (placed.kind == world::ObstacleKind::dynamic) take_footing(placed);
+    placed.stays_within = placed.kind == world::ObstacleKind::dynamic &&
+                          bounds_.within_walls({place.x, place.y, 0.0});
+    if (!placed.present) {  // both lists are in the order of adding
+      const auto after = std::find_if(moving_.begin(), moving_.end(), [&](const auto& moving) {
+        return moving.collider > placed.collider;
+      });
+      moving_.insert(after, {placed.collider, collider.mover, mover.reach()});
+      const auto index = static_cast<std::uint32_t>(box);
+      mobile_boxes_.insert(std::lower_bound(mobile_boxes_.begin(), mobile_boxes_.end(), index),
+                           index);
+    }
+  }
+  placed.present = true;
+  scene_.put(placed.collider, place, Direction::of(pose.heading_rad));
+}
+
 }  // namespace elsie::physics
 
 extern "C" __attribute__((visibility("default"))) elsie::physics::Engine* elsie_make_engine(

@@ -37,6 +37,7 @@ class PlanarEngine final : public Engine {
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
   void hold(std::size_t robot, std::size_t box) override;
   void let_go(std::size_t robot, std::size_t box) override;
+  void place_obstacle(std::size_t box, const Pose& pose) override;
   std::optional<std::string> fault_of_height(double z) const override {
     return physics::fault_of_height(z, "the robot");
   }

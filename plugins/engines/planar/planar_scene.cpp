@@ -118,6 +118,15 @@ void PlanarScene::remove(Id id) {
   entry.placed = false;
 }
 
+void PlanarScene::put(Id id, const Vector2& place, const Direction& ahead) {
+  entries_[id].place = place;
+  entries_[id].ahead = ahead;
+  this->place(id);
+  // It may be nearer to anything than the odometer tells.
+  clear_until_.clear();
+  for (NeighborList& known : neighbors_) known.bodies = 0;
+}
+
 /// The bodies around a robot: at least all within the radius. Null if the grid should be asked
 /// instead.
 const PlanarScene::NeighborList* PlanarScene::neighbors_of(std::size_t robot, const Vector2& middle,

@@ -46,6 +46,8 @@ class PlanarScene {
   /// Ends a round.
   void settle(std::span<Moves> moves);
   void remove(Id id);
+  /// Puts any body anywhere, also one that was removed; not in a round.
+  void put(Id id, const Vector2& place, const Direction& ahead);
 
   // Since the last round:
   const Vector2& place_of(Id id) const { return entries_[id].place; }

@@ -29,7 +29,7 @@ Pose pose_of(const world::Robot& robot) {
   return {robot.x, robot.y, wrap_angle(radians(robot.heading_deg))};
 }
 
-/// The coordinates of a robot that an edit sets.
+/// The coordinates of a robot or an obstacle that an edit sets.
 struct NewPlace {
   bool x, y, z, heading;
 
@@ -40,7 +40,8 @@ struct NewPlace {
   }
 };
 
-NewPlace new_place(const world::Robot& was, const world::Robot& next,
+template <class Described>
+NewPlace new_place(const Described& was, const Described& next,
                    const EditTransaction& transaction) {
   const auto is_new = [&](const char* name, double before, double now) {
     return before != now || transaction.asks(next, name);
@@ -98,6 +99,9 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     const world::Robot &old = was.robots[pairs.former(i)], &robot = world_.robots[i];
     is_placed = is_placed || new_place(old, robot, transaction);
     transaction.may_cause_warnings |= old.max_speed != robot.max_speed;
+  }
+  for (std::size_t i = 0; i < world_.obstacles.size() && !has_new_bodies && !is_placed; ++i) {
+    is_placed = bool(new_place(was.obstacles[i], world_.obstacles[i], transaction));
   }
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, transaction));
   become_measures(was, transaction);
@@ -164,11 +168,11 @@ void Simulation::Impl::become_robots(const Pairs& pairs, EditTransaction& transa
   }
 }
 
-/// Returns the robots that are new, have a new body, or are at a new place.
-std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
-                                                         EditTransaction& transaction) {
+/// Returns the robots and obstacles that are new, have a new body, or are at a new place.
+std::vector<physics::Body> Simulation::Impl::become_bodies(const Pairs& pairs,
+                                                           EditTransaction& transaction) {
   const world::World& was = pairs.was();
-  std::vector<std::size_t> new_robots;
+  std::vector<physics::Body> fresh;
   std::map<physics::Body, physics::Body> now;  // new bodies by the old ones
   const auto before = engine_;
   const auto moving = std::exchange(moving_, {});
@@ -182,9 +186,14 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
     if (former == was.obstacles.size() ||
         !world::same(was.obstacles[former], next, world::Cost::body)) {
       add_obstacle(i);
+      fresh.push_back({obstacle, i});
       continue;
     }
     engine_->add_obstacle_of(*before, former, next);
+    if (const NewPlace asked = new_place(was.obstacles[former], next, transaction)) {
+      engine_->place_obstacle(i, asked.pose(pose_of_box(*before, was, former), pose_of(next)));
+      fresh.push_back({obstacle, i});
+    }
     now[{obstacle, former}] = {obstacle, i};
     for (const MovingObstacle& known : moving) {
       if (known.index == former) {
@@ -211,7 +220,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
     if (pairs.is_new(i)) {
       arrival = Arrival::started;
       engine_->add_robot(plan, pose_of(next), next.z);
-      new_robots.push_back(i);
+      fresh.push_back({robot, i});
     } else {
       const world::Robot& old = was.robots[former];
       const bool is_same = world::same(world::robot_spec(), &old, &next, world::Cost::body);
@@ -228,7 +237,7 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
       } else if (is_same) {
         continue;
       }
-      new_robots.push_back(i);
+      fresh.push_back({robot, i});
     }
     robots_[i]->set_body(engine_->robot(i), engine_->joints(i), arrival);
   }
@@ -238,25 +247,20 @@ std::vector<std::size_t> Simulation::Impl::become_bodies(const Pairs& pairs,
            : body.kind == wall ? std::optional(body)
                                : std::nullopt;
   });
-  return new_robots;
+  return fresh;
 }
 
 void Simulation::Impl::check_room(const world::World& was,
-                                  std::span<const std::size_t> new_robots) const {
+                                  std::span<const physics::Body> fresh) const {
   const auto require = [](const std::optional<std::string>& problem) {
     if (problem) {
       throw std::invalid_argument(*problem + "; expected a free place in the arena");
     }
   };
   const Room room(world_, *engine_);
-  for (const std::size_t robot : new_robots) {
-    require(room.problem_of(robot));
-  }
-  for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
-    const std::size_t former = index_of(was.obstacles, world_.obstacles[i].id, i);
-    if (former == was.obstacles.size() ||
-        !world::same(was.obstacles[former], world_.obstacles[i], world::Cost::body)) {
-      require(room.problem_of_box(i));
+  for (const physics::BodyKind kind : {physics::BodyKind::robot, physics::BodyKind::obstacle}) {
+    for (const physics::Body& body : fresh) {
+      if (body.kind == kind) require(room.problem_of(body));
     }
   }
   if (!same_part("chargers", was, world_)) {
@@ -271,10 +275,9 @@ void Simulation::Impl::become_measures(const world::World& was, EditTransaction&
   const auto before = measuring_;
   measuring_ = std::make_shared<Measuring>(world_, *host_, options_.budget, transaction.problems());
   if (!transaction.problems().empty()) return;
-  if (same_part("teams", was, world_) && same_part("physics", was, world_) &&
-      same_part("arena", was, world_)) {
-    measuring_->take(*before, was.measures, transaction.undo());
-  }
+  const bool same_stage = same_part("teams", was, world_) && same_part("physics", was, world_) &&
+                          same_part("arena", was, world_);
+  measuring_->take(*before, same_stage, transaction.undo());
   measuring_->reset_new(seed_, transaction.time(), transaction.said());
 }
 

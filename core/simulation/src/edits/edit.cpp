@@ -71,6 +71,7 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
       said_.notes.push_back(no_effect(edit.text()));
     }
     for (const world::AttributeTarget& target : targets) {
+      if (!target.robot) continue;
       robots[target.robot_index] |= target.attribute && target.field.name == "energy";
       own_robot(target.robot_index);
     }
@@ -80,11 +81,17 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
     robots_[robot]->take_live(false, has_new_energy);
   }
   for (const InPlaceEdits::Placed& placed : places) {
-    engine_->place_robot(placed.robot, placed.pose, placed.z);
-    robots_[placed.robot]->set_body(engine_->robot(placed.robot), engine_->joints(placed.robot),
-                                    Arrival::placed);
-    robots_[placed.robot]->take_segments(*engine_, placed.robot);
+    const std::size_t i = placed.body.index;
+    if (placed.body.kind == physics::BodyKind::obstacle) {
+      engine_->place_obstacle(i, placed.pose);
+      measuring_->place_box(i, placed.pose);
+      continue;
+    }
+    engine_->place_robot(i, placed.pose, placed.z);
+    robots_[i]->set_body(engine_->robot(i), engine_->joints(i), Arrival::placed);
+    robots_[i]->take_segments(*engine_, i);
   }
+  if (!places.empty()) hands_.follow(world_, robots_, engine_);
   take_stock();
   log_events();
   // Of edits in place, only those of speeds can cause warnings of the physics.
@@ -176,6 +183,7 @@ world::World Simulation::Impl::tried(const world::World& from, std::span<const E
   world::World concerned = next;
   concerned.robots.clear();
   concerned.measures.clear();
+  concerned.rules.clear();
   const Pairs pairs(from, next);
   for (std::size_t i = 0; i < next.robots.size(); ++i) {
     if (!pairs.stays(i)) concerned.robots.share(next.robots, i);
@@ -217,6 +225,9 @@ void Simulation::Impl::become(std::span<const Edit> edits, EditTransaction& tran
   for (const Edit& edit : edits) {
     for (const world::AttributeTarget& target : in_place_->targets(edit)) {
       transaction.ask(target);
+      if (const auto box = placed_box(world_, target)) {
+        transaction.ask(world_.obstacles[*box], target.field.name);
+      }
       if (target.field.name == "id") {
         transaction.said().notes.push_back({"", "changes",
                                             "An edit at " + transaction.time() + " sets " +
@@ -243,6 +254,30 @@ void Simulation::Impl::become(std::span<const Edit> edits, EditTransaction& tran
   become(std::move(next), transaction);
   for (base::Problem& problem : transaction.problems()) {
     throw EditRefused(text_of(edits) + ": " + problem.message);
+  }
+}
+
+/// Asks rules that have not begun, once before a step, and makes the edits of all.
+void Simulation::Impl::obey_rules() {
+  if (!measuring_->has_rules() || std::exchange(obeyed_at_, steps_) == steps_) return;
+  if (!measuring_->has_begun(PluginKind::rule)) {
+    look(false, true);
+    ask_rules(judgement_.outcome == Outcome::running, true);
+  }
+  for (const RuleEdits& due : std::exchange(by_rules_, {})) {
+    const std::uint64_t renewals = renewals_;
+    std::size_t event = events_.size();
+    try {
+      edit(due.edits);
+    } catch (const EditRefused& refused) {
+      throw refused.at(time_s(), due.from);
+    }
+    for (; event < events_.size(); ++event) {
+      if (auto* const changed = std::get_if<events::Changed>(&events_[event].event)) {
+        changed->rule = due.rule;
+      }
+    }
+    if (renewals_ != renewals) measuring_->note_rebuilt(due.rule);
   }
 }
 

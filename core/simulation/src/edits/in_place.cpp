@@ -53,7 +53,8 @@ class Plan {
 
   /// Plans the next attribute; `text` is for messages: "robot[r1]/@x=3".
   void set(const world::AttributeTarget& target, const ParameterValue& value, std::string text) {
-    index_ = target.robot_index;
+    body_ = {physics::BodyKind::robot, target.robot_index};
+    if (const auto box = placed_box(world_, target)) body_ = {physics::BodyKind::obstacle, *box};
     text_ = std::move(text);
     const std::string& name = target.field.name;
     if (!target.attribute) {
@@ -92,7 +93,7 @@ class Plan {
     add_text(tuned->text, text_);
   }
 
-  Robot& robot() const { return *stage_.robots[index_]; }
+  Robot& robot() const { return *stage_.robots[body_.index]; }
   double checked_place(const std::string& axis, double place, double reach) const {
     if (std::abs(place) > reach) {
       refuse(text_, "that is outside of the arena, which reaches from " + number(-reach) + " to " +
@@ -109,10 +110,15 @@ class Plan {
   }
   InPlaceEdits::Placed& placed() {
     auto placed = std::find_if(places.begin(), places.end(),
-                               [&](const auto& other) { return other.robot == index_; });
+                               [&](const auto& other) { return other.body == body_; });
     if (placed == places.end()) {
-      placed = places.insert(
-          placed, {index_, robot().truth().pose, height(stage_.engine.robot(index_).frame), ""});
+      placed = places.insert(placed, {body_, {}, 0.0, ""});
+      if (body_.kind == physics::BodyKind::obstacle) {
+        placed->pose = pose_of_box(stage_.engine, world_, body_.index);
+      } else {
+        placed->pose = robot().truth().pose;
+        placed->z = height(stage_.engine.robot(body_.index).frame);
+      }
     }
     add_text(placed->text, text_);
     return *placed;
@@ -121,7 +127,7 @@ class Plan {
   const world::World& world_;
   const InPlaceEdits::Stage& stage_;
   const Setups& setups_;
-  std::size_t index_ = 0;
+  physics::Body body_;
   std::string text_;
 };
 
@@ -151,7 +157,7 @@ Plan plan_of(std::span<const Edit> edits, const world::World& world,
         const ParameterValue value = attributes.read(target, edit.value);
         const auto event = events::Changed::of(target.path, edit.value);
         plan.set(target, value, event.detail());
-        plan.events.push_back({stage.time_s, target.robot->id, event});
+        plan.events.push_back({stage.time_s, target.robot ? target.robot->id : "", event});
       }
     } catch (const EditRefused&) {
       throw;
@@ -170,10 +176,14 @@ void check_room(const std::vector<InPlaceEdits::Placed>& places, const world::Wo
   if (places.empty()) return;
   Room room(world, engine);
   for (const InPlaceEdits::Placed& placed : places) {
-    room.place(placed.robot, placed.pose, placed.z);
+    if (placed.body.kind == physics::BodyKind::robot) {
+      room.place(placed.body.index, placed.pose, placed.z);
+    } else {
+      room.place_box(placed.body.index, placed.pose);
+    }
   }
   for (const InPlaceEdits::Placed& placed : places) {
-    if (const auto problem = room.problem_of(placed.robot)) {
+    if (const auto problem = room.problem_of(placed.body)) {
       refuse(placed.text, *problem + "; expected a free place in the arena");
     }
   }
@@ -197,6 +207,26 @@ void set_up(const std::vector<Tuned>& tunings) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> placed_box(const world::World& world,
+                                      const world::AttributeTarget& target) {
+  const std::vector<world::Obstacle>& boxes = world.obstacles;
+  if (target.robot || !target.attribute || !target.field.is_live()) return std::nullopt;
+  const auto box = std::find_if(boxes.begin(), boxes.end(), [&](const world::Obstacle& each) {
+    return &each == target.described.object;
+  });
+  return box == boxes.end() ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(box - boxes.begin()));
+}
+
+Pose pose_of_box(const physics::Engine& engine, const world::World& world, std::size_t index) {
+  const world::Obstacle& box = world.obstacles[index];
+  if (!box.is_dynamic() || !engine.has_obstacle(index)) {
+    return pose_of(box);
+  }
+  const Frame frame = engine.obstacle(index);
+  return {frame.origin.x, frame.origin.y, std::atan2(frame.forward.y, frame.forward.x)};
+}
 
 EditRefused EditRefused::at(double time_s, std::string from) const {
   EditRefused refused("at " + number(time_s) + " s, " + what());

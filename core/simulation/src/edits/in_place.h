@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,17 @@
 #include "step/cameras.h"
 
 namespace elsie::simulation {
+
+/// The index in World::obstacles if the attribute puts one of them elsewhere.
+std::optional<std::size_t> placed_box(const world::World& world,
+                                      const world::AttributeTarget& target);
+
+/// Where an obstacle is described to be.
+inline Pose pose_of(const world::Obstacle& box) {
+  return {box.x, box.y, wrap_angle(radians(box.heading_deg))};
+}
+/// Where it is now; of a resource that was collected, where it was.
+Pose pose_of_box(const physics::Engine& engine, const world::World& world, std::size_t index);
 
 /// Edits to make together before a step.
 struct DueEdits {
@@ -75,23 +87,23 @@ class InPlaceEdits {
   /// To be called when the description of a robot has moved in memory.
   void renew_robot(std::size_t index) { attributes_.renew_robot(index); }
 
-  /// A robot's new place.
+  /// The new place of a robot or an obstacle.
   struct Placed {
-    std::size_t robot = 0;
+    physics::Body body;
     Pose pose;
-    double z = 0.0;    // m
+    double z = 0.0;    // m, of a robot
     std::string text;  // of the edits, for messages
   };
 
   /// Checks all edits and sets the parameters of plugins, or throws EditRefused and changes
   /// nothing. Adds an event for each attribute. What is left to do: to describe() the edits, let
-  /// the robots take what they then describe, and put robots in these places.
+  /// the robots take what they then describe, and put bodies in these places.
   std::vector<Placed> make(std::span<const Edit> edits, const Stage& stage,
                            std::vector<EventRecord>& events) const;
   /// Sets the attributes in the world, which must be as world::Attributes::set() demands.
   void describe(std::span<const Edit> edits) const;
 
-  /// The edits that cannot be made, except for lack of room for a robot, which depends on the
+  /// The edits that cannot be made, except for lack of room for a body, which depends on the
   /// run.
   std::vector<EditRefused> refused(std::span<const DueEdits> schedule, const Stage& stage) const;
 

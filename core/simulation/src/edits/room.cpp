@@ -1,6 +1,7 @@
 #include "edits/room.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace elsie::simulation {
 
@@ -62,6 +63,41 @@ void Room::place(std::size_t robot, const Pose& pose, double z) {
   for (const world::Footprint& footprint : world::footprints_of(plans_[robot], pose, z)) {
     (vehicle++)->footprint = footprint;
   }
+}
+
+void Room::place_box(std::size_t obstacle, const Pose& pose) {
+  const world::Obstacle& described = world_.obstacles[obstacle];
+  const world::Fixture fixture = world::fixture_of(described);
+  const Frame middle =
+      Frame::turned({pose.x, pose.y, fixture.frame.origin.z}, pose.heading_rad, 0.0);
+  auto block = std::find_if(blocks_.begin(), blocks_.end(),
+                            [&](const Block& each) { return each.owner == obstacle; });
+  if (block == blocks_.end()) {
+    block = blocks_.insert(blocks_.begin(), {{}, described.in_words(), obstacle, true});
+  }
+  block->footprint = world::footprint_of(fixture.shape, middle);
+}
+
+void Room::put(const physics::Body& body, const Pose& pose) {
+  if (body.kind != physics::BodyKind::robot) return place_box(body.index, pose);
+  const auto first = std::find_if(blocks_.begin(), blocks_.end(),
+                                  [&](const Block& each) { return each.owner == owner(body); });
+  place(body.index, pose, first->footprint.bottom);
+}
+
+bool Room::has_room(const physics::Body& body, const Pose& pose) {
+  const auto is_its = [&](const Block& block) { return block.owner == owner(body); };
+  std::vector<Block> before;
+  std::copy_if(blocks_.begin(), blocks_.end(), std::back_inserter(before), is_its);
+  put(body, pose);
+  const bool has = !problem_of(body);
+  const auto its = std::find_if(blocks_.begin(), blocks_.end(), is_its);
+  if (before.empty()) {
+    blocks_.erase(its);
+  } else {
+    std::move(before.begin(), before.end(), its);
+  }
+  return has;
 }
 
 std::optional<std::string> Room::overlap(const Block& own) const {

@@ -21,11 +21,21 @@ class Room {
 
   /// Moves a robot in this model, with its segments in line behind it.
   void place(std::size_t robot, const Pose& pose, double z);
+  /// Moves an obstacle in this model; one that was removed is there again.
+  void place_box(std::size_t obstacle, const Pose& pose);
+  /// Moves either of them, a robot at its present height.
+  void put(const physics::Body& body, const Pose& pose);
+  /// Whether a robot or an obstacle would have room there. Moves nothing.
+  bool has_room(const physics::Body& body, const Pose& pose);
   /// A sentence when a robot's place is not possible: "the robot 'r1' overlaps the box 'b2'".
   std::optional<std::string> problem_of(std::size_t robot) const;
   /// The same for an obstacle, by its index in World::obstacles, or for a charger (indices after
   /// the obstacles). Overlaps that a file allows are allowed here.
   std::optional<std::string> problem_of_box(std::size_t obstacle) const;
+  std::optional<std::string> problem_of(const physics::Body& body) const {
+    return body.kind == physics::BodyKind::robot ? problem_of(body.index)
+                                                 : problem_of_box(body.index);
+  }
   /// A sentence when a body that can move is outside of the arena by more than a small tolerance.
   std::optional<std::string> problem_of_arena() const;
 
@@ -37,6 +47,9 @@ class Room {
     bool is_free = false;   // it may be pushed or removed
   };
 
+  std::size_t owner(const physics::Body& body) const {
+    return body.kind == physics::BodyKind::robot ? first_robot_ + body.index : body.index;
+  }
   void add_robot(std::size_t robot, const std::vector<world::Footprint>& vehicles);
   std::optional<std::string> overlap(const Block& own) const;
 

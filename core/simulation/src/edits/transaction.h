@@ -73,6 +73,12 @@ class EditTransaction {
   void ask(const world::AttributeTarget& target) {
     if (target.robot && !target.use) asked_.insert({target.robot->id, target.field.name});
   }
+  void ask(const world::Obstacle& box, const std::string& attribute) {
+    asked_.insert({"/" + box.id, attribute});
+  }
+  bool asks(const world::Obstacle& box, const char* attribute) const {
+    return asked_.contains({"/" + box.id, attribute});
+  }
   bool asks(const world::Robot& robot, const char* attribute) const {
     return asked_.contains({robot.id, attribute});
   }
@@ -104,7 +110,7 @@ class EditTransaction {
   std::function<void()> settling_;
   std::vector<base::Problem> problems_;
   Statements said_;
-  std::set<std::pair<std::string, std::string>> asked_;  // of robots
+  std::set<std::pair<std::string, std::string>> asked_;  // of robots, of "/" and boxes
   struct Tuned {                                         // none: the parameters do not change
     std::optional<Setup> before, now;
   };

@@ -194,7 +194,8 @@ bool Lookout::has_cast_of(const Lookout& other) const {
               });
 }
 
-void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, bool decided,
+void Lookout::look(Robots robots, const physics::Engine& engine,
+                   std::span<const EventRecord> events, double time_s, bool decided,
                    bool is_start) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     take_over(*robots[i], robots_[i], behaviors_[i]);
@@ -213,6 +214,11 @@ void Lookout::look(Robots robots, const physics::Engine& engine, double time_s, 
       }
     }
   }
+  events_.clear();
+  for (const EventRecord& event : events) {
+    events_.push_back({events::name_of(event.event), event.robot});
+  }
+  now_.events = events_;
   now_.obstacles = obstacles_;
   now_.time_s = time_s;
   now_.decided = decided;

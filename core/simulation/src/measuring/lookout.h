@@ -1,4 +1,4 @@
-// The world as measures see it.
+// The world as measures and rules see it.
 #pragma once
 
 #include <deque>
@@ -9,6 +9,7 @@
 #include "elsie/api/measure.h"
 #include "elsie/physics/engine.h"
 #include "elsie/plugin/host.h"
+#include "elsie/simulation/run_result.h"
 #include "elsie/world/description.h"
 
 #include "robot/robot_surroundings.h"
@@ -28,10 +29,13 @@ class Lookout {
   /// True if robots, behaviours and obstacles have the same names and indices, which measures use.
   bool has_cast_of(const Lookout& other) const;
 
+  /// An edit has put a box elsewhere.
+  void place_box(std::size_t index, const Pose& pose) { all_obstacles_[index].pose = pose; }
+
   /// Updates now(). `decided`: robots decided in the last step; `is_start`: as in Observation.
   /// Allocates nothing.
-  void look(Robots robots, const physics::Engine& engine, double time_s, bool decided,
-            bool is_start);
+  void look(Robots robots, const physics::Engine& engine, std::span<const EventRecord> events,
+            double time_s, bool decided, bool is_start);
 
  private:
   /// The numbers of one robot, read when a measure asks for them.
@@ -61,6 +65,7 @@ class Lookout {
   std::vector<bool> stay_in_place_;              // of them
   std::vector<ObservedObstacle> obstacles_;
   std::vector<std::string_view> teams_;
+  std::vector<ObservedEvent> events_;
 };
 
 }  // namespace elsie::simulation

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "elsie/plugin/kind_name.h"
 #include "elsie/simulation/measures.h"
 #include "elsie/world/same.h"
 
@@ -83,19 +84,37 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
                      std::vector<base::Problem>& problems)
     : guard_("", budget) {
-  if (!world.measures.empty()) lookout_.emplace(world, host);
+  if (!world.measures.empty() || !world.rules.empty()) lookout_.emplace(world, host);
   for (const world::PluginUse& use : world.measures) {
-    Slot& slot = *slots_.emplace_back(std::make_shared<Slot>(use, host));
-    slot.make(host, problems);
-    if (slot.held) {
-      slot.quantities = blaming(use, problems, [&] {
-        slot.object().equipped(lookout_->now());
-        return full_names(use, slot.object().quantities());
-      });
-      slot.values.resize(slot.quantities.size());
-    }
+    add(PluginKind::measure, use, host, problems);
   }
+  for (const world::PluginUse& use : world.rules) add(PluginKind::rule, use, host, problems);
   check_names(problems);
+}
+
+void Measuring::add(PluginKind kind, const world::PluginUse& use, const plugin::Host& host,
+                    std::vector<base::Problem>& problems) {
+  Slot& slot = *slots_.emplace_back(std::make_shared<Slot>(kind, use, host));
+  slot.make(host, problems);
+  if (!slot.held) return;
+  slot.quantities = blaming(use, problems, [&]() -> std::vector<Quantity> {
+    if (kind == PluginKind::rule) {
+      slot.rule().equipped(lookout_->now());
+      return {};
+    }
+    slot.measure().equipped(lookout_->now());
+    return full_names(use, slot.measure().quantities());
+  });
+  slot.values.resize(slot.quantities.size());
+}
+
+plugin::Object<Component> Measuring::Slot::create(const plugin::Host& host) const {
+  if (kind == PluginKind::rule) return host.create<Rule>(kind, use->plugin);
+  return host.create<Measure>(kind, use->plugin);
+}
+
+std::string Measuring::Slot::path() const {
+  return std::string(plugin::kind_name(kind)) + "[" + use->id + "]";
 }
 
 /// Checks that all values have different names.
@@ -134,7 +153,8 @@ void Measuring::reset(std::uint64_t seed) {
   has_failed_ = false;
   for (const auto& slot : slots_) {
     slot->has_begun = false;
-    guard_.run(*slot->use, [&] { slot->reset(seed, "measure[" + slot->use->id + "]"); });
+    slot->rebuilt = 0;
+    guard_.run(*slot->use, [&] { slot->reset(seed, slot->path()); });
   }
 }
 
@@ -151,14 +171,35 @@ void Measuring::list_curves(std::vector<LearningCurve>& curves) const {
   std::move(said.curves.begin(), said.curves.end(), std::back_inserter(curves));
 }
 
-void Measuring::take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo) {
-  if (!lookout_ || !before.lookout_ || !lookout_->has_cast_of(*before.lookout_)) return;
-  has_failed_ = before.has_failed_;
+void Measuring::list_late_notes(std::vector<Note>& notes) const {
+  constexpr std::uint64_t kMany = 10;
+  guard_.list_notes(notes);
+  for (const auto& slot : slots_) {
+    if (slot->rebuilt < kMany) continue;
+    notes.push_back({"", slot->use->id,
+                     "its edits made parts of the world again " + std::to_string(slot->rebuilt) +
+                         " times, which is slow; docs/changing-a-world.md lists edits that are "
+                         "made in place"});
+  }
+}
+
+void Measuring::note_rebuilt(const std::string& rule) {
+  for (const auto& slot : slots_) {
+    if (slot->kind == PluginKind::rule && slot->use->id == rule) ++slot->rebuilt;
+  }
+}
+
+void Measuring::take(const Measuring& before, bool same_stage, Undo& undo) {
+  if (!lookout_ || !before.lookout_) return;
+  const bool may_measure = same_stage && lookout_->has_cast_of(*before.lookout_);
+  has_failed_ = may_measure && before.has_failed_;
   for (auto& slot : slots_) {
-    for (std::size_t i = 0; i < was.size(); ++i) {
-      if (was[i].id == slot->use->id && world::same(was[i], *slot->use)) {
+    if (!may_measure && slot->kind == PluginKind::measure) continue;
+    for (const auto& known : before.slots_) {
+      if (known->kind == slot->kind && known->use->id == slot->use->id &&
+          world::same(*known->use, *slot->use)) {
         const world::PluginUse* const use = slot->use;
-        slot = before.slots_[i];
+        slot = known;
         undo.keep(slot->use);
         slot->use = use;
         break;
@@ -170,29 +211,34 @@ void Measuring::take(const Measuring& before, std::span<const world::PluginUse> 
 void Measuring::reset_new(std::uint64_t seed, const std::string& time, Statements& said) {
   for (const auto& slot : slots_) {
     if (slot->is_new) {
-      guard_.run(*slot->use, [&] { slot->reset(seed, "measure[" + slot->use->id + "]"); });
+      guard_.run(*slot->use, [&] { slot->reset(seed, slot->path()); });
       said.ask_notes(*slot, guard_);
-      said.notes.push_back(
-          {"", slot->use->id, "it measures from an edit of the world at " + time + " on"});
+      said.notes.push_back({"", slot->use->id,
+                            (slot->kind == PluginKind::rule ? "it rules" : "it measures") +
+                                std::string(" from an edit of the world at ") + time + " on"});
     }
   }
 }
 
-bool Measuring::has_begun() const {
+bool Measuring::has_begun(PluginKind kind) const {
   return std::all_of(slots_.begin(), slots_.end(),
-                     [](const auto& slot) { return slot->has_begun; });
+                     [&](const auto& slot) { return slot->has_begun || slot->kind != kind; });
 }
 
-void Measuring::observe(Robots robots, const physics::Engine& engine, double time_s,
-                        std::uint64_t step, bool decided, bool is_start) {
+void Measuring::look(Robots robots, const physics::Engine& engine,
+                     std::span<const EventRecord> events, double time_s, std::uint64_t step,
+                     bool decided, bool is_start) {
   guard_.begin_step(step, time_s);
-  if (!lookout_) return;
-  lookout_->look(robots, engine, time_s, decided, is_start);
+  if (lookout_) lookout_->look(robots, engine, events, time_s, decided, is_start);
+}
+
+template <class Call>
+void Measuring::call(PluginKind kind, bool is_start, const Call& call) {
   for (const auto& slot : slots_) {
-    if (is_start && slot->has_begun) continue;
+    if (slot->kind != kind || (is_start && slot->has_begun)) continue;
     slot->has_begun = true;
     try {
-      guard_.step(*slot, [&] { slot->object().observe(lookout_->now()); });
+      guard_.step(*slot, [&] { call(*slot); });
     } catch (...) {
       has_failed_ = true;
       throw;
@@ -200,13 +246,26 @@ void Measuring::observe(Robots robots, const physics::Engine& engine, double tim
   }
 }
 
+void Measuring::observe(bool is_start) {
+  call(PluginKind::measure, is_start,
+       [this](const Slot& slot) { slot.measure().observe(lookout_->now()); });
+}
+
+void Measuring::apply(RuleAnswers& answers, bool is_start) {
+  call(PluginKind::rule, is_start, [&](const Slot& slot) {
+    answers.begin(slot);
+    slot.rule().apply(lookout_->now(), answers);
+  });
+}
+
 void Measuring::report(const RunEnd& end, std::vector<MeasuredValue>& values) {
   for (const auto& each : slots_) {
     Slot& slot = *each;
+    if (slot.kind == PluginKind::rule) continue;
     std::fill(slot.values.begin(), slot.values.end(), std::nullopt);
     if (!has_failed_) {
       try {
-        guard_.run(*slot.use, [&] { slot.object().report(end, slot.values); });
+        guard_.run(*slot.use, [&] { slot.measure().report(end, slot.values); });
         for (std::size_t i = 0; i < slot.values.size(); ++i) {
           if (slot.values[i] && !std::isfinite(*slot.values[i])) {
             guard_.fail(*slot.use, "its value '" + slot.quantities[i].name +
@@ -241,9 +300,9 @@ std::vector<PluginSketch> Measuring::sketches() const {
 
 void Measuring::list_replaced(const plugin::Host& host, std::vector<std::string>& notes) {
   for (const auto& slot : slots_) {
-    const Declaration* const now = host.find(PluginKind::measure, slot->use->plugin);
+    const Declaration* const now = host.find(slot->kind, slot->use->plugin);
     if (now != slot->declaration) {
-      notes.push_back("the measure '" + slot->use->id +
+      notes.push_back("the " + std::string(plugin::kind_name(slot->kind)) + " '" + slot->use->id +
                       "' stays as it was when the world was made; a new one would not know the "
                       "run so far");
       slot->declaration = now;

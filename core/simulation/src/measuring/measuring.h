@@ -1,4 +1,4 @@
-// The measures of a world at run time.
+// The measures and rules of a world at run time: what sees all of it.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elsie/api/measure.h"
+#include "elsie/api/rule.h"
 #include "elsie/physics/engine.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/run_result.h"
@@ -15,6 +16,7 @@
 #include "elsie/world/error.h"
 
 #include "measuring/lookout.h"
+#include "measuring/rule_answers.h"
 #include "plugins/plugin_object.h"
 
 namespace elsie::simulation {
@@ -27,27 +29,39 @@ class Measuring {
             std::vector<base::Problem>& problems);
 
   bool empty() const { return slots_.empty(); }
+  bool has_rules() const { return !empty() && slots_.back()->kind == PluginKind::rule; }
   /// The values that the measures report, with their names in results.
   std::vector<Quantity> quantities() const;
 
   void reset(std::uint64_t seed);
-  /// Collects the notes of the measures after a reset.
+  /// Collects their notes after a reset.
   void ask(Statements& said);
-  /// Appends notes on what the measures changed in the program since the run began.
-  void list_late_notes(std::vector<Note>& notes) const { guard_.list_notes(notes); }
+  /// Appends notes on what they changed in the program since the run began, and on rules whose
+  /// edits were costly.
+  void list_late_notes(std::vector<Note>& notes) const;
 
-  /// Takes over the measures of `before` whose descriptions are unchanged, if robots and obstacles
-  /// are the same; `was` has the old descriptions.
-  void take(const Measuring& before, std::span<const world::PluginUse> was, Undo& undo);
-  /// Resets the measures that were not taken over, and collects their notes.
+  /// Takes over the objects of `before` whose descriptions are unchanged; measures only if robots,
+  /// obstacles and the rest of the world (`same_stage`) are the same.
+  void take(const Measuring& before, bool same_stage, Undo& undo);
+  /// Resets the objects that were not taken over, and collects their notes.
   void reset_new(std::uint64_t seed, const std::string& time, Statements& said);
 
-  /// Returns whether all measures have had their first observation.
-  bool has_begun() const;
-  /// Calls observe() of the measures after the step with this number. `is_start`: the first call,
-  /// only of measures that have not begun. Throws PluginFault.
-  void observe(Robots robots, const physics::Engine& engine, double time_s, std::uint64_t step,
-               bool decided, bool is_start);
+  /// Returns whether all of a kind have had their first observation.
+  bool has_begun(PluginKind kind) const;
+  /// Looks at the world after the step with this number. `events`: since the last look.
+  void look(Robots robots, const physics::Engine& engine, std::span<const EventRecord> events,
+            double time_s, std::uint64_t step, bool decided, bool is_start);
+  /// Calls observe() of the measures. `is_start`: the first call, only of measures that have not
+  /// begun. Throws PluginFault.
+  void observe(bool is_start);
+  /// The same for apply() of the rules.
+  void apply(RuleAnswers& answers, bool is_start);
+  /// An edit has put a box elsewhere.
+  void place_box(std::size_t index, const Pose& pose) {
+    if (lookout_) lookout_->place_box(index, pose);
+  }
+  /// An edit of the rule with this id was not made in place.
+  void note_rebuilt(const std::string& rule);
   /// Appends the values so far. Throws PluginFault; after a failure all values are none, and
   /// measures are not called any more.
   void report(const RunEnd& end, std::vector<MeasuredValue>& values);
@@ -59,23 +73,32 @@ class Measuring {
   void visit_published(const VisitPublished& visit) const;
   std::vector<PluginSketch> sketches() const;
 
-  /// Measures are not replaced with their plugins: appends a sentence for each that differs in
-  /// `host`.
+  /// They are not replaced with their plugins: appends a sentence for each that differs in `host`.
   void list_replaced(const plugin::Host& host, std::vector<std::string>& notes);
 
  private:
-  struct Slot final : ObjectOf<Measure, PluginKind::measure> {
-    using ObjectOf::ObjectOf;
+  struct Slot final : PluginObject {
+    using PluginObject::PluginObject;
+    plugin::Object<Component> create(const plugin::Host& host) const override;
+    Measure& measure() const { return static_cast<Measure&>(*held); }
+    Rule& rule() const { return static_cast<Rule&>(*held); }
+    /// "measure[home]"
+    std::string path() const;
 
-    std::vector<Quantity> quantities;  // under their full names
-    std::vector<std::optional<double>> values;
     bool has_begun = false;
+    std::vector<Quantity> quantities;  // of a measure, under their full names
+    std::vector<std::optional<double>> values;
+    std::uint64_t rebuilt = 0;  // how often edits of a rule were not made in place
   };
+  void add(PluginKind kind, const world::PluginUse& use, const plugin::Host& host,
+           std::vector<base::Problem>& problems);
+  template <class Call>
+  void call(PluginKind kind, bool is_start, const Call& call);
   void check_names(std::vector<base::Problem>& problems) const;
 
-  mutable Guard guard_;             // looking at a plugin can fail, too
-  std::optional<Lookout> lookout_;  // with measures only
-  std::vector<std::shared_ptr<Slot>> slots_;
+  mutable Guard guard_;                       // looking at a plugin can fail, too
+  std::optional<Lookout> lookout_;            // if there are any
+  std::vector<std::shared_ptr<Slot>> slots_;  // rules after measures
   bool has_failed_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "elsie/world/error.h"
 #include "elsie/world/parts.h"
 
+#include "edits/transaction.h"
 #include "robot/robot_surroundings.h"
 #include "step/teams.h"
 

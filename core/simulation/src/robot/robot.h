@@ -163,6 +163,8 @@ class Robot final : private RobotRequests {
     static_assert(Kind::kFacts.is_perceived);
     raised_.emplace_back(std::move(event));
   }
+  /// The same for an event of a rule.
+  void raise_by_rule(const Event& event) { raise(event); }
   void collided(events::Collision collision) {
     ++tally_.collisions;
     raise(std::move(collision));

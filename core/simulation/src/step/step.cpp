@@ -13,8 +13,10 @@ void Simulation::Impl::step(const Simulation& self) {
   const auto control_steps = static_cast<std::uint64_t>(world_.physics.control_steps);
   const bool decides = is_control_instant();
   step_began_s_ = time_s();
-  if (!measuring_->has_begun()) {
-    observe(false, true);
+  obey_rules();
+  if (!measuring_->has_begun(PluginKind::measure)) {
+    look(false, true);
+    measuring_->observe(true);
   }
   const double period = h * static_cast<double>(control_steps);
   try {
@@ -45,11 +47,14 @@ void Simulation::Impl::step(const Simulation& self) {
     robot.take_log(time_s(), events_);
     attention_[i] = false;
   }
-  if (judgement_.outcome == Outcome::running) {
+  const bool was_running = judgement_.outcome == Outcome::running;
+  if (was_running) {
     judgement_ = judge(self, goal_progress_);
   }
   if (!measuring_->empty()) {
-    observe(decides, false);
+    look(decides, false);
+    measuring_->observe(false);
+    if (measuring_->has_rules()) ask_rules(was_running, false);
   }
 }
 
@@ -89,9 +94,19 @@ void Simulation::Impl::control(double period_s) {
   for (const auto& robot : robots_) robot->show_effects(now.time_s + period_s);
 }
 
-void Simulation::Impl::observe(bool decided, bool is_start) {
+void Simulation::Impl::look(bool decided, bool is_start) {
   const std::uint64_t last_step = steps_ > 0 ? steps_ - 1 : 0;
-  measuring_->observe(robots_, *engine_, time_s(), last_step, decided, is_start);
+  const std::span events = std::span<const EventRecord>(events_).subspan(looked_at_);
+  measuring_->look(robots_, *engine_, events, time_s(), last_step, decided, is_start);
+  if (!is_start) looked_at_ = events_.size();
+}
+
+void Simulation::Impl::ask_rules(bool was_running, bool is_start) {
+  RuleAnswers answers(world_, *engine_, robots_);
+  measuring_->apply(answers, is_start);
+  for (RuleEdits& edits : answers.edits()) by_rules_.push_back(std::move(edits));
+  if (answers.has_raised()) log_events();
+  if (was_running) answers.decide(judgement_);
 }
 
 void Simulation::Impl::move(bool decides) {

@@ -31,7 +31,7 @@ void leave_bodies_only(Element& root, const plugin::Host& drives) {
       return std::find(parts.begin(), parts.end(), part.name) != parts.end();
     });
   };
-  drop(root, {"limits", "measures", "changes"});
+  drop(root, {"limits", "measures", "rules", "changes"});
   if (Element* goals = root.child("goals")) leave_places_only(*goals);
   if (Element* robots = root.child("robots")) {
     for (Element& robot : robots->children) {

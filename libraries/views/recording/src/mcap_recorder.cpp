@@ -83,7 +83,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       write_traces(simulation);
     }
     write_events(simulation);
-    if (standing_boxes(simulation) != standing_) {
+    if (shown_boxes(simulation) != shown_) {
       write_scene(simulation);
     }
     if (sampling_.is_due(simulation.time_s())) {
@@ -333,16 +333,20 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     return places;
   }
 
-  static std::size_t standing_boxes(const Simulation& simulation) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
-      count += simulation.obstacle(i) ? 1U : 0U;
+  /// What a scene says of boxes: which are there, and where those are that nothing pushes.
+  static std::vector<std::optional<Pose>> shown_boxes(const Simulation& simulation) {
+    const std::vector<world::Obstacle>& boxes = simulation.world().obstacles;
+    std::vector<std::optional<Pose>> shown(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (!simulation.obstacle(i)) continue;
+      shown[i] =
+          may_move(boxes[i]) ? Pose{} : Pose{boxes[i].x, boxes[i].y, radians(boxes[i].heading_deg)};
     }
-    return count;
+    return shown;
   }
 
   void write_scene(const Simulation& simulation) {
-    standing_ = standing_boxes(simulation);
+    shown_ = shown_boxes(simulation);
     write(scene_, now(simulation), scene_message(now(simulation), simulation, places_seen()));
   }
 
@@ -469,7 +473,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   std::vector<std::size_t> crowd_;                       // places of the robots without channels
   std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation
   std::size_t seen_events_ = 0;
-  std::size_t standing_ = 0;  // boxes, when the scene was last written
+  std::vector<std::optional<Pose>> shown_;  // boxes, when the scene was last written
   std::uint64_t sampled_ = 0;
   std::uint64_t decided_ns_ = 0;
   bool new_pictures_ = false;  // since the last sample

@@ -248,6 +248,7 @@ Json event_message(std::uint64_t time_ns, const simulation::EventRecord& event, 
     message["element"] = edit->element;
     message["attribute"] = edit->attribute;
     message["value"] = edit->value;
+    if (!edit->rule.empty()) message["rule"] = edit->rule;
   }
   if (where) {
     message["x_m"] = where->x;

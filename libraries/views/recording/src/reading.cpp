@@ -65,7 +65,8 @@ std::pair<std::string, std::string> robot_and_kind(const mcap::Channel& channel)
 
 std::optional<events::Changed> edit_of(const Json& event) {
   if (event.at("event") != events::Changed::kFacts.name) return std::nullopt;
-  return events::Changed{event.at("element"), event.at("attribute"), event.at("value")};
+  return events::Changed{event.at("element"), event.at("attribute"), event.at("value"),
+                         event.value("rule", "")};
 }
 
 void read_file(const std::filesystem::path& file, RecordedRun& run, Visitor& visitor) {

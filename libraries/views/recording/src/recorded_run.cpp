@@ -121,11 +121,16 @@ class Follower final : public Visitor {
     }
   }
 
-  void read_belief(picture::RobotTrack& track, const Json& message) {
+  /// The pose of an upright thing.
+  static Pose pose_of(const Json& message) {
     const Json& at = message.at("pose").at("position");
     const Json& turn = message.at("pose").at("orientation");
     const double heading_rad = 2.0 * std::atan2(number(turn, "z"), number(turn, "w"));
-    track.believed = Pose{number(at, "x"), number(at, "y"), heading_rad};
+    return {number(at, "x"), number(at, "y"), heading_rad};
+  }
+
+  void read_belief(picture::RobotTrack& track, const Json& message) {
+    track.believed = pose_of(message);
     // The state at the same time was read before.
     if (is_due_) track.believed_path.push_back(*track.believed);
   }
@@ -156,7 +161,12 @@ class Follower final : public Visitor {
     for (const Json& entity : scene.at("entities")) {
       const std::string id = entity.at("id").get<std::string>();
       if (id.starts_with(box_frame(""))) {
-        run_.standing.insert(id.substr(box_frame("").size()));
+        const std::string box = id.substr(box_frame("").size());
+        run_.standing.insert(box);
+        const auto cubes = entity.find("cubes");
+        if (entity.at("frame_id") == kWorldFrame && cubes != entity.end() && !cubes->empty()) {
+          run_.moved[box] = pose_of(cubes->front());
+        }
       }
     }
   }

@@ -10,15 +10,15 @@
 
 namespace elsie {
 
-/// A sensor, actuator, behaviour, coordinator, measure, drive or localisation at run time. Its
-/// life:
+/// A sensor, actuator, behaviour, coordinator, measure, rule, drive or localisation at run time.
+/// Its life:
 ///
 ///   constructed -> parameters and nested elements set -> configured() -> equipped()
 ///     -> { reset() -> notes(), curves() -> many steps }... -> destroyed
 ///
-/// It belongs to one robot (a measure: to the world); instances share nothing. One thread at a time
-/// calls it, not always the same one. The simulator catches every exception, names the plugin, the
-/// robot and the step, and ends the run in an orderly way.
+/// It belongs to one robot (a measure or rule: to the world); instances share nothing. One thread
+/// at a time calls it, not always the same one. The simulator catches every exception, names the
+/// plugin, the robot and the step, and ends the run in an orderly way.
 class Component {
  public:
   Component() = default;

@@ -23,7 +23,16 @@ namespace elsie {
 
 class Coordination;
 
-enum class PluginKind { sensor, behavior, coordinator, measure, drive, localisation, actuator };
+enum class PluginKind {
+  sensor,
+  behavior,
+  coordinator,
+  measure,
+  drive,
+  localisation,
+  actuator,
+  rule
+};
 
 /// A parameter that names a data file. A path in a world file is resolved against the folder of
 /// that file, then against the data directories; the member holds the resolved path.

@@ -98,6 +98,13 @@ struct ObservedObstacle {
   Pose pose;              // of its middle
 };
 
+/// An event that was raised since the last observation; docs/events.md lists those of the
+/// simulator.
+struct ObservedEvent {
+  std::string_view name;
+  std::string_view robot;  // its id; empty: an edit of the world
+};
+
 /// The world at an instant. It refers to memory of the simulator and is valid only during the call.
 /// Ids, and the indices of robots and behaviours, do not change from equipped() on while the
 /// measure lives. Reading it allocates nothing.
@@ -112,6 +119,7 @@ struct Observation {
   std::span<const ObservedRobot> robots;        // in the order of the world file
   std::span<const ObservedObstacle> obstacles;  // in the order of the world file, resources last
   std::span<const std::string_view> teams;
+  std::span<const ObservedEvent> events;  // in the order in which they were raised
 
   /// The robot with this id. Throws std::invalid_argument with a sentence that lists the robots.
   const ObservedRobot& robot(std::string_view id) const;

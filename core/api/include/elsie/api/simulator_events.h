@@ -88,13 +88,17 @@ struct ChargingEnded {
 };
 
 struct Changed {
-  static constexpr Facts kFacts{.name = "changed",
-                                .meaning = "a user edits the robot or, without one, the world",
-                                .detail = "the edit: `robot[r1]/@max_speed=0.3`",
-                                .is_perceived = false};
+  static constexpr Facts kFacts{
+      .name = "changed",
+      .meaning = "a user or a rule edits the robot or, without one, the world",
+      .detail =
+          "the edit: `robot[r1]/@max_speed=0.3`; of a rule with "
+          "`, by the rule 'NAME'`",
+      .is_perceived = false};
   std::string element;    // "robot[r1]/sensor[left]"
   std::string attribute;  // "": the element as a whole
   std::string value;
+  std::string rule{};  // that makes it; "": a user does
   std::string detail() const;
   /// The edit that sets what a path leads to: "robot[r1]/@max_speed", "robot[r1]/coordinator".
   static Changed of(const std::string& path, std::string value);

@@ -120,7 +120,7 @@ class Engine {
   /// Continues from another engine: its time, its give-ups, and everything that set bodies in
   /// motion there.
   virtual void go_on_from(const Engine& other) = 0;
-  /// Removes an obstacle from the world; its index is not used again.
+  /// Removes an obstacle from the world, until place_obstacle().
   virtual void remove_obstacle(std::size_t obstacle) = 0;
 
   /// Moves a robot to another pose, at rest, with its segments in line behind it. The set points of
@@ -135,6 +135,11 @@ class Engine {
   virtual void hold(std::size_t robot, std::size_t obstacle) = 0;
   /// Lets go of it, if the robot holds it.
   virtual void let_go(std::size_t robot, std::size_t obstacle) = 0;
+
+  /// Moves an obstacle to another pose, at rest and as high as it was when it was added; one that
+  /// was removed is there again. Whoever holds it must let go. Throws std::invalid_argument for a
+  /// pose that is not finite.
+  virtual void place_obstacle(std::size_t obstacle, const Pose& pose) = 0;
 
   /// Why no robot can stand so high, in a sentence that begins with "the robot"; none: it can.
   virtual std::optional<std::string> fault_of_height(double /*z*/) const { return std::nullopt; }
@@ -227,7 +232,7 @@ using EngineEntry = Engine* (*)(const world::Arena& arena, const world::Physics&
 /// with every change) and the sizes of the structs that pass through. The plugin interface has a
 /// version of its own.
 struct EngineInterface {
-  std::uint32_t version = 7;
+  std::uint32_t version = 8;
   std::size_t arena = sizeof(world::Arena);
   std::size_t physics = sizeof(world::Physics);
   std::size_t obstacle = sizeof(world::Obstacle);

@@ -16,15 +16,14 @@ namespace elsie::simulation {
 class PluginFault : public base::Error {
  public:
   /// `at_id`: the plugin's id on the robot, or its name if the world file gives no id. `on_robot`:
-  /// "" for a measure, which belongs to the world. `thrown_at`: the place in the plugin's source
-  /// that threw; "" if it is not known.
+  /// "" for a measure or a rule, which belong to the world. `thrown_at`: the place in the plugin's
+  /// source that threw; "" if it is not known.
   PluginFault(std::string faulty_plugin, std::string at_id, std::string on_robot,
               std::uint64_t at_step, double at_time_s, const std::string& problem,
               std::string thrown_at = "")
       : Error("plugin '" + faulty_plugin + "'" +
                   (at_id == faulty_plugin ? "" : " (id '" + at_id + "')") +
-                  (on_robot.empty() ? " among the world's measures"
-                                    : " of robot '" + on_robot + "'") +
+                  (on_robot.empty() ? " of the world" : " of robot '" + on_robot + "'") +
                   " failed in " + base::step_text(at_step, at_time_s) + ": " + problem,
               base::kPluginFailed),
         plugin(std::move(faulty_plugin)),
@@ -40,7 +39,7 @@ class PluginFault : public base::Error {
 
   std::string plugin;
   std::string id;
-  std::string robot;  // "": a measure failed
+  std::string robot;  // "": a measure or a rule failed
   std::uint64_t step;
   std::string place;  // "respond() at brake.cpp:12", or ""
 };

@@ -424,6 +424,7 @@ struct World {
   base::List<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;
+  std::vector<PluginUse> rules;
   base::List<TimedEdit> edits;  // in file order
   Limits limits;
   std::optional<Drawn> drawn;  // none: its file has no layouts

@@ -1,4 +1,4 @@
-// A world made up by hand, as a measure sees it.
+// A world made up by hand, as a measure or a rule sees it.
 #pragma once
 
 #include <deque>
@@ -45,6 +45,9 @@ class Scene {
   /// Removes a box, as when a resource was collected.
   Scene& remove_obstacle(const std::string& id);
 
+  /// Adds an event of the step that was just made; the next step() forgets it.
+  Scene& event(const std::string& name, const std::string& robot = "");
+
   /// A robot, to be changed. For another id, throws std::invalid_argument with the existing ones.
   ObservedRobot& operator[](const std::string& id);
   /// One of its behaviours by its path, to be changed. Its share in the robot's command is
@@ -61,7 +64,7 @@ class Scene {
   Scene& restart() { return at_step(0); }
   double time_s() const { return now_.time_s; }
 
-  /// For calling a measure's object directly. Refers to this scene, and is valid until that
+  /// For calling a plugin's object directly. Refers to this scene, and is valid until that
   /// changes.
   const Observation& observation() const;
 
@@ -81,6 +84,7 @@ class Scene {
   std::vector<Numbers> numbers_;                          // for each robot
   std::vector<ObservedObstacle> boxes_;
   std::vector<std::string_view> teams_;
+  std::vector<ObservedEvent> events_;
   int steps_ = 0;
   int control_steps_ = 1;
   // The data that observation() refers to, renewed by each call.

@@ -11,6 +11,7 @@
 #include "elsie/testing/measure.h"
 #include "elsie/testing/picture.h"
 #include "elsie/testing/plugins.h"
+#include "elsie/testing/rule.h"
 #include "elsie/testing/scene.h"
 #include "elsie/testing/sensor.h"
 #include "elsie/testing/sequence.h"

@@ -43,6 +43,9 @@ void for_each_use(World& world, const See& see) {
   for (auto& measure : world.measures) {
     see(PluginKind::measure, measure);
   }
+  for (auto& rule : world.rules) {
+    see(PluginKind::rule, rule);
+  }
 }
 
 }  // namespace elsie::experiment

@@ -9,8 +9,8 @@
 
 namespace elsie::picture {
 
-/// Reads the world of a text without sensors, behaviours, coordinators, measures, changes, limits,
-/// and goals about time and events. The rest needs no plugin; a robot whose drive is not among
+/// Reads the world of a text without sensors, behaviours, coordinators, measures, rules, changes,
+/// limits, and goals about time and events. The rest needs no plugin; a robot whose drive is not among
 /// `drives` gets the default one; an image of the floor whose file is missing is left out. `file`
 /// is the text's name in messages. Throws world::WorldError with all mistakes in the parts that are
 /// shown.
