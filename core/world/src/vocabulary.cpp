@@ -272,6 +272,7 @@ ElementSpec world() {
       .group(Describe<World>("lamps", "Where light comes from").each(lamp(), &World::lamps))
       .one(floor(), &World::floor)
       .group(patches())
+      .group(Describe<World>("fields", "Numbers over the floor").each(field(), &World::fields))
       .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())
       .group(Describe<World>("measures", "Additional measures of a run")

@@ -67,6 +67,7 @@ class Schema {
            constraint("unique", "charger_id", "chargers/charger", "id") +
            constraint("unique", "lamp_id", "lamps/lamp", "id") +
            constraint("unique", "patch_id", "patches/*", "id") +
+           constraint("unique", "field_id", "fields/field", "id") +
            constraint("unique", "measure_id", "measures/*", "id") +
            constraint("unique", "team_id", "teams/team", "id");
   }
