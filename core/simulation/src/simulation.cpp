@@ -54,6 +54,7 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   // A new engine, so that ODE keeps no state of the last run.
   engine_ = physics::make_engine(world_.arena, world_.physics);
   engine_->work_with(loop_.pool());
+  fields_ = std::make_shared<Fields>(world_);
   goal_starts_.assign(world_.goals.size(), {});
   moving_.clear();
   for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
@@ -268,6 +269,7 @@ std::uint64_t Simulation::state_hash() const {
   for (const auto& robot : impl_->robots_) {
     hash.add(robot->state().energy);
   }
+  impl_->fields_->add_to(hash);
   return hash.value();
 }
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }
@@ -329,6 +331,11 @@ SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
   const std::size_t of_drive = segments(robot) - own.size();
   return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
           state.yaw_rad, state.pitch_rad};
+}
+std::size_t Simulation::fields() const { return impl_->fields_->size(); }
+FieldView Simulation::field(std::size_t index) const {
+  const RunningField& field = (*impl_->fields_)[index];
+  return {&world().fields[index], field.cells(), field.grid(), field.scale()};
 }
 std::optional<Pose> Simulation::obstacle(std::size_t index) const {
   if (!impl_->engine_->has_obstacle(index)) return std::nullopt;

@@ -26,6 +26,7 @@
 #include "replacement/swap.h"
 #include "robot/robot_surroundings.h"
 #include "step/cameras.h"
+#include "step/fields.h"
 #include "step/goals.h"
 #include "step/neighbours.h"
 #include "step/robot_loop.h"
@@ -77,6 +78,7 @@ class Simulation::Impl {
   std::shared_ptr<const world::World> start_;  // null: the world is unchanged since the start
   std::vector<std::shared_ptr<Robot>> robots_;
   std::shared_ptr<physics::Engine> engine_;
+  std::shared_ptr<Fields> fields_;
   std::uint64_t steps_ = 0;
   bool decided_ = false;  // in the last step
   double step_began_s_ = 0.0;

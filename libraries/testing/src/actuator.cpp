@@ -14,6 +14,9 @@ class Recorded final : public Effects {
     done_.shine = colour;
     done_.intensity = intensity;
   }
+  void deposit(std::string_view field, double amount) override {
+    done_.deposited[std::string(field)] += amount;
+  }
   void draw_power(double units_per_s) override { done_.power += units_per_s; }
   void transmit(const std::shared_ptr<const Message>& message, const std::string& to,
                 const Transmission& how) override {

@@ -65,7 +65,8 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     renew();
   });
   undo.keep(start_, time_limit_s_, base_time_s_, base_steps_, new_schedules_);
-  undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_starts_);
+  undo.keep(cameras_, measuring_, engine_, fields_, moving_, touches_, robots_, departed_,
+            goal_starts_);
   const Pairs pairs(was, world_);
   past_.push_back(before);
   transaction.settling([this, before, gone = pairs.gone()] {
@@ -100,6 +101,9 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     transaction.may_cause_warnings |= old.max_speed != robot.max_speed;
   }
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, transaction));
+  if (!same_part("fields", was, world_) || !same_part("arena", was, world_)) {
+    fields_ = std::make_shared<Fields>(world_, *fields_);
+  }
   become_measures(was, transaction);
   become_goals(was);
   bool has_cameras = !cameras_->empty();
