@@ -49,7 +49,7 @@ std::vector<Authoring::Obstacle> Authoring::obstacles() {
   std::vector<Obstacle> all{{"static", "static_box", tr("&static box")},
                             {"dynamic", "dynamic_box", tr("&dynamic box")},
                             {"moving", "moving_box", tr("&moving box")}};
-  QString taken = "bcdeglmnoprstu";
+  QString taken = "bcdefglmnoprstu";
   for (const QString shape : kBoxShapes) {
     if (shape == "box") continue;
     QString text = tr(shape.toUtf8().constData());
@@ -287,6 +287,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
     offer(tr("Add &goal..."), "goals");
     offer(tr("Add meas&ure..."), "measures");
     offer(tr("Add &team..."), "teams");
+    offer(tr("Add &field..."), "fields");
   }
   menu.addSeparator();
   QAction* paste = menu.addAction(tr("Pas&te"), this, &Authoring::paste);
