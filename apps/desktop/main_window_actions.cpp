@@ -196,6 +196,7 @@ void MainWindow::fill_add_menu(QMenu* menu) {
   member("add_measure", tr("Meas&ure..."), "measures");
   member("add_rule", tr("Rul&e..."), "rules");
   member("add_team", tr("&Team..."), "teams");
+  member("add_field", tr("&Field..."), "fields");
 }
 
 void MainWindow::fill_view_menu(QMenu* menu, const QToolBar& tools, const QToolBar& environment) {

@@ -82,6 +82,7 @@ void MainWindow::connect_workbench() {
       if (each->isVisible()) each->show_weights(state);
     }
     properties_->show_state(state);
+    scene_->take_state(state);
   });
   connect(&workbench_, &Workbench::snapshot, this, [this](const snapshots::Snapshot& snapshot) {
     scene_->take(snapshot);
@@ -326,6 +327,7 @@ void MainWindow::watch() {
   if (shows(docks_.fuzzy) || std::any_of(plotted.begin(), plotted.end(), is_fuzzy)) {
     what.push_back("fuzzy");
   }
+  if (scene_->stage().has_fields()) what.push_back("fields");
   Json robots = Json::array();  // none: all
   if (!shows(docks_.vision) &&
       place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {

@@ -209,6 +209,7 @@ TEST_CASE("Boxes of three kinds, resources, chargers, goals, measures and teams 
                                                        {"add_patch", "<rectangle_patch "},
                                                        {"add_measure", "<measures>"},
                                                        {"add_team", "<teams>"},
+                                                       {"add_field", "<fields>"},
                                                        {"add_goal", "<goals>"}};
   for (const auto& [action, text] : added) {
     INFO(action);

@@ -291,3 +291,17 @@ TEST_CASE("What is locked is marked in the trees and in the view, and can be unl
   window.act("lock");
   CHECK(tree->item("robot[r9]")->icon(0).isNull());
 }
+
+TEST_CASE("A field lies over the floor in the view while the world runs") {
+  Room window(R"(<world format="1"><arena length="4" width="4"/>
+  <floor colour="#808080"/>
+  <fields><field id="heat" cell="0.5" start="1" full="1" colour="#0000ff"/></fields>
+  <limits time="60"/></world>
+)");
+  REQUIRE(wait_for([&] { return window->scene().stage().has_fields(); }));
+  CHECK(wait_for([&] {
+    const auto image = window->scene().stage().drawn().image;
+    return image.pixels && image.size.x == 4.0 && image.pixels->pixel(3, 3)[2] > 200 &&
+           image.pixels->pixel(3, 3)[0] < 40;
+  }));
+}

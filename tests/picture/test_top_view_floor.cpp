@@ -1,6 +1,7 @@
 // The floor and the lights of a picture from above.
 #include <catch2/catch.hpp>
 
+#include "elsie/picture/floor_field.h"
 #include "elsie/picture/floor_tiles.h"
 
 #include "stage.h"
@@ -81,4 +82,43 @@ TEST_CASE("The tiles of an image are as few as its colours allow, and cover it")
   for (const FloorTile& tile : tiles) area += (tile.right - tile.left) * (tile.top - tile.bottom);
   CHECK(area == Approx(100.0));
   CHECK(floor_tiles(world, 10).size() <= 5);
+}
+
+TEST_CASE("A field lies over the floor in its colour, the more opaque the larger it is") {
+  Stage scene;
+  scene.world.floor.colour = Colour{200, 200, 200};
+  const Bitmap without = scene.image();
+  FloorField& field = scene.view.fields.emplace_back();
+  field.id = "pheromone";
+  field.colour = {0, 0, 250};
+  field.columns = field.rows = 2;
+  field.values = {0.0F, 2.0F, 4.0F, 0.0F};  // from the south-west to the north-east
+  const auto red = [&](const Bitmap& image, double x, double y) {
+    return image.at(scene.place(x, y)).red;
+  };
+  const Bitmap with = scene.image();
+  CHECK(red(with, -2.3, -2.3) == red(without, -2.3, -2.3));
+  CHECK(red(with, 2.3, -2.3) == Approx(200 * (1 - 0.85 * 0.5)).margin(3));
+  CHECK(red(with, -2.3, 2.3) == Approx(200 * (1 - 0.85)).margin(3));
+  field.full = 8.0;
+  CHECK(red(scene.image(), -2.3, 2.3) == Approx(200 * (1 - 0.85 * 0.5)).margin(3));
+  field.values.assign(4, 0.0F);
+  CHECK(red(scene.image(), -2.3, 2.3) == red(without, -2.3, 2.3));
+}
+
+TEST_CASE("The tiles of a field leave out what is empty, and join what is equal") {
+  FloorField field;
+  field.columns = 4, field.rows = 2;
+  field.values = {1.0F, 1.0F, 0.0F, 0.5F, 1.0F, 1.0F, 0.0F, 0.0F};
+  world::Arena arena;
+  arena.length = 4.0, arena.width = 2.0;
+  const std::vector<FloorTile> tiles = field_tiles(field, arena, 100);
+  REQUIRE(tiles.size() == 3);
+  CHECK(tiles[0].left == -2.0);
+  CHECK(tiles[0].right == 0.0);
+  CHECK(tiles[0].opacity == 217);
+  CHECK(tiles[2].left == 1.0);
+  CHECK(tiles[2].bottom == -1.0);
+  CHECK(tiles[2].opacity == 108);
+  CHECK(field_tiles(field, arena, 2).size() == 2);
 }

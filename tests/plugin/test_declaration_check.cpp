@@ -314,6 +314,32 @@ TEST_CASE("Only behaviours and coordinators react to events") {
   CHECK_THAT(faults[0], Catch::Contains("only behaviors and coordinators perceive events"));
 }
 
+TEST_CASE("A field is named by a text that does not change while the world runs") {
+  class Sniffer final : public SensorOf<RangeReading> {
+   public:
+    std::string field = "smoke";
+    double least = 1.0;
+    RangeReading sense(const SensorContext&) override { return {}; }
+  };
+  const auto faults = [](bool live, const char* named, PluginKind kind = PluginKind::sensor) {
+    Declaration declaration =
+        declare<Sniffer>(kind, "sniffer", "Smells", produces<RangeReading>(), names_field(named),
+                         parameter("field", &Sniffer::field, {.live = live}),
+                         parameter("least", &Sniffer::least, {.live = false}));
+    if (kind != PluginKind::sensor) declaration.produces.clear();
+    return check_declaration(declaration);
+  };
+  CHECK(faults(false, "field").empty());
+  for (const auto& wrong :
+       {faults(true, "field"), faults(false, "least"), faults(false, "smell")}) {
+    REQUIRE(wrong.size() == 1);
+    CHECK_THAT(wrong[0], Contains("needs a parameter of that name, a text that is not live"));
+  }
+  const auto measures = faults(false, "field", PluginKind::measure);
+  REQUIRE(measures.size() == 1);
+  CHECK_THAT(measures[0], Contains("only sensors and actuators use fields"));
+}
+
 TEST_CASE("One library must not declare a plugin twice") {
   const auto faults = check_declarations(std::vector{behavior(), sensor(), behavior()});
   REQUIRE(faults.size() == 1);

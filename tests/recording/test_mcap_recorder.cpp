@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "elsie/api/measure.h"
+#include "elsie/files/base64.h"
 #include "elsie/picture/image_file.h"
 #include "elsie/render/world_cameras.h"
 #include "elsie/shapes/obstacle_shapes.h"
@@ -421,4 +422,43 @@ TEST_CASE("The scene has the floor's colour, its image and patches as triangles,
   CHECK(entities[2].at("id") == "lamp/sun");
   CHECK(entities[2].at("spheres").size() == 1);
   CHECK(entities[2].at("texts")[0].at("text") == "sun");
+}
+
+TEST_CASE("Fields are recorded once a second and at the end, and read back for the picture") {
+  world::World world = one_robot(behavior("wander"));
+  world.arena.length = 4.0, world.arena.width = 2.0;
+  world.fields.resize(2);
+  world::ScalarField &coarse = world.fields[0], &fine = world.fields[1];
+  coarse.id = "heat";
+  coarse.cell = 0.5;
+  coarse.half_life = 1.0;
+  coarse.start = 8.0;
+  fine.id = "fine";
+  fine.cell = 0.01;
+  fine.start = 3.0;
+  world.limits.time = 2.5;
+  const RecordedFile file(world, shipped());
+  auto all = recorded(file.path);
+  const auto& heat = all["/fields/heat"];
+  REQUIRE(heat.size() == 4);
+  CHECK(heat[0].time_s() == 0.0);
+  CHECK(heat[1].time_s() == Approx(1.0));
+  CHECK(heat[3].time_s() == Approx(2.5));
+  const auto& content = heat[1].content;
+  CHECK(content.at("column_count") == 8);
+  CHECK(content.at("cell_size").at("y") == 0.5);
+  CHECK(content.at("row_stride") == 32);
+  CHECK(content.at("pose").at("position").at("x") == -2.0);
+  const auto values = files::unpacked<float>(content.at("data").get<std::string>());
+  REQUIRE(values);
+  CHECK(values->size() == 8 * 4);
+  CHECK(values->front() == Approx(4.0F));
+  CHECK(all["/fields/fine"][0].content.at("column_count") == 256);
+
+  const recording::RecordedRun run = recording::read_recorded_run(file.path, 1.7);
+  REQUIRE(run.fields.size() == 2);
+  CHECK(run.fields.at("heat").columns == 8);
+  CHECK(run.fields.at("heat").rows == 4);
+  CHECK(run.fields.at("heat").values[5] == Approx(4.0F));
+  CHECK(run.fields.at("fine").values[1000] == Approx(3.0F));
 }

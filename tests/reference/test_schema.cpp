@@ -76,6 +76,7 @@ const std::map<std::string, std::string> kBeyondSchemas = {
     {"floor_image_missing", "files"},
     {"floor_image_no_image", "files"},
     {"image_size_without_image", "attributes that depend on each other"},
+    {"field_of_too_many_cells", "attributes that depend on each other"},
     {"lamp_in_a_box", "places"},
     {"lamp_outside", "places"},
     {"line_leaves_the_arena", "places"},

@@ -5,6 +5,8 @@
 #include <set>
 #include <thread>
 
+#include "elsie/files/base64.h"
+
 #include "session.h"
 
 using namespace elsie;
@@ -17,7 +19,8 @@ Json watch(Session& session, const std::vector<std::string>& what,
   return session.ask({{"do", "watch"}, {"what", what}, {"robots", robots}});
 }
 
-const std::vector<std::string> kEverything{"decisions", "sensors", "cameras", "fuzzy", "measures"};
+const std::vector<std::string> kEverything{"decisions", "sensors",  "cameras",
+                                           "fuzzy",     "measures", "fields"};
 
 void open_shipped(Session& session, const std::string& world) {
   const std::string file = test::source_path("worlds/" + world);
@@ -215,4 +218,23 @@ TEST_CASE("Events and notes of a run come as they arise") {
   CHECK_THAT(note["text"].get<std::string>(), Catch::Contains("physics: "));
   session.ask({{"do", "run"}});
   CHECK(session.end_of_run()["notes"][0] == note["text"]);
+}
+
+TEST_CASE("Fields of the floor are watched as opacities, from south to north") {
+  Session session;
+  session.open(R"(<world format="1"><arena length="4" width="2"/>
+    <fields><field id="heat" cell="0.5" start="1" full="2" colour="#ff0000"/></fields></world>)");
+  watch(session, {"fields"});
+  const Json state = session.event("state");
+  REQUIRE(state["fields"].size() == 1);
+  const Json& field = state["fields"][0];
+  CHECK(field["id"] == "heat");
+  CHECK(field["columns"] == 8);
+  CHECK(field["rows"] == 4);
+  CHECK(field["colour"] == Json::array({255, 0, 0}));
+  const auto opacity = files::unpacked<std::uint8_t>(field["opacity"].get<std::string>());
+  REQUIRE(opacity);
+  CHECK(*opacity == std::vector<std::uint8_t>(32, 108));
+  watch(session, {"measures"});
+  CHECK_FALSE(session.event("state").contains("fields"));
 }

@@ -158,7 +158,8 @@ TEST_CASE("What needs two hands moves when two robots hold it") {
 }
 
 TEST_CASE("What a robot releases in a nest of its team is delivered") {
-  const std::string nest = R"(<nests><nest team="red" x="0" y="0" radius="0.3"/></nests>)";
+  const std::string nest =
+      R"(<nests><nest team="red" x="0" y="0" radius="0.3"/></nests><goals><deliver/></goals>)";
   const std::string team = GENERATE("red", "blue");
   simulation::Simulation simulation =
       simulated(world_of(gripper_at("r1", 0, 0, team, "battery=\"5000\" energy=\"1000\""),
@@ -171,10 +172,12 @@ TEST_CASE("What a robot releases in a nest of its team is delivered") {
   if (team == "blue") {
     CHECK(deeds(simulation) == Deeds{"r1: taken p", "r1: released p"});
     CHECK(simulation.obstacle(0));
+    CHECK(simulation.outcome() == simulation::Outcome::running);
     return;
   }
   CHECK(deeds(simulation) == Deeds{"r1: taken p", "r1: released p", "r1: delivered p"});
   CHECK_FALSE(simulation.obstacle(0));
+  CHECK(simulation.outcome() == simulation::Outcome::success);
   CHECK(simulation.result().robots[0].collected == 1);
   CHECK(simulation.robot(0).state->energy == Approx(energy + 500.0).margin(1.0));
 }

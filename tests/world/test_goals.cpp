@@ -132,9 +132,11 @@ TEST_CASE("A goal waits for an event of the simulator, or of a behaviour of its 
     CAPTURE(goal);
     CHECK(wrong_with(goal).empty());
   }
-  CHECK_THAT(wrong_with("<event name='alarm' robot='r2'/>"),
-             Contains("<event> waits for 'alarm', which neither the simulator nor a behaviour of "
-                      "the robot 'r2' raises; there are: battery_empty"));
+  CHECK_THAT(
+      wrong_with("<event name='alarm' robot='r2'/>"),
+      Contains(
+          "<event> waits for 'alarm', which neither the simulator nor a rule nor a behaviour of "
+          "the robot 'r2' raises; there are: battery_empty"));
   CHECK_THAT(wrong_with("<event name='alarm' team='blue'/>"),
              Contains("nor a behaviour of the team 'blue' raises"));
   CHECK_THAT(wrong_with("<event name='alram'/>"), Contains("did you mean 'alarm'?"));

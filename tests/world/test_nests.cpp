@@ -46,6 +46,15 @@ TEST_CASE("A resource is collected by touch, or it can be pushed, held and carri
   CHECK_THAT(text, Catch::Contains("collect=\"nest\"") && Catch::Contains("hands=\"2\""));
 }
 
+TEST_CASE("A goal of delivery needs a nest, and something to deliver") {
+  const std::string nest = "<nests><nest/></nests>";
+  const std::string puck = "<resources><resource x=\"2\" collect=\"nest\"/></resources>";
+  const std::string goal = "<goals><deliver count=\"2\"/></goals>";
+  CHECK_NOTHROW(read(nest + puck + goal));
+  CHECK_THROWS_WITH(read(puck + goal), Catch::Contains("<deliver> has nowhere to deliver to"));
+  CHECK_THROWS_WITH(read(nest + goal), Catch::Contains("<deliver> has nothing to deliver"));
+}
+
 TEST_CASE("Nests of one team do not overlap; those of two teams may") {
   CHECK_NOTHROW(read("<nests><nest team=\"red\"/><nest team=\"blue\"/></nests>"));
   CHECK_THROWS_WITH(read("<nests><nest id=\"a\"/><nest id=\"b\" x=\"0.9\"/></nests>"),

@@ -49,7 +49,7 @@ std::vector<Authoring::Obstacle> Authoring::obstacles() {
   std::vector<Obstacle> all{{"static", "static_box", tr("&static box")},
                             {"dynamic", "dynamic_box", tr("&dynamic box")},
                             {"moving", "moving_box", tr("&moving box")}};
-  QString taken = "bcdeglmnoprstu";
+  QString taken = "bcdefglmnoprstu";
   for (const QString shape : kBoxShapes) {
     if (shape == "box") continue;
     QString text = tr(shape.toUtf8().constData());
@@ -289,6 +289,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
     offer(tr("Add meas&ure..."), "measures");
     offer(tr("Add ru&le..."), "rules");
     offer(tr("Add &team..."), "teams");
+    offer(tr("Add &field..."), "fields");
   }
   menu.addSeparator();
   QAction* paste = menu.addAction(tr("Pas&te"), this, &Authoring::paste);

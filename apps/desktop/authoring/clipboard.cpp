@@ -90,9 +90,9 @@ void Authoring::duplicate_selected() { insert(markup_of_selected(), tr("duplicat
 
 // The list for a piece that does not name its list.
 QString Authoring::list_for(const QString& name) const {
-  for (const char* list :
-       {"robots", "obstacles", "resources", "chargers", "nests", "lamps", "patches", "teams",
-        "goals", "measures", "rules", "sensors", "actuators", "behaviors", "coordinator"}) {
+  for (const char* list : {"robots", "obstacles", "resources", "chargers", "nests", "lamps",
+                           "patches", "fields", "teams", "goals", "measures", "rules", "sensors",
+                           "actuators", "behaviors", "coordinator"}) {
     for (const Kind& each : workbench_.catalog().members(list)) {
       if (each.name == name) {
         return list;

@@ -97,16 +97,25 @@ std::vector<ElementPlace> members_of(const Json& world, const QString& holder,
 }
 
 QString member_word(const QString& list) {
-  static const QHash<QString, QString> words{
-      {"teams", "team"},         {"obstacles", "obstacle"},
-      {"resources", "resource"}, {"chargers", "charger"},
-      {"nests", "nest"},         {"lamps", "lamp"},
-      {"patches", "patch"},      {"robots", "robot"},
-      {"goals", "goal"},         {"measures", "measure"},
-      {"rules", "rule"},         {"changes", "change"},
-      {"sensors", "sensor"},     {"actuators", "actuator"},
-      {"behaviors", "behavior"}, {"coordinator", "coordinator"},
-      {"drive", "drive"},        {"segments", "segment"}};
+  static const QHash<QString, QString> words{{"teams", "team"},
+                                             {"obstacles", "obstacle"},
+                                             {"resources", "resource"},
+                                             {"chargers", "charger"},
+                                             {"nests", "nest"},
+                                             {"lamps", "lamp"},
+                                             {"patches", "patch"},
+                                             {"fields", "field"},
+                                             {"robots", "robot"},
+                                             {"goals", "goal"},
+                                             {"measures", "measure"},
+                                             {"rules", "rule"},
+                                             {"changes", "change"},
+                                             {"sensors", "sensor"},
+                                             {"actuators", "actuator"},
+                                             {"behaviors", "behavior"},
+                                             {"coordinator", "coordinator"},
+                                             {"drive", "drive"},
+                                             {"segments", "segment"}};
   return words.value(list);
 }
 

@@ -74,6 +74,13 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
   update();
 }
 
+void SceneView::take_state(const Json& state) {
+  if (!stage_.has_fields() || !state.contains("fields")) return;
+  stage_.take_fields(state["fields"]);
+  is_stale_ = true;
+  update();
+}
+
 void SceneView::show_trails(const Past& past) {
   trails_.show(past);
   connect(&past, &Past::paths_changed, this, qOverload<>(&QWidget::update));

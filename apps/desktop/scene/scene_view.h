@@ -52,6 +52,8 @@ class SceneView : public QWidget {
   void set_notice(const QString& notice);
   const QString& notice() const { return notice_; }
   void take(const snapshots::Snapshot& snapshot);
+  /// Takes an event `state`, for the fields of the world.
+  void take_state(const Json& state);
   /// Where the lines behind the robots come from; it must outlive the view.
   void show_trails(const Past& past);
   /// Leaves out the lines from before this time, s.

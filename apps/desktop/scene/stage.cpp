@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "scene/floor_fields.h"
+
 namespace elsie::desktop {
 namespace {
 
@@ -134,6 +136,8 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   width_ = whole.width_;
   floor_ = whole.floor_;
   image_ = std::move(whole.image_);
+  has_fields_ = whole.has_fields_;
+  with_fields_.reset();
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
   latest_s_ = 0.0;
@@ -150,6 +154,7 @@ void Stage::read(const Json& scene) {
     image_ = {{size.at(0).get<double>(), size.at(1).get<double>()},
               image_from(text_of(floor, "image"))};
   }
+  has_fields_ = scene.value("has_fields", false);
   for (const Json& each : scene.at("bodies")) {
     bodies_.push_back({text_of(each, "path"), integer_of(each, "vehicle", 0), {}, {}, true});
   }
@@ -170,6 +175,14 @@ void Stage::read(const Json& scene) {
       }
     }
     solids_.push_back(std::move(solid));
+  }
+}
+
+void Stage::take_fields(const Json& fields) {
+  try {
+    with_fields_ = with_fields(image_, floor_.value_or(kFloor), {length_, width_}, fields);
+  } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
+    with_fields_.reset();
   }
 }
 
@@ -244,7 +257,8 @@ std::optional<Frame> Stage::place_of(const QString& path) const {
 render::Scene Stage::drawn() const {
   render::Scene scene;
   scene.floor = floor_.value_or(kFloor);
-  scene.image = image_;
+  // Of the past, only bodies are known.
+  scene.image = with_fields_ && !is_past() ? *with_fields_ : image_;
   scene.sky = kSky;
   for (const Solid& solid : solids_) {
     if (is_present(solid)) {

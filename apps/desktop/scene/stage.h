@@ -38,6 +38,10 @@ class Stage {
 
   /// Reads a scene; an invalid one leaves the stage empty. Returns whether it was valid.
   bool set_scene(const Json& scene, std::uint64_t epoch);
+  /// Takes the fields of an event `state`.
+  void take_fields(const Json& fields);
+  /// Whether the world has fields.
+  bool has_fields() const { return has_fields_; }
   /// Takes a snapshot, and keeps it until its scene is there. Returns whether the bodies moved.
   bool take(const snapshots::Snapshot& snapshot);
 
@@ -86,6 +90,8 @@ class Stage {
   double length_ = 0.0, width_ = 0.0;
   std::optional<Colour> floor_;
   render::FloorImage image_;
+  bool has_fields_ = false;
+  std::optional<render::FloorImage> with_fields_;  // none: they have not come yet
   double time_s_ = 0.0;
   double latest_s_ = 0.0;  // the latest time that was shown
   std::vector<Body> bodies_;

@@ -66,6 +66,9 @@ void draw(const simulation::Simulation& simulation, const traces::TrackRecorder*
   for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
     view.boxes.push_back(simulation.obstacle(i));
   }
+  for (std::size_t i = 0; i < simulation.fields(); ++i) {
+    view.fields.push_back(picture::floor_field(simulation.field(i), picture::kMostFieldTiles));
+  }
   view.subtitles = subtitles;
   view.paths = paths;
   view.path_period_s = tracks ? tracks->period_s() : 0.0;

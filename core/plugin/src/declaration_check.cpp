@@ -33,6 +33,7 @@ class Checker {
     for (const ParameterDeclaration& parameter : declaration_.parameters) {
       check_parameter(parameter);
     }
+    check_field_parameters();
     check_elements();
     check_readings();
     for (const EventDeclaration& event : declaration_.events) {
@@ -168,6 +169,20 @@ class Checker {
     }
     if (const auto wrong = check_value(parameter, parameter.default_value)) {
       fault("the default of " + *wrong);
+    }
+  }
+
+  void check_field_parameters() {
+    for (const std::string& name : declaration_.field_parameters) {
+      const auto* const parameter = find_declared(declaration_.parameters, name);
+      if (!parameter || parameter->type != ParameterType::text || parameter->facts.live) {
+        fault("names_field(\"" + name + "\") needs a parameter of that name, a text that is not " +
+              "live");
+      }
+    }
+    if (!declaration_.field_parameters.empty() && declaration_.kind != PluginKind::sensor &&
+        declaration_.kind != PluginKind::actuator) {
+      fault("only sensors and actuators use fields, so it names none");
     }
   }
 

@@ -56,6 +56,7 @@ void Simulation::Impl::reset(std::uint64_t seed) {
   engine_ = physics::make_engine(world_.arena, world_.physics);
   engine_->work_with(loop_.pool());
   goal_progress_.assign(single_goals(world_.goals).size(), {});
+  fields_ = std::make_shared<Fields>(world_);
   moving_.clear();
   for (std::size_t i = 0; i < world_.obstacles.size(); ++i) {
     add_obstacle(i);
@@ -276,6 +277,7 @@ std::uint64_t Simulation::state_hash() const {
     hash.add(robot->state().energy);
   }
   for (const auto& robot : impl_->robots_) robot->add_messages(hash);
+  impl_->fields_->add_to(hash);
   return hash.value();
 }
 std::span<const Note> Simulation::notes() const { return impl_->said_.notes; }
@@ -337,6 +339,11 @@ SegmentView Simulation::segment(std::size_t robot, std::size_t index) const {
   const std::size_t of_drive = segments(robot) - own.size();
   return {index < of_drive ? nullptr : &own[index - of_drive], state.frame, state.pose,
           state.yaw_rad, state.pitch_rad};
+}
+std::size_t Simulation::fields() const { return impl_->fields_->size(); }
+FieldView Simulation::field(std::size_t index) const {
+  const RunningField& field = (*impl_->fields_)[index];
+  return {&world().fields[index], field.cells(), field.grid(), field.scale()};
 }
 std::optional<Pose> Simulation::obstacle(std::size_t index) const {
   if (!impl_->engine_->has_obstacle(index)) return std::nullopt;

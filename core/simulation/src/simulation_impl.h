@@ -27,6 +27,7 @@
 #include "robot/common_data.h"
 #include "robot/robot_surroundings.h"
 #include "step/cameras.h"
+#include "step/fields.h"
 #include "step/goals.h"
 #include "step/hands.h"
 #include "step/neighbours.h"
@@ -83,6 +84,7 @@ class Simulation::Impl {
   std::vector<std::shared_ptr<Robot>> robots_;
   std::shared_ptr<RobotIds> robot_ids_ = std::make_shared<RobotIds>();
   std::shared_ptr<physics::Engine> engine_;
+  std::shared_ptr<Fields> fields_;
   std::uint64_t steps_ = 0;
   bool decided_ = false;  // in the last step
   double step_began_s_ = 0.0;

@@ -373,6 +373,8 @@ void check_world(const Reading& reading, const Element& root, const plugin::Host
     check_goals(reading, host, problems);
     check_places(reading, is_running, problems);
   }
+  const Element* const fields = root.child("fields");
+  if (is_sound("arena")) check_fields(reading, host, fields && !fields->unread, problems);
 }
 
 }  // namespace elsie::world

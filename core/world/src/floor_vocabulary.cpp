@@ -83,6 +83,24 @@ ElementSpec lamp() {
       .attribute("colour", &Lamp::colour, fact("of its light"));
 }
 
+ElementSpec field() {
+  return Describe<ScalarField>("field", "Numbers over the floor that robots deposit and sense")
+      .attribute("id", &ScalarField::id, fact("its name, which actuators and sensors give"),
+                 kRequiredId)
+      .attribute("cell", &ScalarField::cell, size("largest edge of a cell of its grid", 1e4))
+      .attribute("half_life", &ScalarField::half_life,
+                 positive("s", 1e9, "in which it evaporates to half; by default it stays"))
+      .attribute("spread", &ScalarField::spread,
+                 range("m2/s", 0, 1e4,
+                       "the variance of a spot along an axis grows by twice as much in a second"))
+      .attribute("start", &ScalarField::start,
+                 range("units/m2", 0, 1e12, "everywhere when the field begins"))
+      .attribute("full", &ScalarField::full,
+                 positive("units/m2", 1e15,
+                          "shown in its full colour; by default the largest value at that time"))
+      .attribute("colour", &ScalarField::colour, fact("in pictures"));
+}
+
 ElementSpec floor() {
   const auto set = [](void* object, const ParameterValue& value) {
     static_cast<Floor*>(object)->image = std::get<std::string>(value);

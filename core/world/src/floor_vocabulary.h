@@ -1,4 +1,4 @@
-// Lamps, the floor and its patches in a world file.
+// Lamps, the floor, its patches and fields in a world file.
 #pragma once
 
 #include "elsie/world/describe.h"
@@ -7,6 +7,7 @@
 namespace elsie::world {
 
 ElementSpec lamp();
+ElementSpec field();
 ElementSpec floor();
 /// The group <patches>.
 Describe<World> patches();

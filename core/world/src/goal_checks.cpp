@@ -98,12 +98,30 @@ struct GoalCheck {
     if (std::find(raised.begin(), raised.end(), goal.name) != raised.end()) return;
     std::sort(raised.begin(), raised.end());
     raised.erase(std::unique(raised.begin(), raised.end()), raised.end());
-    problems.add(goal.location, "<event> waits for '" + goal.name +
-                                    "', which neither the simulator nor a rule nor a behaviour of " +
-                                    (!goal.robot.empty()  ? "the robot '" + goal.robot + "'"
-                                     : !goal.team.empty() ? "the team '" + goal.team + "'"
-                                                          : "this world") +
-                                    " raises" + base::near_or_all(goal.name, raised, "there are"));
+    problems.add(goal.location,
+                 "<event> waits for '" + goal.name +
+                     "', which neither the simulator nor a rule nor a behaviour of " +
+                     (!goal.robot.empty()  ? "the robot '" + goal.robot + "'"
+                      : !goal.team.empty() ? "the team '" + goal.team + "'"
+                                           : "this world") +
+                     " raises" + base::near_or_all(goal.name, raised, "there are"));
+  }
+  void operator()(const DeliverGoal& goal) const {
+    const bool has_nest =
+        std::any_of(world.nests.begin(), world.nests.end(), [&](const Nest& nest) {
+          return nest.team.empty() || goal.team.empty() || nest.team == goal.team;
+        });
+    const bool has_cargo =
+        std::any_of(world.obstacles.begin(), world.obstacles.end(), [&](const Obstacle& obstacle) {
+          return obstacle.to_nest &&
+                 (obstacle.team.empty() || goal.team.empty() || obstacle.team == goal.team);
+        });
+    if (has_nest && has_cargo) return;
+    problems.add(goal.location, std::string("<deliver> has ") +
+                                    (has_cargo ? "nowhere to deliver to; expected a <nest>"
+                                               : "nothing to deliver; expected a <resource "
+                                                 "collect=\"nest\">") +
+                                    (goal.team.empty() ? "" : " for the team '" + goal.team + "'"));
   }
   void operator()(const AnyGoal& goal) const { check_group("<any>", goal); }
   void operator()(const AllGoal& goal) const { check_group("<all>", goal); }

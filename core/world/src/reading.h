@@ -91,4 +91,8 @@ void check_goals(const Reading& reading, const plugin::Host& host, Problems& pro
 /// resources must not overlap anything.
 void check_places(const Reading& reading, bool is_running, Problems& problems);
 
+/// Checks that no field has too many cells, and that the sensors and actuators of robots name
+/// fields of the world. `all`: of all robots, not only of those that were read.
+void check_fields(const Reading& reading, const plugin::Host& host, bool all, Problems& problems);
+
 }  // namespace elsie::world

@@ -237,6 +237,11 @@ Describe<Holder> goals_to_reach(Describe<Holder> list) {
                            .attribute("count", &EventGoal::count,
                                       range("", 1, 1e9, "how often, by all these robots"))),
           &Holder::goals)
+      .each_of(about_robots(
+                   Describe<DeliverGoal>("deliver", "To reach: resources are delivered in nests")
+                       .attribute("count", &DeliverGoal::count,
+                                  range("", 1, 1e9, "how many, by all these robots"))),
+               &Holder::goals)
       .each_of(Describe<EndureGoal>("endure", "To reach: this much simulated time has passed")
                    .attribute("time", &EndureGoal::time, positive("s", 1e9, "how much")),
                &Holder::goals)
@@ -344,6 +349,7 @@ ElementSpec world() {
       .group(Describe<World>("lamps", "Where light comes from").each(lamp(), &World::lamps))
       .one(floor(), &World::floor)
       .group(patches())
+      .group(Describe<World>("fields", "Numbers over the floor").each(field(), &World::fields))
       .group(Describe<World>("robots", "The robots").each(robot_spec(), &World::robots))
       .group(goals())
       .group(Describe<World>("measures", "Additional measures of a run")

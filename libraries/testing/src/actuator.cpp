@@ -14,6 +14,9 @@ class Recorded final : public Effects {
     done_.shine = colour;
     done_.intensity = intensity;
   }
+  void deposit(std::string_view field, double amount) override {
+    done_.deposited[std::string(field)] += amount;
+  }
   void draw_power(double units_per_s) override { done_.power += units_per_s; }
   void hold(double reach_m) override { done_.reach = reach_m; }
   void transmit(const std::shared_ptr<const AnyMessage>& message, const std::string& to,

@@ -41,6 +41,10 @@ class ActuatorTrial final : public Trial {
     require_finite("its power", done.power);
     answer.add("its power", done.power);
     answer.add("the number of its messages", static_cast<double>(done.sent.size()));
+    for (const auto& [field, amount] : done.deposited) {
+      require_finite("its deposit", amount);
+      answer.add("its deposit", amount);
+    }
     if (done.shine && !(done.intensity > 0.0)) {
       throw Wrong("it shines with the intensity " + number_text(done.intensity) +
                   "; expected a number above 0");

@@ -32,6 +32,7 @@ Surroundings::Surroundings(Surroundings&& other) noexcept
       joints_(std::move(other.joints_)),
       contacts_(std::move(other.contacts_)),
       motion_(other.motion_),
+      fields_(std::move(other.fields_)),
       last_(other.last_),
       colours_(std::move(other.colours_)),
       engine_(std::move(other.engine_)) {
@@ -143,6 +144,17 @@ Surroundings& Surroundings::patch(const world::Patch& patch) {
   world_.patches.push_back(patch);
   engine_->things.reset();
   return *this;
+}
+
+Surroundings& Surroundings::field(const std::string& id,
+                                  std::function<double(const Vector2&)> value) {
+  fields_[id] = std::move(value);
+  return *this;
+}
+
+double Surroundings::field(std::string_view id, const Vector2& place) const {
+  const auto found = fields_.find(id);
+  return found == fields_.end() ? 0.0 : found->second(place);
 }
 
 Surroundings& Surroundings::touch(const Vector3& place, const Vector3& normal, double impulse_n_s,

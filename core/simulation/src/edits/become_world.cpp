@@ -66,7 +66,8 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     renew();
   });
   undo.keep(start_, time_limit_s_, base_time_s_, base_steps_, new_schedules_);
-  undo.keep(cameras_, measuring_, engine_, moving_, touches_, robots_, departed_, goal_progress_);
+  undo.keep(cameras_, measuring_, engine_, fields_, moving_, touches_, robots_, departed_,
+            goal_progress_);
   const Pairs pairs(was, world_);
   past_.push_back(before);
   transaction.settling([this, before, gone = pairs.gone()] {
@@ -104,6 +105,9 @@ void Simulation::Impl::become(world::World next, EditTransaction& transaction) {
     is_placed = bool(new_place(was.obstacles[i], world_.obstacles[i], transaction));
   }
   if (has_new_bodies || is_placed) check_room(was, become_bodies(pairs, transaction));
+  if (!same_part("fields", was, world_) || !same_part("arena", was, world_)) {
+    fields_ = std::make_shared<Fields>(world_, *fields_);
+  }
   become_measures(was, transaction);
   become_goals(was);
   bool has_cameras = !cameras_->empty();

@@ -274,6 +274,7 @@ void Robot::reset(std::uint64_t seed) {
     slot->by.clear();
     slot->under_way.clear();
     slot->sounding.clear();
+    slot->deposits.clear();
     slot->effect = slot->shown = {};
   }
   logged_ = 0;

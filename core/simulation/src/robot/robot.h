@@ -32,6 +32,7 @@ namespace elsie::simulation {
 
 class EditTransaction;
 class Cameras;
+class Fields;
 class RobotSurroundings;
 class Swap;
 
@@ -76,7 +77,9 @@ class Robot final : private RobotRequests {
   /// the set points of the joints in wanted_joints(). Throws PluginFault.
   void decide(const Instant& now);
   /// Lets the actuators carry out what the decision tells them. Throws PluginFault.
-  void act(const Instant& now);
+  void act(const Instant& now, const Fields& fields);
+  /// Adds what the actuators have deposited.
+  void deposit_into(Fields& fields) const;
   /// Shows to others what the actuators have done; call it when all robots have acted.
   void show_effects(double next_s);
   /// Hears what other robots have sent. `loudest_m`: the largest range of a message.
@@ -289,12 +292,19 @@ class Robot final : private RobotRequests {
     using MountedSlot::MountedSlot;
     void equip(Component& object, const Example& example) const override;
     void shine(const Colour& colour, double intensity) override;
+    void deposit(std::string_view field, double amount) override;
     void draw_power(double units_per_s) override;
     void hold(double reach_m) override;
     void transmit(const std::shared_ptr<const AnyMessage>& message, const std::string& to,
                   const Transmission& how) override;
     Effects& effects() { return *this; }
 
+    /// An amount for a field, by its index.
+    struct Deposit {
+      std::size_t field;
+      Vector2 place;
+      double amount;
+    };
     /// A message that was sent.
     struct Sent {
       std::shared_ptr<const AnyMessage> message;
@@ -308,6 +318,9 @@ class Robot final : private RobotRequests {
     Effect effect, shown;
     std::vector<Sent> under_way, sounding;  // sounding: heard in this control period
     double now_s = 0.0;                     // when it carries out its command
+    Vector2 at;                             // where it is then
+    const Fields* fields = nullptr;
+    std::vector<Deposit> deposits;  // in this control period
   };
 
   /// A message with the id of its sender.

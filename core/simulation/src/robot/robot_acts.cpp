@@ -11,6 +11,7 @@
 
 #include "robot/robot.h"
 #include "robot/robot_surroundings.h"
+#include "step/fields.h"
 
 namespace elsie::simulation {
 
@@ -43,7 +44,8 @@ std::size_t Robot::actuator_for(const Act& act) const {
   return static_cast<std::size_t>(found - actuators_.begin());
 }
 
-void Robot::act(const Instant& now) {
+void Robot::act(const Instant& now, const Fields& fields) {
+  for (const auto& slot : actuators_) slot->deposits.clear();
   if (empty_) {
     for (const auto& slot : actuators_) {
       slot->effect = {};
@@ -67,9 +69,12 @@ void Robot::act(const Instant& now) {
     }
     slot->effect = {};
     slot->now_s = now.time_s;
-    const ActuatorContext context{
-        now.time_s, now.period_s,  slot->is_new,    frame_of(*slot->place), &slot->place->mounting,
-        state_,     &slot->random, &slot->effects()};
+    const Frame frame = frame_of(*slot->place);
+    slot->at = {frame.origin.x, frame.origin.y};
+    slot->fields = &fields;
+    const ActuatorContext context{now.time_s,    now.period_s,           slot->is_new,
+                                  frame,         &slot->place->mounting, state_,
+                                  &slot->random, &slot->effects()};
     const std::size_t before = slot->under_way.size();
     guard_.step(*slot, [&] { slot->object().carry_out(context); });
     tally_.talk.sent += static_cast<int>(slot->under_way.size() - before);
@@ -90,6 +95,23 @@ void Robot::ActuatorSlot::shine(const Colour& colour, double intensity) {
   }
   effect.shine = colour;
   effect.intensity = intensity;
+}
+
+void Robot::ActuatorSlot::deposit(std::string_view field, double amount) {
+  constexpr double kMost = 1e12;
+  if (!(std::abs(amount) <= kMost)) {
+    throw base::Error("it deposits an amount of " + base::number_text(amount) +
+                      "; expected a number from -1e12 to 1e12");
+  }
+  deposits.push_back({fields->index(field), at, amount});
+}
+
+void Robot::deposit_into(Fields& fields) const {
+  for (const auto& slot : actuators_) {
+    for (const ActuatorSlot::Deposit& each : slot->deposits) {
+      fields[each.field].deposit(each.place, each.amount);
+    }
+  }
 }
 
 void Robot::ActuatorSlot::draw_power(double units_per_s) {

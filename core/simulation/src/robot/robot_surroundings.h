@@ -14,6 +14,7 @@
 #include "elsie/world/things.h"
 
 #include "robot/robot.h"
+#include "step/fields.h"
 #include "step/neighbours.h"
 
 namespace elsie::simulation {
@@ -36,10 +37,12 @@ struct SensingMemory {
 
 class RobotSurroundings final : public Surroundings {
  public:
-  RobotSurroundings(const physics::Engine& engine, const world::Things& things, Robots robots,
-                    const Neighbours& neighbours, std::size_t robot, SensingMemory& memory)
+  RobotSurroundings(const physics::Engine& engine, const world::Things& things,
+                    const Fields& fields, Robots robots, const Neighbours& neighbours,
+                    std::size_t robot, SensingMemory& memory)
       : engine_(engine),
         things_(things),
+        fields_(fields),
         robots_(robots),
         neighbours_(neighbours),
         robot_(robot),
@@ -65,6 +68,9 @@ class RobotSurroundings final : public Surroundings {
   BodyMotion motion() const override { return engine_.motion(robot_); }
   Motion rolled() const override { return robots_[robot_]->rolled(); }
   Colour floor_colour(const Vector2& place) const override { return things_.floor_colour(place); }
+  double field(std::string_view id, const Vector2& place) const override {
+    return fields_[fields_.index(id)].value(place);
+  }
   std::span<const LampView> lamps() const override { return things_.lamps(); }
   void things_within(double radius_m, std::vector<NearThing>& things) const override {
     const auto place_of = [this](std::size_t i) -> std::optional<Vector2> {
@@ -115,6 +121,7 @@ class RobotSurroundings final : public Surroundings {
  private:
   const physics::Engine& engine_;
   const world::Things& things_;
+  const Fields& fields_;
   Robots robots_;
   const Neighbours& neighbours_;
   std::size_t robot_;

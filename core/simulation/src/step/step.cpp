@@ -76,7 +76,7 @@ void Simulation::Impl::control(double period_s) {
   // The other robots perceive what a robot decides and does now only in the next step.
   loop_.each(robots_, [&](std::size_t i, std::size_t thread) {
     Robot& robot = *robots_[i];
-    const RobotSurroundings surroundings(*engine_, *things_, robots_, *neighbours_, i,
+    const RobotSurroundings surroundings(*engine_, *things_, *fields_, robots_, *neighbours_, i,
                                          memory_[thread]);
     robot.sense(surroundings, now);
     if (robot.actuator_count() > 0 || !robot.heard().empty()) {
@@ -84,14 +84,18 @@ void Simulation::Impl::control(double period_s) {
     }
     update_team(i, memory_[thread].near);
     robot.decide(now);
-    if (robot.actuator_count() > 0) robot.act(now);
+    if (robot.actuator_count() > 0) robot.act(now, *fields_);
     robot.use_energy(period_s);
     engine_->set_joints(i, robot.wanted_joints());
     attention_[i] = robot.needs_attention();
   });
-  if (!has_actuators_) return;
-  hands_.act(world_, robots_, engine_);
-  for (const auto& robot : robots_) robot->show_effects(now.time_s + period_s);
+  if (has_actuators_) hands_.act(world_, robots_, engine_);
+  for (std::size_t i = 0; has_actuators_ && i < robots_.size(); ++i) {
+    robots_[i]->show_effects(now.time_s + period_s);
+    robots_[i]->deposit_into(*fields_);
+    attention_[i] = robots_[i]->needs_attention();
+  }
+  fields_->advance(period_s);
 }
 
 void Simulation::Impl::look(bool decided, bool is_start) {

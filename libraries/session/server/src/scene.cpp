@@ -118,6 +118,7 @@ Json scene_json(const simulation::Simulation& simulation) {
   }
   return {{"arena", {world.arena.length, world.arena.width}},
           {"floor", floor_json(world)},
+          {"has_fields", !world.fields.empty()},
           {"bodies", std::move(bodies)},
           {"shapes", std::move(shapes)}};
 }

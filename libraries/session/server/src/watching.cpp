@@ -10,6 +10,7 @@
 #include "elsie/base/error.h"
 #include "elsie/files/base64.h"
 #include "elsie/files/clean_text.h"
+#include "elsie/picture/floor_field.h"
 #include "elsie/recording/sensor_pictures.h"
 #include "elsie/traces/trace_rows.h"
 
@@ -21,7 +22,7 @@ using simulation::SensorView;
 using simulation::Simulation;
 using simulation::TracedMember;
 
-constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy", "measures"};
+constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy", "measures", "fields"};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
@@ -148,6 +149,22 @@ Json fuzzy_json(const Simulation& simulation, std::size_t robot) {
   return models;
 }
 
+/// The fields of the floor, as opaque as they are shown.
+Json fields_json(const Simulation& simulation) {
+  constexpr std::size_t kMost = 128;
+  Json fields = Json::array();
+  for (std::size_t i = 0; i < simulation.fields(); ++i) {
+    const picture::FloorField field = picture::floor_field(simulation.field(i), kMost);
+    const Colour& colour = field.colour;
+    fields.push_back({{"id", field.id},
+                      {"colour", {colour.red, colour.green, colour.blue}},
+                      {"columns", field.columns},
+                      {"rows", field.rows},
+                      {"opacity", files::packed(field.opacities())}});
+  }
+  return fields;
+}
+
 }  // namespace
 
 void Watching::choose(const Json& order) {
@@ -156,8 +173,8 @@ void Watching::choose(const Json& order) {
     const auto word = each.get<std::string>();
     if (std::find(std::begin(kWhat), std::end(kWhat), word) == std::end(kWhat)) {
       throw base::BadInput("'" + word +
-                           "' cannot be watched; expected decisions, sensors, cameras, fuzzy or "
-                           "measures");
+                           "' cannot be watched; expected decisions, sensors, cameras, fuzzy, "
+                           "measures or fields");
     }
     what.insert(word);
   }
@@ -201,10 +218,12 @@ Json Watching::state(const Simulation& simulation, std::uint64_t epoch) const {
       robots.push_back(robot(simulation, i));
     }
   }
-  return {{"event", "state"},
-          {"epoch", epoch},
-          {"time_s", simulation.time_s()},
-          {"robots", std::move(robots)}};
+  Json state = {{"event", "state"},
+                {"epoch", epoch},
+                {"time_s", simulation.time_s()},
+                {"robots", std::move(robots)}};
+  if (watches("fields")) state["fields"] = fields_json(simulation);
+  return state;
 }
 
 Json measures_json(std::span<const simulation::MeasuredValue> measures) {

@@ -122,8 +122,9 @@ Ink resource_ink(const world::World& world, const world::Obstacle& resource) {
 }
 
 Scene complete(const TopView& view) {
-  Scene scene{view.world,         {},  view.sketches, view.boxes, view.title, view.subtitles,
-              view.path_period_s, 0.0, view.paths,    view.bare};
+  Scene scene{view.world, {},         view.sketches,  view.fields,
+              view.boxes, view.title, view.subtitles, view.path_period_s,
+              0.0,        view.paths, view.bare};
   std::unordered_map<std::string_view, const world::Robot*> robots;
   std::unordered_set<std::string_view> tracked;
   for (const world::Robot& robot : view.world.robots) robots.emplace(robot.id, &robot);

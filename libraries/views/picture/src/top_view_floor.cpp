@@ -16,15 +16,16 @@ constexpr double kSun = 4.5;           // the radius of a lamp, without its rays
 constexpr int kMostTiles = 600;        // of an image, in each direction
 constexpr int kMostTilesInText = 128;  // of one in an SVG, which grows with them
 
-void draw_image(Canvas& canvas, const Scene& scene, const Layout& layout) {
+void draw_tiles(Canvas& canvas, const Layout& layout, const std::vector<FloorTile>& tiles) {
   // Edges on whole pixels, so that no line shows between neighbours.
   const auto sharp = [&](double at) { return std::round(at * canvas.zoom()) / canvas.zoom(); };
-  for (const FloorTile& tile :
-       floor_tiles(scene.world, canvas.is_text() ? kMostTilesInText : kMostTiles)) {
+  for (const FloorTile& tile : tiles) {
     const Vector2 from = layout.map.pixel({tile.left, tile.top});
     const Vector2 to = layout.map.pixel({tile.right, tile.bottom});
     const double x = sharp(from.x), y = sharp(from.y);
-    canvas.rectangle({x, y, sharp(to.x) - x, sharp(to.y) - y}).fill(ink(tile.colour));
+    const Ink look = ink(tile.colour);
+    canvas.rectangle({x, y, sharp(to.x) - x, sharp(to.y) - y})
+        .fill(tile.opacity < 255 ? look.with_alpha(tile.opacity / 255.0) : look);
   }
 }
 
@@ -52,11 +53,16 @@ void draw_patch(Canvas& canvas, const Layout& layout, const world::Patch& patch)
 }  // namespace
 
 void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout) {
-  draw_image(canvas, scene, layout);
+  const int most = canvas.is_text() ? kMostTilesInText : kMostTiles;
+  draw_tiles(canvas, layout, floor_tiles(scene.world, most));
   for (const world::Nest& nest : scene.world.nests) {
     draw_patch(canvas, layout, world::patch_of(nest));
   }
   for (const world::Patch& patch : scene.world.patches) draw_patch(canvas, layout, patch);
+  for (const FloorField& field : scene.fields) {
+    draw_tiles(canvas, layout,
+               field_tiles(field, scene.world.arena, static_cast<std::size_t>(most)));
+  }
 }
 
 void draw_sun(Canvas& canvas, const Vector2& at, const Ink& light) {

@@ -189,6 +189,17 @@ void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
     entries.push_back(
         {"lamp", 24, [light](Canvas& canvas, const Vector2& at) { draw_sun(canvas, at, light); }});
   }
+  for (const FloorField& field : scene.fields) {
+    const double solid = field.solid();
+    if (!(solid > 0.0)) continue;
+    entries.push_back({clean_text(field.id, 24) + ", up to " + number_text(solid) + " per m2", 34,
+                       [colour = ink(field.colour)](Canvas& canvas, const Vector2& at) {
+                         for (int i = 0; i < 8; ++i) {
+                           canvas.rectangle({at.x - 16 + 4 * i, at.y - 6, 4, 12})
+                               .fill(colour.with_alpha(0.85 * (i + 1) / 8));
+                         }
+                       }});
+  }
   bool places = false;
   world::for_each_goal(scene.world.goals, [&](const world::Goal& goal) {
     places |= std::holds_alternative<world::ReachGoal>(goal) ||

@@ -1,6 +1,6 @@
 // The parts of the top view: its layout and the functions that draw it.
 //
-// Drawing runs from the floor upwards: grid, image and patches of the floor, marks (goals,
+// Drawing runs from the floor upwards: grid, image, patches and fields of the floor, marks (goals,
 // chargers), boxes, paths, sketches, robots, touches, walls, lamps, labels.
 #pragma once
 
@@ -32,7 +32,8 @@ struct DrawnRobot {
 struct Scene {
   const world::World& world;
   std::vector<DrawnRobot> robots;
-  std::vector<Sketch> sketches;            // of measures
+  std::vector<Sketch> sketches;  // of measures
+  std::vector<FloorField> fields;
   std::vector<std::optional<Pose>> boxes;  // one for each box of the world
   std::string title;
   std::vector<std::string> subtitles;
@@ -94,7 +95,7 @@ std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<V
 
 // The parts of the picture. Each takes the labels to place, or adds areas that labels should avoid.
 void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
-/// The image and the patches, over the grid.
+/// The image, the patches and the fields, over the grid.
 void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,

@@ -22,6 +22,7 @@
 #include "elsie/traces/trace_rows.h"
 
 #include "crowd.h"
+#include "fields.h"
 #include "format.h"
 #include "messages.h"
 #include "published.h"
@@ -112,6 +113,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       // The last decision may be half of a step that a plugin did not end.
       sample(simulation, !stopped);
     }
+    if (fields_written_ != simulation.steps()) write_fields(simulation);
     out_.write(mcap::Metadata{kResultMetadata,
                               {{"outcome", stopped ? kStopped : to_string(result.outcome)},
                                {"reason", result.reason},
@@ -369,9 +371,22 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
   }
 
+  void write_fields(const Simulation& simulation) {
+    fields_written_ = simulation.steps();
+    const world::Arena& arena = simulation.world().arena;
+    for (std::size_t i = 0; i < simulation.fields(); ++i) {
+      const auto field = picture::floor_field(simulation.field(i), kMostFieldCells);
+      const auto [known, is_new] = fields_.try_emplace(field.id, std::uint16_t{0});
+      if (is_new) known->second = channel(field_topic(field.id), schema("foxglove.Grid"));
+      const std::uint64_t time_ns = now(simulation);
+      out_.write(known->second, time_ns, field_text(time_ns, field, arena.length, arena.width));
+    }
+  }
+
   void sample(const Simulation& simulation, bool decided) {
     sampled_ = simulation.steps();
     const std::uint64_t time_ns = now(simulation);
+    if (field_sampling_.is_due(simulation.time_s())) write_fields(simulation);
     write(transforms_, time_ns, transforms_message(time_ns, simulation, places_seen()));
     for (RobotChannels& channels : robots_) {
       const RobotView robot = simulation.robot(channels.place);
@@ -463,18 +478,19 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   std::set<std::string> chosen_;  // robots; empty: see kMostWithChannels
   mcap::Writer out_;
   std::uint64_t every_ = 1;  // steps from one sample to the next, as the run begins
-  traces::Sampling sampling_;
+  traces::Sampling sampling_, field_sampling_{1.0};
   std::uint64_t control_steps_ = 1;               // from one decision to the next
   std::map<std::string, std::uint16_t> schemas_;  // by name and text
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0, crowd_channel_ = 0;
   std::optional<std::uint16_t> sketches_, published_;  // of measures
+  std::map<std::string, std::uint16_t> fields_;        // of the floor, by id
   bool lacks_sketches_ = false;
   std::vector<RobotChannels> robots_;
   std::vector<std::size_t> crowd_;                       // places of the robots without channels
   std::unordered_map<std::string, std::size_t> places_;  // of all robots in the simulation
   std::size_t seen_events_ = 0;
   std::vector<std::optional<Pose>> shown_;  // boxes, when the scene was last written
-  std::uint64_t sampled_ = 0;
+  std::uint64_t sampled_ = 0, fields_written_ = 0;
   std::uint64_t decided_ns_ = 0;
   bool new_pictures_ = false;  // since the last sample
   // Robots whose battery is empty now, and was before the last decision: then they saw nothing.

@@ -11,6 +11,7 @@
 #include "elsie/traces/sampling.h"
 
 #include "crowd.h"
+#include "fields.h"
 #include "format.h"
 #include "reading.h"
 #include "sketches.h"
@@ -47,6 +48,10 @@ class Follower final : public Visitor {
       read_event(json(), message.log_time_ns);
     } else if (channel.topic == kCrowdTopic) {
       read_crowd(json(), message.log_time_ns);
+    } else if (channel.topic.starts_with(field_topic(""))) {
+      picture::FloorField field = recorded_field(channel.topic, json());
+      std::string id = field.id;
+      run_.fields[std::move(id)] = std::move(field);
     } else if (channel.topic == kWorldTopic) {
       read_world(json());
     }
@@ -231,6 +236,13 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
                          : moved != run.moved.end()
                              ? std::optional(moved->second)
                              : std::optional(Pose{box.x, box.y, radians(box.heading_deg)}));
+  }
+  for (const world::ScalarField& field : world.fields) {
+    const auto recorded = run.fields.find(field.id);
+    if (recorded == run.fields.end()) continue;
+    view.fields.push_back(recorded->second);
+    view.fields.back().colour = field.colour;
+    view.fields.back().full = field.full;
   }
   view.subtitles = subtitles;
   view.path_period_s = run.period_s;

@@ -68,6 +68,7 @@ class Schema {
            constraint("unique", "nest_id", "nests/nest", "id") +
            constraint("unique", "lamp_id", "lamps/lamp", "id") +
            constraint("unique", "patch_id", "patches/*", "id") +
+           constraint("unique", "field_id", "fields/field", "id") +
            constraint("unique", "measure_id", "measures/*|rules/*", "id") +
            constraint("unique", "team_id", "teams/team", "id");
   }

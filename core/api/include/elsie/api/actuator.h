@@ -20,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "elsie/api/component.h"
@@ -43,7 +44,7 @@ struct Transmission {
   std::size_t bandwidth = std::numeric_limits<std::size_t>::max();
 };
 
-/// What an actuator can do. Each effect lasts one control period: an actuator repeats it for as
+/// What an actuator can do. Each effect is for one control period: an actuator repeats it for as
 /// long as its command holds.
 class Effects {
  public:
@@ -60,6 +61,10 @@ class Effects {
   /// this is repeated. OwnState::held has it from the next period on. A robot lets go when it is
   /// placed elsewhere, and when its battery is empty.
   virtual void hold(double reach_m) = 0;
+  /// Adds this amount, once, to a field of the world at the place of the actuator: for a rate per
+  /// second, times ActuatorContext::period_s. A negative amount takes away what is there. Throws
+  /// base::Error if there is no such field, or the amount is not finite or larger than 1e12.
+  virtual void deposit(std::string_view field, double amount) = 0;
   /// Takes energy from the battery, units per second; at least 0.
   virtual void draw_power(double units_per_s) = 0;
 

@@ -131,11 +131,12 @@ struct Declaration {
   std::vector<ReadingDeclaration> takes;     // actuators: exactly one
   bool hears_messages = false;               // actuators: see hears_messages()
   bool only_acts = false;                    // behaviours: see only_acts()
-  std::vector<EventDeclaration> events;      // the events that it may raise
-  std::vector<std::string> reacts_to;        // names of events
-  std::vector<PublishedNumber> published;    // in the order of the declaration
-  bool feels_contacts = false;               // sensors: see feels_contacts()
-  bool updates_all = false;                  // sensors: those of a robot are updated in one call
+  std::vector<std::string> field_parameters;  // see names_field()
+  std::vector<EventDeclaration> events;       // the events that it may raise
+  std::vector<std::string> reacts_to;         // names of events
+  std::vector<PublishedNumber> published;     // in the order of the declaration
+  bool feels_contacts = false;                // sensors: see feels_contacts()
+  bool updates_all = false;                   // sensors: those of a robot are updated in one call
   /// Its objects may be called from several threads at once, each from one of them.
   bool may_share_threads = true;
   /// Makes an object with every parameter at its default; configured() has not been called yet.
@@ -268,6 +269,12 @@ inline auto raises(const char* name, const char* meaning) {
 /// neither the simulator nor a behaviour of the robot raises the event.
 inline auto reacts_to(std::string_view event) {
   return [=](Declaration& declaration) { declaration.reacts_to.emplace_back(event); };
+}
+
+/// A text parameter of a sensor or an actuator that names a field of the world, which is refused if
+/// it has none of that name. The parameter must not be live.
+inline auto names_field(std::string_view parameter) {
+  return [=](Declaration& declaration) { declaration.field_parameters.emplace_back(parameter); };
 }
 
 /// The plugin's own version; the default is "1.0".

@@ -126,6 +126,10 @@ class Surroundings {
   virtual Motion rolled() const { return {}; }
   /// The colour of the floor there: patches, image, marks of chargers.
   virtual Colour floor_colour(const Vector2& place) const;
+  /// The value of a field at a place, units/m2, between those of the four nearest cells; outside of
+  /// the arena that of the nearest place in it. Throws base::Error if there is no such field: see
+  /// names_field().
+  virtual double field(std::string_view /*id*/, const Vector2& /*place*/) const { return 0.0; }
   /// All lamps, in file order, also those that something hides.
   virtual std::span<const LampView> lamps() const { return {}; }
   /// Appends what actuators of other robots shine whose middles are within the radius of the

@@ -34,6 +34,7 @@
 #include "elsie/simulation/replacement.h"
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/description.h"
+#include "elsie/world/fields.h"
 
 namespace elsie::simulation {
 
@@ -110,6 +111,18 @@ struct SegmentView {
   Pose pose;                          // projected onto the floor
   double yaw_rad;    // of its joint, counter-clockwise; 0: in line with the body in front
   double pitch_rad;  // of its joint; positive if its front points up
+};
+
+/// A field at this instant.
+struct FieldView {
+  const world::ScalarField* description;
+  world::FieldCells cells;
+  std::span<const double> grid;  // rows from south to north, each from west to east
+  double scale;                  // a value of the grid times this is in units/m2
+
+  double value(std::size_t column, std::size_t row) const {
+    return scale * grid[row * cells.columns + column];
+  }
 };
 
 /// One behaviour of a robot, at any depth, with the trace of the last decision.
@@ -259,6 +272,9 @@ class Simulation {
   std::size_t segments(std::size_t robot) const;
   /// One of these vehicles, counted from the robot backwards.
   SegmentView segment(std::size_t robot, std::size_t index) const;
+  /// The fields of the world, in its order. A view is valid until the next step or edit.
+  std::size_t fields() const;
+  FieldView field(std::size_t index) const;
   /// The present pose of an obstacle; none when it was collected.
   std::optional<Pose> obstacle(std::size_t index) const;
 

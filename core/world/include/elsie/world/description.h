@@ -141,6 +141,18 @@ struct Lamp {
   Location location{};
 };
 
+/// Numbers over the whole floor, which robots deposit and sense: pheromone, heat. See fields.h.
+struct ScalarField {
+  std::string id;
+  double cell = 0.05;               // m, the largest edge of a cell
+  std::optional<double> half_life;  // s, in which it evaporates to half; none: it stays
+  double spread = 0.0;              // m2/s; the variance along an axis grows by twice that
+  double start = 0.0;               // units/m2, everywhere when the field begins
+  std::optional<double> full;       // units/m2, shown as solid; none: its largest value then
+  Colour colour{124, 63, 160};
+  Location location{};
+};
+
 /// The floor without its patches.
 struct Floor {
   std::optional<Colour> colour;  // none: plain, which each view shows its own way; see floor.h
@@ -336,6 +348,10 @@ struct EventGoal {
   std::string team{};
   Location location{};
 };
+/// To reach: these robots together have delivered so many resources in nests.
+struct DeliverGoal : EventGoal {
+  DeliverGoal() { name = "delivered"; }
+};
 /// To reach: this much simulated time has passed, s.
 struct EndureGoal {
   double time = 60.0;
@@ -363,8 +379,8 @@ struct AnyGoal : GoalGroup {};
 struct AllGoal : GoalGroup {};
 
 using AnyKindOfGoal =
-    std::variant<CollectGoal, ReachGoal, PushGoal, GatherGoal, TravelGoal, EventGoal, EndureGoal,
-                 NoCollisionGoal, BatteryGoal, AnyGoal, AllGoal>;
+    std::variant<CollectGoal, ReachGoal, PushGoal, GatherGoal, TravelGoal, EventGoal, DeliverGoal,
+                 EndureGoal, NoCollisionGoal, BatteryGoal, AnyGoal, AllGoal>;
 struct Goal : AnyKindOfGoal {
   using AnyKindOfGoal::variant;
 };
@@ -421,6 +437,7 @@ struct World {
   std::vector<Lamp> lamps;
   Floor floor;
   std::vector<Patch> patches;
+  std::vector<ScalarField> fields;
   base::List<Robot> robots;
   std::vector<Goal> goals;
   std::vector<PluginUse> measures;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct Done {
     Transmission how;
   };
   std::vector<Sent> sent;
+  std::map<std::string, double> deposited{};  // amounts, by fields
 };
 
 ///   Actuator led("led", {{"intensity", 0.5}});

@@ -1,9 +1,12 @@
 // A made-up world for sensors.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elsie/api/sensor.h"
@@ -54,6 +57,8 @@ class Surroundings final : public elsie::Surroundings {
   /// Paints the whole floor, or a patch on it.
   Surroundings& floor(const Colour& colour);
   Surroundings& patch(const world::Patch& patch);
+  /// Sets the value of a field at every place; fields that are not set are 0.
+  Surroundings& field(const std::string& id, std::function<double(const Vector2&)> value);
   /// Adds a touch of the carrier's body with the last box, wall or robot that was added.
   Surroundings& touch(const Vector3& place, const Vector3& normal, double impulse_n_s = 0.01,
                       int segment = 0);
@@ -79,6 +84,7 @@ class Surroundings final : public elsie::Surroundings {
   Motion rolled() const override { return 0.01 * carrier.odometry; }
   void lights_within(double radius_m, std::vector<LampView>& lights) const override;
   Colour floor_colour(const Vector2& place) const override;
+  double field(std::string_view id, const Vector2& place) const override;
   std::span<const LampView> lamps() const override;
   void things_within(double radius_m, std::vector<NearThing>& things) const override;
   std::span<const Colour> resource_colours() const override { return colours_; }
@@ -101,6 +107,7 @@ class Surroundings final : public elsie::Surroundings {
   std::vector<Contact> contacts_;
   BodyMotion motion_;
   std::vector<LampView> lights_;
+  std::map<std::string, std::function<double(const Vector2&)>, std::less<>> fields_;
   std::set<std::string> names_;  // of their robots
   Surface last_;                 // what was added
   std::vector<Colour> colours_;

@@ -13,6 +13,7 @@
 #include "elsie/api/image.h"
 #include "elsie/api/sketch.h"
 #include "elsie/picture/axis.h"
+#include "elsie/picture/floor_field.h"
 #include "elsie/picture/size.h"
 
 namespace elsie::world {
@@ -53,6 +54,9 @@ struct PathChoice {
   double fade_s = 0.0;
 };
 
+/// As many as a picture shows.
+inline constexpr std::size_t kMostFieldTiles = 400;
+
 /// The contents of a view. The world must outlive it.
 struct TopView {
   const world::World& world;
@@ -60,6 +64,8 @@ struct TopView {
   std::vector<RobotTrack> robots{};
   /// What measures draw.
   std::vector<Sketch> sketches{};
+  /// The fields of the world, in at most kMostFieldTiles columns and rows.
+  std::vector<FloorField> fields{};
   /// The current poses of the world's boxes, in the world's order; nullopt: removed (a collected
   /// resource). Boxes beyond the end of the list are at their start.
   std::vector<std::optional<Pose>> boxes{};

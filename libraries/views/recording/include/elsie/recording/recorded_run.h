@@ -64,11 +64,12 @@ struct RecordedRun {
   std::optional<RecordedResult> result;  // none: the file has no end
 
   // The state at the requested time.
-  double shown_s = 0.0;                     // of the last sample until then
-  std::vector<picture::RobotTrack> robots;  // their paths until then
-  std::vector<Sketch> sketches;             // of measures
-  std::map<std::string, Pose> moved;        // boxes that may move, by their ids
-  std::set<std::string> standing;           // ids of the boxes that were not yet collected
+  double shown_s = 0.0;                               // of the last sample until then
+  std::vector<picture::RobotTrack> robots;            // their paths until then
+  std::vector<Sketch> sketches;                       // of measures
+  std::map<std::string, picture::FloorField> fields;  // by their ids, without their colours
+  std::map<std::string, Pose> moved;                  // boxes that may move, by their ids
+  std::set<std::string> standing;  // ids of the boxes that were not yet collected
 };
 
 /// Reads a file to its end, whether it is whole or breaks off. `until_s`: the time for which robots

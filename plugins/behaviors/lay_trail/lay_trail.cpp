@@ -1,0 +1,44 @@
+// Lays a trail with a pen, always or between two events: ants lay one on their way home from food.
+#include <string>
+
+#include <elsie/api/behavior.h>
+#include <elsie/api/remember.h>
+#include <elsie/commands/pen.h>
+
+namespace {
+
+class LayTrail final : public elsie::Behavior, public elsie::Remembers {
+ public:
+  double flow = 1.0;
+  std::string from;
+  std::string until;
+
+  void reset(elsie::Random&) override { lays_ = from.empty(); }
+
+  elsie::Response respond(const elsie::Perception& now) override {
+    for (const elsie::Event& event : now.events()) {
+      if (event.name == until) lays_ = false;
+      if (event.name == from) lays_ = true;
+    }
+    elsie::Response response;
+    response.act(elsie::PenCommand{lays_ ? flow : 0.0});
+    return response;
+  }
+
+  void remember(elsie::Memory& memory) override { memory("lays", lays_); }
+
+ private:
+  bool lays_ = true;
+};
+
+}  // namespace
+
+ELSIE_BEHAVIOR(LayTrail, "lay_trail", "Lays a trail with a pen", elsie::only_acts(),
+               elsie::commands<elsie::PenCommand>(),
+               elsie::parameter("flow", &LayTrail::flow,
+                                {.min = 0, .max = 1, .meaning = "part of the pen's rate"}),
+               elsie::parameter("from", &LayTrail::from,
+                                {.meaning = "the event on which it begins; by default at the start",
+                                 .live = false}),
+               elsie::parameter("until", &LayTrail::until,
+                                {.meaning = "the event on which it ends; by default never"}));
