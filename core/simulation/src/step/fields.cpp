@@ -10,7 +10,6 @@ namespace elsie::simulation {
 namespace {
 
 constexpr double kSpreadEvery = 0.1;  // s: more often would cost time, and change little
-constexpr double kRounding = 1e-9;    // s
 /// Less than this is nothing: far from a spot, numbers would become so small that processors
 /// calculate slowly with them.
 constexpr double kNothing = 1e-100;
@@ -84,6 +83,7 @@ void RunningField::deposit(const Vector2& place, double amount) {
 
 void RunningField::advance(double seconds) {
   constexpr double kSmall = 1e-20;
+  constexpr double kRounding = 1e-9;  // s
   if (decay_ > 0.0) {
     scale_ *= std::exp2(-seconds * decay_);
     if (scale_ < kSmall) apply_scale();
