@@ -11,7 +11,7 @@ namespace {
 constexpr double kBare = 2.0;  // around the arena alone
 constexpr double kMargin = 18.0;
 constexpr double kLeft = 62.0;   // tick labels and name of the y axis
-constexpr double kBelow = 46.0;  // the same of the x axis
+constexpr double kFooter = 46.0;  // the same of the x axis
 constexpr double kTitle = 21.0;
 constexpr double kSubtitle = 14.0;
 constexpr double kSubtitleLine = 20.0;
@@ -145,7 +145,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
   const Bounds bounds = shown(scene);
   const double wide = bounds.right - bounds.left, high = bounds.top - bounds.bottom;
   const double header = scene.bare ? kBare : header_height(scene);
-  const double footer = scene.bare ? kBare : kBelow + kMargin;
+  const double footer = scene.bare ? kBare : kFooter + kMargin;
   const double whole = size.height > 0 ? size.height / layout.zoom : kTallest * width;
   const double around = header + footer;
   const auto scale_with = [&](double legend) {
@@ -177,7 +177,7 @@ Layout lay_out(const Scene& scene, const std::vector<LegendEntry>& entries, cons
   const Vector2 corner = layout.map.pixel({-arena.length / 2, arena.width / 2});
   layout.arena = {corner.x, corner.y, scale * arena.length, scale * arena.width};
   layout.legend_corner = beside ? Vector2{layout.plot.right() + kBesideLegend, layout.plot.y}
-                                : Vector2{kLeft, layout.plot.bottom() + kBelow + 4};
+                                : Vector2{kLeft, layout.plot.bottom() + kFooter + 4};
   return layout;
 }
 
