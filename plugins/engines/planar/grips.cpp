@@ -11,9 +11,9 @@
 namespace elsie::physics {
 
 Pose PlanarEngine::Grip::wanted(std::span<const Mover> movers) const {
-  const Mover& robot = movers[hinge.front];
-  const Vector2 arm = robot.ahead().turn(hinge.front_end);
-  return {robot.place().x + arm.x, robot.place().y + arm.y, robot.heading_rad() + turned_rad};
+  const Mover& own = movers[hinge.front];
+  const Vector2 arm = own.ahead().turn(hinge.front_end);
+  return {own.place().x + arm.x, own.place().y + arm.y, own.heading_rad() + turned_rad};
 }
 
 void PlanarEngine::hold(std::size_t robot, std::size_t box) {
