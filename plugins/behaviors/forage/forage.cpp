@@ -18,6 +18,8 @@
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPause = 1.0;  // s
+constexpr double kArm = 0.15;   // m, to the middle of what it holds
 
 class Forage final : public elsie::Behavior, public elsie::Remembers {
  public:
@@ -70,6 +72,8 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     bool closed = false;
     if (!now.self().held.empty()) {
       closed = !carry(now) && !gives_up(now);
+      // Whoever helped to carry it lets go, too.
+      if (!closed) looks_from_s_ = std::max(looks_from_s_, now.time_s() + kPause);
     } else if (now.time_s() >= looks_from_s_) {
       look(now);
       closed = distance_m_ <= grip_within;
@@ -116,7 +120,8 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     const elsie::Pose& here = now.self().pose;
     bearing_rad_ = elsie::bearing(here, nest->place.x, nest->place.y);
     distance_m_ = std::hypot(nest->place.x - here.x, nest->place.y - here.y);
-    return distance_m_ <= release_within * nest->radius_m;
+    const bool is_stuck = !now.self().held.front().moves;
+    return distance_m_ <= (is_stuck ? nest->radius_m + kArm : release_within * nest->radius_m);
   }
 
   /// Heads for the nearest resource.
