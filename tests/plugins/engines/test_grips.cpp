@@ -189,10 +189,14 @@ TEST_CASE("A heap of robots with something in their hands has the same bits on a
       robots.push_back(context.robot(x, y));
       boxes.push_back(context.engine->add_obstacle(crate(x + 0.08, y)));
     }
+    std::vector<Pose> taken(robots.size());
     std::vector<std::uint64_t> all;
     for (int step = 0; step < 300; ++step) {
       for (std::size_t i = 0; i < robots.size(); ++i) {
-        if (step == static_cast<int>(i)) context.engine->hold(robots[i], boxes[i]);
+        if (step == static_cast<int>(i)) {
+          context.engine->hold(robots[i], boxes[i]);
+          taken[i] = in_hand(context, robots[i], boxes[i]);
+        }
         if (step == 200 + static_cast<int>(i)) context.engine->let_go(robots[i], boxes[i]);
         const double to = bearing(context.pose(robots[i]), 0.0, 0.0);  // all drive to one place
         context.drive(robots[i], {15.0 - 5.0 * to, 15.0 + 5.0 * to});
@@ -201,7 +205,7 @@ TEST_CASE("A heap of robots with something in their hands has the same bits on a
       all.push_back(context.engine->hash_state());
       for (std::size_t i = 0; step > 40 && step < 200 && i < robots.size(); ++i) {
         const Pose held = in_hand(context, robots[i], boxes[i]);
-        REQUIRE(std::hypot(held.x - 0.08, held.y) < 0.01);
+        REQUIRE(std::hypot(held.x - taken[i].x, held.y - taken[i].y) < 5e-3);
       }
     }
     return all;
