@@ -64,7 +64,7 @@ std::string world_of(const std::string& robots, const std::string& resources,
          "</world>";
 }
 
-simulation::Simulation simulated(const std::string& world) {
+simulation::Simulation handling(const std::string& world) {
   return {world::parse_world(world, "hands.xml", gripping()), gripping()};
 }
 
@@ -98,7 +98,7 @@ double published(const simulation::Simulation& simulation, const std::string& na
 
 TEST_CASE("A gripper takes the nearest thing within its reach, and carries it") {
   simulation::Simulation simulation =
-      simulated(world_of(gripper_at("r1", 0, 0), puck("far", 0.16) + puck("near", 0.09)));
+      handling(world_of(gripper_at("r1", 0, 0), puck("far", 0.16) + puck("near", 0.09)));
   steps(simulation, 2);
   CHECK(deeds(simulation) == Deeds{"r1: taken near"});
   CHECK(published(simulation, "held") == 1.0);
@@ -128,20 +128,20 @@ TEST_CASE(
       GENERATE_COPY(std::pair(gripper_at("r1", 0, 0), collected),
                     std::pair(gripper_at("r1", 0, 0), puck("p", 0.2)),
                     std::pair(gripper_at("r1", 0, 0), puck("p", 0.09, "team=\"blue\"")));
-  simulation::Simulation simulation = simulated(world_of(robots, things));
+  simulation::Simulation simulation = handling(world_of(robots, things));
   steps(simulation, 3);
   CHECK(deeds(simulation).empty());
 }
 
 TEST_CASE("Of two robots at one thing, the first of the file has it") {
-  simulation::Simulation simulation = simulated(world_of(
+  simulation::Simulation simulation = handling(world_of(
       gripper_at("b", 0, 0) + gripper_at("a", 0.18, 0, "red", "heading_deg=\"180\""), puck("p")));
   steps(simulation, 3);
   CHECK(deeds(simulation) == Deeds{"b: taken p"});
 }
 
 TEST_CASE("What needs two hands moves when two robots hold it") {
-  simulation::Simulation simulation = simulated(
+  simulation::Simulation simulation = handling(
       world_of(gripper_at("a", 0, 0) + gripper_at("b", 0.18, 0, "red", "heading_deg=\"180\""),
                puck("p", 0.09, "hands=\"2\"")));
   simulation.edit("robot[b]/behavior[grips]/@closed", "false");
@@ -162,8 +162,8 @@ TEST_CASE("What a robot releases in a nest of its team is delivered") {
       R"(<nests><nest team="red" x="0" y="0" radius="0.3"/></nests><goals><deliver/></goals>)";
   const std::string team = GENERATE("red", "blue");
   simulation::Simulation simulation =
-      simulated(world_of(gripper_at("r1", 0, 0, team, "battery=\"5000\" energy=\"1000\""),
-                         puck("p", 0.09, "energy=\"500\""), nest));
+      handling(world_of(gripper_at("r1", 0, 0, team, "battery=\"5000\" energy=\"1000\""),
+                        puck("p", 0.09, "energy=\"500\""), nest));
   steps(simulation, 2);
   CHECK(simulation.obstacle(0));  // it is in a nest, but nobody has released it there
   const double energy = simulation.robot(0).state->energy;
@@ -183,7 +183,7 @@ TEST_CASE("What a robot releases in a nest of its team is delivered") {
 }
 
 TEST_CASE("To touch a resource for the nest is no collision, and does not collect it") {
-  simulation::Simulation simulation = simulated(world_of(gripper_at("r1", 0, 0), puck("p", 0.2)));
+  simulation::Simulation simulation = handling(world_of(gripper_at("r1", 0, 0), puck("p", 0.2)));
   simulation.edit("robot[r1]/behavior[grips]/@closed", "false");
   simulation.edit("robot[r1]/behavior[grips]/@speed", "0.2");
   steps(simulation, 150);
@@ -192,7 +192,7 @@ TEST_CASE("To touch a resource for the nest is no collision, and does not collec
 }
 
 TEST_CASE("A robot without energy lets go") {
-  simulation::Simulation simulation = simulated(
+  simulation::Simulation simulation = handling(
       world_of(gripper_at("r1", 0, 0, "red", "battery=\"100\" energy=\"0.05\""), puck("p")));
   steps(simulation, 20);
   CHECK(deeds(simulation) == Deeds{"r1: taken p", "r1: released p"});
@@ -200,7 +200,7 @@ TEST_CASE("A robot without energy lets go") {
 
 TEST_CASE("What is held stays in the hand through edits that leave both where they are") {
   simulation::Simulation simulation =
-      simulated(world_of(gripper_at("r0", 3, 3) + gripper_at("r1", 0, 0), puck("p")));
+      handling(world_of(gripper_at("r0", 3, 3) + gripper_at("r1", 0, 0), puck("p")));
   steps(simulation, 2);
   const auto drive = [&] {
     simulation.edit("robot[r1]/behavior[grips]/@speed", "-0.2");
