@@ -212,7 +212,7 @@ TEST_CASE("What is held stays in the hand through edits that leave both where th
     CHECK(drive());
   }
   SECTION("another robot is removed") {
-    simulation.edit("robot[r0]", "");
+    simulation.edit("robot[r0]/@remove", "true");
     CHECK(drive());
   }
   SECTION("the robot is placed elsewhere") {
@@ -221,17 +221,17 @@ TEST_CASE("What is held stays in the hand through edits that leave both where th
     CHECK(deeds(simulation).back() == "r1: released p");
   }
   SECTION("its actuator is removed") {
-    simulation.edit("robot[r1]/actuator[gripper]", "");
+    simulation.edit("robot[r1]/actuator[gripper]/@remove", "true");
     CHECK_FALSE(drive());
   }
   SECTION("the robot is removed") {
-    simulation.edit("robot[r1]", "");
+    simulation.edit("robot[r1]/@remove", "true");
     steps(simulation, 5);
     CHECK(simulation.obstacle(0)->x == Approx(0.09).margin(2e-3));
   }
   SECTION("the thing is removed") {
-    simulation.edit("resource[p]", "");
+    simulation.edit("resource[p]/@remove", "true");
     steps(simulation, 5);
-    CHECK(published(simulation, "held") == -1.0);
+    CHECK(published(simulation, "held") == 0.0);
   }
 }
