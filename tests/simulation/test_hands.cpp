@@ -221,6 +221,7 @@ TEST_CASE("What is held stays in the hand through edits that leave both where th
     CHECK(deeds(simulation).back() == "r1: released p");
   }
   SECTION("its actuator is removed") {
+    simulation.edit("robot[r1]/actuator[+]", R"(<gripper id="rear" x="-0.04"/>)");
     simulation.edit("robot[r1]/actuator[gripper]/@remove", "true");
     CHECK_FALSE(drive());
   }
