@@ -1,17 +1,25 @@
 #include "grip.h"
 
+#include "shapes.h"
+
 namespace elsie::physics {
 
 Grip::Grip(dWorldID world, std::size_t its_robot, dBodyID its_chassis, std::size_t its_box,
-           dBodyID body_of_box)
+           dBodyID body_of_box, bool it_turns)
     : robot(its_robot),
       box(its_box),
       chassis(its_chassis),
       body(body_of_box),
-      joint_(dJointCreateFixed(world, nullptr)) {
-  dJointAttach(joint_.get(), chassis, body);
-  dJointSetFixed(joint_.get());
+      turns(it_turns),
+      joint_(turns ? dJointCreateHinge(world, nullptr) : dJointCreateFixed(world, nullptr)) {
   const dReal* const at = dBodyGetPosition(body);
+  dJointAttach(joint_.get(), chassis, body);
+  if (turns) {
+    dJointSetHingeAnchor(joint_.get(), at[0], at[1], at[2]);
+    dJointSetHingeAxis(joint_.get(), 0.0, 0.0, 1.0);
+  } else {
+    dJointSetFixed(joint_.get());
+  }
   dVector3 place;
   dBodyGetPosRelPoint(chassis, at[0], at[1], at[2], place);
   place_ = to_vector(place);
@@ -21,13 +29,17 @@ Grip::Grip(dWorldID world, std::size_t its_robot, dBodyID its_chassis, std::size
 Grip::Error Grip::error() const {
   dVector3 place;
   dBodyGetRelPointPos(chassis, place_.x, place_.y, place_.z, place);
+  const Vector3 way = to_vector(place) - to_vector(dBodyGetPosition(body));
+  if (turns) {
+    const dReal *own = dBodyGetRotation(body), *carrier = dBodyGetRotation(chassis);
+    return {way, cross({own[2], own[6], own[10]}, {carrier[2], carrier[6], carrier[10]})};
+  }
   dQuaternion wanted, off;
   dQMultiply0(wanted, dBodyGetQuaternion(chassis), turned_);
   dQMultiply2(off, wanted, dBodyGetQuaternion(body));
   // Of a small angle: twice the vector part.
   const double side = off[0] < 0.0 ? -2.0 : 2.0;
-  return {to_vector(place) - to_vector(dBodyGetPosition(body)),
-          {side * off[1], side * off[2], side * off[3]}};
+  return {way, {side * off[1], side * off[2], side * off[3]}};
 }
 
 }  // namespace elsie::physics

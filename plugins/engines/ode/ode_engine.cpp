@@ -342,7 +342,7 @@ void OdeEngine::hold(std::size_t robot, std::size_t box) {
       [&](const Grip& grip) { return std::tie(grip.box, grip.robot) >= std::tie(box, robot); });
   require(place == bodies_.grips.end() || place->box != box || place->robot != robot,
           "The robot holds the box already.");
-  bodies_.grips.insert(place, Grip(world_.get(), robot, chassis, box, held.body));
+  bodies_.grips.insert(place, Grip(world_.get(), robot, chassis, box, held.body, held.hands > 1));
   ++held.holders;
   held.take_footing();
 }

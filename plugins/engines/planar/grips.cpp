@@ -1,5 +1,5 @@
-// Robots that hold boxes. A box that is held is joined to its robot by a hinge that does not turn,
-// and glides on the floor.
+// Robots that hold boxes. A box that is held is joined to its robot by a hinge, and glides on the
+// floor. The hinge does not turn, unless the box takes several hands.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -9,6 +9,11 @@
 #include "planar_engine.h"
 
 namespace elsie::physics {
+namespace {
+
+constexpr double kFree = 1e9;  // rad
+
+}  // namespace
 
 Pose PlanarEngine::Grip::wanted(std::span<const Mover> movers) const {
   const Mover& own = movers[hinge.front];
@@ -22,7 +27,7 @@ void PlanarEngine::hold(std::size_t robot, std::size_t box) {
   Grip grip{box, robot, {}};
   grip.hinge.front = robots_.at(robot).first();
   grip.hinge.behind = colliders_[held.collider].mover;
-  grip.hinge.joint.max_yaw_rad = 0.0;
+  grip.hinge.joint.max_yaw_rad = held.hands > 1 ? kFree : 0.0;
   const Mover &front = movers_[grip.hinge.front], &behind = movers_[grip.hinge.behind];
   grip.hinge.front_end = front.ahead().turn_back(
       Vector2{behind.place().x - front.place().x, behind.place().y - front.place().y});
@@ -69,7 +74,9 @@ void PlanarEngine::begin_grips() {
   for (Grip& grip : grips_) {
     const Pose wanted = grip.wanted(movers_);
     const Mover& box = movers_[grip.hinge.behind];
-    grip.hinge.yaw_rad = wrap_angle(box.heading_rad() - wanted.heading_rad);
+    if (boxes_[grip.box].hands == 1) {
+      grip.hinge.yaw_rad = wrap_angle(box.heading_rad() - wanted.heading_rad);
+    }
     grip.hinge.apart = {box.place().x - wanted.x, box.place().y - wanted.y};
     hinges_.push_back(&grip.hinge);
   }
@@ -81,17 +88,15 @@ void PlanarEngine::settle_grips(PlanarScene::Moves& moves) {
     const BoxBody& box = boxes_[first->box];
     const auto last = first + box.holders;
     if (box.holders >= box.hands) {
-      const Pose one = first->wanted(movers_);
       Pose sum;
       for (auto grip = first; grip != last; ++grip) {
         const Pose wanted = grip->wanted(movers_);
-        sum.x += wanted.x;
-        sum.y += wanted.y;
-        sum.heading_rad += wrap_angle(wanted.heading_rad - one.heading_rad);
+        sum.x += wanted.x / box.holders;
+        sum.y += wanted.y / box.holders;
+        sum.heading_rad = wanted.heading_rad;
       }
       Mover& mover = movers_[first->hinge.behind];
-      const double share = 1.0 / box.holders;
-      mover.put({share * sum.x, share * sum.y}, one.heading_rad + share * sum.heading_rad);
+      mover.put({sum.x, sum.y}, box.hands > 1 ? mover.heading_rad() : sum.heading_rad);
       scene_.move(box.collider, mover.place(), mover.ahead(), moves);
     }
     first = last;

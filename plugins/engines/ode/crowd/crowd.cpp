@@ -203,7 +203,7 @@ void Crowd::add_grip(const Grip& grip) {
   };
   for (const Vector3& axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) {
     add(axis, {}, -1.0 * cross(arm, axis), dot(axis, error.way));
-    add({}, axis, -1.0 * axis, dot(axis, error.turn));
+    if (!grip.turns || axis.z == 0.0) add({}, axis, -1.0 * axis, dot(axis, error.turn));
   }
 }
 

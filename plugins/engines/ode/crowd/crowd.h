@@ -36,7 +36,7 @@ namespace elsie::physics {
 ///   at
 ///             the slip times its force, p / h
 ///   motor     a wheel against its chassis: target = the rate that is set, |p| <= h torque
-///   grip      six rows hold a box to the chassis: target = erp error / h
+///   grip      six rows hold a box to the chassis, five if it turns: target = erp error / h
 ///   hitch     three rows hold its point and one prevents roll: target = 0. Its stops are rows with
 ///             p >= 0 and target = -(way to the limit) / h; a motor instead of the yaw's stop is as
 ///             the motor of a wheel
