@@ -188,13 +188,13 @@ void MainWindow::fill_add_menu(QMenu* menu) {
   }
   actions_.add_resource = member("add_resource", tr("R&esource..."), "resources");
   actions_.add_charger = member("add_charger", tr("&Charger..."), "chargers");
-  actions_.add_nest = member("add_nest", tr("&Nest..."), "nests");
+  actions_.add_nest = member("add_nest", tr("Nest..."), "nests");
   actions_.add_lamp = member("add_lamp", tr("&Lamp..."), "lamps");
   actions_.add_patch = member("add_patch", tr("&Patch of the floor..."), "patches");
   menu->addSeparator();
   member("add_goal", tr("&Goal..."), "goals");
   member("add_measure", tr("Meas&ure..."), "measures");
-  member("add_rule", tr("Rul&e..."), "rules");
+  member("add_rule", tr("Rule..."), "rules");
   member("add_team", tr("&Team..."), "teams");
   member("add_field", tr("&Field..."), "fields");
 }

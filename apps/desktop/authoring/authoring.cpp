@@ -141,6 +141,9 @@ void Authoring::add_element(const QString& holder, const QString& list,
   if (list == "teams") {
     dialog->begin_with("id", free_id(workbench_.tree(), "team"));
   }
+  if (list == "fields") {
+    dialog->begin_with("id", free_id(workbench_.tree(), "field"));
+  }
   if (!beginning.team.isEmpty()) {
     dialog->begin_with("team", beginning.team);
   }
@@ -287,7 +290,7 @@ void Authoring::open_floor_menu(const QPoint& global, std::optional<QPointF> at)
   if (!is_here) {
     offer(tr("Add &goal..."), "goals");
     offer(tr("Add meas&ure..."), "measures");
-    offer(tr("Add ru&le..."), "rules");
+    offer(tr("Add rule..."), "rules");
     offer(tr("Add &team..."), "teams");
     offer(tr("Add &field..."), "fields");
   }

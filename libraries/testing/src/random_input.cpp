@@ -74,9 +74,12 @@ void move(Situation& now, Random& random) {
   self.energy =
       random.chance(0.05) ? random.uniform(1e-3, self.capacity) : std::max(1e-3, self.energy - 1.0);
   self.charging = now.team.charger && random.chance(0.2);
-  if (now.team.nest && random.chance(0.1)) {
-    static constexpr HeldThing kThings[] = {{"thing", "gripper", true}, {"thing", "gripper", false}};
-    self.held = std::span(kThings).subspan(index(random, 2), index(random, 2));
+  if (now.team.nest) {
+    // By the battery, so that other input stays as it is.
+    const auto turn = static_cast<std::size_t>(self.energy) / 10;
+    static constexpr HeldThing kThings[] = {{"thing", "gripper", true},
+                                            {"thing", "gripper", false}};
+    self.held = std::span(kThings).subspan(turn % 2, turn / 2 % 2);
   }
 }
 
