@@ -76,10 +76,10 @@ void move(Situation& now, Random& random) {
   self.charging = now.team.charger && random.chance(0.2);
   if (now.team.nest) {
     // By the battery, so that other input stays as it is.
-    const auto turn = static_cast<std::size_t>(self.energy) / 10;
+    const auto phase = static_cast<std::size_t>(self.energy) / 10;
     static constexpr HeldThing kThings[] = {{"thing", "gripper", true},
                                             {"thing", "gripper", false}};
-    self.held = std::span(kThings).subspan(turn % 2, turn / 2 % 2);
+    self.held = std::span(kThings).subspan(phase % 2, phase / 2 % 2);
   }
 }
 
