@@ -47,7 +47,7 @@ ELSIE_RULE(
     elsie::elements(
         &Timetable::entries,
         elsie::element<Entry>(
-            "at", "an edit; those of one time are made together",
+            "edit", "an edit; those of one time are made together",
             elsie::parameter("time", &Entry::time,
                              {.unit = "s", .min = 0, .meaning = "when it is made first"}),
             elsie::parameter("every", &Entry::every,

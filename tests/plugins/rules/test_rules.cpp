@@ -51,7 +51,7 @@ TEST_CASE("Every shipped rule keeps its promises, whatever it is shown") {
     }
     if (rule->name == "timetable") {
       options.elements = {
-          {"at", {{"time", 0.1}, {"every", 0.2}, {"path", "robot[r1]/@x"}, {"value", "0"}}}};
+          {"edit", {{"time", 0.1}, {"every", 0.2}, {"path", "robot[r1]/@x"}, {"value", "0"}}}};
     }
     CHECK_THAT(testing::check_plugin(PluginKind::rule, rule->name, options),
                testing::finds_nothing());
@@ -173,9 +173,9 @@ TEST_CASE("A timetable edits once, or again and again") {
   Scene now;
   Rule rule(
       "timetable", {},
-      {{"at", {{"time", 0.02}, {"path", "robot[r1]/@energy"}, {"value", "5"}}},
-       {"at", {{"time", 0.01}, {"every", 0.02}, {"path", "obstacle[door]/@x"}, {"value", "1"}}},
-       {"at", {{"time", 0.04}, {"every", 0.001}, {"path", "fast"}, {"value", "2"}}}});
+      {{"edit", {{"time", 0.02}, {"path", "robot[r1]/@energy"}, {"value", "5"}}},
+       {"edit", {{"time", 0.01}, {"every", 0.02}, {"path", "obstacle[door]/@x"}, {"value", "1"}}},
+       {"edit", {{"time", 0.04}, {"every", 0.001}, {"path", "fast"}, {"value", "2"}}}});
   const std::vector<Texts> expected{{},
                                     {"obstacle[door]/@x=1"},
                                     {"robot[r1]/@energy=5"},
