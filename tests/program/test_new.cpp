@@ -23,7 +23,7 @@ TEST_CASE("What elsie new makes runs as it is, without a build system") {
       CHECK_THAT(made.out, Contains(file));
       const std::string text = here.read(name + "/" + file);
       CHECK_FALSE(text.empty());
-      CHECK_THAT(text, !Contains("@name@") && !Contains("@Name@"));
+      CHECK_THAT(text, !Contains("@name@") && !Contains("@Class@") && !Contains("@kind@"));
     }
     CHECK_THAT(here.read(name + "/" + name + ".cpp"), Contains("class MyFirst"));
     const auto run =

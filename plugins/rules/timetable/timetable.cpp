@@ -20,7 +20,7 @@ class Timetable final : public elsie::Rule {
   std::vector<Entry> entries;
 
   void configured() override {
-    if (entries.empty()) throw std::invalid_argument("it is empty; expected <at> inside it");
+    if (entries.empty()) throw std::invalid_argument("it is empty; expected <edit> inside it");
     made_.resize(entries.size());
   }
   void reset(elsie::Random&) override { made_.assign(entries.size(), 0); }

@@ -189,5 +189,5 @@ TEST_CASE("A timetable edits once, or again and again") {
     }
     rule.reset();
   }
-  CHECK_THAT(why_not("timetable", {}), Catch::Contains("it is empty; expected <at> inside it"));
+  CHECK_THAT(why_not("timetable", {}), Catch::Contains("it is empty; expected <edit> inside it"));
 }
