@@ -112,7 +112,7 @@ TEST_CASE("Of a group that says any one goal is enough, of one that says all non
 
 TEST_CASE("All goals of a group count, also when one of them is reached") {
   CHECK(ended("<any><endure time='0.01'/><event name='hello' robot='r1' count='5'/></any>"
-            "<event name='hello' robot='r1' count='7'/>")
+              "<event name='hello' robot='r1' count='7'/>")
             .simulated_s == Approx(0.07));
   CHECK(ended("<all><endure time='0.2'/><event name='hello' robot='r1' count='5'/></all>")
             .simulated_s == Approx(0.2));

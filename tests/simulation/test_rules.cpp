@@ -352,8 +352,9 @@ TEST_CASE("Rules and measures have different ids, and rules of an unknown name a
 TEST_CASE("A run with rules is the same in several threads") {
   std::string text = kLively;
   text.replace(text.find("x=\"2.5\" y=\"-2.5\"/></resources>"), 16, "x=\"1\" y=\"-0.4\"");
-  text.replace(text.find("<measures>"), 0,
-               R"(<rules><respawn after="0.1" where="random"/><timetable><edit time="0.5" every="0.5"
+  text.replace(
+      text.find("<measures>"), 0,
+      R"(<rules><respawn after="0.1" where="random"/><timetable><edit time="0.5" every="0.5"
                   path="robot[r1]/@max_speed" value="0.3"/></timetable></rules>)");
   const world::World world = world::parse_world(text, "lively.xml", shipped());
   const auto run = [&](std::size_t threads) {

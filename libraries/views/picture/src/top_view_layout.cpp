@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kBare = 2.0;  // around the arena alone
 constexpr double kMargin = 18.0;
-constexpr double kLeft = 62.0;   // tick labels and name of the y axis
+constexpr double kLeft = 62.0;    // tick labels and name of the y axis
 constexpr double kFooter = 46.0;  // the same of the x axis
 constexpr double kTitle = 21.0;
 constexpr double kSubtitle = 14.0;
