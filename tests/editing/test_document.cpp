@@ -130,7 +130,8 @@ TEST_CASE("Edits of a document are refused as those of a file are") {
   CHECK_THAT(refusal("robot[r1]/coordinator/@remove=true"),
              Catch::Contains("has behaviours but no coordinator"));
   CHECK(refusal("robot[r1]/@weight=1") ==
-        "<robot> has no attribute 'weight'; it may have: id, template, team, x, y, z, heading_deg, "
+        "<robot> has no attribute 'weight'; it may have: id, template, team, colour, x, y, z, "
+        "heading_deg, "
         "max_speed, coverage, leader, battery, energy");
   CHECK_THAT(refusal("robot[r2]/@x=\xFF"), Catch::Contains("UTF-8"));
   CHECK(refusal("nonsense") == "expected PATH=VALUE, as in robot[r1]/@max_speed=0.3");

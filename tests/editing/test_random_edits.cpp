@@ -67,6 +67,9 @@ world::World reduced(world::World world) {
   for (world::Charger& charger : world.chargers) {
     charger.id.clear();
   }
+  for (world::Nest& nest : world.nests) {
+    nest.id.clear();
+  }
   for (world::Lamp& lamp : world.lamps) {
     lamp.id.clear();
   }

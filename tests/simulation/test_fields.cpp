@@ -296,6 +296,6 @@ TEST_CASE("An actuator that names no field of the world, or no amount, is at fau
                              "mean 'heat'?"));
   CHECK_THAT(fault_of_blot("field=\"smoke\""), Catch::Contains("; it has: f, heat"));
   CHECK_THAT(fault_of_blot("amount=\"2e12\""),
-             Catch::Contains("it deposits an amount of 2000000000000; expected a number from -1e12 "
+             Catch::Contains("it deposits an amount of 2e+12; expected a number from -1e12 "
                              "to 1e12"));
 }

@@ -125,7 +125,7 @@ TEST_CASE("Places are changed in place, also of what was collected") {
       world.place("robot[r2]", {-1.0, -1.0, 1.0});
     }
     // In the way of r1: it is collected, then is elsewhere.
-    if (is_step(now, 3)) world.place("robot[r1]", {1.845, 0.5, 0.0});
+    if (is_step(now, 3)) world.place("robot[r1]", {1.815, 0.5, 0.0});
     if (is_step(now, 30)) {
       CHECK(now.obstacles.size() == 2);
       world.place("resource[food]", {-2.0, 2.0, 0.0});

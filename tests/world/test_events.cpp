@@ -59,9 +59,11 @@ TEST_CASE("An event of a plugin is raised where a behaviour declares it, at any 
 }
 
 TEST_CASE("A robot is refused when nobody raises what one of its plugins reacts to") {
-  CHECK_THAT(problems_of("<runner/>"),
-             Contains("world.xml:2: 'runner' reacts to the event 'alarm', which neither the "
-                      "simulator nor a behaviour of the robot 'r1' raises; there are: collision"));
+  CHECK_THAT(
+      problems_of("<runner/>"),
+      Contains(
+          "world.xml:2: 'runner' reacts to the event 'alarm', which neither the "
+          "simulator nor a rule nor a behaviour of the robot 'r1' raises; there are: collision"));
   CHECK_THAT(problems_of("<bruised/>", "chief"), Contains("world.xml:3: 'chief' reacts to"));
   CHECK_THAT(problems_of("<blend><behaviors><runner/></behaviors><coordinator><first/>"
                          "</coordinator></blend>"),

@@ -82,7 +82,7 @@ TEST_CASE("A world says everything") {
 
   REQUIRE(w.robots.size() == 2);
   const world::Robot& r = w.robots[0];
-  CHECK(r.location.line == 48);
+  CHECK(r.location.line == 52);
   CHECK(r.leader);
   CHECK(r.energy == 50.0);
   CHECK(r.body.axle == 0.11);
@@ -190,13 +190,14 @@ TEST_CASE("File parameters are absolute paths of files that exist") {
 TEST_CASE("All mistakes of a file are reported, in the order of their lines") {
   CHECK(problems("\n<limits time='-1'/>\n"
                  "<robots>\n"
-                 "<robot id='r1' team='gren' x='0' colour='red'>\n"
+                 "<robot id='r1' team='gren' x='0' paint='red'>\n"
                  "<behaviors><raom/><roam speed='x'/></behaviors></robot>\n"
                  "<robot id='r1' x='20'/>\n"
                  "</robots>\n"
                  "<arena length='nan'\n walls='maybe'/>") ==
         "world.xml:2: time=\"-1\" of <limits>: expected a number above 0 and at most 1e+09 s\n"
-        "world.xml:4: <robot> has no attribute 'colour'; it may have: id, template, team, x, y, z, "
+        "world.xml:4: <robot> has no attribute 'paint'; it may have: id, template, team, colour, "
+        "x, y, z, "
         "heading_deg, max_speed, coverage, leader, battery, energy\n"
         "world.xml:4: team=\"gren\" of <robot>: there is no such team; there are: red, blue\n"
         "world.xml:5: there is no behavior 'raom'; did you mean 'roam'?\n"
