@@ -29,6 +29,7 @@ std::string world_with(const std::string& sensor) {
   <arena length="3" width="3"/>
   <floor colour="#f0f0f0"/>
   <patches><disc_patch id="spot" x="0.1" y="0" radius="0.2" colour="#202020"/></patches>
+  <fields><field id="pheromone"/></fields>
   <lamps><lamp id="lamp" x="0.8" y="0.3" z="0.2" intensity="2"/></lamps>
   <obstacles><static_box id="box" x="0.5" y="0.1" length="0.2" width="0.3"/></obstacles>
   <resources><resource team="red" x="0.3" y="-0.3"/></resources>
