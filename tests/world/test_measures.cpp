@@ -93,8 +93,9 @@ TEST_CASE("An unknown measure keeps no robot from being checked") {
 TEST_CASE("The schema and the reference page know measures") {
   const std::string schema = reference::world_schema(host());
   CHECK_THAT(schema, Contains("<xs:element name=\"way\" type=\"measure.way.type\">"));
-  CHECK_THAT(schema,
-             Contains("<xs:unique name=\"measure_id\"><xs:selector xpath=\"measures/*|rules/*\"/>"));
+  CHECK_THAT(
+      schema,
+      Contains("<xs:unique name=\"measure_id\"><xs:selector xpath=\"measures/*|rules/*\"/>"));
   CHECK_THAT(reference::world_reference(), Contains("## world / measures / *any measure plugin*"));
   const std::string page = reference::plugin_reference(*host().find(PluginKind::measure, "way"));
   CHECK_THAT(page, Contains("A measure, version 1.0."));
