@@ -1,7 +1,6 @@
 #include "contact_finder.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "crowd.h"
 #include "narrow_phase.h"
@@ -62,14 +61,6 @@ double gap_of(const FoundContact& contact, double step) {
 }
 
 }  // namespace
-
-bool OdeBodies::holds(const Body& robot, const Body& box) const {
-  if (grips.empty() || box.kind != BodyKind::obstacle) return false;
-  const auto grip = std::lower_bound(
-      grips.begin(), grips.end(), std::pair(box.index, robot.index),
-      [](const Grip& a, const auto& key) { return std::pair(a.box, a.robot) < key; });
-  return grip != grips.end() && grip->box == box.index && grip->robot == robot.index;
-}
 
 ContactFinder::ContactFinder(const world::Physics& physics)
     : physics_(physics), floor_(dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)) {}

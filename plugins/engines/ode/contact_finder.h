@@ -29,14 +29,16 @@ struct OdeBodies {
   bool is_mobile(const Body& body) const {
     return body.kind == BodyKind::robot || box_of(body).is_mobile();
   }
-  bool holds(const Body& robot, const Body& box) const;
+  bool holds(const Body& robot, const Body& box) const {
+    return box.kind == BodyKind::obstacle && grips.has(robot.index, box.index);
+  }
 
   Scene scene;
   std::vector<OdeRobot> robots;
   std::vector<BoxBody> boxes;
   std::vector<BoxBody> walls;
   std::vector<Scene::Id> mobile;  // ascending
-  std::vector<Grip> grips;        // ascending by box and robot
+  Grips grips;
 };
 
 /// Some of the contacts of a step.

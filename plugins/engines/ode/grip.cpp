@@ -1,5 +1,9 @@
 #include "grip.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "checks.h"
 #include "shapes.h"
 
 namespace elsie::physics {
@@ -24,6 +28,34 @@ Grip::Grip(dWorldID world, std::size_t its_robot, dBodyID its_chassis, std::size
   dBodyGetPosRelPoint(chassis, at[0], at[1], at[2], place);
   place_ = to_vector(place);
   dQMultiply1(turned_, dBodyGetQuaternion(chassis), dBodyGetQuaternion(body));
+}
+
+namespace {
+
+/// Where a grip is, or would be.
+auto place_in(auto& all, std::size_t robot, std::size_t box) {
+  return std::lower_bound(
+      all.begin(), all.end(), std::pair(box, robot),
+      [](const Grip& grip, const auto& key) { return std::pair(grip.box, grip.robot) < key; });
+}
+
+}  // namespace
+
+void Grips::add(Grip grip) {
+  require(!has(grip.robot, grip.box), "The robot holds the box already.");
+  const auto place = place_in(all_, grip.robot, grip.box);
+  all_.insert(place, std::move(grip));
+}
+
+bool Grips::remove(std::size_t robot, std::size_t box) {
+  if (!has(robot, box)) return false;
+  all_.erase(place_in(all_, robot, box));
+  return true;
+}
+
+bool Grips::has(std::size_t robot, std::size_t box) const {
+  const auto place = place_in(all_, robot, box);
+  return place != all_.end() && place->box == box && place->robot == robot;
 }
 
 Grip::Error Grip::error() const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "elsie/api/geometry.h"
 
@@ -29,6 +31,23 @@ struct Grip {
   OdeJoint joint_;
   Vector3 place_;       // of the box, in the frame of the chassis
   dQuaternion turned_;  // likewise
+};
+
+/// Those of an engine, ascending by box and robot.
+class Grips {
+ public:
+  /// Throws std::invalid_argument if the robot holds the box already.
+  void add(Grip grip);
+  /// Returns whether the robot held the box.
+  bool remove(std::size_t robot, std::size_t box);
+  void remove_box(std::size_t box) {
+    std::erase_if(all_, [&](const Grip& grip) { return grip.box == box; });
+  }
+  bool has(std::size_t robot, std::size_t box) const;
+  std::span<const Grip> all() const { return all_; }
+
+ private:
+  std::vector<Grip> all_;
 };
 
 }  // namespace elsie::physics

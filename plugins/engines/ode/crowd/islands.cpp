@@ -43,6 +43,10 @@ void Islands::add_robot(const OdeRobot& robot) {
 }
 
 void Islands::add_obstacle(dBodyID box) {
+  if (void* const data = dBodyGetData(box)) {  // it was removed, and is back
+    members_[member_of(data)].bodies = {box};
+    return;
+  }
   Member member;
   member.bodies.push_back(box);
   add(std::move(member));
@@ -80,14 +84,14 @@ void Islands::divide(std::span<FoundContacts> found, const OdeBodies& bodies, Od
       }
     }
   }
-  for (const Grip& grip : bodies.grips) {
+  for (const Grip& grip : bodies.grips.all()) {
     sets_.link(member_of(dBodyGetData(grip.chassis)), member_of(dBodyGetData(grip.body)));
   }
   choose_solvers(takes);
   for (Member& member : members_) {
     if (member.crowd) take_out(member, bodies.robots);
   }
-  for (const Grip& grip : bodies.grips) {
+  for (const Grip& grip : bodies.grips.all()) {
     Crowd* const crowd = members_[member_of(dBodyGetData(grip.body))].crowd;
     if (crowd) crowd->add_grip(grip);
   }

@@ -77,7 +77,7 @@ class Islands {
   void add_robot(const OdeRobot& robot);
   /// A box that can be pushed, or one that moves along a path of its own.
   void add_obstacle(dBodyID box);
-  /// Must be called before the body is destroyed.
+  /// Leaves out a box, until it is added again. Must be called before the body is destroyed.
   void remove_obstacle(dBodyID box);
 
   /// Makes joints of the contacts within islands that ODE takes. Disables other bodies in ODE, and
