@@ -91,14 +91,14 @@ TEST_CASE("It lets go of what nobody helps it to carry, and leaves it alone for 
 }
 
 TEST_CASE(
-    "It goes where it is told while it sees nothing, and forgets the place when it is there") {
+    "It drives to a place that it hears of while it sees nothing, and forgets it on arrival") {
   Situation now;
   const auto behavior = forager();
   now.at(0, 0, 0).reading(OmnidirectionalReading{{}, 10});
   now.hear(PlaceMessage{0.0, 2.0}, "r2");
-  const Response told = behavior->respond(now.perception());
-  CHECK(told.activation == 1.0);
-  CHECK(told.command.turn > 0.0);
+  const Response called = behavior->respond(now.perception());
+  CHECK(called.activation == 1.0);
+  CHECK(called.command.turn > 0.0);
   Situation there;
   there.at(0, 1.9, 90).reading(OmnidirectionalReading{{}, 10});
   behavior->respond(there.perception());

@@ -1,4 +1,4 @@
-// What actuators were told, and what they heard.
+// The commands that actuators carried out, and the messages that robots heard.
 #include <algorithm>
 #include <map>
 #include <tuple>

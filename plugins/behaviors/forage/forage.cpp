@@ -53,21 +53,21 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
   void reset(elsie::Random&) override {
     bearing_rad_ = distance_m_ = kNone;
     waits_since_s_ = looks_from_s_ = -1.0;
-    told_x_.reset();
-    told_y_.reset();
+    heard_x_.reset();
+    heard_y_.reset();
   }
   void remember(elsie::Memory& memory) override {
     memory("waits_since_s", waits_since_s_);
     memory("looks_from_s", looks_from_s_);
-    memory("told_x", told_x_);
-    memory("told_y", told_y_);
+    memory("heard_x", heard_x_);
+    memory("heard_y", heard_y_);
   }
 
   elsie::Response respond(const elsie::Perception& now) override {
     bearing_rad_ = distance_m_ = kNone;
     for (const auto& place : now.heard<elsie::PlaceMessage>()) {
-      told_x_ = place->x;
-      told_y_ = place->y;
+      heard_x_ = place->x;
+      heard_y_ = place->y;
     }
     bool closed = false;
     if (!now.self().held.empty()) {
@@ -77,7 +77,7 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     } else if (now.time_s() >= looks_from_s_) {
       look(now);
       closed = distance_m_ <= grip_within;
-      if (std::isnan(bearing_rad_)) go_where_told(now.self().pose);
+      if (std::isnan(bearing_rad_)) go_where_called(now.self().pose);
     }
     elsie::Response response;
     response.act(elsie::GripCommand{closed});
@@ -135,17 +135,17 @@ class Forage final : public elsie::Behavior, public elsie::Remembers {
     }
   }
 
-  /// Heads for the place that it was told last, until it has seen that nothing is there.
-  void go_where_told(const elsie::Pose& here) {
+  /// Heads for the place that it heard of last. Forgets it on arrival, if nothing is there.
+  void go_where_called(const elsie::Pose& here) {
     constexpr double kThere = 0.2;  // m
-    if (!told_x_ || !told_y_) return;
-    distance_m_ = std::hypot(*told_x_ - here.x, *told_y_ - here.y);
-    bearing_rad_ = elsie::bearing(here, *told_x_, *told_y_);
-    if (distance_m_ < kThere) told_x_.reset();
+    if (!heard_x_ || !heard_y_) return;
+    distance_m_ = std::hypot(*heard_x_ - here.x, *heard_y_ - here.y);
+    bearing_rad_ = elsie::bearing(here, *heard_x_, *heard_y_);
+    if (distance_m_ < kThere) heard_x_.reset();
   }
 
   elsie::Colour wanted_;
-  std::optional<double> told_x_, told_y_;  // m, the place that it was told last
+  std::optional<double> heard_x_, heard_y_;  // m, the place that it heard of last
   bool has_nest_ = true;
   double waits_since_s_ = -1.0;  // for others to help it; below 0: it does not wait
   double looks_from_s_ = -1.0;   // when it looks for resources again
