@@ -84,9 +84,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       write_traces(simulation);
     }
     write_events(simulation);
-    if (shown_boxes(simulation) != shown_) {
-      write_scene(simulation);
-    }
+    if (has_other_boxes(simulation)) write_scene(simulation);
     if (sampling_.is_due(simulation.time_s())) {
       sample(simulation, true);
     }
@@ -335,20 +333,25 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     return places;
   }
 
-  /// What a scene says of boxes: which are there, and where those are that nothing pushes.
-  static std::vector<std::optional<Pose>> shown_boxes(const Simulation& simulation) {
-    const std::vector<world::Obstacle>& boxes = simulation.world().obstacles;
-    std::vector<std::optional<Pose>> shown(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (!simulation.obstacle(i)) continue;
-      shown[i] =
-          may_move(boxes[i]) ? Pose{} : Pose{boxes[i].x, boxes[i].y, radians(boxes[i].heading_deg)};
+  /// What a scene says of a box: whether it is there, and where if nothing pushes it.
+  static std::optional<Pose> shown_box(const Simulation& simulation, std::size_t index) {
+    if (!simulation.obstacle(index)) return std::nullopt;
+    const world::Obstacle& box = simulation.world().obstacles[index];
+    return may_move(box) ? Pose{} : Pose{box.x, box.y, radians(box.heading_deg)};
+  }
+  bool has_other_boxes(const Simulation& simulation) const {
+    if (shown_.size() != simulation.world().obstacles.size()) return true;
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+      if (shown_box(simulation, i) != shown_[i]) return true;
     }
-    return shown;
+    return false;
   }
 
   void write_scene(const Simulation& simulation) {
-    shown_ = shown_boxes(simulation);
+    shown_.clear();
+    for (std::size_t i = 0; i < simulation.world().obstacles.size(); ++i) {
+      shown_.push_back(shown_box(simulation, i));
+    }
     write(scene_, now(simulation), scene_message(now(simulation), simulation, places_seen()));
   }
 
