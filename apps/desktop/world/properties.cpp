@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -69,12 +70,12 @@ Properties::Properties(Workbench& workbench, QWidget* parent)
   column->addWidget(add_, 0, Qt::AlignLeft);
   form_ = new Form;
   form_->setObjectName("form");
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(form_);
-  column->addWidget(scroll, 1);
+  scroll_ = new QScrollArea;
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setWidget(form_);
+  column->addWidget(scroll_, 1);
   pose_timer_.setSingleShot(true);
   connect(&pose_timer_, &QTimer::timeout, this, &Properties::show_last_pose);
   connect(filter_, &QLineEdit::textChanged, form_, &Form::filter);
@@ -201,6 +202,9 @@ void Properties::refresh() {
   about_->setText(described->kind.description);
   form_->show_fields(described->kind.fields, described->values);
   form_->filter(filter_->text());
+  // A narrow window takes its width from other panels: the form cannot be scrolled to the side.
+  scroll_->setMinimumWidth(form_->minimumSizeHint().width() +
+                           scroll_->verticalScrollBar()->sizeHint().width());
 }
 
 }  // namespace elsie::desktop

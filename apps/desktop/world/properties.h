@@ -10,6 +10,7 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace elsie::desktop {
 
@@ -56,6 +57,7 @@ class Properties : public QWidget {
   QTimer pose_timer_;
   QLineEdit* filter_;
   Form* form_;
+  QScrollArea* scroll_;
   QPushButton* add_;
 };
 
