@@ -21,6 +21,8 @@ inline void click_on(QWidget* widget, Qt::MouseButton button = Qt::LeftButton,
                      Qt::KeyboardModifiers keys = {}) {
   REQUIRE(widget);
   REQUIRE(widget->isVisible());
+  const auto centre = [&] { return widget->mapTo(widget->window(), widget->rect().center()); };
+  REQUIRE(wait_for([&] { return widget->window()->rect().contains(centre()); }));  // laid out
   click_at(widget, widget->rect().center(), button, keys);
 }
 /// In whatever has the focus in the window of the widget. Shortcuts act in the active window only,
