@@ -172,7 +172,7 @@ world::World pucks(const std::string& engine, int every) {
     puck.length = puck.width = 0.05;
     puck.height = 0.04;
     puck.mass = 0.05;
-    puck.x = robot.x + 0.095;
+    puck.x = robot.x + 0.075;
     puck.y = robot.y;
   }
   return world;

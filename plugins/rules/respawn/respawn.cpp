@@ -54,7 +54,7 @@ class Respawn final : public elsie::Rule {
         each.due_s = kThere;
         ++returned_;
       } else {
-        each.due_s = now.time_s + now.period_s;
+        each.due_s = now.time_s + kPause;
       }
     }
   }
@@ -63,6 +63,7 @@ class Respawn final : public elsie::Rule {
 
  private:
   static constexpr double kThere = std::numeric_limits<double>::infinity();
+  static constexpr double kPause = 0.1;  // s, because a search for room looks at all bodies
 
   struct Known {
     std::string id;

@@ -72,9 +72,9 @@ TEST_CASE("A collected resource comes back after its time, where it was") {
   CHECK(rule.apply(back.step()).edits.empty());  // its time begins anew
 }
 
-TEST_CASE("A resource that finds no room tries again in the next control period") {
+TEST_CASE("A resource that finds no room tries again a tenth of a second later") {
   Scene now = with_food();
-  now.steps_of(0.01, 3);
+  now.steps_of(0.01);
   Rule rule("respawn", {{"after", 0.0}});
   rule.apply(now);
   now.remove_obstacle("food");
@@ -85,8 +85,7 @@ TEST_CASE("A resource that finds no room tries again in the next control period"
   };
   CHECK(rule.apply(now.step()).edits.empty());
   rule.has_room = nullptr;
-  CHECK(rule.apply(now.step()).edits.empty());
-  CHECK(rule.apply(now.step()).edits.empty());
+  for (int step = 1; step < 10; ++step) CHECK(rule.apply(now.step()).edits.empty());
   CHECK(rule.apply(now.step()).edits == kFoodIsBack);
 }
 
