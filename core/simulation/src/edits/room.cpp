@@ -12,6 +12,7 @@ double height(const Frame& frame) {
 
 Room::Room(const world::World& world, const physics::Engine& engine)
     : world_(world), first_robot_(world.obstacles.size() + world.chargers.size()) {
+  blocks_.reserve(first_robot_ + world.robots.size());
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
     if (!engine.has_obstacle(i)) continue;
     const world::Fixture fixture = world::fixture_of(world.obstacles[i]);
@@ -19,7 +20,7 @@ Room::Room(const world::World& world, const physics::Engine& engine)
     middle.origin = middle.point({0.0, 0.0, 0.5 * fixture.shape.size.z});
     const world::ObstacleKind kind = world.obstacles[i].kind;
     blocks_.push_back(
-        {world::footprint_of(fixture.shape, middle), world.obstacles[i].in_words(), i,
+        {world::footprint_of(fixture.shape, middle), i, 0,
          kind == world::ObstacleKind::dynamic || kind == world::ObstacleKind::resource});
   }
   for (std::size_t i = 0; i < world.chargers.size(); ++i) {
@@ -27,40 +28,47 @@ Room::Room(const world::World& world, const physics::Engine& engine)
     if (charger.seen_by_range_sensors) {
       const world::Fixture fixture = world::fixture_of(charger);
       blocks_.push_back({world::footprint_of(fixture.shape, fixture.frame),
-                         "the charger '" + charger.id + "'", world.obstacles.size() + i, false});
+                         world.obstacles.size() + i, 0, false});
     }
   }
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
-    const BodyPlan& plan = plans_.emplace_back(world::plan_of(world.robots[i]));
-    std::vector<world::Footprint> vehicles;
+    const BodyPlan plan = world::plan_of(world.robots[i]);
+    std::size_t vehicle = 0;
     const auto add = [&](const auto& body) {
-      vehicles.push_back(world::footprint_of(world::vehicle_of(plan, vehicles.size()), body.pose,
-                                             height(body.frame)));
+      blocks_.push_back(
+          {world::footprint_of(world::vehicle_of(plan, vehicle), body.pose, height(body.frame)),
+           first_robot_ + i, vehicle, true});
+      ++vehicle;
     };
     add(engine.robot(i));
     for (std::size_t k = 0; k < engine.segments(i); ++k) {
       add(engine.segment(i, k));
     }
-    add_robot(i, vehicles);
   }
 }
 
-void Room::add_robot(std::size_t robot, const std::vector<world::Footprint>& vehicles) {
-  const world::Robot& described = world_.robots[robot];
-  const std::size_t of_drive = plans_[robot].vehicles() - described.segments.size();
-  for (std::size_t i = 0; i < vehicles.size(); ++i) {
-    const std::string segment =
-        i < of_drive ? "" : "the segment '" + described.segments[i - of_drive].id + "' of ";
-    blocks_.push_back(
-        {vehicles[i], segment + "the robot '" + described.id + "'", first_robot_ + robot, true});
+std::string Room::in_words(const Block& block) const {
+  if (block.owner < world_.obstacles.size()) return world_.obstacles[block.owner].in_words();
+  if (block.owner < first_robot_) {
+    return "the charger '" + world_.chargers[block.owner - world_.obstacles.size()].id + "'";
   }
+  const world::Robot& robot = world_.robots[block.owner - first_robot_];
+  const auto vehicles = std::count_if(blocks_.begin(), blocks_.end(),
+                                      [&](const Block& each) { return each.owner == block.owner; });
+  const std::size_t of_drive = static_cast<std::size_t>(vehicles) - robot.segments.size();
+  const std::string segment =
+      block.vehicle < of_drive
+          ? ""
+          : "the segment '" + robot.segments[block.vehicle - of_drive].id + "' of ";
+  return segment + "the robot '" + robot.id + "'";
 }
 
 void Room::place(std::size_t robot, const Pose& pose, double z) {
   auto vehicle = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
     return block.owner == first_robot_ + robot;
   });
-  for (const world::Footprint& footprint : world::footprints_of(plans_[robot], pose, z)) {
+  const BodyPlan plan = world::plan_of(world_.robots[robot]);
+  for (const world::Footprint& footprint : world::footprints_of(plan, pose, z)) {
     (vehicle++)->footprint = footprint;
   }
 }
@@ -73,7 +81,7 @@ void Room::place_box(std::size_t obstacle, const Pose& pose) {
   auto block = std::find_if(blocks_.begin(), blocks_.end(),
                             [&](const Block& each) { return each.owner == obstacle; });
   if (block == blocks_.end()) {
-    block = blocks_.insert(blocks_.begin(), {{}, described.in_words(), obstacle, true});
+    block = blocks_.insert(blocks_.begin(), {{}, obstacle, 0, true});
   }
   block->footprint = world::footprint_of(fixture.shape, middle);
 }
@@ -104,7 +112,7 @@ std::optional<std::string> Room::overlap(const Block& own) const {
   for (const Block& other : blocks_) {
     if (other.owner != own.owner && (own.is_free || other.is_free) &&
         world::overlap(own.footprint, other.footprint)) {
-      return own.in_words + " overlaps " + other.in_words;
+      return in_words(own) + " overlaps " + in_words(other);
     }
   }
   return std::nullopt;
@@ -113,7 +121,7 @@ std::optional<std::string> Room::overlap(const Block& own) const {
 std::optional<std::string> Room::problem_of(std::size_t robot) const {
   for (const Block& own : blocks_) {
     if (own.owner == first_robot_ + robot) {
-      auto problem = world::outside(world_.arena, own.in_words, own.footprint);
+      auto problem = world::outside(world_.arena, in_words(own), own.footprint);
       if (problem || (problem = overlap(own))) return problem;
     }
   }
@@ -125,7 +133,7 @@ std::optional<std::string> Room::problem_of_box(std::size_t obstacle) const {
     if (own.owner == obstacle) {
       auto problem = overlap(own);
       return problem || !own.is_free ? problem
-                                     : world::outside(world_.arena, own.in_words, own.footprint);
+                                     : world::outside(world_.arena, in_words(own), own.footprint);
     }
   }
   return std::nullopt;
@@ -138,7 +146,7 @@ std::optional<std::string> Room::problem_of_arena() const {
     for (const Block& block : blocks_) {
       if (block.is_free && is_robot == (block.owner >= first_robot_)) {
         if (auto found =
-                world::outside(world_.arena, block.in_words, block.footprint.grown(-kHair))) {
+                world::outside(world_.arena, in_words(block), block.footprint.grown(-kHair))) {
           return found;
         }
       }

@@ -42,21 +42,20 @@ class Room {
  private:
   struct Block {
     world::Footprint footprint;
-    std::string in_words;
-    std::size_t owner = 0;  // index: obstacles first, then chargers, then robots
-    bool is_free = false;   // it may be pushed or removed
+    std::size_t owner = 0;    // index: obstacles first, then chargers, then robots
+    std::size_t vehicle = 0;  // of a robot
+    bool is_free = false;     // it may be pushed or removed
   };
 
   std::size_t owner(const physics::Body& body) const {
     return body.kind == physics::BodyKind::robot ? first_robot_ + body.index : body.index;
   }
-  void add_robot(std::size_t robot, const std::vector<world::Footprint>& vehicles);
+  std::string in_words(const Block& block) const;
   std::optional<std::string> overlap(const Block& own) const;
 
   const world::World& world_;
-  std::vector<Block> blocks_;    // obstacles and chargers before robots and what they pull
-  std::size_t first_robot_;      // as index of an owner
-  std::vector<BodyPlan> plans_;  // of the robots
+  std::vector<Block> blocks_;  // obstacles and chargers before robots and what they pull
+  std::size_t first_robot_;    // as index of an owner
 };
 
 }  // namespace elsie::simulation
