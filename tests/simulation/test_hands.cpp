@@ -157,6 +157,22 @@ TEST_CASE("What needs two hands moves when two robots hold it") {
   CHECK(simulation.obstacle(0)->x < 0.02);
 }
 
+TEST_CASE("What needs two hands is delivered only by two") {
+  const bool is_helped = GENERATE(false, true);
+  simulation::Simulation simulation = handling(
+      world_of(gripper_at("a", 0, 0) + gripper_at("b", 0.18, 0, "red", "heading_deg=\"180\""),
+               puck("p", 0.09, "hands=\"2\""), "<nests><nest radius=\"0.3\"/></nests>"));
+  if (!is_helped) simulation.edit("robot[b]/behavior[grips]/@closed", "false");
+  steps(simulation, 5);
+  simulation.edit("robot[b]/behavior[grips]/@closed", "false");
+  steps(simulation, 5);
+  CHECK(simulation.obstacle(0));  // still in a hand
+  simulation.edit("robot[a]/behavior[grips]/@closed", "false");
+  steps(simulation, 1);
+  CHECK(deeds(simulation).back() == (is_helped ? "a: delivered p" : "a: released p"));
+  CHECK(bool(simulation.obstacle(0)) != is_helped);
+}
+
 TEST_CASE("What a robot releases in a nest of its team is delivered") {
   const std::string nest =
       R"(<nests><nest team="red" x="0" y="0" radius="0.3"/></nests><goals><deliver/></goals>)";

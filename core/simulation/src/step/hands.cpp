@@ -93,7 +93,7 @@ void Hands::release(const world::World& world, Robots robots, const Held& held) 
   robot.raise(events::Released{held.thing});
   const world::Obstacle& released = world.obstacles[thing];
   const std::string& team = robot.description().team;
-  if (!released.to_nest || holders_[thing] > 0 ||
+  if (!released.to_nest || !held.carried || holders_[thing] > 0 ||
       !in_nest(world, team, place_of(*engine_, thing))) {
     return;
   }
@@ -153,9 +153,14 @@ void Hands::take(const world::World& world, Robots robots, std::size_t robot,
   if (!nearest) return;
   engine_->hold(robot, nearest->index);
   ++holders_[nearest->index];
-  const std::string& id = world.obstacles[nearest->index].id;
+  const world::Obstacle& thing = world.obstacles[nearest->index];
+  const std::string& id = thing.id;
+  const bool is_carried = holders_[nearest->index] == thing.hands;
   held_.push_back({taker.description().id, std::string(taker.actuator(actuator)), id, robot,
-                   nearest->index, in_frame_of(taker.truth().pose, nearest->place)});
+                   nearest->index, in_frame_of(taker.truth().pose, nearest->place), is_carried});
+  if (is_carried && thing.hands > 1) {
+    for (Held& held : held_) held.carried = held.carried || held.thing_index == nearest->index;
+  }
   taker.raise(events::Taken{id});
 }
 

@@ -29,7 +29,8 @@ class Hands {
   struct Held {
     std::string robot, actuator, thing;  // ids
     std::size_t robot_index = 0, thing_index = 0;
-    Vector2 place;  // of the thing, in the frame of the robot
+    Vector2 place;         // of the thing, in the frame of the robot
+    bool carried = false;  // as many have held it as it takes
   };
   /// Something that can be taken.
   struct Loose {
