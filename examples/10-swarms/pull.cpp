@@ -16,7 +16,8 @@ class Pull final : public elsie::Behavior {
   double rest = 5.0;       // s
 
   void reset(elsie::Random&) override {
-    holds_since_s_ = -1.0;
+    lets_go_s_ = -1.0;
+    is_helped_ = false;
     looks_from_s_ = 0.0;
   }
 
@@ -24,17 +25,17 @@ class Pull final : public elsie::Behavior {
     elsie::Response response;
     bool closed = false;
     if (!now.self().held.empty()) {
-      if (holds_since_s_ < 0.0) holds_since_s_ = now.time_s();
-      const double held_s = now.time_s() - holds_since_s_;
-      const bool is_helped = now.self().held.front().moves;
-      closed = held_s < (is_helped ? helped_s_ + 0.5 : patience);
-      if (!is_helped) helped_s_ = held_s;
-      if (is_helped && !was_helped_) response.events.push_back({"pulled"});
-      was_helped_ = is_helped;
+      if (lets_go_s_ < 0.0) lets_go_s_ = now.time_s() + patience;
+      if (now.self().held.front().moves && !is_helped_) {
+        is_helped_ = true;
+        lets_go_s_ = now.time_s() + 0.5;
+        response.events.push_back({"pulled"});
+      }
+      closed = now.time_s() < lets_go_s_;
       if (!closed) looks_from_s_ = now.time_s() + rest;
     } else {
-      holds_since_s_ = -1.0;
-      was_helped_ = false;
+      lets_go_s_ = -1.0;
+      is_helped_ = false;
       if (now.time_s() < looks_from_s_) {
         // Away from it: back first, then with a turn.
         const bool backs = looks_from_s_ - now.time_s() > rest - 1.0;
@@ -62,9 +63,8 @@ class Pull final : public elsie::Behavior {
     return false;
   }
 
-  double holds_since_s_ = -1.0;  // below 0: it holds nothing
-  double helped_s_ = 0.0;        // of holding, when another one came
-  bool was_helped_ = false;
+  double lets_go_s_ = -1.0;  // below 0: it holds nothing
+  bool is_helped_ = false;
   double looks_from_s_ = 0.0;
 };
 

@@ -252,6 +252,23 @@ TEST_CASE("An actuator uses energy, and does nothing with an empty battery") {
   CHECK(empty.actuator(0, 0).by.empty());
 }
 
+TEST_CASE("With an empty battery an actuator forgets commands that are late, too") {
+  simulation::Simulation late = simulated(robot_of(
+      "<actuators><led><failure latency=\"0.05\"/></led></actuators><behaviors><only_shows "
+      "shows=\"0.5\"/></behaviors>",
+      ""));
+  late.step();
+  late.edit("robot[r1]/@energy", "0");
+  late.step();
+  const std::vector<simulation::Edit> silent{{"robot[r1]/@energy", "100"},
+                                             {"robot[r1]/behavior[only_shows]/@shows", "0"}};
+  late.edit(silent);
+  for (int i = 0; i < 10; ++i) {
+    late.step();
+    CHECK(brightness(late) == 0.0);
+  }
+}
+
 TEST_CASE("Noise and failures of an actuator change what it is told") {
   const auto first = [](const std::string& inside) {
     simulation::Simulation simulation =

@@ -70,6 +70,26 @@ TEST_CASE("An event goal that an edit adds counts from then on, and keeps its co
   CHECK(simulation.run().simulated_s == Approx(0.9));
 }
 
+TEST_CASE("Of several goals that an edit makes of one, the first goes on with its count") {
+  Simulation simulation(of_three("<event name='hello' count='20'/>"), greeting().host);
+  advance(simulation, 9);
+  simulation.edit("goal[1]",
+                  "<any><event name='hello' count='30'/><event name='hello' count='10'/></any>");
+  advance(simulation, 4);
+  CHECK(simulation.outcome() == Outcome::running);
+  advance(simulation, 1);
+  CHECK(simulation.outcome() == Outcome::success);
+}
+
+TEST_CASE("A goal to reach needs somebody who reaches it") {
+  Simulation simulation(of_three("<reach x='0'/>"), greeting().host);
+  const std::vector<simulation::Edit> all{
+      {"robot[r1]/@remove", "true"}, {"robot[r2]/@remove", "true"}, {"robot[b1]/@remove", "true"}};
+  simulation.edit(all);
+  advance(simulation, 5);
+  CHECK(simulation.outcome() == Outcome::running);
+}
+
 TEST_CASE("An event of the simulator counts when robots perceive it") {
   auto world = of_three("<event name='collected' team='red'/>");
   world.obstacles.push_back(box("food", world::ObstacleKind::resource, 0.08, 0));

@@ -157,6 +157,22 @@ TEST_CASE("What needs two hands moves when two robots hold it") {
   CHECK(simulation.obstacle(0)->x < 0.02);
 }
 
+TEST_CASE("What needs two hands stands still when both robots are gone") {
+  simulation::Simulation simulation = handling(
+      world_of(gripper_at("a", 0, 0) + gripper_at("b", 0.18, 0, "red", "heading_deg=\"180\""),
+               puck("p", 0.09, "hands=\"2\"")));
+  simulation.edit("robot[a]/behavior[grips]/@speed", "-0.1");
+  simulation.edit("robot[b]/behavior[grips]/@speed", "0.1");
+  steps(simulation, 100);
+  const double x = simulation.obstacle(0)->x;
+  CHECK(x < 0.02);
+  const std::vector<simulation::Edit> both{{"robot[a]/@remove", "true"},
+                                           {"robot[b]/@remove", "true"}};
+  simulation.edit(both);
+  steps(simulation, 100);
+  CHECK(simulation.obstacle(0)->x == Approx(x).margin(1e-6));
+}
+
 TEST_CASE("What needs two hands is delivered only by two") {
   const bool is_helped = GENERATE(false, true);
   simulation::Simulation simulation = handling(
@@ -235,6 +251,16 @@ TEST_CASE("What is held stays in the hand through edits that leave both where th
     simulation.edit("robot[r1]/@x", "1");
     CHECK_FALSE(drive());
     CHECK(deeds(simulation).back() == "r1: released p");
+  }
+  SECTION("the robot is only turned") {
+    simulation.edit("robot[r1]/@heading_deg", "5");
+    CHECK(deeds(simulation).back() == "r1: released p");
+  }
+  SECTION("the thing is only turned") {
+    simulation.edit("resource[p]/@heading_deg", "90");
+    CHECK(deeds(simulation).back() == "r1: released p");
+    steps(simulation, 5);  // it takes it again
+    CHECK(std::abs(simulation.robot(0).moving.turn) < 0.01);
   }
   SECTION("its actuator is removed") {
     simulation.edit("robot[r1]/actuator[+]", R"(<gripper id="rear" x="-0.04"/>)");

@@ -99,6 +99,17 @@ TEST_CASE("A rule sees the start, then every step; its edits are made before the
   CHECK(result.events[1].detail() == "robot[r1]/@energy=40, by the rule 'law'");
 }
 
+TEST_CASE("A rule sees each event once, those before the first step after that") {
+  std::vector<std::pair<double, std::size_t>> seen;
+  const auto host = ruled_by([&](const Observation& now, WorldChanges&) {
+    if (!now.events.empty()) seen.emplace_back(now.time_s, now.events.size());
+  });
+  Simulation simulation(world::parse_world(kField, "field.xml", host), host);
+  const simulation::TimedEdit at_start{0.0, {"robot[r1]/@energy", "3"}};
+  simulation.run({}, {&at_start, 1});
+  CHECK(seen == std::vector<std::pair<double, std::size_t>>{{0.01, 1}});
+}
+
 TEST_CASE("Edits of rules are made after the user's, in the order of the file") {
   const plugin::Host host = ruled_by(
       [](const Observation& now, WorldChanges& world) {

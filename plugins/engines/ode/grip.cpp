@@ -8,26 +8,32 @@
 
 namespace elsie::physics {
 
-Grip::Grip(dWorldID world, std::size_t its_robot, dBodyID its_chassis, std::size_t its_box,
-           dBodyID body_of_box, bool it_turns)
-    : robot(its_robot),
-      box(its_box),
-      chassis(its_chassis),
-      body(body_of_box),
-      turns(it_turns),
+Grip::Grip(dWorldID world, const Bodies& bodies, const std::optional<Vector2>& pin)
+    : robot(bodies.robot),
+      box(bodies.box),
+      chassis(bodies.chassis),
+      body(bodies.body),
+      turns(pin.has_value()),
       joint_(turns ? dJointCreateHinge(world, nullptr) : dJointCreateFixed(world, nullptr)) {
-  const dReal* const at = dBodyGetPosition(body);
+  if (pin) pin_ = {pin->x, pin->y, 0.0};
+  const Vector3 at = place();
   dJointAttach(joint_.get(), chassis, body);
   if (turns) {
-    dJointSetHingeAnchor(joint_.get(), at[0], at[1], at[2]);
+    dJointSetHingeAnchor(joint_.get(), at.x, at.y, at.z);
     dJointSetHingeAxis(joint_.get(), 0.0, 0.0, 1.0);
   } else {
     dJointSetFixed(joint_.get());
   }
-  dVector3 place;
-  dBodyGetPosRelPoint(chassis, at[0], at[1], at[2], place);
-  place_ = to_vector(place);
+  dVector3 in_chassis;
+  dBodyGetPosRelPoint(chassis, at.x, at.y, at.z, in_chassis);
+  place_ = to_vector(in_chassis);
   dQMultiply1(turned_, dBodyGetQuaternion(chassis), dBodyGetQuaternion(body));
+}
+
+Vector3 Grip::place() const {
+  dVector3 at;
+  dBodyGetRelPointPos(body, pin_.x, pin_.y, pin_.z, at);
+  return to_vector(at);
 }
 
 namespace {
@@ -59,9 +65,9 @@ bool Grips::has(std::size_t robot, std::size_t box) const {
 }
 
 Grip::Error Grip::error() const {
-  dVector3 place;
-  dBodyGetRelPointPos(chassis, place_.x, place_.y, place_.z, place);
-  const Vector3 way = to_vector(place) - to_vector(dBodyGetPosition(body));
+  dVector3 wanted_place;
+  dBodyGetRelPointPos(chassis, place_.x, place_.y, place_.z, wanted_place);
+  const Vector3 way = to_vector(wanted_place) - place();
   if (turns) {
     const dReal *own = dBodyGetRotation(body), *carrier = dBodyGetRotation(chassis);
     return {way, cross({own[2], own[6], own[10]}, {carrier[2], carrier[6], carrier[10]})};

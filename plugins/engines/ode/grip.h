@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,12 +13,19 @@
 namespace elsie::physics {
 
 /// The joint between a chassis and the box that it holds: the box stays where it was in the frame
-/// of the chassis. One that `turns` only keeps its place, and stays upright.
+/// of the chassis. One that `turns` is pinned at a point, and stays upright.
 struct Grip {
-  Grip(dWorldID world, std::size_t its_robot, dBodyID its_chassis, std::size_t its_box,
-       dBodyID body_of_box, bool it_turns);
+  /// Who holds what.
+  struct Bodies {
+    std::size_t robot = 0, box = 0;
+    dBodyID chassis = nullptr, body = nullptr;  // of the box
+  };
+  /// `pin`: in the frame of the box, m, where it turns; none: it does not.
+  Grip(dWorldID world, const Bodies& bodies, const std::optional<Vector2>& pin);
 
-  /// How the box has to move in the world to be where it was held: m, from its place, and rad.
+  /// Where the box is held, in the world.
+  Vector3 place() const;
+  /// How the box has to move in the world to be where it was held: m, at that place, and rad.
   struct Error {
     Vector3 way, turn;
   };
@@ -29,8 +37,9 @@ struct Grip {
 
  private:
   OdeJoint joint_;
-  Vector3 place_;       // of the box, in the frame of the chassis
-  dQuaternion turned_;  // likewise
+  Vector3 pin_;         // where it is held, in the frame of the box
+  Vector3 place_;       // the same, in the frame of the chassis
+  dQuaternion turned_;  // the box, in that frame
 };
 
 /// Those of an engine, ascending by box and robot.

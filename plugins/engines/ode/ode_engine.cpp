@@ -109,6 +109,7 @@ std::size_t OdeEngine::add_obstacle_of(const Engine& other, std::size_t box,
   BoxBody& made = bodies_.boxes[index];
   if (made.body) {
     copy_state(same.body, made.body);
+    if (made.kind == world::ObstacleKind::dynamic && !made.gives_way()) made.take_footing();
     made.shape = same.shape;
     made.stays_within =
         made.kind == world::ObstacleKind::dynamic && bounds_.within_walls(made.shape.center);
@@ -205,12 +206,13 @@ void OdeEngine::place_obstacle(std::size_t box, const Pose& pose) {
   bodies_.scene.place_box(placed.id, placed.shape, placed.is_mobile() ? kSlack : 0.0);
 }
 
-void OdeEngine::hold(std::size_t robot, std::size_t box) {
+void OdeEngine::hold(std::size_t robot, std::size_t box, const Vector2& at) {
   BoxBody& held = bodies_.boxes.at(box);
   check_hold(held.kind, held.present, held.holders, held.hands);
   prepare_ode();
   const dBodyID chassis = bodies_.robots.at(robot).vehicles().front().chassis();
-  bodies_.grips.add(Grip(world_.get(), robot, chassis, box, held.body, held.hands > 1));
+  bodies_.grips.add(Grip(world_.get(), {robot, box, chassis, held.body},
+                         held.hands > 1 ? std::optional(at) : std::nullopt));
   ++held.holders;
   held.take_footing();
 }

@@ -35,7 +35,7 @@ class OdeEngine final : public Engine {
   void go_on_from(const Engine& other) override;
   void remove_obstacle(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
-  void hold(std::size_t robot, std::size_t box) override;
+  void hold(std::size_t robot, std::size_t box, const Vector2& at) override;
   void let_go(std::size_t robot, std::size_t box) override;
   void place_obstacle(std::size_t box, const Pose& pose) override;
   void set_joints(std::size_t robot, std::span<const JointSetting> settings) override;

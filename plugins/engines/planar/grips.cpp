@@ -1,6 +1,7 @@
 // Robots that hold boxes. A box that is held is joined to its robot by a hinge, and glides on the
 // floor. The hinge does not turn, unless the box takes several hands.
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -13,15 +14,20 @@ namespace {
 
 constexpr double kFree = 1e9;  // rad
 
+/// A point of a body, in the world.
+Vector2 point_of(const Mover& body, const Vector2& point) {
+  return plus(body.place(), body.ahead().turn(point));
+}
+
 }  // namespace
 
 Pose PlanarEngine::Grip::wanted(std::span<const Mover> movers) const {
   const Mover& own = movers[hinge.front];
-  const Vector2 arm = own.ahead().turn(hinge.front_end);
-  return {own.place().x + arm.x, own.place().y + arm.y, own.heading_rad() + turned_rad};
+  const Vector2 place = point_of(own, hinge.front_end);
+  return {place.x, place.y, own.heading_rad() + turned_rad};
 }
 
-void PlanarEngine::hold(std::size_t robot, std::size_t box) {
+void PlanarEngine::hold(std::size_t robot, std::size_t box, const Vector2& at) {
   BoxBody& held = boxes_.at(box);
   check_hold(held.kind, held.present, held.holders, held.hands);
   Grip grip{box, robot, {}};
@@ -29,16 +35,17 @@ void PlanarEngine::hold(std::size_t robot, std::size_t box) {
   grip.hinge.behind = colliders_[held.collider].mover;
   grip.hinge.joint.max_yaw_rad = held.hands > 1 ? kFree : 0.0;
   const Mover &front = movers_[grip.hinge.front], &behind = movers_[grip.hinge.behind];
-  grip.hinge.front_end = front.ahead().turn_back(
-      Vector2{behind.place().x - front.place().x, behind.place().y - front.place().y});
+  if (held.hands > 1) grip.hinge.behind_end = at;
+  const Vector2 place = point_of(behind, grip.hinge.behind_end);
+  grip.hinge.front_end = front.ahead().turn_back(minus(place, front.place()));
   grip.turned_rad = wrap_angle(behind.heading_rad() - front.heading_rad());
-  const auto place =
+  const auto next =
       std::lower_bound(grips_.begin(), grips_.end(), grip, [](const Grip& a, const Grip& b) {
         return std::tie(a.box, a.robot) < std::tie(b.box, b.robot);
       });
-  require(place == grips_.end() || place->box != box || place->robot != robot,
+  require(next == grips_.end() || next->box != box || next->robot != robot,
           "The robot holds the box already.");
-  grips_.insert(place, grip);
+  grips_.insert(next, grip);
   ++held.holders;
   take_footing(held);
   note_grips();
@@ -77,26 +84,45 @@ void PlanarEngine::begin_grips() {
     if (boxes_[grip.box].hands == 1) {
       grip.hinge.yaw_rad = wrap_angle(box.heading_rad() - wanted.heading_rad);
     }
-    grip.hinge.apart = {box.place().x - wanted.x, box.place().y - wanted.y};
+    grip.hinge.apart = minus(point_of(box, grip.hinge.behind_end), {wanted.x, wanted.y});
     hinges_.push_back(&grip.hinge);
   }
 }
 
-/// Puts each box that is carried where its robot has it: in the middle if there are several.
+/// Where robots have a box that they hold, which has the heading `now_rad`. The places at which
+/// they hold it are only nearly as far from each other as on the box: the best fit, by least
+/// squares.
+Pose PlanarEngine::carried(std::span<const Grip> grips, double now_rad) const {
+  const double share = 1.0 / static_cast<double>(grips.size());
+  Vector2 middle, own;  // of the places where it is to be held, and of those on the box
+  for (const Grip& grip : grips) {
+    const Pose wanted = grip.wanted(movers_);
+    middle = plus(middle, {share * wanted.x, share * wanted.y});
+    own = plus(own, {share * grip.hinge.behind_end.x, share * grip.hinge.behind_end.y});
+    if (boxes_[grip.box].hands == 1) now_rad = wanted.heading_rad;
+  }
+  double along = 0.0, across = 0.0;
+  for (const Grip& grip : grips) {
+    const Pose wanted = grip.wanted(movers_);
+    const Vector2 to = minus({wanted.x, wanted.y}, middle),
+                  from = minus(grip.hinge.behind_end, own);
+    along += from.x * to.x + from.y * to.y;
+    across += from.x * to.y - from.y * to.x;
+  }
+  constexpr double kHair = 1e-9;  // m2
+  if (std::hypot(along, across) > kHair) now_rad = std::atan2(across, along);
+  const Vector2 place = minus(middle, Direction::of(now_rad).turn(own));
+  return {place.x, place.y, now_rad};
+}
+
 void PlanarEngine::settle_grips(PlanarScene::Moves& moves) {
   for (auto first = grips_.begin(); first != grips_.end();) {
     const BoxBody& box = boxes_[first->box];
     const auto last = first + box.holders;
     if (box.holders >= box.hands) {
-      Pose sum;
-      for (auto grip = first; grip != last; ++grip) {
-        const Pose wanted = grip->wanted(movers_);
-        sum.x += wanted.x / box.holders;
-        sum.y += wanted.y / box.holders;
-        sum.heading_rad = wanted.heading_rad;
-      }
       Mover& mover = movers_[first->hinge.behind];
-      mover.put({sum.x, sum.y}, box.hands > 1 ? mover.heading_rad() : sum.heading_rad);
+      const Pose pose = carried({first, last}, mover.heading_rad());
+      mover.put({pose.x, pose.y}, pose.heading_rad);
       scene_.move(box.collider, mover.place(), mover.ahead(), moves);
     }
     first = last;

@@ -35,7 +35,7 @@ class PlanarEngine final : public Engine {
   void go_on_from(const Engine& other) override;
   void remove_obstacle(std::size_t box) override;
   void place_robot(std::size_t robot, const Pose& pose, double z) override;
-  void hold(std::size_t robot, std::size_t box) override;
+  void hold(std::size_t robot, std::size_t box, const Vector2& at) override;
   void let_go(std::size_t robot, std::size_t box) override;
   void place_obstacle(std::size_t box, const Pose& pose) override;
   std::optional<std::string> fault_of_height(double z) const override {
@@ -99,7 +99,7 @@ class PlanarEngine final : public Engine {
     Hinge hinge;
     double turned_rad = 0.0;  // the box, in the frame of the robot
 
-    /// Where the robot has the box.
+    /// Where the robot has the place at which it holds the box, and the heading of that.
     Pose wanted(std::span<const Mover> movers) const;
   };
   struct RobotBody {
@@ -120,6 +120,8 @@ class PlanarEngine final : public Engine {
   void take_footing(const BoxBody& box);
   void note_grips();
   void begin_grips();
+  Pose carried(std::span<const Grip> grips, double now_rad) const;
+  /// Puts each box that is carried where its robots have it.
   void settle_grips(PlanarScene::Moves& moves);
   void start_moving_boxes();
   void stop_moving_boxes();

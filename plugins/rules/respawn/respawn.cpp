@@ -67,7 +67,7 @@ class Respawn final : public elsie::Rule {
 
   struct Known {
     std::string id;
-    elsie::Pose pose;
+    elsie::Pose pose;        // where it comes back
     std::uint64_t seen = 0;  // the round in which it was last there
     double due_s = kThere;   // when it comes back; after a failure, when that is tried again
   };
@@ -91,7 +91,7 @@ class Respawn final : public elsie::Rule {
         next = known_.size();
         known_.push_back({std::string(each.id), each.pose});
       }
-      known_[next].pose = each.pose;
+      if (where == "random") known_[next].pose = each.pose;
       known_[next].seen = round_;
       known_[next++].due_s = kThere;
     }
@@ -132,7 +132,7 @@ ELSIE_RULE(
     elsie::parameter("team", &Respawn::team, {.meaning = "only those of this team"}),
     elsie::parameter("where", &Respawn::where,
                      {.choices = {"same", "random"},
-                      .meaning = "'same': where it was; 'random': anywhere in a rectangle"}),
+                      .meaning = "'same': where it was first; 'random': anywhere in a rectangle"}),
     elsie::parameter("x", &Respawn::x, {.unit = "m", .meaning = "middle of the rectangle, east"}),
     elsie::parameter("y", &Respawn::y, {.unit = "m", .meaning = "middle of the rectangle, north"}),
     elsie::parameter(

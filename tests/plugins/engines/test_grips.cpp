@@ -47,7 +47,7 @@ TEST_CASE("A box that is held keeps its place in the frame of its robot") {
   const std::size_t robot = context.robot(0.0, 0.0, 30.0);
   const std::size_t box = context.engine->add_obstacle(crate(0.08, 0.06));
   context.run(0.1);
-  context.engine->hold(robot, box);
+  context.engine->hold(robot, box, {});
   const Pose taken = in_hand(context, robot, box);
   const std::vector<double> rates = GENERATE(std::vector{10.0, 10.0}, std::vector{-5.0, 8.0});
   context.drive(robot, rates);
@@ -79,7 +79,7 @@ TEST_CASE("A motor that moves a heavy box along takes longer to get going") {
     body.wheel_torque = 0.002;
     const std::size_t robot = context.robot(0.0, 0.0, 0.0, body);
     const std::size_t box = context.engine->add_obstacle(crate(0.08, 0.0, mass));
-    context.engine->hold(robot, box);
+    context.engine->hold(robot, box, {});
     context.drive(robot, {25.0, 25.0});
     context.run(0.2);
     return context.pose(robot).x;
@@ -98,7 +98,7 @@ TEST_CASE("Taking, carrying and putting down make no energy, at any step") {
   context.drive(robot, {rate, rate});
   while (context.pose(robot).x < -0.53) context.run(step);
   const double before = speed(context, robot);
-  context.engine->hold(robot, box);
+  context.engine->hold(robot, box, {});
   context.run(step);
   // Its half of a kilogram was at rest; the motors give no more than their torque.
   const double pushed = 2.0 * world::RobotBody{}.wheel_torque / kRadius * step / 0.2;
@@ -130,13 +130,13 @@ TEST_CASE("What needs two hands stays where it is until two robots hold it") {
   CHECK(moved() < 1e-6);
   CHECK(context.pose(pusher).x == Approx(-0.07).margin(5e-3));  // it stands before the box
   context.drive(pusher, {-10.0, -10.0});
-  context.engine->hold(left, box);
+  context.engine->hold(left, box, {});
   context.drive(left, {10.0, 10.0});
   context.run(0.5);
   CHECK(moved() < 1e-6);
   CHECK(context.pose(left).y == Approx(0.1).margin(2e-3));
-  context.engine->hold(right, box);
-  CHECK_THROWS_AS(context.engine->hold(pusher, box), std::invalid_argument);
+  context.engine->hold(right, box, {});
+  CHECK_THROWS_AS(context.engine->hold(pusher, box, {}), std::invalid_argument);
   context.drive(right, {10.0, 10.0});
   context.run(1.0);
   CHECK(context.engine->obstacle(box).origin.y == Approx(0.2).epsilon(0.1));
@@ -147,13 +147,35 @@ TEST_CASE("What needs two hands stays where it is until two robots hold it") {
   CHECK(across(context.engine->obstacle(box).origin, there) < 1e-6);
 }
 
+TEST_CASE("A bar that two hold at its ends turns as they move") {
+  PhysicsContext context(with(each_engine()), open_field());
+  world::Obstacle bar = crate(0.0, 0.0, 0.1, 2);
+  bar.length = 0.3;
+  bar.width = 0.04;
+  const std::size_t box = context.engine->add_obstacle(bar);
+  const std::size_t left = context.robot(-0.2, 0.0, 90.0), right = context.robot(0.2, 0.0, 90.0);
+  context.engine->hold(left, box, {-0.15, 0.0});
+  context.engine->hold(right, box, {0.15, 0.0});
+  context.drive(left, {5.0, 5.0});
+  context.drive(right, {10.0, 10.0});
+  const auto apart = [&](std::size_t robot, double side, double end) {
+    return across(context.engine->robot(robot).frame.point({0.0, side, 0.0}),
+                  context.engine->obstacle(box).point({end, 0.0, 0.0}));
+  };
+  context.run(1.0, [&] {
+    CHECK(apart(left, -0.05, -0.15) < 5e-3);
+    CHECK(apart(right, 0.05, 0.15) < 5e-3);
+  });
+  CHECK(context.engine->obstacle(box).forward.y == Approx(0.3).margin(0.1));
+}
+
 TEST_CASE("Others touch what a robot holds, and a box that is gone is held no more") {
   PhysicsContext context(with(each_engine()), open_field());
   const std::size_t robot = context.robot(0.0, 0.0);
   const std::size_t box = context.engine->add_obstacle(crate(0.08, 0.0));
   const std::size_t other = context.robot(0.5, 0.0, 180.0);
-  context.engine->hold(robot, box);
-  CHECK_THROWS_AS(context.engine->hold(other, box), std::invalid_argument);
+  context.engine->hold(robot, box, {});
+  CHECK_THROWS_AS(context.engine->hold(other, box, {}), std::invalid_argument);
   context.drive(other, {5.0, 5.0});
   bool touched = false;
   context.run(4.0,
@@ -166,14 +188,14 @@ TEST_CASE("Others touch what a robot holds, and a box that is gone is held no mo
   const double from = context.pose(robot).x;
   context.run(1.0);
   CHECK(context.pose(robot).x - from == Approx(0.1).epsilon(0.1));
-  CHECK_THROWS_AS(context.engine->hold(robot, box), std::invalid_argument);
+  CHECK_THROWS_AS(context.engine->hold(robot, box, {}), std::invalid_argument);
 }
 
 TEST_CASE("Walls and fixed boxes cannot be held") {
   PhysicsContext context(with(each_engine()));
   const std::size_t robot = context.robot(0.0, 0.0);
   const std::size_t box = context.obstacle(ObstacleKind::fixed, 0.2, 0.0, {0.1, 0.1, 0.1});
-  CHECK_THROWS_AS(context.engine->hold(robot, box), std::invalid_argument);
+  CHECK_THROWS_AS(context.engine->hold(robot, box, {}), std::invalid_argument);
 }
 
 TEST_CASE("A heap of robots with something in their hands has the same bits on any threads") {
@@ -194,7 +216,7 @@ TEST_CASE("A heap of robots with something in their hands has the same bits on a
     for (int step = 0; step < 300; ++step) {
       for (std::size_t i = 0; i < robots.size(); ++i) {
         if (step == static_cast<int>(i)) {
-          context.engine->hold(robots[i], boxes[i]);
+          context.engine->hold(robots[i], boxes[i], {});
           taken[i] = in_hand(context, robots[i], boxes[i]);
         }
         if (step == 200 + static_cast<int>(i)) context.engine->let_go(robots[i], boxes[i]);

@@ -196,6 +196,7 @@ std::vector<physics::Body> Simulation::Impl::become_bodies(const Pairs& pairs,
     engine_->add_obstacle_of(*before, former, next);
     if (const NewPlace asked = new_place(was.obstacles[former], next, transaction)) {
       engine_->place_obstacle(i, asked.pose(pose_of_box(*before, was, former), pose_of(next)));
+      transaction.placed.push_back({obstacle, i});
       fresh.push_back({obstacle, i});
     }
     now[{obstacle, former}] = {obstacle, i};
@@ -236,6 +237,7 @@ std::vector<physics::Body> Simulation::Impl::become_bodies(const Pairs& pairs,
       now[{robot, former}] = {robot, i};
       if (const NewPlace asked = new_place(old, next, transaction)) {
         arrival = Arrival::placed;
+        transaction.placed.push_back({robot, i});
         engine_->place_robot(i, asked.pose(robots_[i]->truth().pose, pose_of(next)),
                              asked.z ? next.z : height(engine_->robot(i).frame));
       } else if (is_same) {
@@ -293,15 +295,16 @@ void Simulation::Impl::become_goals(const world::World& was) {
       none.done[robot->description().id] = {robot->tally().distance_m, robot->tally().collisions};
     }
   }
-  const auto before = single_goals(was.goals);
+  std::vector<const world::Goal*> before = single_goals(was.goals);
   std::vector<GoalProgress> progress;
   for (const world::Goal* goal : single_goals(world_.goals)) {
     const auto known = std::find_if(before.begin(), before.end(), [&](const world::Goal* other) {
-      return same_goal(*goal, *other);
+      return other && same_goal(*goal, *other);
     });
     progress.push_back(known == before.end()
                            ? none
                            : goal_progress_[static_cast<std::size_t>(known - before.begin())]);
+    if (known != before.end()) *known = nullptr;  // one goal goes on, not several
   }
   goal_progress_ = std::move(progress);
 }
@@ -314,7 +317,7 @@ void Simulation::Impl::settle(EditTransaction& transaction) {
   if (transaction.may_cause_warnings) note_new_warnings(world_, time_s(), said_.notes);
   ++renewals_;
   transaction.settle();
-  hands_.follow(world_, robots_, engine_);
+  hands_.follow(world_, robots_, engine_, transaction.placed);
 }
 
 }  // namespace elsie::simulation

@@ -81,7 +81,7 @@ class Simulation::Impl::Pairs {
   std::optional<CommonData> common_, next_common_;  // none: all robots keep their team numbers
   const bool same_around_ = same_part("teams", was_, next_) &&
                             same_part("resources", was_, next_) &&
-                            same_part("chargers", was_, next_);
+                            same_part("chargers", was_, next_) && same_part("nests", was_, next_);
   std::vector<std::size_t> formers_;
 };
 

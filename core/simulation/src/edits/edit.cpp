@@ -80,7 +80,9 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
   for (const auto& [robot, has_new_energy] : robots) {
     robots_[robot]->take_live(false, has_new_energy);
   }
+  std::vector<physics::Body> bodies;
   for (const InPlaceEdits::Placed& placed : places) {
+    bodies.push_back(placed.body);
     const std::size_t i = placed.body.index;
     if (placed.body.kind == physics::BodyKind::obstacle) {
       engine_->place_obstacle(i, placed.pose);
@@ -91,7 +93,7 @@ void Simulation::Impl::set_in_place(std::span<const Edit> edits) {
     robots_[i]->set_body(engine_->robot(i), engine_->joints(i), Arrival::placed);
     robots_[i]->take_segments(*engine_, i);
   }
-  if (!places.empty()) hands_.follow(world_, robots_, engine_);
+  if (!places.empty()) hands_.follow(world_, robots_, engine_, bodies);
   take_stock();
   log_events();
   // Of edits in place, only those of speeds can cause warnings of the physics.

@@ -14,6 +14,7 @@
 
 #include "elsie/base/number_text.h"
 #include "elsie/base/problems.h"
+#include "elsie/physics/engine.h"
 #include "elsie/plugin/host.h"
 #include "elsie/simulation/run_result.h"
 #include "elsie/world/attributes.h"
@@ -62,6 +63,7 @@ class EditTransaction {
 
   /// Whether the physics may have something new to warn of: it looks at bodies and speeds.
   bool may_cause_warnings = false;
+  std::vector<physics::Body> placed;  // bodies that are put elsewhere
 
   /// Notes that a new object replaces the one with this id.
   void note_lost(const std::string& robot, const std::string& id) {

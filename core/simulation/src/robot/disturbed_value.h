@@ -34,6 +34,11 @@ class DisturbedValue {
   /// Returns a number that is not one of the object's with all noise on this name. Throws
   /// base::Error with a sentence if it is not finite.
   double disturbed(std::string_view name, double value);
+  /// Forgets the values that are late, also their memory.
+  void forget() {
+    samples_.clear();
+    spare_.clear();
+  }
   /// Called instead while there are no updates.
   void wait(double period_s) { age_s_ += period_s; }
   /// How old the present value is, s; infinite before the first.

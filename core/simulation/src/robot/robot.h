@@ -298,6 +298,8 @@ class Robot final : private RobotRequests {
     void transmit(const std::shared_ptr<const AnyMessage>& message, const std::string& to,
                   const Transmission& how) override;
     Effects& effects() { return *this; }
+    /// Forgets its command, and those that are late.
+    void forget();
 
     /// An amount for a field, by its index.
     struct Deposit {
@@ -332,7 +334,8 @@ class Robot final : private RobotRequests {
   void hear(const ActuatorSlot& device, const RobotSurroundings& surroundings, double loudest_m,
             const Instant& now, std::vector<Overheard>& all) const;
   void disturb(const ActuatorSlot& device, HeardMessage& heard);
-  bool is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const Instant& now) const;
+  bool is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const ActuatorSlot& device,
+               const Instant& now) const;
   /// How far the place is from the robot's middle, m.
   double reach_of(const SensorPlace& device) const;
   void look_at_segments(const physics::Engine& engine, std::size_t index);

@@ -40,6 +40,10 @@ std::size_t Robot::actuator_for(const Act& act) const {
   if (act.kind() == ReadingKind::of<SayCommand>()) {
     const auto& said = *static_cast<const SayCommand*>(act.command());
     if (!said.to.empty()) common_->require_robot(said.to);
+    if (said.to == description_->id) {
+      throw base::Error("it sends a message to its own robot '" + said.to +
+                        "'; expected another one");
+    }
   }
   return static_cast<std::size_t>(found - actuators_.begin());
 }
@@ -50,7 +54,7 @@ void Robot::act(const Instant& now, const Fields& fields) {
     for (const auto& slot : actuators_) {
       slot->effect = {};
       slot->by.clear();
-      slot->object().forget();
+      slot->forget();
     }
     return;
   }
@@ -86,6 +90,11 @@ std::optional<Talk> Robot::talk() const {
     return slot->declaration->hears_messages;
   });
   return hears ? std::optional(tally_.talk) : std::nullopt;
+}
+
+void Robot::ActuatorSlot::forget() {
+  object().forget();
+  if (disturbed) disturbed->forget();
 }
 
 void Robot::ActuatorSlot::shine(const Colour& colour, double intensity) {
@@ -136,9 +145,6 @@ void Robot::ActuatorSlot::hold(double reach_m) {
 void Robot::ActuatorSlot::transmit(const std::shared_ptr<const AnyMessage>& message,
                                    const std::string& to, const Transmission& how) {
   if (!message) return;
-  if (to == robot.description_->id) {
-    throw base::Error("it sends a message to its own robot '" + to + "'; expected another one");
-  }
   if (message->bytes() > how.bandwidth) {
     throw base::Error("the message '" + std::string(message->kind().name) + "' of '" + by +
                       "' has " + std::to_string(message->bytes()) + " bytes; its bandwidth is " +
@@ -216,7 +222,7 @@ void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundin
         if (!sent.to.empty() && sent.to != description_->id) continue;
         const Vector3 there = other.frame_of(*slot->place).origin, way = there - own.origin;
         const double distance = std::sqrt(dot(way, way));
-        if (distance > sent.how.range_m || is_lost(sent, other, now)) continue;
+        if (distance > sent.how.range_m || is_lost(sent, other, device, now)) continue;
         if (sent.how.in_sight && !surroundings.sees(other, own.origin, there)) continue;
         const std::string& sender = other.description_->id;
         HeardMessage& heard = all.emplace_back(Overheard{sender, &device, {}}).message;
@@ -235,11 +241,12 @@ void Robot::hear(const ActuatorSlot& device, const RobotSurroundings& surroundin
   });
 }
 
-/// One draw for each sender, receiver and control period.
-bool Robot::is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const Instant& now) const {
+/// One draw for each sender, receiver, device and control period.
+bool Robot::is_lost(const ActuatorSlot::Sent& sent, const Robot& sender, const ActuatorSlot& device,
+                    const Instant& now) const {
   if (!(sent.how.loss > 0.0)) return false;
   Random random(seed_, "message/" + sender.description_->id + "/" + description_->id + "/" +
-                           std::to_string(now.step));
+                           device.use->id + "/" + std::to_string(now.step));
   return random.chance(sent.how.loss);
 }
 
@@ -266,7 +273,7 @@ void Robot::forget_messages() {
   heard_.clear();
   perception_.heard = {};
   for (const auto& slot : actuators_) {
-    if (slot->declaration->hears_messages) slot->object().forget();
+    if (slot->object().kind() == ReadingKind::of<SayCommand>()) slot->forget();
     slot->under_way.clear();
     slot->sounding.clear();
   }

@@ -29,15 +29,21 @@ bool is_about(const About& goal, const world::Robot& robot) {
          (goal.team.empty() || robot.team == goal.team);
 }
 
-/// Whether the robots that a goal is about pass a test: each of them or, with `any`, one.
+/// Whether the robots that a goal is about pass a test: each of them or, with `any`, one. There may
+/// be none: then they do not, unless the goal is one to keep.
 template <class About, class Test>
 bool do_robots(const Simulation& simulation, const About& goal, Test test) {
-  bool any = false;
-  if constexpr (requires { goal.any; }) any = goal.any;
-  for (std::size_t i = 0; i < simulation.robots(); ++i) {
-    if (is_about(goal, *simulation.robot(i).description) && test(i) == any) return any;
+  bool any = false, is_passed = true;
+  if constexpr (requires { goal.any; }) {
+    any = goal.any;
+    is_passed = false;
   }
-  return !any;
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    if (!is_about(goal, *simulation.robot(i).description)) continue;
+    if (test(i) == any) return any;
+    is_passed = !any;
+  }
+  return is_passed;
 }
 
 /// Judges the goals of a world in their order.

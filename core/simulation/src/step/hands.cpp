@@ -14,19 +14,9 @@
 namespace elsie::simulation {
 namespace {
 
-// An edit has put a thing elsewhere if it is so far from where it was in the hand. Joints give
-// less.
-constexpr double kElsewhere = 0.01;  // m
-
 Vector2 place_of(const physics::Engine& engine, std::size_t thing) {
   const Vector3 at = engine.obstacle(thing).origin;
   return {at.x, at.y};
-}
-
-Vector2 in_frame_of(const Pose& robot, const Vector2& place) {
-  const double c = std::cos(robot.heading_rad), s = std::sin(robot.heading_rad);
-  const double x = place.x - robot.x, y = place.y - robot.y;
-  return {c * x + s * y, c * y - s * x};
 }
 
 /// Whether an actuator held something in the last control period.
@@ -40,6 +30,17 @@ std::size_t index_in(const Robot& robot, std::string_view actuator) {
   std::size_t index = 0;
   while (robot.actuator(index) != actuator) ++index;
   return index;
+}
+
+/// The place of a thing that is nearest to one in the world, in the thing's own frame, m; of the
+/// rectangle around its outline.
+Vector2 nearest_in(const physics::Engine& engine, const world::World& world, std::size_t thing,
+                   const Vector3& place) {
+  const Vector3 size = world::fixture_of(world.obstacles[thing]).shape.size;
+  const Frame frame = engine.obstacle(thing);
+  const Vector3 way = place - frame.origin;
+  return {std::clamp(dot(way, frame.forward), -0.5 * size.x, 0.5 * size.x),
+          std::clamp(dot(way, frame.left), -0.5 * size.y, 0.5 * size.y)};
 }
 
 world::Footprint footprint_in(const physics::Engine& engine, const world::World& world,
@@ -56,6 +57,7 @@ void Hands::act(const world::World& world, Robots robots,
                 const std::shared_ptr<physics::Engine>& engine) {
   engine_ = engine;
   loose_.clear();
+  is_listed_ = false;
   count_holders(world);
   bool has_changed = false;
   for (std::size_t i = 0; i < held_.size();) {
@@ -103,6 +105,7 @@ void Hands::release(const world::World& world, Robots robots, const Held& held) 
 }
 
 void Hands::list_loose(const world::World& world) {
+  is_listed_ = true;
   farthest_ = 0.0;
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
     if (!world.obstacles[i].is_dynamic() || !engine_->has_obstacle(i)) continue;
@@ -118,7 +121,7 @@ void Hands::list_loose(const world::World& world) {
 /// The nearest thing within reach that fits the team and has a free hand.
 void Hands::take(const world::World& world, Robots robots, std::size_t robot,
                  std::size_t actuator) {
-  if (loose_.empty()) list_loose(world);
+  if (!is_listed_) list_loose(world);
   Robot& taker = *robots[robot];
   const Vector3 hand = taker.actuator_place(actuator);
   const double reach = *taker.grasp(actuator);
@@ -151,13 +154,14 @@ void Hands::take(const world::World& world, Robots robots, std::size_t robot,
     least = away;
   }
   if (!nearest) return;
-  engine_->hold(robot, nearest->index);
+  const Vector2 at = nearest_in(*engine_, world, nearest->index, hand);
+  engine_->hold(robot, nearest->index, at);
   ++holders_[nearest->index];
   const world::Obstacle& thing = world.obstacles[nearest->index];
   const std::string& id = thing.id;
   const bool is_carried = holders_[nearest->index] == thing.hands;
   held_.push_back({taker.description().id, std::string(taker.actuator(actuator)), id, robot,
-                   nearest->index, in_frame_of(taker.truth().pose, nearest->place), is_carried});
+                   nearest->index, at, is_carried});
   if (is_carried && thing.hands > 1) {
     for (Held& held : held_) held.carried = held.carried || held.thing_index == nearest->index;
   }
@@ -180,8 +184,12 @@ void Hands::show(const world::World& world, Robots robots) const {
 }
 
 void Hands::follow(const world::World& world, Robots robots,
-                   const std::shared_ptr<physics::Engine>& engine) {
+                   const std::shared_ptr<physics::Engine>& engine,
+                   std::span<const physics::Body> placed) {
   if (held_.empty()) return;
+  const auto is_placed = [&](physics::BodyKind kind, std::size_t index) {
+    return std::find(placed.begin(), placed.end(), physics::Body{kind, index}) != placed.end();
+  };
   const std::vector<Held> before = std::exchange(held_, {});
   count_holders(world);
   for (const Held& was : before) {
@@ -191,16 +199,15 @@ void Hands::follow(const world::World& world, Robots robots,
     bool stays = held.robot_index < robots.size() && held.thing_index < world.obstacles.size() &&
                  engine->has_obstacle(held.thing_index);
     if (stays) {
-      const Robot& robot = *robots[held.robot_index];
       const auto& actuators = world.robots[held.robot_index].actuators;
-      const Vector2 now = in_frame_of(robot.truth().pose, place_of(*engine, held.thing_index));
       stays = index_of(actuators, was.actuator, 0) < actuators.size() &&
               world.obstacles[held.thing_index].is_dynamic() &&
               holders_[held.thing_index] < world.obstacles[held.thing_index].hands &&
-              std::hypot(now.x - was.place.x, now.y - was.place.y) < kElsewhere;
+              !is_placed(physics::BodyKind::robot, held.robot_index) &&
+              !is_placed(physics::BodyKind::obstacle, held.thing_index);
     }
     if (engine == engine_ && !stays) engine->let_go(was.robot_index, was.thing_index);
-    if (engine != engine_ && stays) engine->hold(held.robot_index, held.thing_index);
+    if (engine != engine_ && stays) engine->hold(held.robot_index, held.thing_index, held.at);
     if (!stays && held.robot_index < robots.size()) {
       robots[held.robot_index]->raise(events::Released{was.thing});
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,16 +21,17 @@ class Hands {
   void act(const world::World& world, Robots robots,
            const std::shared_ptr<physics::Engine>& engine);
   /// After an edit: what a robot holds stays in its hands, perhaps in another engine. It lets go if
-  /// the edit has removed it or its actuator, or has put one of the two elsewhere.
+  /// the edit has removed it or its actuator, or has `placed` one of the two.
   void follow(const world::World& world, Robots robots,
-              const std::shared_ptr<physics::Engine>& engine);
+              const std::shared_ptr<physics::Engine>& engine,
+              std::span<const physics::Body> placed);
 
  private:
   /// Something in the hand of a robot. An edit may give all three other indices.
   struct Held {
     std::string robot, actuator, thing;  // ids
     std::size_t robot_index = 0, thing_index = 0;
-    Vector2 place;         // of the thing, in the frame of the robot
+    Vector2 at;            // where it is held, in its own frame, m
     bool carried = false;  // as many have held it as it takes
   };
   /// Something that can be taken.
@@ -49,6 +51,7 @@ class Hands {
   std::vector<Held> held_;
   std::vector<int> holders_;  // of each obstacle
   std::vector<Loose> loose_;  // from west to east; in a period in which somebody takes something
+  bool is_listed_ = false;    // they are
   double farthest_ = 0.0;     // the greatest reach of them
 };
 

@@ -187,7 +187,9 @@ void Crowd::add_hitch(const OdeVehicle& vehicle, int front, const Frame& front_f
 
 void Crowd::add_grip(const Grip& grip) {
   const int robot = places_.at(grip.chassis).body, box = places_.at(grip.body).body;
-  const Vector3 arm = solver_.body(box).center - solver_.body(robot).center;
+  const Vector3 place = grip.place();
+  const Vector3 from_box = place - solver_.body(box).center;
+  const Vector3 from_robot = place - solver_.body(robot).center;
   const Grip::Error error = grip.error();
   const auto add = [&](const Vector3& linear, const Vector3& turn_a, const Vector3& turn_b,
                        double off) {
@@ -202,7 +204,7 @@ void Crowd::add_grip(const Grip& grip) {
     solver_.add(row);
   };
   for (const Vector3& axis : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) {
-    add(axis, {}, -1.0 * cross(arm, axis), dot(axis, error.way));
+    add(axis, cross(from_box, axis), -1.0 * cross(from_robot, axis), dot(axis, error.way));
     if (!grip.turns || axis.z == 0.0) add({}, axis, -1.0 * axis, dot(axis, error.turn));
   }
 }

@@ -128,11 +128,12 @@ class Engine {
   virtual void place_robot(std::size_t robot, const Pose& pose, double z = 0.0) = 0;
 
   /// Lets a robot hold a dynamic obstacle: from the next step on, the obstacle keeps its place in
-  /// the frame of the robot; one with several `hands` may turn there. The two do not touch each
-  /// other. When as many robots as it has hands hold an obstacle, it moves with them, and glides
-  /// over the floor without friction and without a weight on them; before, what has several does
-  /// not move. Throws std::invalid_argument if it is not there, or as many hold it already.
-  virtual void hold(std::size_t robot, std::size_t obstacle) = 0;
+  /// the frame of the robot. One with several `hands` is pinned where the robot grips it, `at` in
+  /// the frame of the obstacle, m, and may turn there. The two do not touch each other. When as
+  /// many robots as it has hands hold an obstacle, it moves with them, and glides over the floor
+  /// without friction and without a weight on them; before, what has several does not move. Throws
+  /// std::invalid_argument if it is not there, or as many hold it already.
+  virtual void hold(std::size_t robot, std::size_t obstacle, const Vector2& at) = 0;
   /// Lets go of it, if the robot holds it.
   virtual void let_go(std::size_t robot, std::size_t obstacle) = 0;
 
