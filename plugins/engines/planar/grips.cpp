@@ -109,8 +109,8 @@ Pose PlanarEngine::carried(std::span<const Grip> grips, double now_rad) const {
     along += from.x * to.x + from.y * to.y;
     across += from.x * to.y - from.y * to.x;
   }
-  constexpr double kHair = 1e-9;  // m2
-  if (std::hypot(along, across) > kHair) now_rad = std::atan2(across, along);
+  constexpr double kSame = 1e-9;  // m2
+  if (std::hypot(along, across) > kSame) now_rad = std::atan2(across, along);
   const Vector2 place = minus(middle, Direction::of(now_rad).turn(own));
   return {place.x, place.y, now_rad};
 }
