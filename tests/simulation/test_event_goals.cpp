@@ -82,7 +82,7 @@ TEST_CASE("Of several goals that an edit makes of one, the first goes on with it
 }
 
 TEST_CASE("A goal to reach needs somebody who reaches it") {
-  Simulation simulation(of_three("<reach x='0'/>"), greeting().host);
+  Simulation simulation(of_three("<reach x='5' y='5'/>"), greeting().host);
   const std::vector<simulation::Edit> all{
       {"robot[r1]/@remove", "true"}, {"robot[r2]/@remove", "true"}, {"robot[b1]/@remove", "true"}};
   simulation.edit(all);
