@@ -88,10 +88,11 @@ fuzz-check: configure
 bench: all
 	scripts/benchmark $(BUILD)
 
-# The worlds of examples/08-senses and 09-acts with twenty seeds: each succeeds, and fails without its sense or actuator.
+# The worlds of examples/08-senses, 09-acts and 10-swarms with twenty seeds: each succeeds, and fails without its sense or actuator.
 examples: program
 	ELSIE=$(CURDIR)/$(ELSIE) examples/08-senses/check 20
 	ELSIE=$(CURDIR)/$(ELSIE) examples/09-acts/check 20
+	ELSIE=$(CURDIR)/$(ELSIE) examples/10-swarms/check 20
 
 # Results of the shipped worlds over 20 seeds: docs/shipped-worlds.md.
 figures: all
