@@ -1,8 +1,8 @@
 // What one sensor or actuator of each kind on every robot costs a swarm, against the same robots
-// without any: processor time on the planar engine, on one core. Prints a table in Markdown.
+// without any: processor time on one core, on the planar engine or another one. Prints a table in
+// Markdown.
 //
-//   senses [--robots N] [--repeats N] [SENSOR or ACTUATOR...]
-//   senses --actuators [--robots N] [--repeats N]
+//   senses [--actuators] [--engine NAME] [--robots N] [--repeats N] [SENSOR or ACTUATOR...]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -59,9 +59,9 @@ class Acts final : public Behavior {
 };
 
 /// Robots that roam, each with this sensor or actuator at its default place, or without any.
-world::World swarm(int robots, const Declaration* mounted) {
+world::World swarm(int robots, const std::string& engine, const Declaration* mounted) {
   world::World world = bench::arena_of_robots(robots);
-  world.physics.engine = "planar";
+  world.physics.engine = engine;
   world.lamps.emplace_back();
   for (world::Robot& robot : world.robots) {
     world::BehaviorUse roam;
@@ -85,7 +85,7 @@ world::World swarm(int robots, const Declaration* mounted) {
 
 /// Processor time for a step, s, in a process of its own.
 double cost(const plugin::Host& host, const world::World& world) {
-  const int steps = world.robots.size() > 1000 ? 100 : 1000;
+  const int steps = world.robots.size() > 1000 || world.physics.engine != "planar" ? 100 : 1000;
   return bench::apart([&] {
     simulation::Simulation run(world, host);
     for (int i = 0; i < kFirst; ++i) run.step();
@@ -100,11 +100,14 @@ double cost(const plugin::Host& host, const world::World& world) {
 int main(int argc, char** argv) {
   int robots = 1000, repeats = 5;
   std::vector<std::string> names;
+  std::string engine = "planar";
   bool is_sound = true, are_actuators = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if ((word == "--robots" || word == "--repeats") && i + 1 < argc) {
       (word == "--robots" ? robots : repeats) = std::atoi(argv[++i]);
+    } else if (word == "--engine" && i + 1 < argc) {
+      engine = argv[++i];
     } else if (word == "--actuators") {
       are_actuators = true;
     } else {
@@ -113,7 +116,9 @@ int main(int argc, char** argv) {
     }
   }
   if (!is_sound || robots < 1 || repeats < 1) {
-    std::fprintf(stderr, "usage: senses [--actuators] [--robots N] [--repeats N] [PLUGIN...]\n");
+    std::fprintf(stderr,
+                 "usage: senses [--actuators] [--engine NAME] [--robots N] [--repeats N] "
+                 "[PLUGIN...]\n");
     return EXIT_FAILURE;
   }
   try {
@@ -127,13 +132,13 @@ int main(int argc, char** argv) {
       // For cameras that draw see "Cameras".
       if (is_named || (names.empty() && each->name != "vision")) all.push_back(each);
     }
-    const world::World bare = swarm(robots, nullptr);
+    const world::World bare = swarm(robots, engine, nullptr);
     std::printf(
-        "%d robots.\n\n| %s | us per robot and step | speed, relative to none |\n"
+        "%d robots, engine `%s`.\n\n| %s | us per robot and step | speed, relative to none |\n"
         "|---|---|---|\n",
-        robots, are_actuators ? "actuator" : "sensor");
+        robots, engine.c_str(), are_actuators ? "actuator" : "sensor");
     for (const Declaration* each : all) {
-      const world::World equipped = swarm(robots, each);
+      const world::World equipped = swarm(robots, engine, each);
       std::vector<double> times, speeds;
       for (int i = 0; i < repeats; ++i) {  // in turn, because machines drift
         const double without = cost(host, bare);
