@@ -48,7 +48,7 @@ void PlanarEngine::hold(std::size_t robot, std::size_t box, const Vector2& at) {
   grips_.insert(next, grip);
   ++held.holders;
   take_footing(held);
-  note_grips();
+  are_grips_noted_ = false;
 }
 
 void PlanarEngine::let_go(std::size_t robot, std::size_t box) {
@@ -57,7 +57,7 @@ void PlanarEngine::let_go(std::size_t robot, std::size_t box) {
   BoxBody& free = boxes_.at(box);
   --free.holders;
   take_footing(free);
-  note_grips();
+  are_grips_noted_ = false;
 }
 
 void PlanarEngine::take_footing(const BoxBody& box) {
@@ -68,6 +68,7 @@ void PlanarEngine::take_footing(const BoxBody& box) {
 
 /// A robot and what it holds do not meet.
 void PlanarEngine::note_grips() {
+  if (std::exchange(are_grips_noted_, true)) return;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const Grip& grip : grips_) {
     pairs.emplace_back(std::minmax(robot_bodies_[grip.robot].first_collider,
@@ -78,6 +79,7 @@ void PlanarEngine::note_grips() {
 }
 
 void PlanarEngine::begin_grips() {
+  note_grips();
   for (Grip& grip : grips_) {
     const Pose wanted = grip.wanted(movers_);
     const Mover& box = movers_[grip.hinge.behind];

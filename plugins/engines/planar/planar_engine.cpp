@@ -203,7 +203,9 @@ void PlanarEngine::remove_obstacle(std::size_t box) {
   if (!gone.present) return;
   gone.present = false;
   gone.holders = 0;
-  if (std::erase_if(grips_, [&](const Grip& grip) { return grip.box == box; }) > 0) note_grips();
+  if (std::erase_if(grips_, [&](const Grip& grip) { return grip.box == box; }) > 0) {
+    are_grips_noted_ = false;
+  }
   scene_.remove(gone.collider);
   std::erase_if(moving_, [&](const auto& moving) { return moving.collider == gone.collider; });
   std::erase(mobile_boxes_, static_cast<std::uint32_t>(box));

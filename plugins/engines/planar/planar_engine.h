@@ -155,6 +155,7 @@ class PlanarEngine final : public Engine {
   ContactWatch contact_watch_;
   std::vector<std::uint32_t> jointed_;  // robots with steering or segments
   std::vector<Grip> grips_;             // ascending by box and robot
+  bool are_grips_noted_ = true;         // where contacts are found
   std::vector<Hinge*> hinges_;          // of all robots, in each step
   base::ThreadPool alone_;
   base::ThreadPool* pool_ = &alone_;
