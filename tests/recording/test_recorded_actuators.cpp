@@ -67,14 +67,29 @@ TEST_CASE(
   CHECK(last.at("actuators").at("led").at("green") == 255.0);
   CHECK(last.at("actuators").at("led").at("by") == "scripted");
   CHECK(last.at("actuators").at("radio").at("bytes") == 8.0);
-  CHECK_FALSE(last.contains("heard"));
-  const auto& heard = all["/robots/r2/readings"].back().content.at("heard");
+  CHECK_FALSE(all.contains("/robots/r1/heard"));
+  const auto& heard = all["/robots/r2/heard"].back().content.at("heard");
   REQUIRE(heard.size() == 1);
   CHECK(heard[0].at("by") == "radio");
   CHECK(heard[0].at("from") == "r1");
   CHECK(heard[0].at("kind") == "offer");
   CHECK(heard[0].at("age_s").get<double>() == Approx(0.01));
   CHECK(heard[0].at("message").at("x") == 1.5);
+}
+
+TEST_CASE("Each message that was heard is recorded once, however often samples are taken") {
+  const int control_steps = GENERATE(1, 10);
+  const double rate_hz = GENERATE(5.0, 1000.0);
+  world::World world = of_two();
+  world.physics.control_steps = control_steps;
+  recording::RecorderOptions options;
+  options.rate_hz = rate_hz;
+  const RecordedFile file(world, talking().host, {}, options);
+  const traces::Trace trace = recording::read_trace(file.path);
+  REQUIRE(file.result.robots[1].talk);
+  REQUIRE(file.result.robots[1].talk->heard > 0);
+  CHECK(trace.robots[1].heard.size() ==
+        static_cast<std::size_t>(file.result.robots[1].talk->heard));
 }
 
 TEST_CASE("A robot without actuators has messages as before") {

@@ -32,6 +32,7 @@ constexpr const char* kSketchesKind = "sketches";
 constexpr const char* kBeliefKind = "belief";
 constexpr const char* kPublishedKind = "published";
 constexpr const char* kReadingsKind = "readings";
+constexpr const char* kHeardKind = "heard";
 constexpr const char* kPublishedNumbers =
     "numbers";  // its metadata: the numbers and their units, as JSON
 

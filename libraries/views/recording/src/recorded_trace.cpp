@@ -56,6 +56,7 @@ class TraceBuilder final : public Visitor {
       add_numbers(channel, id);
     }
     if (kind == kReadingsKind) readings_[channel.id] = id;
+    if (kind == kHeardKind) hearers_[channel.id] = id;
     if (kind != kTraceKind) {
       return;
     }
@@ -106,6 +107,10 @@ class TraceBuilder final : public Visitor {
       const auto speaker = by_id_.find(reader->second);
       if (speaker != by_id_.end() && message.data.find("\"actuators\":") != std::string::npos) {
         read_acts(trace_.robots[speaker->second.back()], Json::parse(message.data), time_s);
+      }
+    } else if (const auto hearer = hearers_.find(channel.id); hearer != hearers_.end()) {
+      if (const auto known = by_id_.find(hearer->second); known != by_id_.end()) {
+        read_heard(trace_.robots[known->second.back()], Json::parse(message.data), time_s);
       }
     } else if (const auto publisher = publishers_.find(channel.id);
                publisher != publishers_.end()) {
@@ -189,7 +194,10 @@ class TraceBuilder final : public Visitor {
         all.push_back(std::move(now));
       }
     }
-    for (const Json& heard : readings.value("heard", Json::array())) {
+  }
+
+  static void read_heard(TraceRobot& robot, const Json& message, double time_s) {
+    for (const Json& heard : message.at("heard")) {
       robot.heard.push_back({time_s, one_line(heard.at("by").get<std::string>()),
                              one_line(heard.at("from").get<std::string>()),
                              one_line(heard.at("kind").get<std::string>()),
@@ -287,7 +295,8 @@ class TraceBuilder final : public Visitor {
   std::size_t introduced_ = 0;                       // robots of the world's last message
   std::map<std::uint16_t, std::size_t> places_;      // of robots, by the ids of their channels
   std::map<std::uint16_t, std::string> readings_;    // ids of robots, by those of their channels
-  std::map<std::uint16_t, std::size_t> publishers_;  // likewise, by those of published numbers
+  std::map<std::uint16_t, std::string> hearers_;     // likewise, by those of what they hear
+  std::map<std::uint16_t, std::size_t> publishers_;  // places, by those of published numbers
   std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};
 };

@@ -81,9 +81,9 @@ struct TraceActuator {
   std::vector<TraceCommand> commands;  // ascending in time; each differs from the one before
 };
 
-/// A message that a robot heard at a sample of the recording.
+/// A message that a robot heard.
 struct TraceHeard {
-  double time_s = 0.0;
+  double time_s = 0.0;  // of the decision before which it was heard
   std::string device;  // the id of the actuator that heard it
   std::string from;    // the id of the robot that said it; empty: the device does not tell
   std::string kind;
