@@ -147,3 +147,19 @@ TEST_CASE("A trace has what commanded the actuators of a robot, and what it hear
   CHECK(heard.back().kind == "offer");
   CHECK_THAT(heard.back().text, Catch::Contains("x 1.5"));
 }
+
+TEST_CASE("What shines is read back, with its place and colour, while it shines") {
+  McapFile file;
+  Simulation simulation(of_two(), talking().host);
+  record(simulation, file.path);
+  const auto run = recording::read_recorded_run(file.path);
+  REQUIRE(run.robots.size() == 2);
+  const simulation::ActuatorView led = simulation.actuator(0, 1);
+  REQUIRE(led.shine);
+  REQUIRE(run.robots[0].lights.size() == 1);
+  CHECK(run.robots[0].lights[0].colour == *led.shine);
+  CHECK(run.robots[0].lights[0].place.x == led.frame.origin.x);
+  CHECK(run.robots[0].lights[0].place.y == led.frame.origin.y);
+  CHECK(run.robots[1].lights.empty());
+  CHECK(recording::read_recorded_run(file.path, 0.0).robots[0].lights.empty());
+}

@@ -238,3 +238,18 @@ TEST_CASE("Fields of the floor are watched as opacities, from south to north") {
   watch(session, {"measures"});
   CHECK_FALSE(session.event("state").contains("fields"));
 }
+
+TEST_CASE("What robots shine is watched as shapes like those of lamps") {
+  Session session({"--plugin", test::source_path("examples/09-acts/signal.cpp")});
+  const Json opened = session.open(R"(<world format="1"><robots>
+    <robot id="r1" x="0.5"><actuators><led x="0" y="0"/></actuators>
+      <behaviors><signal/></behaviors></robot></robots></world>)");
+  CHECK(opened["scene"]["has_actuators"] == true);
+  watch(session, {"lights"});
+  CHECK(session.event("state")["lights"].empty());
+  const Json state = step(session, 3);
+  REQUIRE(state["lights"].size() == 1);
+  CHECK(state["lights"][0]["colour"] == Json::array({255, 200, 0}));
+  CHECK(state["lights"][0]["frame"][0][0].get<double>() == Approx(0.5).margin(0.01));
+  CHECK(state["lights"][0]["shape"] == "sphere");
+}

@@ -65,6 +65,11 @@ Shape shape_from(const Json& json) {
   return shape;
 }
 
+Stage::Solid solid_from(const Json& json) {
+  return {shape_from(json), frame_from(json.at("frame")), colour_from(json.at("colour")),
+          json.at("body").get<int>(), text_of(json, "path")};
+}
+
 void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
   if (Stage::is_patch(solid.path)) {
@@ -122,6 +127,7 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   epoch_ = epoch;
   bodies_.clear();
   solids_.clear();
+  lights_.clear();
   marks_.clear();
   if (!scene.is_object()) {
     return false;
@@ -137,6 +143,7 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   floor_ = whole.floor_;
   image_ = std::move(whole.image_);
   has_fields_ = whole.has_fields_;
+  has_actuators_ = whole.has_actuators_;
   with_fields_.reset();
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
@@ -155,17 +162,13 @@ void Stage::read(const Json& scene) {
               image_from(text_of(floor, "image"))};
   }
   has_fields_ = scene.value("has_fields", false);
+  has_actuators_ = scene.value("has_actuators", false);
   for (const Json& each : scene.at("bodies")) {
     bodies_.push_back({text_of(each, "path"), integer_of(each, "vehicle", 0), {}, {}, true});
   }
   std::set<std::size_t> has_colour;
   for (const Json& each : scene.at("shapes")) {
-    Solid solid;
-    solid.shape = shape_from(each);
-    solid.frame = frame_from(each.at("frame"));
-    solid.colour = colour_from(each.at("colour"));
-    solid.body = each.at("body").get<int>();
-    solid.path = text_of(each, "path");
+    Solid solid = solid_from(each);
     if (solid.body >= 0) {
       const auto number = static_cast<std::size_t>(solid.body);
       Body& body = bodies_.at(number);
@@ -183,6 +186,15 @@ void Stage::take_fields(const Json& fields) {
     with_fields_ = with_fields(image_, floor_.value_or(kFloor), {length_, width_}, fields);
   } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
     with_fields_.reset();
+  }
+}
+
+void Stage::take_lights(const Json& lights) {
+  lights_.clear();
+  try {
+    for (const Json& each : lights) lights_.push_back(solid_from(each));
+  } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
+    lights_.clear();
   }
 }
 
@@ -264,6 +276,9 @@ render::Scene Stage::drawn() const {
     if (is_present(solid)) {
       add(scene, solid, frame_of(solid));
     }
+  }
+  for (std::size_t i = 0; !is_past() && i < lights_.size(); ++i) {
+    add(scene, lights_[i], lights_[i].frame);
   }
   return scene;
 }

@@ -14,6 +14,8 @@
 #include "elsie/recording/sensor_pictures.h"
 #include "elsie/traces/trace_rows.h"
 
+#include "scene.h"
+
 namespace elsie::server {
 namespace {
 
@@ -22,7 +24,8 @@ using simulation::SensorView;
 using simulation::Simulation;
 using simulation::TracedMember;
 
-constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy", "measures", "fields"};
+constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy",
+                                 "measures",  "fields",  "lights"};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
@@ -174,7 +177,7 @@ void Watching::choose(const Json& order) {
     if (std::find(std::begin(kWhat), std::end(kWhat), word) == std::end(kWhat)) {
       throw base::BadInput("'" + word +
                            "' cannot be watched; expected decisions, sensors, cameras, fuzzy, "
-                           "measures or fields");
+                           "measures, fields or lights");
     }
     what.insert(word);
   }
@@ -223,6 +226,7 @@ Json Watching::state(const Simulation& simulation, std::uint64_t epoch) const {
                 {"time_s", simulation.time_s()},
                 {"robots", std::move(robots)}};
   if (watches("fields")) state["fields"] = fields_json(simulation);
+  if (watches("lights")) state["lights"] = lights_json(simulation);
   return state;
 }
 

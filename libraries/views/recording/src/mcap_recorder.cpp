@@ -286,7 +286,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     for (RobotChannels& channels : robots_) {
       const RobotView robot = simulation.robot(channels.place);
       write(channels.pose, time_ns, pose_message(time_ns, robot.pose));
-      write(channels.state, time_ns, state_message(time_ns, robot));
+      write(channels.state, time_ns, state_message(time_ns, simulation, channels.place));
       if (channels.belief) {
         write(*channels.belief, time_ns, pose_message(time_ns, robot.state->pose));
       }

@@ -90,6 +90,13 @@ class Follower final : public Visitor {
   void read_state(picture::RobotTrack& track, const Json& state, std::uint64_t time_ns) {
     take_pose(track, {number(state, "x_m"), number(state, "y_m"), number(state, "heading_rad")},
               time_ns);
+    track.lights.clear();
+    for (const Json& light : state.value("lights", Json::array())) {
+      track.lights.push_back(
+          {{number(light, "x_m"), number(light, "y_m")},
+           {light.at("red").get<std::uint8_t>(), light.at("green").get<std::uint8_t>(),
+            light.at("blue").get<std::uint8_t>()}});
+    }
   }
 
   void read_crowd(const Json& message, std::uint64_t time_ns) {
