@@ -309,7 +309,7 @@ TEST_CASE("A field lies over the floor in the view while the world runs") {
 TEST_CASE("What robots shine is drawn as lamps are") {
   Stage stage;
   const Json axes = {{1, 0, 0.2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const Json light = {{"shape", "sphere"},       {"axis", "z"},   {"size", {0.06, 0.06, 0.06}},
+  const Json light = {{"shape", "sphere"},       {"axis", "up"},  {"size", {0.06, 0.06, 0.06}},
                       {"colour", {255, 200, 0}}, {"frame", axes}, {"body", -1},
                       {"path", "robot[r1]"}};
   REQUIRE(stage.set_scene({{"arena", {4, 4}},
@@ -321,7 +321,7 @@ TEST_CASE("What robots shine is drawn as lamps are") {
   const std::size_t before = stage.drawn().balls.size();
   stage.take_lights(Json::array({light}));
   CHECK(stage.drawn().balls.size() == before + 1);
-  CHECK(stage.drawn().balls.back().colour == Colour{255, 200, 0});
+  CHECK(stage.drawn().balls.back().colour == elsie::Colour{255, 200, 0});
   stage.take_lights(Json::array());
   CHECK(stage.drawn().balls.size() == before);
   stage.take_lights(Json::array({{{"shape", "star"}}}));

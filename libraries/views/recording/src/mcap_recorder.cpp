@@ -14,6 +14,7 @@
 #include "elsie/base/number_text.h"
 #include "elsie/files/emergency.h"
 #include "elsie/mcap/writer.h"
+#include "elsie/picture/top_view.h"
 #include "elsie/recording/sensor_pictures.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/simulation.h"
@@ -223,11 +224,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     return places;
   }
 
-  /// What a scene says of a box: whether it is there, and where if nothing pushes it.
+  /// What a scene says of a box: whether it is there, and where it began.
   static std::optional<Pose> shown_box(const Simulation& simulation, std::size_t index) {
     if (!simulation.obstacle(index)) return std::nullopt;
-    const world::Obstacle& box = simulation.world().obstacles[index];
-    return may_move(box) ? Pose{} : Pose{box.x, box.y, radians(box.heading_deg)};
+    return picture::start_of(simulation.world().obstacles[index]);
   }
   bool has_other_boxes(const Simulation& simulation) const {
     if (shown_.size() != simulation.world().obstacles.size()) return true;
