@@ -1,5 +1,6 @@
 // What robots do and hear, in recordings.
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -162,4 +163,29 @@ TEST_CASE("What shines is read back, with its place and colour, while it shines"
   CHECK(run.robots[0].lights[0].place.y == led.frame.origin.y);
   CHECK(run.robots[1].lights.empty());
   CHECK(recording::read_recorded_run(file.path, 0.0).robots[0].lights.empty());
+}
+
+TEST_CASE("In a trace an actuator ends when an edit removes it, and another one may begin") {
+  McapFile file;
+  world::World world = of_two();
+  world.limits.time = 1.0;
+  Simulation simulation(std::move(world), talking().host);
+  {
+    const auto recorder = recording::mcap_recorder(file.path);
+    simulation::Observer* const observers[] = {recorder.get()};
+    const simulation::TimedEdit changes[] = {
+        {0.35, {"robot[r2]/actuator[radio]/@remove", "true"}},
+        {0.65, {"robot[r2]/actuator[+]", R"(<radio id="radio"/>)"}}};
+    simulation.run(observers, changes);
+  }
+  const traces::Trace trace = recording::read_trace(file.path);
+  std::vector<traces::TraceActuator> radios;
+  for (const traces::TraceRobot& robot : trace.robots) {
+    if (robot.id != "r2") continue;
+    radios.insert(radios.end(), robot.actuators.begin(), robot.actuators.end());
+  }
+  REQUIRE(radios.size() == 2);
+  CHECK(radios[0].to_s == Approx(0.4));
+  CHECK(radios[1].commands.front().time_s == Approx(0.7));
+  CHECK(std::isinf(radios[1].to_s));
 }

@@ -103,10 +103,12 @@ class TraceBuilder final : public Visitor {
       decided_s_ = time_s;
       read_decision(trace_.robots[robot->second], Json::parse(message.data), time_s);
     } else if (const auto reader = readings_.find(channel.id); reader != readings_.end()) {
+      const auto known = by_id_.find(reader->second);
+      if (known == by_id_.end()) return;
+      TraceRobot& robot = trace_.robots[known->second.back()];
       // Most robots have no actuators, and large readings.
-      const auto speaker = by_id_.find(reader->second);
-      if (speaker != by_id_.end() && message.data.find("\"actuators\":") != std::string::npos) {
-        read_acts(trace_.robots[speaker->second.back()], Json::parse(message.data), time_s);
+      if (!robot.actuators.empty() || message.data.find("\"actuators\":") != std::string::npos) {
+        read_acts(robot, Json::parse(message.data), time_s);
       }
     } else if (const auto hearer = hearers_.find(channel.id); hearer != hearers_.end()) {
       if (const auto known = by_id_.find(hearer->second); known != by_id_.end()) {
@@ -181,9 +183,15 @@ class TraceBuilder final : public Visitor {
   }
 
   static void read_acts(TraceRobot& robot, const Json& readings, double time_s) {
-    for (const auto& [id, command] : readings.at("actuators").items()) {
-      auto known = std::find_if(robot.actuators.begin(), robot.actuators.end(),
-                                [&id = id](const auto& each) { return each.id == id; });
+    const Json now_there = readings.value("actuators", Json::object());
+    const auto is_there = [](const traces::TraceActuator& each) { return std::isinf(each.to_s); };
+    for (traces::TraceActuator& each : robot.actuators) {
+      if (is_there(each) && !now_there.contains(each.id)) each.to_s = time_s;
+    }
+    for (const auto& [id, command] : now_there.items()) {
+      auto known =
+          std::find_if(robot.actuators.begin(), robot.actuators.end(),
+                       [&, &id = id](const auto& each) { return each.id == id && is_there(each); });
       if (known == robot.actuators.end()) {
         known = robot.actuators.insert(known, traces::TraceActuator{id, {}});
       }
