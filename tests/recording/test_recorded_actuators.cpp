@@ -115,10 +115,16 @@ TEST_CASE("A table has a column for each number of a command") {
   std::getline(in, head);
   CHECK_THAT(head, Catch::Contains(",actuator[radio].bytes,actuator[led].red,actuator[led].green,"
                                    "actuator[led].blue,actuator[led].brightness,"));
+  CHECK_THAT(head, Catch::Contains(",talk.sent,talk.heard,"));
+  std::string listener;
   while (std::getline(in, line)) {
-    if (line.find(",r1,") != std::string::npos) row = line;
+    (line.find(",r1,") != std::string::npos ? row : listener) = line;
   }
-  CHECK_THAT(row, Catch::Contains(",8,0,255,0,0.5,"));
+  const Talk said = *simulation.robot(0).talk, understood = *simulation.robot(1).talk;
+  REQUIRE(said.sent > 0);
+  REQUIRE(understood.heard > 0);
+  CHECK_THAT(row, Catch::Contains(",8,0,255,0,0.5," + std::to_string(said.sent) + ",0,"));
+  CHECK_THAT(listener, Catch::Contains(",,,,,0," + std::to_string(understood.heard) + ","));
 }
 
 TEST_CASE("The same run is recorded and not recorded, bit for bit") {
