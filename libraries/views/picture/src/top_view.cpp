@@ -187,7 +187,7 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     draw_lamps(canvas, scene, layout);
     if (!scene.bare) {
       draw_robot_labels(canvas, scene, layout, labels);
-      draw_lamp_labels(canvas, scene, layout, labels);
+      draw_floor_labels(canvas, scene, layout, labels);
       draw_goal_labels(canvas, scene, layout, labels);
     }
     draw_left_out(canvas, layout, labels);
