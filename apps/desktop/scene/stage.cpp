@@ -70,15 +70,19 @@ Stage::Solid solid_from(const Json& json) {
           json.at("body").get<int>(), text_of(json, "path")};
 }
 
+render::FlatPatch patch_of(const Stage::Solid& solid, const Frame& frame) {
+  std::vector<Vector2> outline;
+  for (const Vector2& corner : elsie::outline_of(solid.shape, kRound)) {
+    const Vector3 at = frame.point({corner.x, corner.y, 0.0});
+    outline.push_back({at.x, at.y});
+  }
+  return {std::move(outline), solid.colour};
+}
+
 void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
   if (Stage::is_patch(solid.path)) {
-    std::vector<Vector2> outline;
-    for (const Vector2& corner : elsie::outline_of(shape, kRound)) {
-      const Vector3 at = frame.point({corner.x, corner.y, 0.0});
-      outline.push_back({at.x, at.y});
-    }
-    scene.patches.push_back({std::move(outline), solid.colour});
+    scene.patches.push_back(patch_of(solid, frame));
   } else if (shape.is_round() && shape.size.z < kDisc) {
     scene.marks.push_back({{frame.origin.x, frame.origin.y}, shape.radius(), solid.colour});
   } else {
@@ -147,6 +151,14 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   with_fields_.reset();
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
+  ground_ = image_;
+  if (has_fields_) {
+    std::vector<render::FlatPatch> patches;
+    for (const Solid& solid : solids_) {
+      if (is_patch(solid.path)) patches.push_back(patch_of(solid, solid.frame));
+    }
+    ground_ = with_patches(image_, floor_.value_or(kFloor), {length_, width_}, patches);
+  }
   latest_s_ = 0.0;
   place();
   return true;
@@ -183,7 +195,7 @@ void Stage::read(const Json& scene) {
 
 void Stage::take_fields(const Json& fields) {
   try {
-    with_fields_ = with_fields(image_, floor_.value_or(kFloor), {length_, width_}, fields);
+    with_fields_ = with_fields(ground_, floor_.value_or(kFloor), {length_, width_}, fields);
   } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
     with_fields_.reset();
   }
@@ -270,10 +282,12 @@ render::Scene Stage::drawn() const {
   render::Scene scene;
   scene.floor = floor_.value_or(kFloor);
   // Of the past, only bodies are known.
-  scene.image = with_fields_ && !is_past() ? *with_fields_ : image_;
+  const bool shows_fields = with_fields_ && !is_past();
+  scene.image = shows_fields ? *with_fields_ : image_;
   scene.sky = kSky;
   for (const Solid& solid : solids_) {
-    if (is_present(solid)) {
+    const bool is_below = shows_fields && is_patch(solid.path);  // it is in the image
+    if (is_present(solid) && !is_below) {
       add(scene, solid, frame_of(solid));
     }
   }

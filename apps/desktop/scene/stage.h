@@ -94,6 +94,7 @@ class Stage {
   double length_ = 0.0, width_ = 0.0;
   std::optional<Colour> floor_;
   render::FloorImage image_;
+  render::FloorImage ground_;  // what fields lie on: the image and the patches
   bool has_fields_ = false, has_actuators_ = false;
   std::optional<render::FloorImage> with_fields_;  // none: they have not come yet
   double time_s_ = 0.0;
