@@ -294,6 +294,29 @@ TEST_CASE("sensors: readings, and a filter") {
   CHECK(!table->topLevelItem(1)->isHidden());
 }
 
+TEST_CASE("sensors: what the robot hears, from whom") {
+  SensorsPanel panel;
+  panel.set_robot(QStringLiteral("r1"));
+  Json now = state(0.1, 0.5);
+  now["robots"][0]["heard"] = {
+      {{"by", "radio"},
+       {"from", "r2"},
+       {"kind", "offer"},
+       {"fields", {{{"name", "x"}, {"unit", "m"}, {"values", {1.5}}}}}},
+      {{"by", "radio"}, {"from", ""}, {"kind", "hello"}, {"fields", Json::array()}}};
+  panel.add(now);
+  auto* table = panel.findChild<QTreeWidget*>(QStringLiteral("sensors_table"));
+  REQUIRE(table->topLevelItemCount() == 6);
+  CHECK(table->topLevelItem(4)->text(0) == QStringLiteral("radio"));
+  CHECK(table->topLevelItem(4)->text(1) == QStringLiteral("heard from r2"));
+  CHECK(table->topLevelItem(4)->text(2) == QStringLiteral("offer.x"));
+  CHECK(table->topLevelItem(4)->text(3) == QStringLiteral("1.5 m"));
+  CHECK(table->topLevelItem(5)->text(1) == QStringLiteral("heard"));
+  CHECK(table->topLevelItem(5)->text(2) == QStringLiteral("hello"));
+  panel.add(state(0.2, 0.5));
+  CHECK(table->topLevelItemCount() == 4);
+}
+
 TEST_CASE("sensors: a long array is a strip of bars with its range") {
   SensorsPanel panel;
   panel.set_robot(QStringLiteral("r1"));

@@ -95,6 +95,21 @@ Json sensors_json(const Simulation& simulation, std::size_t robot) {
   return all;
 }
 
+/// What its actuators heard before the last decision.
+Json heard_json(const Simulation& simulation, std::size_t robot) {
+  Json all = Json::array();
+  for (const HeardMessage& heard : simulation.heard(robot)) {
+    Json fields = Json::array();
+    heard.message->visit_fields([&](const ReadingField& field) { add_field(field, fields); });
+    all.push_back({{"by", heard.device},
+                   {"from", heard.from},
+                   {"kind", files::one_line(heard.message->kind().name)},
+                   {"age_s", number(heard.age_s)},
+                   {"fields", std::move(fields)}});
+  }
+  return all;
+}
+
 /// The picture with three bytes per pixel, whatever its own number of channels.
 std::string rgb_text(const Image& image) {
   const std::string_view bytes(reinterpret_cast<const char*>(image.bytes.data()),
@@ -204,6 +219,7 @@ Json Watching::robot(const Simulation& simulation, std::size_t index) const {
   }
   if (watches("sensors")) {
     robot["sensors"] = sensors_json(simulation, index);
+    robot["heard"] = heard_json(simulation, index);
   }
   if (watches("cameras")) {
     robot["cameras"] = cameras_json(simulation, index);
