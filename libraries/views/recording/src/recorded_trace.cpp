@@ -105,10 +105,10 @@ class TraceBuilder final : public Visitor {
     } else if (const auto reader = readings_.find(channel.id); reader != readings_.end()) {
       const auto known = by_id_.find(reader->second);
       if (known == by_id_.end()) return;
-      TraceRobot& robot = trace_.robots[known->second.back()];
+      TraceRobot& actor = trace_.robots[known->second.back()];
       // Most robots have no actuators, and large readings.
-      if (!robot.actuators.empty() || message.data.find("\"actuators\":") != std::string::npos) {
-        read_acts(robot, Json::parse(message.data), time_s);
+      if (!actor.actuators.empty() || message.data.find("\"actuators\":") != std::string::npos) {
+        read_acts(actor, Json::parse(message.data), time_s);
       }
     } else if (const auto hearer = hearers_.find(channel.id); hearer != hearers_.end()) {
       if (const auto known = by_id_.find(hearer->second); known != by_id_.end()) {
