@@ -328,6 +328,7 @@ void MainWindow::watch() {
     what.push_back("fuzzy");
   }
   if (scene_->stage().has_fields()) what.push_back("fields");
+  if (scene_->stage().has_actuators()) what.push_back("lights");
   Json robots = Json::array();  // none: all
   if (!shows(docks_.vision) &&
       place_of(workbench_.tree(), "robot[" + watched_robot_ + ']').element) {

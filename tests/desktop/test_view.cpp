@@ -305,3 +305,45 @@ TEST_CASE("A field lies over the floor in the view while the world runs") {
            image.pixels->pixel(3, 3)[0] < 40;
   }));
 }
+
+TEST_CASE("What robots shine is drawn as lamps are") {
+  Stage stage;
+  const Json axes = {{1, 0, 0.2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Json light = {{"shape", "sphere"},       {"axis", "up"},  {"size", {0.06, 0.06, 0.06}},
+                      {"colour", {255, 200, 0}}, {"frame", axes}, {"body", -1},
+                      {"path", "robot[r1]"}};
+  REQUIRE(stage.set_scene({{"arena", {4, 4}},
+                           {"has_actuators", true},
+                           {"bodies", Json::array()},
+                           {"shapes", Json::array()}},
+                          1));
+  CHECK(stage.has_actuators());
+  const std::size_t before = stage.drawn().balls.size();
+  stage.take_lights(Json::array({light}));
+  CHECK(stage.drawn().balls.size() == before + 1);
+  CHECK(stage.drawn().balls.back().colour == elsie::Colour{255, 200, 0});
+  stage.take_lights(Json::array());
+  CHECK(stage.drawn().balls.size() == before);
+  stage.take_lights(Json::array({{{"shape", "star"}}}));
+  CHECK(stage.drawn().balls.size() == before);
+}
+
+TEST_CASE("A field lies over patches and nests, as in pictures from above") {
+  Room window(R"(<world format="1"><arena length="4" width="4"/>
+  <floor colour="#808080"/>
+  <patches><disc_patch id="spot" x="1" y="1" radius="0.5" colour="#ff0000"/></patches>
+  <fields><field id="heat" cell="0.5" start="0.5" full="1" colour="#0000ff"/></fields>
+  <limits time="60"/></world>
+)");
+  const auto red = [&](double x, double y) {
+    const auto scene = window->scene().stage().drawn();
+    if (!scene.image.pixels || !scene.patches.empty()) return 0;
+    const elsie::Image& pixels = *scene.image.pixels;
+    const auto part = [](double at, int count) { return static_cast<int>((0.5 + at / 4) * count); };
+    const auto* const pixel = pixels.pixel(part(x, pixels.width), part(-y, pixels.height));
+    return pixel[2] > 60 ? int{pixel[0]} : 0;
+  };
+  // Half of what is below is seen: the patch is redder than the floor.
+  CHECK(wait_for([&] { return red(1.0, 1.0) > red(-1.0, -1.0) + 40; }));
+  CHECK(red(-1.0, -1.0) > 40);
+}

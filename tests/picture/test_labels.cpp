@@ -189,3 +189,42 @@ TEST_CASE("Ways can be those of some robots, of a part of the time, and fade") {
     CHECK(10 * size() < 7 * whole);
   }
 }
+
+TEST_CASE("Nests have their names, and the legend says whose they are, and what was delivered") {
+  world::World world = world_of(1, 1.0);
+  world.nests.push_back({.id = "home", .team = "red", .x = 2.0});
+  world.nests.push_back({.id = "away", .team = "", .x = -2.0});
+  world.obstacles.emplace_back();
+  world.obstacles[0].kind = world::ObstacleKind::resource;
+  TopView view{world};
+  CHECK_FALSE(has(labels_of(view), "delivered"));
+  view.boxes = {std::nullopt};
+  CHECK(has(labels_of(view), "collected"));
+  world.obstacles[0].to_nest = true;
+  const std::vector<Label> labels = labels_of(view);
+  for (const char* text : {"home", "away", "nest, team red", "nest", "delivered"}) {
+    INFO(text);
+    CHECK(has(labels, text));
+  }
+}
+
+TEST_CASE("The legend tells messages from hits, and a lit lamp from a lamp") {
+  world::World world = world_of(2, 1.0);
+  TopView view{world};
+  Sketch heard(Frame{});
+  heard.arrow(SketchRole::message, {-1, 0, 0}, {1, 0, 0});
+  for (const world::Robot& robot : world.robots) {
+    RobotTrack track;
+    track.id = robot.id;
+    track.now = {robot.x, robot.y, 0.0};
+    view.robots.push_back(track);
+  }
+  CHECK_FALSE(has(labels_of(view), "message heard"));
+  CHECK_FALSE(has(labels_of(view), "lit lamp of a robot"));
+  view.robots[0].sketches = {heard};
+  view.robots[0].lights = {{{1.0, 0.0}, {255, 160, 0}}};
+  CHECK(has(labels_of(view), "message heard"));
+  CHECK(has(labels_of(view), "lit lamp of a robot"));
+  CHECK_FALSE(has(labels_of(view), "hit of a sensor"));
+  CHECK_FALSE(has(labels_of(view), "lamp"));
+}

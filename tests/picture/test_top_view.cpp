@@ -458,3 +458,23 @@ TEST_CASE("A straight line of a range that ends at a hit is shown as one") {
   CHECK(roles == std::vector{SketchRole::hit, SketchRole::range, SketchRole::range,
                              SketchRole::target, SketchRole::hit});
 }
+
+TEST_CASE("The arrow of a message ends at the outline of the robot that hears it") {
+  Stage scene;
+  scene.add_robot("r", "blue", {2, 0, 0});
+  Sketch sketch(Frame{});
+  sketch.arrow(SketchRole::message, {-3, 0, 0}, {2, 0, 0});
+  RobotTrack track{"r", {}, {2, 0, 0}, {sketch}, {}};
+  scene.view.robots = {track};
+  const Bitmap image = scene.image();
+  const auto teal = [](const Pixel& p) { return p.green > p.red + 60 && p.blue > p.red + 60; };
+  // The widest column of the head is several pixels high, the line is not.
+  const Vector2 middle = scene.place(2, 0);
+  int highest = 0;
+  for (int x = 8; x < 60; ++x) {
+    int high = 0;
+    for (int y = -6; y <= 6; ++y) high += teal(image.at({middle.x - x, middle.y + y})) ? 1 : 0;
+    highest = std::max(highest, high);
+  }
+  CHECK(highest >= 4);
+}

@@ -122,3 +122,16 @@ TEST_CASE("The tiles of a field leave out what is empty, and join what is equal"
   CHECK(tiles[2].opacity == 108);
   CHECK(field_tiles(field, arena, 2).size() == 3);  // every second column
 }
+
+TEST_CASE("A nest has its team's colour at its edge") {
+  Stage scene;
+  scene.world.nests.push_back({.id = "home", .team = "red", .x = -2.3, .y = 0.7, .radius = 0.8});
+  scene.world.nests.push_back({.id = "away", .team = "blue", .x = 2.3, .y = 0.7, .radius = 0.8});
+  const Bitmap image = scene.image();
+  const auto red = [](const Pixel& pixel) { return pixel.reddish(); };
+  const auto blue = [](const Pixel& pixel) { return pixel.bluish(); };
+  CHECK(image.count(scene.place(-2.3, 1.5), 2, red) > 0);
+  CHECK(image.count(scene.place(-2.3, 1.5), 2, blue) == 0);
+  CHECK(image.count(scene.place(2.3, 1.5), 2, blue) > 0);
+  CHECK(image.count(scene.place(2.3, 1.2), 2, blue) == 0);
+}

@@ -190,8 +190,33 @@ TEST_CASE("explain shows what commanded actuators, and what was heard") {
   }
   CHECK(has_actuators);
   CHECK(has_heard);
+  CHECK_THAT(explained, Catch::Matches("[\\s\\S]*by tell_place +100.0 %[\\s\\S]*"));
   // Robots without actuators have nothing new to explain.
   REQUIRE(here.elsie("run worlds/clutter.xml --duration 1 --quiet --record plain.mcap").exit_code <
           2);
   CHECK(here.elsie("explain plain.mcap").out.find("actuators") == std::string::npos);
+}
+
+TEST_CASE("explain knows how long an actuator was there") {
+  const Workplace here;
+  REQUIRE(here.elsie("run examples/09-acts/calling.xml --plugin examples/09-acts/signal.cpp "
+                     "--duration 6 --quiet --record calling.mcap "
+                     "--at '1:robot[guest]/actuator[+]=<led id=\"lamp\"/>' "
+                     "--at '3:robot[guest]/actuator[lamp]/@remove=true'")
+              .exit_code < 2);
+  const std::string explained = here.elsie("explain calling.mcap --robot guest").out;
+  CHECK_THAT(explained, Catch::Matches("[\\s\\S]*lamp +by nobody +100.0 %[\\s\\S]*"));
+  const auto parsed = json::parse(here.elsie("explain calling.mcap --robot guest --json").out);
+  const auto& lamp = parsed.at("robots").at(0).at("actuators").at(0);
+  CHECK(lamp.at("from_s").get<double>() == Approx(1.0).margin(0.11));
+  CHECK(lamp.at("to_s").get<double>() == Approx(3.0).margin(0.11));
+}
+
+TEST_CASE("explain leaves out the samples at which a published number does not exist") {
+  const Workplace here;
+  REQUIRE(here.elsie("run examples/09-acts/foraging.xml --duration 20 --quiet --record run.mcap")
+              .exit_code < 2);
+  const std::string explained = here.elsie("explain run.mcap").out;
+  CHECK_THAT(explained, Catch::Contains("forage.distance"));
+  CHECK(explained.find("nan") == std::string::npos);
 }

@@ -19,8 +19,8 @@ Json watch(Session& session, const std::vector<std::string>& what,
   return session.ask({{"do", "watch"}, {"what", what}, {"robots", robots}});
 }
 
-const std::vector<std::string> kEverything{"decisions", "sensors",  "cameras",
-                                           "fuzzy",     "measures", "fields"};
+const std::vector<std::string> kEverything{"decisions", "sensors", "cameras", "fuzzy",
+                                           "measures",  "fields",  "lights"};
 
 void open_shipped(Session& session, const std::string& world) {
   const std::string file = test::source_path("worlds/" + world);
@@ -237,4 +237,34 @@ TEST_CASE("Fields of the floor are watched as opacities, from south to north") {
   CHECK(*opacity == std::vector<std::uint8_t>(32, 108));
   watch(session, {"measures"});
   CHECK_FALSE(session.event("state").contains("fields"));
+}
+
+TEST_CASE("What robots shine is watched as shapes like those of lamps") {
+  Session session({"--plugin", test::source_path("examples/09-acts/signal.cpp")});
+  const Json opened = session.open(R"(<world format="1"><robots>
+    <robot id="r1" x="0.5"><actuators><led x="0" y="0"/></actuators>
+      <behaviors><signal/></behaviors></robot></robots></world>)");
+  CHECK(opened["scene"]["has_actuators"] == true);
+  watch(session, {"lights"});
+  CHECK(session.event("state")["lights"].empty());
+  const Json state = step(session, 3);
+  REQUIRE(state["lights"].size() == 1);
+  CHECK(state["lights"][0]["colour"] == Json::array({255, 200, 0}));
+  CHECK(state["lights"][0]["frame"][0][0].get<double>() == Approx(0.5).margin(0.01));
+  CHECK(state["lights"][0]["shape"] == "sphere");
+}
+
+TEST_CASE("What a robot hears is watched beside its sensors") {
+  Session session({"--plugin", test::source_path("examples/09-acts/tell.cpp")});
+  const std::string file = test::source_path("examples/09-acts/told.xml");
+  std::string world = text_of("examples/09-acts/told.xml");
+  world.replace(world.find("loss=\"0.5\""), 10, "");
+  REQUIRE_FALSE(session.open(world, file).contains("refused"));
+  watch(session, {"sensors"}, {"a"});
+  CHECK(session.event("state")["robots"][0]["heard"].empty());
+  const Json heard = step(session, 3)["robots"][0]["heard"];
+  REQUIRE(heard.size() == 1);
+  CHECK(heard[0]["by"] == "radio");
+  CHECK(heard[0]["from"] == "scout");
+  CHECK(heard[0]["fields"][0]["values"][0].get<double>() == Approx(1.4));
 }

@@ -269,6 +269,26 @@ TEST_CASE("A robot that loses its radio in a run hears nothing more") {
   CHECK(simulation.heard(1).empty());
 }
 
+TEST_CASE("Who heard whom is sketched by an arrow of a role of its own") {
+  simulation::Simulation simulation =
+      of_robots(talker("a", 0, 0, 3, "<radio/>", R"(last="99")") +
+                R"(<robot id="b" x="0.5"><actuators><radio/></actuators></robot>)");
+  simulation.step();
+  simulation.step();
+  REQUIRE(simulation.heard(1).size() == 1);
+  std::size_t arrows = 0;
+  for (const simulation::PluginSketch& each : simulation.sketches(1)) {
+    for (const Sketch::Mark& mark : each.sketch.marks()) {
+      if (mark.role != SketchRole::message) continue;
+      ++arrows;
+      REQUIRE(mark.kind == Sketch::Kind::arrow);
+      CHECK(each.sketch.places(mark)[0].x == simulation.heard(1)[0].sender_at.x);
+      CHECK(each.sketch.places(mark)[1].x == simulation.actuator(1, 0).frame.origin.x);
+    }
+  }
+  CHECK(arrows == 1);
+}
+
 TEST_CASE("A robot whose battery is empty neither speaks nor hears") {
   simulation::Simulation simulation = of_robots(talker("a", 0, 0, 3, "<radio/>", R"(last="99")") +
                                                 talker("b", 0.5, 0, 5, "<radio/>", R"(last="99")"));

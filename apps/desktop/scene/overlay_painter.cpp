@@ -23,13 +23,14 @@ struct RoleStyle {
 };
 
 const RoleStyle& style_of(SketchRole role) {
-  static const std::array<RoleStyle, 6> styles{
-      {{QColor(0x2a, 0x7a, 0xb8, 110), 1.0},                 // range
-       {QColor(0xc0, 0x30, 0x30, 210), 1.2, Qt::DashLine},   // hit
-       {QColor(0x2f, 0x6f, 0x9f, 80), 1.0},                  // field
-       {QColor(0x1b, 0x5f, 0xb0, 230), 1.4},                 // target
-       {QColor(0x9c, 0x2f, 0x8a, 230), 1.8},                 // wish
-       {QColor(0x5a, 0x5f, 0x6b, 220), 1.4, Qt::DotLine}}};  // belief
+  static const std::array<RoleStyle, 7> styles{
+      {{QColor(0x2a, 0x7a, 0xb8, 110), 1.0},                // range
+       {QColor(0xc0, 0x30, 0x30, 210), 1.2, Qt::DashLine},  // hit
+       {QColor(0x2f, 0x6f, 0x9f, 80), 1.0},                 // field
+       {QColor(0x1b, 0x5f, 0xb0, 230), 1.4},                // target
+       {QColor(0x9c, 0x2f, 0x8a, 230), 1.8},                // wish
+       {QColor(0x5a, 0x5f, 0x6b, 220), 1.4, Qt::DotLine},   // belief
+       {QColor(0x00, 0x83, 0x8f, 220), 1.6}}};              // message
   // The memory is shared with a process that runs plugins.
   return styles[std::min(static_cast<std::size_t>(role), styles.size() - 1)];
 }

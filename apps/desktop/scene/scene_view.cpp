@@ -75,8 +75,11 @@ void SceneView::take(const snapshots::Snapshot& snapshot) {
 }
 
 void SceneView::take_state(const Json& state) {
-  if (!stage_.has_fields() || !state.contains("fields")) return;
-  stage_.take_fields(state["fields"]);
+  const bool shows_fields = stage_.has_fields() && state.contains("fields");
+  const bool shows_lights = stage_.has_actuators() && state.contains("lights");
+  if (!shows_fields && !shows_lights) return;
+  if (shows_fields) stage_.take_fields(state["fields"]);
+  if (shows_lights) stage_.take_lights(state["lights"]);
   is_stale_ = true;
   update();
 }

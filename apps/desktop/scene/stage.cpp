@@ -65,15 +65,24 @@ Shape shape_from(const Json& json) {
   return shape;
 }
 
+Stage::Solid solid_from(const Json& json) {
+  return {shape_from(json), frame_from(json.at("frame")), colour_from(json.at("colour")),
+          json.at("body").get<int>(), text_of(json, "path")};
+}
+
+render::FlatPatch patch_of(const Stage::Solid& solid, const Frame& frame) {
+  std::vector<Vector2> outline;
+  for (const Vector2& corner : elsie::outline_of(solid.shape, kRound)) {
+    const Vector3 at = frame.point({corner.x, corner.y, 0.0});
+    outline.push_back({at.x, at.y});
+  }
+  return {std::move(outline), solid.colour};
+}
+
 void add(render::Scene& scene, const Stage::Solid& solid, const Frame& frame) {
   const Shape& shape = solid.shape;
   if (Stage::is_patch(solid.path)) {
-    std::vector<Vector2> outline;
-    for (const Vector2& corner : elsie::outline_of(shape, kRound)) {
-      const Vector3 at = frame.point({corner.x, corner.y, 0.0});
-      outline.push_back({at.x, at.y});
-    }
-    scene.patches.push_back({std::move(outline), solid.colour});
+    scene.patches.push_back(patch_of(solid, frame));
   } else if (shape.is_round() && shape.size.z < kDisc) {
     scene.marks.push_back({{frame.origin.x, frame.origin.y}, shape.radius(), solid.colour});
   } else {
@@ -122,6 +131,7 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   epoch_ = epoch;
   bodies_.clear();
   solids_.clear();
+  lights_.clear();
   marks_.clear();
   if (!scene.is_object()) {
     return false;
@@ -137,9 +147,18 @@ bool Stage::set_scene(const Json& scene, std::uint64_t epoch) {
   floor_ = whole.floor_;
   image_ = std::move(whole.image_);
   has_fields_ = whole.has_fields_;
+  has_actuators_ = whole.has_actuators_;
   with_fields_.reset();
   bodies_ = std::move(whole.bodies_);
   solids_ = std::move(whole.solids_);
+  ground_ = image_;
+  if (has_fields_) {
+    std::vector<render::FlatPatch> patches;
+    for (const Solid& solid : solids_) {
+      if (is_patch(solid.path)) patches.push_back(patch_of(solid, solid.frame));
+    }
+    ground_ = with_patches(image_, floor_.value_or(kFloor), {length_, width_}, patches);
+  }
   latest_s_ = 0.0;
   place();
   return true;
@@ -155,17 +174,13 @@ void Stage::read(const Json& scene) {
               image_from(text_of(floor, "image"))};
   }
   has_fields_ = scene.value("has_fields", false);
+  has_actuators_ = scene.value("has_actuators", false);
   for (const Json& each : scene.at("bodies")) {
     bodies_.push_back({text_of(each, "path"), integer_of(each, "vehicle", 0), {}, {}, true});
   }
   std::set<std::size_t> has_colour;
   for (const Json& each : scene.at("shapes")) {
-    Solid solid;
-    solid.shape = shape_from(each);
-    solid.frame = frame_from(each.at("frame"));
-    solid.colour = colour_from(each.at("colour"));
-    solid.body = each.at("body").get<int>();
-    solid.path = text_of(each, "path");
+    Solid solid = solid_from(each);
     if (solid.body >= 0) {
       const auto number = static_cast<std::size_t>(solid.body);
       Body& body = bodies_.at(number);
@@ -180,9 +195,18 @@ void Stage::read(const Json& scene) {
 
 void Stage::take_fields(const Json& fields) {
   try {
-    with_fields_ = with_fields(image_, floor_.value_or(kFloor), {length_, width_}, fields);
+    with_fields_ = with_fields(ground_, floor_.value_or(kFloor), {length_, width_}, fields);
   } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
     with_fields_.reset();
+  }
+}
+
+void Stage::take_lights(const Json& lights) {
+  lights_.clear();
+  try {
+    for (const Json& each : lights) lights_.push_back(solid_from(each));
+  } catch (const std::exception&) {  // a plugin may have damaged the engine's messages
+    lights_.clear();
   }
 }
 
@@ -258,12 +282,17 @@ render::Scene Stage::drawn() const {
   render::Scene scene;
   scene.floor = floor_.value_or(kFloor);
   // Of the past, only bodies are known.
-  scene.image = with_fields_ && !is_past() ? *with_fields_ : image_;
+  const bool shows_fields = with_fields_ && !is_past();
+  scene.image = shows_fields ? *with_fields_ : image_;
   scene.sky = kSky;
   for (const Solid& solid : solids_) {
-    if (is_present(solid)) {
+    const bool is_below = shows_fields && is_patch(solid.path);  // it is in the image
+    if (is_present(solid) && !is_below) {
       add(scene, solid, frame_of(solid));
     }
+  }
+  for (std::size_t i = 0; !is_past() && i < lights_.size(); ++i) {
+    add(scene, lights_[i], lights_[i].frame);
   }
   return scene;
 }

@@ -42,6 +42,10 @@ class Stage {
   void take_fields(const Json& fields);
   /// Whether the world has fields.
   bool has_fields() const { return has_fields_; }
+  /// Takes what shines, of an event `state`.
+  void take_lights(const Json& lights);
+  /// Whether the world has actuators, which may shine.
+  bool has_actuators() const { return has_actuators_; }
   /// Takes a snapshot, and keeps it until its scene is there. Returns whether the bodies moved.
   bool take(const snapshots::Snapshot& snapshot);
 
@@ -90,12 +94,14 @@ class Stage {
   double length_ = 0.0, width_ = 0.0;
   std::optional<Colour> floor_;
   render::FloorImage image_;
-  bool has_fields_ = false;
+  render::FloorImage ground_;  // what fields lie on: the image and the patches
+  bool has_fields_ = false, has_actuators_ = false;
   std::optional<render::FloorImage> with_fields_;  // none: they have not come yet
   double time_s_ = 0.0;
   double latest_s_ = 0.0;  // the latest time that was shown
   std::vector<Body> bodies_;
   std::vector<Solid> solids_;
+  std::vector<Solid> lights_;  // what robots shine
   std::vector<snapshots::MarkState> marks_;
   // The last snapshot, perhaps of the next scene.
   snapshots::SnapshotFacts facts_;

@@ -67,6 +67,17 @@ void SensorsPanel::add(const Json& state) {
       }
     }
   }
+  for (const Json& heard : member(robot, "heard")) {
+    const QString from = text_of(heard, "from"), kind = text_of(heard, "kind");
+    const QStringList of{text_of(heard, "by"),
+                         from.isEmpty() ? tr("heard") : tr("heard from %1").arg(from)};
+    if (member(heard, "fields").empty()) is_new |= show(row++, of + QStringList{kind}, {});
+    for (const Json& field : member(heard, "fields")) {
+      for (const Row& each : rows_of(field)) {
+        is_new |= show(row++, of + QStringList{kind + u'.' + each.name}, each);
+      }
+    }
+  }
   while (table_->topLevelItemCount() > row) {
     delete table_->topLevelItem(row);
   }

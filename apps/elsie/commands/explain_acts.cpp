@@ -21,12 +21,13 @@ std::string commanded(const ExplainedRobot& explained) {
   std::vector<std::vector<std::string>> rows;
   for (const TraceActuator& actuator : explained.robot->actuators) {
     const std::vector<Commander> all = commanders(actuator, span);
+    const traces::TimeSpan there = presence(actuator, span);
     for (const Commander& each : all) {
       const TraceCommand& last = *each.last;
       rows.push_back(
           {"  " + (&each == &all.front() ? actuator.id : std::string()),
            each.by.empty() ? "by nobody" : "by " + each.by,
-           per_cent(each.time_s, span.to_s - span.from_s),
+           per_cent(each.time_s, there.to_s - there.from_s),
            each.by.empty() ? "" : "last " + last.text + ", from " + seconds(last.time_s) + " s"});
     }
   }
@@ -56,13 +57,19 @@ std::string heard(const ExplainedRobot& explained) {
 
 }  // namespace
 
+traces::TimeSpan presence(const TraceActuator& actuator, const traces::TimeSpan& span) {
+  return {std::max(actuator.commands.front().time_s, span.from_s),
+          std::min(actuator.to_s, span.to_s)};
+}
+
 std::vector<Commander> commanders(const TraceActuator& actuator, const traces::TimeSpan& span) {
   std::vector<Commander> all;
+  const traces::TimeSpan there = presence(actuator, span);
   const auto& commands = actuator.commands;
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    const double from = std::max(commands[i].time_s, span.from_s);
+    const double from = std::max(commands[i].time_s, there.from_s);
     const double to =
-        i + 1 < commands.size() ? std::min(commands[i + 1].time_s, span.to_s) : span.to_s;
+        i + 1 < commands.size() ? std::min(commands[i + 1].time_s, there.to_s) : there.to_s;
     if (!(from < to)) continue;
     auto known = std::find_if(all.begin(), all.end(),
                               [&](const Commander& each) { return each.by == commands[i].by; });

@@ -135,7 +135,12 @@ std::string json(const Trace& trace, const traces::TimeSpan& span,
                       {"last", each.last->text},
                       {"last_from_s", tidy(each.last->time_s)}});
       }
-      entry["actuators"].push_back({{"id", actuator.id}, {"by", std::move(by)}});
+      if (by.empty()) continue;  // it was there at another time
+      const traces::TimeSpan there = presence(actuator, explained.account.span);
+      entry["actuators"].push_back({{"id", actuator.id},
+                                    {"from_s", tidy(there.from_s)},
+                                    {"to_s", tidy(there.to_s)},
+                                    {"by", std::move(by)}});
     }
     for (const traces::TraceHeard& heard : robot.heard) {
       if (heard.time_s < span.from_s || heard.time_s > span.to_s) continue;

@@ -1,6 +1,7 @@
 #include "explain_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "elsie/base/number_text.h"
@@ -264,8 +265,9 @@ std::string per_cent(double part, double whole) {
     return "-";
   }
   const double value = 100.0 * part / whole;
-  // A value close to 0 or 100 is not rounded to it.
-  const bool at_border = (value > 0.0 && value < 0.1) || (value < 100.0 && value > 99.9);
+  // A value close to 0 or 100 is not rounded to it; sums of times have rounding errors.
+  constexpr double kWhole = 100.0 - 1e-9;
+  const bool at_border = (value > 0.0 && value < 0.1) || (value < kWhole && value > 99.9);
   return (!at_border     ? base::fixed_text(value, 1)
           : value > 50.0 ? "99.9"
                          : base::number_text(value, 2)) +
@@ -276,7 +278,7 @@ NumberAccount account(const traces::TraceNumber& number, const traces::TimeSpan&
   NumberAccount account;
   double sum = 0.0;
   for (const auto& [time_s, value] : number.samples) {
-    if (time_s < span.from_s || time_s > span.to_s) continue;
+    if (time_s < span.from_s || time_s > span.to_s || std::isnan(value)) continue;
     account.least = account.samples == 0 ? value : std::min(account.least, value);
     account.largest = account.samples == 0 ? value : std::max(account.largest, value);
     account.last = value;

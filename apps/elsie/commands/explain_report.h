@@ -20,7 +20,7 @@ struct ExplainedRobot {
 
 /// What a published number was during a time.
 struct NumberAccount {
-  std::size_t samples = 0;  // of the recording; if 0, the rest means nothing
+  std::size_t samples = 0;  // in which there was one; if 0, the rest means nothing
   double mean = 0.0, least = 0.0, largest = 0.0;
   double last = 0.0;
 };
@@ -32,7 +32,9 @@ struct Commander {
   double time_s = 0.0;
   const traces::TraceCommand* last = nullptr;  // of its commands; never null
 };
-/// In the order of their first commands.
+/// The part of a time during which the recording has an actuator; it begins with a sample.
+traces::TimeSpan presence(const traces::TraceActuator& actuator, const traces::TimeSpan& span);
+/// In the order of their first commands. Their times add up to the actuator's presence.
 std::vector<Commander> commanders(const traces::TraceActuator& actuator,
                                   const traces::TimeSpan& span);
 /// The actuators of a robot and what they heard, in words; empty if it has none.

@@ -286,10 +286,12 @@ std::span<const EventRecord> Simulation::events() const { return impl_->events_;
 std::size_t Simulation::robots() const { return impl_->robots_.size(); }
 RobotView Simulation::robot(std::size_t index) const {
   const Robot& robot = *impl_->robots_[index];
-  return {&robot.description(),     &robot.state(), robot.truth().pose,
-          robot.truth().moving,     robot.asked(),  robot.command(),
-          robot.members(),          robot.trace(),  robot.tally().distance_m,
-          robot.tally().collisions, robot.empty(),  robot.joints()};
+  RobotView view{&robot.description(),     &robot.state(), robot.truth().pose,
+                 robot.truth().moving,     robot.asked(),  robot.command(),
+                 robot.members(),          robot.trace(),  robot.tally().distance_m,
+                 robot.tally().collisions, robot.empty(),  robot.joints()};
+  view.talk = robot.talk();
+  return view;
 }
 std::size_t Simulation::sensors(std::size_t robot) const {
   return impl_->robots_[robot]->sensor_count();

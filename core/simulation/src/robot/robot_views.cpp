@@ -76,12 +76,10 @@ std::vector<PluginSketch> Robot::sketches() const {
   }
   for (const auto& slot : actuators_) {
     add(*slot, "", frame_of(*slot->place));
-    Sketch heard({});
-    heard.in_world();
+    Sketch heard({});  // in the world
     for (const HeardMessage& each : heard_) {
-      if (each.device == slot->use->id) {
-        heard.arrow(SketchRole::hit, each.sender_at, frame_of(*slot->place).origin);
-      }
+      if (each.device != slot->use->id) continue;
+      heard.arrow(SketchRole::message, each.sender_at, frame_of(*slot->place).origin);
     }
     if (!heard.empty()) sketches.push_back({slot->use->id, slot->kind, std::move(heard)});
   }

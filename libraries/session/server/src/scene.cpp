@@ -1,5 +1,6 @@
 #include "scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -76,6 +77,11 @@ void list_patch(const world::Patch& patch, const char* group, Json& shapes) {
   }
 }
 
+bool has_actuators(const world::World& world) {
+  return std::any_of(world.robots.begin(), world.robots.end(),
+                     [](const world::Robot& robot) { return !robot.actuators.empty(); });
+}
+
 }  // namespace
 
 Json scene_json(const simulation::Simulation& simulation) {
@@ -119,8 +125,23 @@ Json scene_json(const simulation::Simulation& simulation) {
   return {{"arena", {world.arena.length, world.arena.width}},
           {"floor", floor_json(world)},
           {"has_fields", !world.fields.empty()},
+          {"has_actuators", has_actuators(world)},
           {"bodies", std::move(bodies)},
           {"shapes", std::move(shapes)}};
+}
+
+Json lights_json(const simulation::Simulation& simulation) {
+  Json lights = Json::array();
+  for (std::size_t i = 0; i < simulation.robots(); ++i) {
+    for (std::size_t k = 0; k < simulation.actuators(i); ++k) {
+      const simulation::ActuatorView actuator = simulation.actuator(i, k);
+      if (!actuator.shine) continue;
+      lights.push_back(json(Shape::sphere(world::kLampRadius), {.origin = actuator.frame.origin},
+                            *actuator.shine, -1));
+      lights.back()["path"] = path("robot", simulation.robot(i).description->id);
+    }
+  }
+  return lights;
 }
 
 std::vector<std::string> body_names(const world::World& world) {

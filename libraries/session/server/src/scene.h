@@ -15,6 +15,9 @@ namespace elsie::server {
 /// robots, robot by robot, then the boxes; body -1 is the arena.
 Json scene_json(const simulation::Simulation& simulation);
 
+/// What robots shine, as shapes like those of lamps.
+Json lights_json(const simulation::Simulation& simulation);
+
 /// The names of the bodies, in the same order. A name stands for the same body in two worlds.
 std::vector<std::string> body_names(const world::World& world);
 

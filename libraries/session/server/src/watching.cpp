@@ -14,6 +14,8 @@
 #include "elsie/recording/sensor_pictures.h"
 #include "elsie/traces/trace_rows.h"
 
+#include "scene.h"
+
 namespace elsie::server {
 namespace {
 
@@ -22,7 +24,8 @@ using simulation::SensorView;
 using simulation::Simulation;
 using simulation::TracedMember;
 
-constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy", "measures", "fields"};
+constexpr const char* kWhat[] = {"decisions", "sensors", "cameras", "fuzzy",
+                                 "measures",  "fields",  "lights"};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
@@ -87,6 +90,21 @@ Json sensors_json(const Simulation& simulation, std::size_t robot) {
     all.push_back({{"id", actuator.id},
                    {"plugin", actuator.plugin},
                    {"by", actuator.by},
+                   {"fields", std::move(fields)}});
+  }
+  return all;
+}
+
+/// What its actuators heard before the last decision.
+Json heard_json(const Simulation& simulation, std::size_t robot) {
+  Json all = Json::array();
+  for (const HeardMessage& heard : simulation.heard(robot)) {
+    Json fields = Json::array();
+    heard.message->visit_fields([&](const ReadingField& field) { add_field(field, fields); });
+    all.push_back({{"by", heard.device},
+                   {"from", heard.from},
+                   {"kind", files::one_line(heard.message->kind().name)},
+                   {"age_s", number(heard.age_s)},
                    {"fields", std::move(fields)}});
   }
   return all;
@@ -174,7 +192,7 @@ void Watching::choose(const Json& order) {
     if (std::find(std::begin(kWhat), std::end(kWhat), word) == std::end(kWhat)) {
       throw base::BadInput("'" + word +
                            "' cannot be watched; expected decisions, sensors, cameras, fuzzy, "
-                           "measures or fields");
+                           "measures, fields or lights");
     }
     what.insert(word);
   }
@@ -201,6 +219,7 @@ Json Watching::robot(const Simulation& simulation, std::size_t index) const {
   }
   if (watches("sensors")) {
     robot["sensors"] = sensors_json(simulation, index);
+    robot["heard"] = heard_json(simulation, index);
   }
   if (watches("cameras")) {
     robot["cameras"] = cameras_json(simulation, index);
@@ -223,6 +242,7 @@ Json Watching::state(const Simulation& simulation, std::uint64_t epoch) const {
                 {"time_s", simulation.time_s()},
                 {"robots", std::move(robots)}};
   if (watches("fields")) state["fields"] = fields_json(simulation);
+  if (watches("lights")) state["lights"] = lights_json(simulation);
   return state;
 }
 

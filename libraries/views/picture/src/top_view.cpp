@@ -149,8 +149,7 @@ Scene complete(const TopView& view) {
   const std::size_t given = std::min(view.boxes.size(), view.world.obstacles.size());
   scene.boxes.resize(given);
   for (std::size_t i = given; i < view.world.obstacles.size(); ++i) {
-    const world::Obstacle& box = view.world.obstacles[i];
-    scene.boxes.emplace_back(Pose{box.x, box.y, radians(box.heading_deg)});
+    scene.boxes.emplace_back(start_of(view.world.obstacles[i]));
   }
   if (scene.title.empty()) scene.title = view.world.name.empty() ? "World" : view.world.name;
   if (!scene.is_crowd()) scene.mark_every_s = mark_interval(scene);
@@ -188,7 +187,7 @@ void save_top_view(const TopView& view, const std::filesystem::path& file, const
     draw_lamps(canvas, scene, layout);
     if (!scene.bare) {
       draw_robot_labels(canvas, scene, layout, labels);
-      draw_lamp_labels(canvas, scene, layout, labels);
+      draw_floor_labels(canvas, scene, layout, labels);
       draw_goal_labels(canvas, scene, layout, labels);
     }
     draw_left_out(canvas, layout, labels);

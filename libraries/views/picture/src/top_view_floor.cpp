@@ -52,11 +52,17 @@ void draw_patch(Canvas& canvas, const Layout& layout, const world::Patch& patch)
 
 }  // namespace
 
+Ink nest_edge(const world::World& world, const world::Nest& nest) {
+  return nest.team.empty() ? mix(ink(nest.colour), kText, 0.35) : team_ink(world, nest.team);
+}
+
 void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout) {
   const int most = canvas.is_text() ? kMostTilesInText : kMostTiles;
   draw_tiles(canvas, layout, floor_tiles(scene.world, most));
   for (const world::Nest& nest : scene.world.nests) {
     draw_patch(canvas, layout, world::patch_of(nest));
+    canvas.circle(layout.map.pixel({nest.x, nest.y}), nest.radius * layout.map.scale_x);
+    canvas.stroke(nest_edge(scene.world, nest), {.width = kNestEdge});
   }
   for (const world::Patch& patch : scene.world.patches) draw_patch(canvas, layout, patch);
   for (const FloorField& field : scene.fields) {
@@ -89,18 +95,26 @@ void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout) {
   }
 }
 
-void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
-                      LabelPlacer& labels) {
+/// Writes the ids of lamps, or of nests.
+template <class Things>
+void draw_ids(Canvas& canvas, const Layout& layout, LabelPlacer& labels, const Things& things,
+              double apart) {
   constexpr std::size_t kMostLabels = 120;
-  if (scene.world.lamps.size() > kMostLabels) {
-    labels.leave_out(scene.world.lamps.size());
+  if (things.size() > kMostLabels) {
+    labels.leave_out(things.size());
     return;
   }
   const TextStyle style{.size = 12, .ink = kFaintText, .halo = 2.5};
-  for (const world::Lamp& lamp : scene.world.lamps) {
-    draw_label(canvas, labels, clean_text(lamp.id, 16), layout.map.pixel({lamp.x, lamp.y}), 10.0,
+  for (const auto& each : things) {
+    draw_label(canvas, labels, clean_text(each.id, 16), layout.map.pixel({each.x, each.y}), apart,
                style);
   }
+}
+
+void draw_floor_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                       LabelPlacer& labels) {
+  draw_ids(canvas, layout, labels, scene.world.lamps, 10.0);
+  draw_ids(canvas, layout, labels, scene.world.nests, 4.0);
 }
 
 }  // namespace elsie::picture

@@ -153,11 +153,11 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
          }});
   }
   const world::Obstacle* resource = nullptr;
-  bool there = false, collected = false;
+  bool there = false, collected = false, delivered = false;
   for (std::size_t i = 0; i < scene.world.obstacles.size(); ++i) {
     if (scene.world.obstacles[i].kind != world::ObstacleKind::resource) continue;
     resource = &scene.world.obstacles[i];
-    (scene.boxes[i] ? there : collected) = true;
+    (scene.boxes[i] ? there : resource->to_nest ? delivered : collected) = true;
   }
   if (!resource) return;
   const Ink colour = resource_ink(scene.world, *resource);
@@ -167,15 +167,34 @@ void add_boxes(const Scene& scene, std::vector<LegendEntry>& entries) {
                          draw_resource_mark(canvas, at, 4.5, kPaper);
                        }});
   }
-  if (collected) {
-    entries.push_back({"collected", 20, [colour](Canvas& canvas, const Vector2& at) {
+  if (collected || delivered) {
+    const char* const gone = !delivered   ? "collected"
+                             : !collected ? "delivered"
+                                          : "collected or delivered";
+    entries.push_back({gone, 20, [colour](Canvas& canvas, const Vector2& at) {
                          canvas.rectangle({at.x - 7, at.y - 7, 14, 14}).fill_keep(kPaper);
                          canvas.stroke(colour, {.width = 1.3, .dash = {3, 2}});
                        }});
   }
 }
 
+void add_nests(const Scene& scene, std::vector<LegendEntry>& entries) {
+  std::vector<std::string> teams;
+  for (const world::Nest& nest : scene.world.nests) {
+    if (std::find(teams.begin(), teams.end(), nest.team) != teams.end()) continue;
+    teams.push_back(nest.team);
+    const std::string whose = nest.team.empty() ? "" : ", team " + clean_text(nest.team, 24);
+    entries.push_back({"nest" + whose, 20,
+                       [ground = ink(nest.colour), edge = nest_edge(scene.world, nest)](
+                           Canvas& canvas, const Vector2& at) {
+                         canvas.circle(at, 8).fill_keep(ground);
+                         canvas.stroke(edge, {.width = kNestEdge});
+                       }});
+  }
+}
+
 void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
+  add_nests(scene, entries);
   if (!scene.world.chargers.empty()) {
     const Ink colour = team_ink(scene.world, scene.world.chargers.front().team);
     entries.push_back({"charger", 20, [colour](Canvas& canvas, const Vector2& at) {
@@ -188,6 +207,15 @@ void add_marks(const Scene& scene, std::vector<LegendEntry>& entries) {
     const Ink light = ink(scene.world.lamps.front().colour);
     entries.push_back(
         {"lamp", 24, [light](Canvas& canvas, const Vector2& at) { draw_sun(canvas, at, light); }});
+  }
+  const auto shining =
+      std::find_if(scene.robots.begin(), scene.robots.end(),
+                   [](const DrawnRobot& robot) { return !robot.track.lights.empty(); });
+  if (shining != scene.robots.end()) {
+    const Ink light = ink(shining->track.lights.front().colour);
+    entries.push_back({"lit lamp of a robot", 24, [light](Canvas& canvas, const Vector2& at) {
+                         draw_sun(canvas, at, light);
+                       }});
   }
   for (const FloorField& field : scene.fields) {
     const double solid = field.solid();

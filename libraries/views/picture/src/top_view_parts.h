@@ -58,6 +58,10 @@ Ink team_ink(const world::World& world, const std::string& team);
 /// The colour of a resource, as cameras see it.
 Ink resource_ink(const world::World& world, const world::Obstacle& resource);
 
+/// The colour of a nest's edge: its team's, or a darker one of its own.
+Ink nest_edge(const world::World& world, const world::Nest& nest);
+inline constexpr double kNestEdge = 2.2;
+
 /// What the picture needs to explain.
 std::vector<LegendEntry> legend_of(const Scene& scene);
 
@@ -98,8 +102,9 @@ void draw_floor(Canvas& canvas, const Scene& scene, const Layout& layout);
 /// The image, the patches and the fields, over the grid.
 void draw_floor_marks(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_lamps(Canvas& canvas, const Scene& scene, const Layout& layout);
-void draw_lamp_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
-                      LabelPlacer& labels);
+/// The names of lamps and nests.
+void draw_floor_labels(Canvas& canvas, const Scene& scene, const Layout& layout,
+                       LabelPlacer& labels);
 void draw_walls(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_frame(Canvas& canvas, const Scene& scene, const Layout& layout);
 void draw_goals(Canvas& canvas, const Scene& scene, const Layout& layout);

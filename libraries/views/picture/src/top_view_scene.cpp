@@ -17,8 +17,6 @@ namespace {
 
 constexpr double kSmallestResource = 13.0;  // so that its mark is visible
 
-Pose start_of(const world::Obstacle& box) { return {box.x, box.y, radians(box.heading_deg)}; }
-
 Rect bounds_of(const std::vector<Vector2>& corners) {
   double left = corners.front().x, right = left, top = corners.front().y, bottom = top;
   for (const Vector2& corner : corners) {
@@ -195,6 +193,8 @@ std::string joined_goals(const std::vector<std::string>& texts) {
 }
 
 }  // namespace
+
+Pose start_of(const world::Obstacle& box) { return {box.x, box.y, radians(box.heading_deg)}; }
 
 std::vector<Vector2> pixels(const PlaneMap& map, const Pose& pose, std::vector<Vector2> corners) {
   for (Vector2& corner : corners) corner = map.pixel(point_of(pose, corner));

@@ -17,6 +17,7 @@ constexpr Ink kField = hex(0x2f6f9f);
 constexpr Ink kTarget = hex(0x1b5fb0);
 constexpr Ink kWish = hex(0x9c2f8a);
 constexpr Ink kBelief = hex(0x5a5f6b);
+constexpr Ink kMessage = hex(0x00838f);
 
 struct RoleStyle {
   Ink ink;
@@ -26,12 +27,13 @@ struct RoleStyle {
 };
 
 const RoleStyle& style_of(SketchRole role) {
-  static const std::array<RoleStyle, 6> styles{{{kBeam, 0.55, 0.9, {4, 3}},  // range
+  static const std::array<RoleStyle, 7> styles{{{kBeam, 0.55, 0.9, {4, 3}},  // range
                                                 {kBeam, 0.9, 1.1},           // hit
                                                 {kField, 0.45, 1.0},
                                                 {kTarget, 0.9, 1.3},
                                                 {kWish, 0.9, 1.6},
-                                                {kBelief, 0.9, 1.2, {3, 2}}}};
+                                                {kBelief, 0.9, 1.2, {3, 2}},
+                                                {kMessage, 0.9, 1.5}}};
   return styles.at(static_cast<std::size_t>(role));
 }
 
@@ -39,12 +41,12 @@ Vector2 pixel(const Layout& layout, const Vector3& place) {
   return layout.map.pixel({place.x, place.y});
 }
 
-/// The robots' sketches and those of measures, in the order in which they are drawn.
+/// The sketches of measures, with null, and those of robots, in the order in which they are drawn.
 template <class Visit>
 void visit_sketches(const Scene& scene, const Visit& visit) {
-  for (const Sketch& sketch : scene.sketches) visit(sketch);
+  for (const Sketch& sketch : scene.sketches) visit(sketch, nullptr);
   for (const DrawnRobot& robot : scene.robots) {
-    for (const Sketch& sketch : robot.track.sketches) visit(sketch);
+    for (const Sketch& sketch : robot.track.sketches) visit(sketch, &robot);
   }
 }
 
@@ -164,19 +166,38 @@ void draw_point(Canvas& canvas, const Vector2& at, SketchRole role, double dot) 
       break;
     case SketchRole::range:
     case SketchRole::wish:
+    case SketchRole::message:
       canvas.circle(at, 0.8 * dot).fill(ink.with_alpha(0.7));
       break;
   }
 }
 
-void draw_points(Canvas& canvas, const Sketch& sketch, const Layout& layout) {
+/// Where a message meets the outline of the robot that hears it, which would hide the arrow's head.
+Vector2 outside(const DrawnRobot& robot, const Layout& layout, const Vector2& from,
+                const Vector2& to) {
+  const Vector2 middle = layout.map.pixel({robot.track.now.x, robot.track.now.y});
+  const double radius = robot_radius(robot, layout) + 1.0;
+  // The first solution t of |from + t (to - from) - middle| = radius.
+  const double x = from.x - middle.x, y = from.y - middle.y;
+  const double way_x = to.x - from.x, way_y = to.y - from.y;
+  const double a = way_x * way_x + way_y * way_y, b = x * way_x + y * way_y;
+  const double c = x * x + y * y - radius * radius, root = b * b - a * c;
+  if (!(c > 0.0) || !(root > 0.0) || !(a > 0.0)) return to;  // it begins inside, or passes by
+  const double part = std::clamp((-b - std::sqrt(root)) / a, 0.0, 1.0);
+  return {from.x + part * way_x, from.y + part * way_y};
+}
+
+void draw_points(Canvas& canvas, const Sketch& sketch, const DrawnRobot* robot,
+                 const Layout& layout) {
   const double dot = std::clamp(0.035 * layout.map.scale_x, 1.7, 2.6);
   for (const Sketch::Mark& mark : sketch.marks()) {
     const auto places = sketch.places(mark);
     if (mark.kind == Sketch::Kind::points) {
       for (const Vector3& at : places) draw_point(canvas, pixel(layout, at), mark.role, dot);
     } else if (mark.kind == Sketch::Kind::arrow) {
-      draw_arrow(canvas, pixel(layout, places[0]), pixel(layout, places[1]), mark.role);
+      const Vector2 from = pixel(layout, places[0]), to = pixel(layout, places[1]);
+      const bool is_heard = robot && mark.role == SketchRole::message && finite(robot->track.now);
+      draw_arrow(canvas, from, is_heard ? outside(*robot, layout, from, to) : to, mark.role);
     }
   }
 }
@@ -197,7 +218,7 @@ void draw_texts(Canvas& canvas, const Sketch& sketch, const Layout& layout) {
 /// Whether a mark of this kind is shown by this role.
 bool has(const Scene& scene, Sketch::Kind kind, SketchRole role) {
   bool found = false;
-  visit_sketches(scene, [&](const Sketch& sketch) {
+  visit_sketches(scene, [&](const Sketch& sketch, const DrawnRobot*) {
     if (found) return;
     const Hits hits(sketch);
     for (const Sketch::Mark& mark : sketch.marks()) {
@@ -215,9 +236,14 @@ bool has_any(const Scene& scene, SketchRole role) {
 }  // namespace
 
 void draw_sketches(Canvas& canvas, const Scene& scene, const Layout& layout, LabelPlacer& labels) {
-  visit_sketches(scene, [&](const Sketch& each) { draw_lines(canvas, each, layout, labels); });
-  visit_sketches(scene, [&](const Sketch& each) { draw_points(canvas, each, layout); });
-  visit_sketches(scene, [&](const Sketch& each) { draw_texts(canvas, each, layout); });
+  visit_sketches(scene, [&](const Sketch& each, const DrawnRobot*) {
+    draw_lines(canvas, each, layout, labels);
+  });
+  visit_sketches(scene, [&](const Sketch& each, const DrawnRobot* robot) {
+    draw_points(canvas, each, robot, layout);
+  });
+  visit_sketches(scene,
+                 [&](const Sketch& each, const DrawnRobot*) { draw_texts(canvas, each, layout); });
 }
 
 void add_sketches(const Scene& scene, std::vector<LegendEntry>& entries) {
@@ -230,17 +256,24 @@ void add_sketches(const Scene& scene, std::vector<LegendEntry>& entries) {
                        }});
   }
   if (has_any(scene, SketchRole::range)) {
-    entries.push_back({"range of a sensor", 30, [](Canvas& canvas, const Vector2& at) {
+    entries.push_back({"range of a sensor or actuator", 30, [](Canvas& canvas, const Vector2& at) {
                          canvas.line({at.x - 14, at.y}, {at.x + 14, at.y});
                          canvas.stroke(kBeam.with_alpha(0.7), {.width = 1, .dash = {4, 3}});
                        }});
   }
   if (has_any(scene, SketchRole::field)) {
-    entries.push_back({"field", 24, [](Canvas& canvas, const Vector2& at) {
-                         for (const double x : {-7.0, 0.0, 7.0}) {
-                           canvas.circle({at.x + x, at.y}, 3.4).fill(kField.with_alpha(0.3));
-                         }
-                       }});
+    entries.push_back(
+        {"where something is sensed or done", 24, [](Canvas& canvas, const Vector2& at) {
+           for (const double x : {-7.0, 0.0, 7.0}) {
+             canvas.circle({at.x + x, at.y}, 3.4).fill(kField.with_alpha(0.3));
+           }
+         }});
+  }
+  if (has_any(scene, SketchRole::message)) {
+    entries.push_back(
+        {"message heard", 30, [](Canvas& canvas, const Vector2& at) {
+           draw_arrow(canvas, {at.x - 12, at.y}, {at.x + 12, at.y}, SketchRole::message);
+         }});
   }
   if (has_any(scene, SketchRole::target)) {
     entries.push_back({"target of a plugin", 20, draw_target});

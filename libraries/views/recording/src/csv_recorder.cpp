@@ -119,7 +119,7 @@ class CsvRecorder final : public simulation::Observer {
   /// The places of each robot's readings and behaviours in a row.
   struct Places {
     std::size_t robot = 0;               // its own place in the simulation
-    std::vector<std::size_t> readings;   // of each number, sensors in order
+    std::vector<std::size_t> readings;   // of each number, sensors in order; then of messages
     std::vector<std::size_t> behaviors;  // of each member
     std::vector<std::size_t> published;  // of each number of the robot, then of measures
   };
@@ -173,6 +173,11 @@ class CsvRecorder final : public simulation::Observer {
           places.readings.push_back(place_of(reading_columns_, of + "." + field.column(i)));
         }
       });
+      if (simulation.robot(r).talk) {
+        for (const char* name : {"talk.sent", "talk.heard"}) {
+          places.readings.push_back(place_of(reading_columns_, name));
+        }
+      }
       for (const simulation::TracedMember& member : simulation.robot(r).trace) {
         places.behaviors.push_back(place_of(behaviors_, member.path));
       }
@@ -197,7 +202,7 @@ class CsvRecorder final : public simulation::Observer {
         line_.number(value);
       }
       if (believes_) write_belief(robot);
-      write_readings(simulation, places);
+      write_readings(simulation, robot, places);
       write_trace(robot, places, simulation.steps() > 0);
       write_published(simulation, places);
       out_.line(line_.take());
@@ -211,7 +216,8 @@ class CsvRecorder final : public simulation::Observer {
     }
   }
 
-  void write_readings(const simulation::Simulation& simulation, const Places& places) {
+  void write_readings(const simulation::Simulation& simulation, const simulation::RobotView& robot,
+                      const Places& places) {
     row_.assign(reading_columns_.size() + 1, kNone);  // the last: numbers without a column
     const bool measured = simulation.steps() > 0;
     auto place = places.readings.begin();
@@ -221,6 +227,10 @@ class CsvRecorder final : public simulation::Observer {
       }
     };
     if (measured) visit_values(simulation, places.robot, take);
+    if (measured && robot.talk) {
+      row_[*place++] = robot.talk->sent;
+      row_[*place++] = robot.talk->heard;
+    }
     write_row();
   }
 

@@ -32,6 +32,7 @@ constexpr const char* kSketchesKind = "sketches";
 constexpr const char* kBeliefKind = "belief";
 constexpr const char* kPublishedKind = "published";
 constexpr const char* kReadingsKind = "readings";
+constexpr const char* kHeardKind = "heard";
 constexpr const char* kPublishedNumbers =
     "numbers";  // its metadata: the numbers and their units, as JSON
 
@@ -54,5 +55,6 @@ inline std::string segment_frame(std::string_view robot, std::string_view segmen
 }
 /// Also the entity of any box in the scene.
 inline std::string box_frame(std::string_view box) { return "box/" + std::string(box); }
+constexpr const char* kStart = "start";  // metadata of that entity: x, y, heading (rad) as JSON
 
 }  // namespace elsie::recording

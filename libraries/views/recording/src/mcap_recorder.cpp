@@ -11,15 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "elsie/api/reading.h"
 #include "elsie/base/number_text.h"
 #include "elsie/files/emergency.h"
 #include "elsie/mcap/writer.h"
+#include "elsie/picture/top_view.h"
 #include "elsie/recording/sensor_pictures.h"
 #include "elsie/simulation/fault.h"
 #include "elsie/simulation/simulation.h"
 #include "elsie/traces/sampling.h"
-#include "elsie/traces/trace_rows.h"
 
 #include "crowd.h"
 #include "fields.h"
@@ -27,26 +26,15 @@
 #include "messages.h"
 #include "published.h"
 #include "readings.h"
+#include "robot_channels.h"
 #include "scene.h"
-#include "schemas.h"
 #include "sketches.h"
 
 namespace elsie::recording {
 namespace {
 
 using simulation::RobotView;
-using simulation::SensorView;
 using simulation::Simulation;
-
-VisitAllPublished published_of(const Simulation& simulation, std::size_t robot) {
-  return [&simulation, robot](const simulation::VisitPublished& visit) {
-    simulation.visit_published(robot, visit);
-  };
-}
-VisitAllPublished published_of_measures(const Simulation& simulation) {
-  return
-      [&simulation](const simulation::VisitPublished& visit) { simulation.visit_published(visit); };
-}
 
 class McapRecorder final : public simulation::Observer, private files::EmergencyWriter {
  public:
@@ -82,6 +70,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
       blind_ = empty_;
       new_pictures_ = true;
       write_traces(simulation);
+      write_heard(simulation);
     }
     write_events(simulation);
     if (has_other_boxes(simulation)) write_scene(simulation);
@@ -126,21 +115,6 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   }
 
  private:
-  struct CameraChannels {
-    std::size_t sensor;
-    std::map<std::string, std::uint16_t, std::less<>> of;  // by the names of its pictures
-  };
-  struct RobotChannels {
-    std::size_t place;  // in the simulation
-    std::uint16_t pose, state, readings, command, trace;
-    std::optional<std::uint16_t> belief, published;
-    std::optional<std::uint16_t> sketches;  // from the first on
-    std::vector<CameraChannels> cameras;
-    TraceTexts texts;
-    std::string kind;
-    traces::TraceRows rows{};
-  };
-
   bool write_now() noexcept override { return out_.write_in_emergency(); }
 
   static const RecorderOptions& checked(const RecorderOptions& options) {
@@ -187,57 +161,17 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     out_.write(measures);
   }
 
-  /// Adds each schema once, whatever it is used for.
-  std::uint16_t schema(const std::string& name) { return schema(name, schema_of(name).dump()); }
-  std::uint16_t schema(const std::string& name, const std::string& text) {
-    const auto [known, is_new] = schemas_.try_emplace(name + "\n" + text, std::uint16_t{0});
-    if (is_new) {
-      known->second = out_.add_schema(name, "jsonschema", text);
-    }
-    return known->second;
-  }
-  std::uint16_t channel(const std::string& topic, std::uint16_t of,
-                        std::map<std::string, std::string> metadata = {}) {
-    return out_.add_channel(topic, of, "json", std::move(metadata));
-  }
-
   void add_channels(const Simulation& simulation) {
-    world_ = channel(kWorldTopic, schema("elsie.World"));
-    scene_ = channel(kSceneTopic, schema("foxglove.SceneUpdate"));
-    transforms_ = channel(kTransformsTopic, schema("foxglove.FrameTransforms"));
-    events_ = channel(kEventsTopic, schema("foxglove.Log"));
+    world_ = channels_.add(kWorldTopic, channels_.schema("elsie.World"));
+    scene_ = channels_.add(kSceneTopic, channels_.schema("foxglove.SceneUpdate"));
+    transforms_ = channels_.add(kTransformsTopic, channels_.schema("foxglove.FrameTransforms"));
+    events_ = channels_.add(kEventsTopic, channels_.schema("foxglove.Log"));
     const std::string title = "elsie.Published";
     if (const auto text = published_schema(title, published_of_measures(simulation));
         !text.empty()) {
-      published_ = channel(kPublishedTopic, schema(title, text));
+      published_ = channels_.add(kPublishedTopic, channels_.schema(title, text));
     }
     add_robots(simulation);
-  }
-
-  /// The facts that determine a robot's channels.
-  static std::string kind_of(const Simulation& simulation, std::size_t r) {
-    std::string kind = simulation.robot(r).description->id;
-    for (std::size_t s = 0; s < simulation.sensors(r); ++s) {
-      const SensorView sensor = simulation.sensor(r, s);
-      kind += "|" + std::string(sensor.id) + " " + std::string(sensor.plugin) +
-              (sensor.camera ? " looks" : "");
-      simulation.visit_reading(r, s, [&](const ReadingField& field) {
-        kind += " " + field.path() + (field.is_array ? std::to_string(field.size) : "");
-      });
-    }
-    for (std::size_t a = 0; a < simulation.actuators(r); ++a) {
-      const simulation::ActuatorView actuator = simulation.actuator(r, a);
-      kind += "|" + std::string(actuator.id) + " " + std::string(actuator.plugin);
-    }
-    for (const simulation::TracedMember& member : simulation.robot(r).trace) {
-      kind += "|" + member.path + " " + std::string(member.plugin) + " " +
-              std::string(member.coordinator);
-    }
-    kind += simulation.robot(r).description->localisation ? "|believes" : "";
-    simulation.visit_published(r, [&](const simulation::PublishedValue& each) {
-      kind += "|" + std::string(each.path) + "." + each.number.name;
-    });
-    return kind;
   }
 
   /// The given robots have channels of their own, or as many as a viewer can list.
@@ -253,11 +187,6 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
     places_.clear();
     crowd_.clear();
-    const auto pose = schema("foxglove.PoseInFrame");
-    const auto state = schema("elsie.State");
-    const auto command = schema("elsie.Command");
-    const auto trace = schema("elsie.Trace");
-    const auto image = options_.images ? schema("foxglove.CompressedImage") : std::uint16_t{0};
     for (std::size_t r = 0; r < simulation.robots(); ++r) {
       const world::Robot& robot = *simulation.robot(r).description;
       places_.emplace(robot.id, r);
@@ -271,48 +200,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
         robots_.back().place = r;
         continue;
       }
-      const std::map<std::string, std::string> who{{"robot", robot.id}, {"team", robot.team}};
-      const auto own = [&](const std::string& kind, std::uint16_t of) {
-        return channel(robot_topic(robot.id, kind), of, who);
-      };
-      RobotChannels channels{
-          r,
-          own("pose", pose),
-          own("state", state),
-          own(kReadingsKind, schema("elsie.Readings." + robot.id, readings_schema(simulation, r))),
-          own("command", command),
-          channel(robot_topic(robot.id, kTraceKind), trace, trace_metadata(simulation.robot(r))),
-          std::nullopt,
-          std::nullopt,
-          std::nullopt,
-          {},
-          TraceTexts(simulation.robot(r)),
-          cast};
-      if (robot.localisation) channels.belief = own(kBeliefKind, pose);
-      const std::string title = "elsie.Published." + robot.id;
-      if (const auto text = published_schema(title, published_of(simulation, r)); !text.empty()) {
-        auto metadata = who;
-        metadata[kPublishedNumbers] = numbers_text(published_of(simulation, r));
-        channels.published = channel(robot_topic(robot.id, kPublishedKind), schema(title, text),
-                                     std::move(metadata));
-      }
-      for (std::size_t s = 0; options_.images && s < simulation.sensors(r); ++s) {
-        const SensorView sensor = simulation.sensor(r, s);
-        const std::string topic = "cameras/" + std::string(sensor.id);
-        CameraChannels camera{s, {}};
-        if (sensor.camera) camera.of.emplace("raw", own(topic, image));
-        simulation.visit_reading(r, s, [&](const ReadingField& field) {
-          const std::string name(field.name);
-          if (!field.is_number() && !camera.of.contains(name)) {
-            camera.of.emplace(name, own(name == "raw" ? topic : topic + "/" + name, image));
-          }
-        });
-        if (!camera.of.empty()) channels.cameras.push_back(std::move(camera));
-      }
-      robots_.push_back(std::move(channels));
+      robots_.push_back(robot_channels(channels_, simulation, r, options_.images));
     }
     if (!crowd_.empty() && crowd_channel_ == 0) {
-      crowd_channel_ = channel(kCrowdTopic, schema("foxglove.PointCloud"));
+      crowd_channel_ = channels_.add(kCrowdTopic, channels_.schema("foxglove.PointCloud"));
     }
   }
 
@@ -333,11 +224,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     return places;
   }
 
-  /// What a scene says of a box: whether it is there, and where if nothing pushes it.
+  /// What a scene says of a box: whether it is there, and where it began.
   static std::optional<Pose> shown_box(const Simulation& simulation, std::size_t index) {
     if (!simulation.obstacle(index)) return std::nullopt;
-    const world::Obstacle& box = simulation.world().obstacles[index];
-    return may_move(box) ? Pose{} : Pose{box.x, box.y, radians(box.heading_deg)};
+    return picture::start_of(simulation.world().obstacles[index]);
   }
   bool has_other_boxes(const Simulation& simulation) const {
     if (shown_.size() != simulation.world().obstacles.size()) return true;
@@ -380,7 +270,9 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     for (std::size_t i = 0; i < simulation.fields(); ++i) {
       const auto field = picture::floor_field(simulation.field(i), kMostFieldCells);
       const auto [known, is_new] = fields_.try_emplace(field.id, std::uint16_t{0});
-      if (is_new) known->second = channel(field_topic(field.id), schema("foxglove.Grid"));
+      if (is_new) {
+        known->second = channels_.add(field_topic(field.id), channels_.schema("foxglove.Grid"));
+      }
       const std::uint64_t time_ns = now(simulation);
       out_.write(known->second, time_ns, field_text(time_ns, field, arena.length, arena.width));
     }
@@ -394,7 +286,7 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     for (RobotChannels& channels : robots_) {
       const RobotView robot = simulation.robot(channels.place);
       write(channels.pose, time_ns, pose_message(time_ns, robot.pose));
-      write(channels.state, time_ns, state_message(time_ns, robot));
+      write(channels.state, time_ns, state_message(time_ns, simulation, channels.place));
       if (channels.belief) {
         write(*channels.belief, time_ns, pose_message(time_ns, robot.state->pose));
       }
@@ -426,6 +318,18 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
   }
 
+  /// Each message once. Robots that have never heard anything get no channel.
+  void write_heard(const Simulation& simulation) {
+    for (RobotChannels& channels : robots_) {
+      if (simulation.heard(channels.place).empty()) continue;
+      if (!channels.heard) {
+        channels.heard = channels_.add(*simulation.robot(channels.place).description, kHeardKind,
+                                       channels_.schema("elsie.Heard"));
+      }
+      write(*channels.heard, decided_ns_, heard_message(simulation, channels.place, decided_ns_));
+    }
+  }
+
   /// `robot`: null for measures. Plugins that have never drawn anything get no channel.
   template <class List>
   void write_sketches(std::optional<std::uint16_t>& to, const world::Robot* robot, List list,
@@ -441,10 +345,9 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
     }
     if (!to && sketches.empty()) return;
     if (!to) {
-      const std::uint16_t scene = schema("foxglove.SceneUpdate");
-      to = robot ? channel(robot_topic(robot->id, kSketchesKind), scene,
-                           {{"robot", robot->id}, {"team", robot->team}})
-                 : channel(kSketchesTopic, scene);
+      const std::uint16_t scene = channels_.schema("foxglove.SceneUpdate");
+      to = robot ? channels_.add(*robot, kSketchesKind, scene)
+                 : channels_.add(kSketchesTopic, scene);
     }
     const std::string whose = robot ? robot->id : "measures";
     const auto lifetime_ns = static_cast<std::uint64_t>(1.5 * sampling_.period_s() * 1e9);
@@ -480,10 +383,10 @@ class McapRecorder final : public simulation::Observer, private files::Emergency
   RecorderOptions options_;
   std::set<std::string> chosen_;  // robots; empty: see kMostWithChannels
   mcap::Writer out_;
+  Channels channels_{out_};
   std::uint64_t every_ = 1;  // steps from one sample to the next, as the run begins
   traces::Sampling sampling_, field_sampling_{1.0};
-  std::uint64_t control_steps_ = 1;               // from one decision to the next
-  std::map<std::string, std::uint16_t> schemas_;  // by name and text
+  std::uint64_t control_steps_ = 1;  // from one decision to the next
   std::uint16_t world_ = 0, scene_ = 0, transforms_ = 0, events_ = 0, crowd_channel_ = 0;
   std::optional<std::uint16_t> sketches_, published_;  // of measures
   std::map<std::string, std::uint16_t> fields_;        // of the floor, by id

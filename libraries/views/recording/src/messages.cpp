@@ -138,17 +138,31 @@ Json pose_message(std::uint64_t time_ns, const Pose& pose) {
       {"pose", {{"position", position_json(frame.origin)}, {"orientation", rotation_json(frame)}}}};
 }
 
-Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot) {
-  return {{"timestamp", time_json(time_ns)},
-          {"x_m", robot.pose.x},
-          {"y_m", robot.pose.y},
-          {"heading_rad", robot.pose.heading_rad},
-          {"forward_m_s", robot.moving.forward},
-          {"lateral_m_s", robot.moving.lateral},
-          {"turn_rad_s", robot.moving.turn},
-          {"distance_m", robot.distance_m},
-          {"energy", robot.state->energy},
-          {"collisions", robot.collisions}};
+Json state_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
+                   std::size_t place) {
+  const simulation::RobotView robot = simulation.robot(place);
+  Json message{{"timestamp", time_json(time_ns)},
+               {"x_m", robot.pose.x},
+               {"y_m", robot.pose.y},
+               {"heading_rad", robot.pose.heading_rad},
+               {"forward_m_s", robot.moving.forward},
+               {"lateral_m_s", robot.moving.lateral},
+               {"turn_rad_s", robot.moving.turn},
+               {"distance_m", robot.distance_m},
+               {"energy", robot.state->energy},
+               {"collisions", robot.collisions}};
+  for (std::size_t a = 0; a < simulation.actuators(place); ++a) {
+    const simulation::ActuatorView actuator = simulation.actuator(place, a);
+    if (!actuator.shine) continue;
+    message["lights"].push_back({{"by", actuator.id},
+                                 {"x_m", actuator.frame.origin.x},
+                                 {"y_m", actuator.frame.origin.y},
+                                 {"z_m", actuator.frame.origin.z},
+                                 {"red", actuator.shine->red},
+                                 {"green", actuator.shine->green},
+                                 {"blue", actuator.shine->blue}});
+  }
+  return message;
 }
 
 Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot) {

@@ -39,7 +39,8 @@ void add_to_schema(const ReadingField& field, Json& properties);
 /// Adds the field to the message of its sensor.
 void add_to_message(const ReadingField& field, Json& sensor);
 Json pose_message(std::uint64_t time_ns, const Pose& pose);
-Json state_message(std::uint64_t time_ns, const simulation::RobotView& robot);
+Json state_message(std::uint64_t time_ns, const simulation::Simulation& simulation,
+                   std::size_t robot);
 Json command_message(std::uint64_t decided_ns, const simulation::RobotView& robot);
 /// The messages about a robot's decisions. There may be one for each control period, so their text
 /// is built by hand. Numbers are rounded by traces::kept(); those that are not finite are left out.

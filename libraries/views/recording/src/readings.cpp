@@ -35,7 +35,6 @@ std::string readings_schema(const Simulation& simulation, std::size_t robot) {
   Json schema = schema_of("elsie.Readings");
   schema["properties"]["sensors"]["properties"] = std::move(sensors);
   if (!actuators.empty()) {
-    schema["properties"]["heard"] = {{"type", "array"}, {"items", {{"type", "object"}}}};
     schema["properties"]["actuators"] = {{"type", "object"}, {"properties", std::move(actuators)}};
   }
   return schema.dump();
@@ -55,6 +54,11 @@ Json readings_message(const Simulation& simulation, std::size_t robot, std::uint
     simulation.visit_command(robot, a,
                              [&](const ReadingField& field) { add_to_message(field, actuator); });
   }
+  return message;
+}
+
+Json heard_message(const Simulation& simulation, std::size_t robot, std::uint64_t decided_ns) {
+  Json message{{"timestamp", time_json(decided_ns)}, {"heard", Json::array()}};
   for (const HeardMessage& heard : simulation.heard(robot)) {
     Json content = Json::object();
     heard.message->visit_fields([&](const ReadingField& field) { add_to_message(field, content); });

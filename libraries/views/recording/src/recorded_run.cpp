@@ -90,6 +90,13 @@ class Follower final : public Visitor {
   void read_state(picture::RobotTrack& track, const Json& state, std::uint64_t time_ns) {
     take_pose(track, {number(state, "x_m"), number(state, "y_m"), number(state, "heading_rad")},
               time_ns);
+    track.lights.clear();
+    for (const Json& light : state.value("lights", Json::array())) {
+      track.lights.push_back(
+          {{number(light, "x_m"), number(light, "y_m")},
+           {light.at("red").get<std::uint8_t>(), light.at("green").get<std::uint8_t>(),
+            light.at("blue").get<std::uint8_t>()}});
+    }
   }
 
   void read_crowd(const Json& message, std::uint64_t time_ns) {
@@ -168,12 +175,19 @@ class Follower final : public Visitor {
       if (id.starts_with(box_frame(""))) {
         const std::string box = id.substr(box_frame("").size());
         run_.standing.insert(box);
-        const auto cubes = entity.find("cubes");
-        if (entity.at("frame_id") == kWorldFrame && cubes != entity.end() && !cubes->empty()) {
-          run_.moved[box] = pose_of(cubes->front());
+        for (const Json& fact : entity.at("metadata")) {
+          if (fact.at("key") == kStart) read_start(entity, box, fact.at("value"));
         }
       }
     }
+  }
+
+  void read_start(const Json& entity, const std::string& box, const Json& text) {
+    const Json place = Json::parse(text.get<std::string>());
+    const Pose start{place.at(0).get<double>(), place.at(1).get<double>(),
+                     place.at(2).get<double>()};
+    run_.starts[box] = start;
+    if (entity.at("frame_id") == kWorldFrame) run_.moved[box] = start;
   }
 
   void read_event(const Json& event, std::uint64_t time_ns) {
@@ -214,7 +228,14 @@ RecordedRun read_recorded_run(const std::filesystem::path& file, double until_s)
 void save_picture(const RecordedRun& run, const plugin::Host& drives,
                   const std::vector<std::string>& subtitles, const std::filesystem::path& file,
                   const picture::Size& size) {
-  const world::World world = picture::bodies_of(run.world_xml, run.world_file, drives);
+  world::World world = picture::bodies_of(run.world_xml, run.world_file, drives);
+  for (world::Obstacle& box : world.obstacles) {
+    const auto start = run.starts.find(box.id);
+    if (start == run.starts.end()) continue;
+    box.x = start->second.x;
+    box.y = start->second.y;
+    box.heading_deg = degrees(start->second.heading_rad);
+  }
   picture::TopView view{world};
   view.robots = run.robots;
   view.sketches = run.sketches;
@@ -232,10 +253,9 @@ void save_picture(const RecordedRun& run, const plugin::Host& drives,
   for (const world::Obstacle& box : world.obstacles) {
     const auto moved = run.moved.find(box.id);
     const bool gone = !run.standing.contains(box.id);
-    view.boxes.push_back(gone ? std::nullopt
-                         : moved != run.moved.end()
-                             ? std::optional(moved->second)
-                             : std::optional(Pose{box.x, box.y, radians(box.heading_deg)}));
+    view.boxes.push_back(gone                       ? std::nullopt
+                         : moved != run.moved.end() ? std::optional(moved->second)
+                                                    : std::optional(picture::start_of(box)));
   }
   for (const world::ScalarField& field : world.fields) {
     const auto recorded = run.fields.find(field.id);

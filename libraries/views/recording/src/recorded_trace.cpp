@@ -56,6 +56,7 @@ class TraceBuilder final : public Visitor {
       add_numbers(channel, id);
     }
     if (kind == kReadingsKind) readings_[channel.id] = id;
+    if (kind == kHeardKind) hearers_[channel.id] = id;
     if (kind != kTraceKind) {
       return;
     }
@@ -102,10 +103,16 @@ class TraceBuilder final : public Visitor {
       decided_s_ = time_s;
       read_decision(trace_.robots[robot->second], Json::parse(message.data), time_s);
     } else if (const auto reader = readings_.find(channel.id); reader != readings_.end()) {
+      const auto known = by_id_.find(reader->second);
+      if (known == by_id_.end()) return;
+      TraceRobot& actor = trace_.robots[known->second.back()];
       // Most robots have no actuators, and large readings.
-      const auto speaker = by_id_.find(reader->second);
-      if (speaker != by_id_.end() && message.data.find("\"actuators\":") != std::string::npos) {
-        read_acts(trace_.robots[speaker->second.back()], Json::parse(message.data), time_s);
+      if (!actor.actuators.empty() || message.data.find("\"actuators\":") != std::string::npos) {
+        read_acts(actor, Json::parse(message.data), time_s);
+      }
+    } else if (const auto hearer = hearers_.find(channel.id); hearer != hearers_.end()) {
+      if (const auto known = by_id_.find(hearer->second); known != by_id_.end()) {
+        read_heard(trace_.robots[known->second.back()], Json::parse(message.data), time_s);
       }
     } else if (const auto publisher = publishers_.find(channel.id);
                publisher != publishers_.end()) {
@@ -176,9 +183,15 @@ class TraceBuilder final : public Visitor {
   }
 
   static void read_acts(TraceRobot& robot, const Json& readings, double time_s) {
-    for (const auto& [id, command] : readings.at("actuators").items()) {
-      auto known = std::find_if(robot.actuators.begin(), robot.actuators.end(),
-                                [&id = id](const auto& each) { return each.id == id; });
+    const Json now_there = readings.value("actuators", Json::object());
+    const auto is_there = [](const traces::TraceActuator& each) { return std::isinf(each.to_s); };
+    for (traces::TraceActuator& each : robot.actuators) {
+      if (is_there(each) && !now_there.contains(each.id)) each.to_s = time_s;
+    }
+    for (const auto& [id, command] : now_there.items()) {
+      auto known =
+          std::find_if(robot.actuators.begin(), robot.actuators.end(),
+                       [&, &id = id](const auto& each) { return each.id == id && is_there(each); });
       if (known == robot.actuators.end()) {
         known = robot.actuators.insert(known, traces::TraceActuator{id, {}});
       }
@@ -189,7 +202,10 @@ class TraceBuilder final : public Visitor {
         all.push_back(std::move(now));
       }
     }
-    for (const Json& heard : readings.value("heard", Json::array())) {
+  }
+
+  static void read_heard(TraceRobot& robot, const Json& message, double time_s) {
+    for (const Json& heard : message.at("heard")) {
       robot.heard.push_back({time_s, one_line(heard.at("by").get<std::string>()),
                              one_line(heard.at("from").get<std::string>()),
                              one_line(heard.at("kind").get<std::string>()),
@@ -287,7 +303,8 @@ class TraceBuilder final : public Visitor {
   std::size_t introduced_ = 0;                       // robots of the world's last message
   std::map<std::uint16_t, std::size_t> places_;      // of robots, by the ids of their channels
   std::map<std::uint16_t, std::string> readings_;    // ids of robots, by those of their channels
-  std::map<std::uint16_t, std::size_t> publishers_;  // likewise, by those of published numbers
+  std::map<std::uint16_t, std::string> hearers_;     // likewise, by those of what they hear
+  std::map<std::uint16_t, std::size_t> publishers_;  // places, by those of published numbers
   std::map<std::string, std::vector<std::size_t>> by_id_;  // places of robots, ascending
   std::map<std::string, std::uint32_t> reasons_{{"", 0}};
 };

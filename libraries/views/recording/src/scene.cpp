@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "elsie/picture/floor_tiles.h"
+#include "elsie/picture/top_view.h"
 #include "elsie/world/colours.h"
 #include "elsie/world/floor.h"
 #include "elsie/world/parts.h"
@@ -161,6 +162,9 @@ Json box(std::uint64_t time_ns, const World& world, const world::Obstacle& box) 
   add_shape(made, fixture.shape,
             moves ? Frame{.origin = {0.0, 0.0, 0.5 * fixture.shape.size.z}} : fixture.frame,
             world::box_colour(world, box, kBoxes));
+  const Pose start = picture::start_of(box);
+  const Json place{start.x, start.y, start.heading_rad};
+  made["metadata"].push_back({{"key", kStart}, {"value", text_of(place)}});
   return made;
 }
 

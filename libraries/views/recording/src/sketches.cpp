@@ -26,12 +26,13 @@ struct RoleStyle {
   double opacity;
   double diameter_m;  // of its points
 };
-constexpr std::array<RoleStyle, 6> kStyles{{{{0x9a, 0x9f, 0xa6}, 0.8, 0.015},   // range
+constexpr std::array<RoleStyle, 7> kStyles{{{{0x9a, 0x9f, 0xa6}, 0.8, 0.015},   // range
                                             {{0xd0, 0x30, 0x30}, 0.8, 0.02},    // hit
                                             {{0x2f, 0x6f, 0x9f}, 0.35, 0.04},   // field
                                             {{0x1b, 0x5f, 0xb0}, 0.9, 0.05},    // target
                                             {{0x9c, 0x2f, 0x8a}, 0.9, 0.02},    // wish
-                                            {{0x5a, 0x5f, 0x6b}, 0.7, 0.03}}};  // belief
+                                            {{0x5a, 0x5f, 0x6b}, 0.7, 0.03},    // belief
+                                            {{0x00, 0x83, 0x8f}, 0.9, 0.02}}};  // message
 
 const RoleStyle& style_of(SketchRole role) { return kStyles.at(static_cast<std::size_t>(role)); }
 Json colour_of(SketchRole role) {

@@ -26,9 +26,11 @@ enum class SketchRole : std::uint8_t {
   field,   // a quantity at a place, or in an area
   target,  // a place to go to, or to keep away from
   wish,    // a motion that a plugin wants
-  belief   // what it takes to be there
+  belief,  // what it takes to be there
+  message  // from the robot that said it to the one that heard it: Elsie draws these
 };
-inline constexpr const char* kSketchRoles[] = {"range", "hit", "field", "target", "wish", "belief"};
+inline constexpr const char* kSketchRoles[] = {"range", "hit",    "field",  "target",
+                                               "wish",  "belief", "message"};
 
 /// The marks of one plugin at one instant. Places are in m, in the plugin's own frame: a sensor's
 /// or an actuator's looks along x; that of a behaviour, coordinator, drive or localisation is its

@@ -158,6 +158,7 @@ struct RobotView {
   bool empty;  // the battery is empty
   /// Measured values of the joints that can be set, in the order of their parts.
   std::span<const JointSetting> joints;
+  std::optional<Talk> talk{};  // so far; none: it has no actuator that hears messages
 };
 
 class Simulation {

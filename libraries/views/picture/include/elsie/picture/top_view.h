@@ -17,8 +17,9 @@
 #include "elsie/picture/size.h"
 
 namespace elsie::world {
+struct Obstacle;
 struct World;
-}
+}  // namespace elsie::world
 
 namespace elsie::picture {
 
@@ -79,6 +80,9 @@ struct TopView {
   /// The arena alone, without title, axes, legend and names: for small pictures.
   bool bare = false;
 };
+
+/// Where a box begins: in the file, or where a rule or an edit put it last.
+Pose start_of(const world::Obstacle& box);
 
 /// Draws the view into a file of the type that the suffix names, .png or .svg. The same view gives
 /// the same bytes. Texts may be any bytes: those that are not UTF-8 are replaced, and long texts

@@ -16,7 +16,9 @@ namespace elsie::recording {
 ///   motion that the coordinator asked for; with command_ in front, what the drive can make of it;
 /// - believed_x_m, believed_y_m, believed_heading_rad: where the robot takes itself to be; only in
 ///   worlds that have a <localisation> at the start, and empty for robots without one;
-/// - sensor[ID].VALUE for each number of each sensor's reading;
+/// - sensor[ID].VALUE for each number of each sensor's reading, actuator[ID].VALUE likewise of the
+///   command that an actuator carries out;
+/// - talk.sent, talk.heard: messages so far; only of robots with an actuator that hears messages;
 /// - behavior[ID].asked, .forward_m_s, .lateral_m_s, .turn_rad_s, .activation, .strength, .weight,
 ///   .share, .inhibited_by, .reason (and .time_s when time is measured): the coordinator's trace of
 ///   its last decision;

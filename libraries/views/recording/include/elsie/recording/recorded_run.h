@@ -68,7 +68,9 @@ struct RecordedRun {
   std::vector<picture::RobotTrack> robots;            // their paths until then
   std::vector<Sketch> sketches;                       // of measures
   std::map<std::string, picture::FloorField> fields;  // by their ids, without their colours
-  std::map<std::string, Pose> moved;                  // boxes that may move, by their ids
+  std::map<std::string, Pose> moved;                  // boxes that were seen, by their ids
+  /// Where they began: in the file, or where a rule or an edit put them last.
+  std::map<std::string, Pose> starts;
   std::set<std::string> standing;  // ids of the boxes that were not yet collected
 };
 

@@ -75,17 +75,19 @@ struct TraceCommand {
   std::string text;  // its numbers: "red 255, brightness 1"
 };
 
-/// An actuator of a robot.
+/// An actuator of a robot, from its first command on. One that an edit removes and another one adds
+/// again is two.
 struct TraceActuator {
   std::string id;
   std::vector<TraceCommand> commands;  // ascending in time; each differs from the one before
+  double to_s = std::numeric_limits<double>::infinity();  // the first sample without it
 };
 
-/// A message that a robot heard at a sample of the recording.
+/// A message that a robot heard.
 struct TraceHeard {
-  double time_s = 0.0;
-  std::string device;  // the id of the actuator that heard it
-  std::string from;    // the id of the robot that said it; empty: the device does not tell
+  double time_s = 0.0;  // of the decision before which it was heard
+  std::string device;   // the id of the actuator that heard it
+  std::string from;     // the id of the robot that said it; empty: the device does not tell
   std::string kind;
   std::string text;  // its numbers
 };
