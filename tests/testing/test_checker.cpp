@@ -37,6 +37,7 @@ constexpr PluginKind kCoordinator = PluginKind::coordinator;
 constexpr PluginKind kSensor = PluginKind::sensor;
 constexpr PluginKind kMeasure = PluginKind::measure;
 constexpr PluginKind kDrive = PluginKind::drive;
+constexpr PluginKind kActuator = PluginKind::actuator;
 
 const Fault kFaults[] = {
     {kDrive, "deep", "The part 'left_wheel' of a robot's body is below the floor."},
@@ -96,6 +97,9 @@ const Fault kFaults[] = {
     {kSensor, "infinite", "it throws: the number 'value' of its reading is inf"},
     {kSensor, "varying", "lists 1 names, and 2 before"},
     {kSensor, "radio", "it answers differently while the behavior 'gossip' of its library works"},
+    {kActuator, "boundless", "its reach is inf, which is no finite number"},
+    {kActuator, "loud", "the range of its message is nan, which is no finite number"},
+    {kActuator, "fading", "reset() must forget"},
     {kSensor, "shared_noise", "two objects answer the same input differently"},
 };
 
@@ -117,7 +121,7 @@ TEST_CASE("Each plugin that is broken on purpose is in the list") {
   for (const Fault& fault : kFaults) {
     listed.insert(fault.name);
   }
-  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive}) {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive, kActuator}) {
     for (const Declaration* declaration : broken().host().all(kind)) {
       if (broken().host().file_of(kind, declaration->name).stem() == "broken_plugins") {
         CHECK(listed.count(declaration->name) == 1);
@@ -163,7 +167,7 @@ TEST_CASE("A plugin that is not there is no finding") {
 }
 
 TEST_CASE("All shipped plugins pass the checker") {
-  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive}) {
+  for (const PluginKind kind : {kBehavior, kCoordinator, kSensor, kDrive, kActuator}) {
     for (const Declaration* declaration : Plugins::found().host().all(kind)) {
       const std::string& name = declaration->name;
       CAPTURE(name);

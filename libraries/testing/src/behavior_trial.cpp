@@ -39,7 +39,7 @@ std::optional<std::string> difference(const Answer& one, const Answer& other) {
            std::to_string(one.numbers.size());
   }
   if (one.events != other.events) {
-    return "its events, or the reasons in its trace, differ";
+    return "its events, commands or messages, or the reasons in its trace, differ";
   }
   return std::nullopt;
 }
