@@ -73,6 +73,10 @@ const Fault kFaults[] = {
     {kBehavior, "acts_undeclared",
      "it gives a command of the kind 'led', which its declaration does not name; add "
      "elsie::commands<...>() to it"},
+    {kBehavior, "enchanted", "nan, which is no finite number"},
+    {kBehavior, "eavesdrops",
+     "it reads messages of the kind 'tune', which its declaration does not name; add "
+     "elsie::hears<...>() to it"},
     {kBehavior, "overactive", "its activation is 1.5, which is not in [0, 1]"},
     {kBehavior, "bad_rating", "its rating of a candidate command is -0.1"},
     {kBehavior, "bad_sets", "not in ascending order: 0 comes after 1"},

@@ -45,6 +45,7 @@ class CoordinatorTrial final : public Trial {
       team_.answer(i) = input_.wishes[at][i];
     }
     const Motion command = coordinator_->decide(now);
+    require_declared(coordinator_->declaration(), coordinator_->now.listened());
     answer.clear();
     require_finite(command);
     answer.add(command);
