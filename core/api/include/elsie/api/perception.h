@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "elsie/api/event.h"
 #include "elsie/api/geometry.h"
