@@ -31,6 +31,20 @@ class TooMuch final : public elsie::Coordinator {
 };
 ELSIE_COORDINATOR(TooMuch, "too_much", "Gives away more than there is");
 
+class Overreaches final : public elsie::Coordinator {
+ public:
+  Motion coordinate(std::span<elsie::Member> members, const Perception&) override {
+    for (elsie::Member& member : members) {
+      member.respond();
+    }
+    return {};
+  }
+  std::size_t resolve(std::string_view, std::span<const elsie::ActuatorWish> wishes) override {
+    return wishes.size() + 1;
+  }
+};
+ELSIE_COORDINATOR(Overreaches, "overreaches", "Gives an actuator what nobody wished");
+
 class Divides final : public elsie::Coordinator {
  public:
   Motion coordinate(std::span<elsie::Member> members, const Perception&) override {

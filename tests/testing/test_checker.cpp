@@ -95,6 +95,7 @@ const Fault kFaults[] = {
     {kBehavior, "other_unit", "has the unit 'rad', but its name says 'deg'"},
     {kBehavior, "wordless_event", "event 'something' has no meaning"},
     {kCoordinator, "too_much", "the shares in its trace add up to"},
+    {kCoordinator, "overreaches", "resolve() chooses wish 3 of 2"},
     {kCoordinator, "divides", "which is no finite number"},
     {kCoordinator, "remembers", "reset() must forget"},
     {kBehavior, "scrawling", "it throws: it draws a place that is not finite"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace elsie::testing {
@@ -175,7 +176,11 @@ Perception Situation::perception() const {
     v.heard.back().from = said.from;
   }
   v.data.heard = v.heard;
-  v.listened.clear();
+  std::sort(v.listened.begin(), v.listened.end(), [](const ReadingKind& a, const ReadingKind& b) {
+    return std::strcmp(a.name, b.name) < 0;
+  });
+  const auto same = [](const ReadingKind& a, const ReadingKind& b) { return a.has_name_of(b); };
+  v.listened.erase(std::unique(v.listened.begin(), v.listened.end(), same), v.listened.end());
   v.data.listened = &v.listened;
   v.data.groups = v.groups;
   v.data.self = &self;

@@ -98,7 +98,7 @@ class Situation {
   /// streams.
   Situation& seed(std::uint64_t seed);
 
-  /// The kinds of messages that were asked for since the last perception().
+  /// The kinds of messages that its perceptions were asked for, each at least once.
   const std::vector<ReadingKind>& listened() const { return views_.listened; }
 
   /// For calling a plugin's object directly. Refers to this situation, and is valid until that
