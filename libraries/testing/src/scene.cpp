@@ -76,7 +76,7 @@ Scene& Scene::behaves(const std::string& path, const std::string& plugin) {
 }
 
 Scene& Scene::publishes(const std::string& name, const std::string& unit) {
-  Numbers& numbers = numbers_.at(numbers_.size() - 1);
+  Numbers& numbers = numbers_.empty() ? of_world_ : numbers_.back();
   numbers.names.push_back({keep(name), keep(unit)});
   numbers.values.push_back(std::numeric_limits<double>::quiet_NaN());
   return *this;
@@ -121,11 +121,12 @@ ObservedBehavior& Scene::behavior(const std::string& robot, const std::string& p
 }
 
 double& Scene::number(const std::string& robot, const std::string& name) {
-  Numbers& numbers = numbers_[index_of(robot)];
+  Numbers& numbers = robot.empty() ? of_world_ : numbers_[index_of(robot)];
   for (std::size_t i = 0; i < numbers.names.size(); ++i) {
     if (numbers.names[i].name == name) return numbers.values[i];
   }
-  throw std::invalid_argument("the robot '" + robot + "' publishes no '" + name + "'");
+  throw std::invalid_argument((robot.empty() ? "the world" : "the robot '" + robot + "'") +
+                              " publishes no '" + name + "'");
 }
 
 Scene& Scene::step() { return at_step(steps_ + 1); }
@@ -156,6 +157,9 @@ const Observation& Scene::observation() const {
     seen_[i].numbers = &seen_numbers_[i];
   }
   view_ = now_;
+  seen_of_world_ = of_world_;
+  view_.published = seen_of_world_.names;
+  view_.numbers = &seen_of_world_;
   view_.period_s = now_.step_s * static_cast<double>(control_steps_);
   view_.robots = seen_;
   view_.obstacles = boxes_;

@@ -66,7 +66,7 @@ std::span<const double> Lookout::Numbers::now() const {
   if (!is_read) {
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
     std::size_t next = 0;  // they are mostly in this order
-    robot->visit_published([&](const PublishedValue& published) {
+    visit_published([&](const PublishedValue& published) {
       const auto is_it = [&](const ObservedNumber& each) {
         const std::string_view path = published.path, name = published.number.name;
         return each.name.size() == path.size() + 1 + name.size() && each.name.starts_with(path) &&
@@ -84,7 +84,9 @@ std::span<const double> Lookout::Numbers::now() const {
   return values;
 }
 
-Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(host) {
+Lookout::Lookout(const world::World& world, const plugin::Host& host,
+                 std::function<void(const VisitPublished&)> visit_published)
+    : host_(host) {
   for (const world::Team& team : world.teams) {
     add_team(team.id);
   }
@@ -92,6 +94,12 @@ Lookout::Lookout(const world::World& world, const plugin::Host& host) : host_(ho
   for (const world::Robot& robot : world.robots) {
     describe(robot);
   }
+  Numbers& numbers = numbers_.emplace_back();
+  numbers.visit_published = std::move(visit_published);
+  for (const auto& use : world.measures) list_published(PluginKind::measure, use, "");
+  for (const auto& use : world.rules) list_published(PluginKind::rule, use, "");
+  numbers.values.resize(numbers.names.size());
+  now_.published = numbers.names;
   for (const world::Obstacle& obstacle : world.obstacles) {
     stay_in_place_.push_back(stays(obstacle));
     all_obstacles_.push_back({obstacle.id,
@@ -182,12 +190,15 @@ bool Lookout::has_cast_of(const Lookout& other) const {
   const auto same_behavior = [](const ObservedBehavior& a, const ObservedBehavior& b) {
     return a.path == b.path && a.plugin == b.plugin;
   };
+  const auto same_name = [](const ObservedNumber& a, const ObservedNumber& b) {
+    return a.name == b.name;
+  };
   const auto same_robot = [&](const ObservedRobot& a, const ObservedRobot& b) {
     return a.id == b.id && a.team == b.team && same(a.behaviors, b.behaviors, same_behavior) &&
-           same(a.published, b.published,
-                [](const auto& one, const auto& two) { return one.name == two.name; });
+           same(a.published, b.published, same_name);
   };
   return same(robots_, other.robots_, same_robot) &&
+         same(now_.published, other.now_.published, same_name) &&
          same(all_obstacles_, other.all_obstacles_,
               [](const ObservedObstacle& a, const ObservedObstacle& b) {
                 return a.id == b.id && a.team == b.team;
@@ -199,10 +210,14 @@ void Lookout::look(Robots robots, const physics::Engine& engine,
                    bool is_start) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     take_over(*robots[i], robots_[i], behaviors_[i]);
-    numbers_[i].robot = robots[i].get();
+    numbers_[i].visit_published = [robot = robots[i].get()](const VisitPublished& visit) {
+      robot->visit_published(visit);
+    };
     numbers_[i].is_read = false;
     robots_[i].numbers = &numbers_[i];
   }
+  numbers_.back().is_read = false;
+  now_.numbers = &numbers_.back();
   obstacles_.clear();
   for (std::size_t i = 0; i < all_obstacles_.size(); ++i) {
     if (engine.has_obstacle(i)) {

@@ -84,7 +84,9 @@ std::vector<Quantity> measure_names(const world::World& world, const plugin::Hos
 Measuring::Measuring(const world::World& world, const plugin::Host& host, const Budget& budget,
                      std::vector<base::Problem>& problems)
     : guard_("", budget) {
-  if (!world.measures.empty() || !world.rules.empty()) lookout_.emplace(world, host);
+  if (!world.measures.empty() || !world.rules.empty()) {
+    lookout_.emplace(world, host, [this](const auto& visit) { visit_published(visit); });
+  }
   for (const world::PluginUse& use : world.measures) {
     add(PluginKind::measure, use, host, problems);
   }

@@ -35,8 +35,8 @@ class Scene {
   /// Adds a behaviour by its path: "explore", then "explore/wander" inside of it. Throws
   /// std::invalid_argument when the outer one does not exist.
   Scene& behaves(const std::string& path, const std::string& plugin = "");
-  /// Adds a number that a plugin of the robot publishes, such as "explore.known". There is none
-  /// until number() sets it.
+  /// Adds a number that a plugin of the robot publishes, such as "explore.known"; before the first
+  /// robot, one that a rule or measure publishes. There is none until number() sets it.
   Scene& publishes(const std::string& name, const std::string& unit = "");
 
   Scene& box(const std::string& id, ObservedObstacle::Kind kind, double x, double y,
@@ -53,7 +53,7 @@ class Scene {
   /// One of its behaviours by its path, to be changed. Its share in the robot's command is
   /// computed.
   ObservedBehavior& behavior(const std::string& robot, const std::string& path);
-  /// One of its published numbers, to be changed.
+  /// One of its published numbers, to be changed; without a robot, one of the world's.
   double& number(const std::string& robot, const std::string& name);
 
   /// Moves to the instant after the next step. Robots decide in it when it begins a control period.
@@ -82,6 +82,7 @@ class Scene {
   std::vector<ObservedRobot> robots_;
   std::vector<std::vector<ObservedBehavior>> behaviors_;  // for each robot
   std::vector<Numbers> numbers_;                          // for each robot
+  Numbers of_world_;
   std::vector<ObservedObstacle> boxes_;
   std::vector<std::string_view> teams_;
   std::vector<ObservedEvent> events_;
@@ -93,6 +94,7 @@ class Scene {
   mutable std::vector<ObservedRobot> seen_;
   mutable std::vector<std::vector<ObservedBehavior>> seen_behaviors_;
   mutable std::vector<Numbers> seen_numbers_;
+  mutable Numbers seen_of_world_;
 };
 
 }  // namespace elsie::testing
