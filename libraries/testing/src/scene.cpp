@@ -92,6 +92,19 @@ Scene& Scene::resource(const std::string& id, double x, double y, const std::str
   return box(id, ObservedObstacle::Kind::resource, x, y, team);
 }
 
+Scene& Scene::field(const std::string& id, std::size_t columns, std::vector<double> cells) {
+  const auto known = std::find_if(fields_.begin(), fields_.end(),
+                                  [&](const ObservedField& each) { return each.id == id; });
+  const auto i = static_cast<std::size_t>(known - fields_.begin());
+  if (known == fields_.end()) {
+    fields_.emplace_back();
+    cells_.emplace_back();
+  }
+  fields_[i] = {keep(id), columns, cells.size() / columns, {}, 1.0};
+  cells_[i] = std::move(cells);
+  return *this;
+}
+
 Scene& Scene::remove_obstacle(const std::string& id) {
   std::erase_if(boxes_, [&](const ObservedObstacle& box) { return box.id == id; });
   return *this;
@@ -158,6 +171,10 @@ const Observation& Scene::observation() const {
   }
   view_ = now_;
   seen_of_world_ = of_world_;
+  seen_fields_ = fields_;
+  seen_cells_ = cells_;
+  for (std::size_t i = 0; i < seen_fields_.size(); ++i) seen_fields_[i].cells = seen_cells_[i];
+  view_.fields = seen_fields_;
   view_.published = seen_of_world_.names;
   view_.numbers = &seen_of_world_;
   view_.period_s = now_.step_s * static_cast<double>(control_steps_);

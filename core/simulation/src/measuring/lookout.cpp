@@ -108,6 +108,8 @@ Lookout::Lookout(const world::World& world, const plugin::Host& host,
                               {obstacle.x, obstacle.y, wrap_angle(radians(obstacle.heading_deg))}});
     add_team(obstacle.team);
   }
+  for (const world::ScalarField& field : world.fields) fields_.push_back({.id = field.id});
+  now_.fields = fields_;
   obstacles_ = all_obstacles_;
   now_.step_s = world.physics.step;
   now_.period_s = world.physics.step * static_cast<double>(world.physics.control_steps);
@@ -205,7 +207,7 @@ bool Lookout::has_cast_of(const Lookout& other) const {
               });
 }
 
-void Lookout::look(Robots robots, const physics::Engine& engine,
+void Lookout::look(Robots robots, const physics::Engine& engine, const Fields& fields,
                    std::span<const EventRecord> events, double time_s, bool decided,
                    bool is_start) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -228,6 +230,11 @@ void Lookout::look(Robots robots, const physics::Engine& engine,
                          std::atan2(frame.forward.y, frame.forward.x)};
       }
     }
+  }
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const RunningField& field = fields[i];
+    fields_[i] = {field.id(), field.cells().columns, field.cells().rows, field.grid(),
+                  field.scale()};
   }
   events_.clear();
   for (const EventRecord& event : events) {

@@ -15,6 +15,7 @@
 #include "elsie/world/description.h"
 
 #include "robot/robot_surroundings.h"
+#include "step/fields.h"
 
 namespace elsie::simulation {
 
@@ -38,8 +39,8 @@ class Lookout {
 
   /// Updates now(). `decided`: robots decided in the last step; `is_start`: as in Observation.
   /// Allocates nothing.
-  void look(Robots robots, const physics::Engine& engine, std::span<const EventRecord> events,
-            double time_s, bool decided, bool is_start);
+  void look(Robots robots, const physics::Engine& engine, const Fields& fields,
+            std::span<const EventRecord> events, double time_s, bool decided, bool is_start);
 
  private:
   /// The numbers of one robot, or of the world, read when a measure asks for them.
@@ -70,6 +71,7 @@ class Lookout {
   std::vector<ObservedObstacle> obstacles_;
   std::vector<std::string_view> teams_;
   std::vector<ObservedEvent> events_;
+  std::vector<ObservedField> fields_;
 };
 
 }  // namespace elsie::simulation

@@ -227,11 +227,11 @@ bool Measuring::has_begun(PluginKind kind) const {
                      [&](const auto& slot) { return slot->has_begun || slot->kind != kind; });
 }
 
-void Measuring::look(Robots robots, const physics::Engine& engine,
+void Measuring::look(Robots robots, const physics::Engine& engine, const Fields& fields,
                      std::span<const EventRecord> events, double time_s, std::uint64_t step,
                      bool decided, bool is_start) {
   guard_.begin_step(step, time_s);
-  if (lookout_) lookout_->look(robots, engine, events, time_s, decided, is_start);
+  if (lookout_) lookout_->look(robots, engine, fields, events, time_s, decided, is_start);
 }
 
 template <class Call>

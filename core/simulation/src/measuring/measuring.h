@@ -49,8 +49,9 @@ class Measuring {
   /// Returns whether all of a kind have had their first observation.
   bool has_begun(PluginKind kind) const;
   /// Looks at the world after the step with this number. `events`: since the last look.
-  void look(Robots robots, const physics::Engine& engine, std::span<const EventRecord> events,
-            double time_s, std::uint64_t step, bool decided, bool is_start);
+  void look(Robots robots, const physics::Engine& engine, const Fields& fields,
+            std::span<const EventRecord> events, double time_s, std::uint64_t step, bool decided,
+            bool is_start);
   /// Calls observe() of the measures. `is_start`: the first call, only of measures that have not
   /// begun. Throws PluginFault.
   void observe(bool is_start);

@@ -101,7 +101,7 @@ void Simulation::Impl::control(double period_s) {
 void Simulation::Impl::look(bool decided, bool is_start) {
   const std::uint64_t last_step = steps_ > 0 ? steps_ - 1 : 0;
   const std::span events = std::span<const EventRecord>(events_).subspan(looked_at_);
-  measuring_->look(robots_, *engine_, events, time_s(), last_step, decided, is_start);
+  measuring_->look(robots_, *engine_, *fields_, events, time_s(), last_step, decided, is_start);
   if (!is_start) looked_at_ = events_.size();
 }
 

@@ -105,6 +105,14 @@ struct ObservedEvent {
   std::string_view robot;  // its id; empty: an edit of the world
 };
 
+/// A field of the world: its cells divide the arena evenly.
+struct ObservedField {
+  std::string_view id;
+  std::size_t columns = 0, rows = 0;  // along x and y
+  std::span<const double> cells{};    // rows from south to north; none before the first observation
+  double scale = 1.0;                 // times a cell: its value, units/m2
+};
+
 /// The world at an instant. It refers to memory of the simulator and is valid only during the call.
 /// Ids, and the indices of robots and behaviours, do not change from equipped() on while the
 /// measure lives. Reading it allocates nothing.
@@ -119,7 +127,8 @@ struct Observation {
   std::span<const ObservedRobot> robots;        // in the order of the world file
   std::span<const ObservedObstacle> obstacles;  // in the order of the world file, resources last
   std::span<const std::string_view> teams;
-  std::span<const ObservedEvent> events;      // in the order in which they were raised
+  std::span<const ObservedEvent> events;  // in the order in which they were raised
+  std::span<const ObservedField> fields;
   std::span<const ObservedNumber> published;  // by measures and rules: "respawn.returned"
   const ObservedNumbers* numbers = nullptr;   // their values, as in ObservedRobot
 

@@ -42,6 +42,9 @@ class Scene {
   Scene& box(const std::string& id, ObservedObstacle::Kind kind, double x, double y,
              const std::string& team = "");
   Scene& resource(const std::string& id, double x, double y, const std::string& team = "");
+  /// Sets the values of a field of the world: `columns` cells along x, and as many rows as there
+  /// are numbers for, from south to north.
+  Scene& field(const std::string& id, std::size_t columns, std::vector<double> cells);
   /// Removes a box, as when a resource was collected.
   Scene& remove_obstacle(const std::string& id);
 
@@ -86,6 +89,8 @@ class Scene {
   std::vector<ObservedObstacle> boxes_;
   std::vector<std::string_view> teams_;
   std::vector<ObservedEvent> events_;
+  std::vector<ObservedField> fields_;
+  std::vector<std::vector<double>> cells_;  // for each field
   int steps_ = 0;
   int control_steps_ = 1;
   // The data that observation() refers to, renewed by each call.
@@ -95,6 +100,8 @@ class Scene {
   mutable std::vector<std::vector<ObservedBehavior>> seen_behaviors_;
   mutable std::vector<Numbers> seen_numbers_;
   mutable Numbers seen_of_world_;
+  mutable std::vector<ObservedField> seen_fields_;
+  mutable std::vector<std::vector<double>> seen_cells_;
 };
 
 }  // namespace elsie::testing
