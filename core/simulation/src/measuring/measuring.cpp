@@ -179,9 +179,9 @@ void Measuring::list_late_notes(std::vector<Note>& notes) const {
   for (const auto& slot : slots_) {
     if (slot->rebuilt < kMany) continue;
     notes.push_back({"", slot->use->id,
-                     "its edits made parts of the world again " + std::to_string(slot->rebuilt) +
-                         " times, which is slow; docs/changing-a-world.md lists edits that are "
-                         "made in place"});
+                     "its edits made objects or bodies again " + std::to_string(slot->rebuilt) +
+                         " times, which is slow; docs/changing-a-world.md lists edits that cost "
+                         "nothing"});
   }
 }
 
